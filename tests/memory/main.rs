@@ -3,6 +3,7 @@
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 mod counting;
+mod coverage;
 mod geojson;
 mod pointer_model;
 mod stores;

@@ -39,6 +39,8 @@ pub type Position = [f64; 2];
 /// assert_eq!(found.to_string(), "L1: half-edge 3 is its own twin, so its edge has one side only");
 /// assert_eq!(found.kind.name(), "twin_is_self");
 /// ```
+///
+/// More fields may come. One of your own is made from a [`Violation`] or by `..Diagnosis::default()`, so that it compiles then, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnosis {
     /// The line of the file, where each line is a structure of its own.

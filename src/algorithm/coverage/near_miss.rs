@@ -31,12 +31,47 @@ const LEAST: f64 = 4.0;
 /// The part of the median length of edges that is the width if none is given.
 const OF_MEDIAN: f64 = 100.0;
 
-/// A half-edge of a feature's border with unclaimed space to its left.
-struct Side<'a> {
-    half_edge: HalfEdge<'a>,
-    ends: [Point; 2],
-    space: usize,
-    features: Vec<FeatureId>,
+/// The sides: half-edges of features' borders with one of the spaces to their left, by index. What is known of them is looked up, since there
+/// are as many as half-edges where islands lie in the sea.
+struct Sides<'a> {
+    map: &'a PlanarMap,
+    /// The space that each unclaimed face is part of, by index.
+    spaces: &'a FxHashMap<usize, usize>,
+    /// The features of the other faces at them, by index; not empty.
+    features: FxHashMap<usize, Vec<FeatureId>>,
+}
+
+impl<'a> Sides<'a> {
+    fn new(map: &'a PlanarMap, spaces: &'a FxHashMap<usize, usize>) -> Self {
+        let claimed = map.dcel().faces().filter(|face| !spaces.contains_key(&face.index()));
+        let features = claimed.map(|face| (face.index(), features_of(map, face).collect::<Vec<_>>()));
+        Self { map, spaces, features: features.filter(|(_, features)| !features.is_empty()).collect() }
+    }
+
+    fn all(&self) -> impl Iterator<Item = usize> {
+        let is_side = |h: &HalfEdge<'_>| self.space(*h).is_some() && self.features_at(*h).is_some();
+        self.map.dcel().half_edges().filter(is_side).map(|h| h.index())
+    }
+
+    fn half_edge(&self, side: usize) -> HalfEdge<'a> {
+        self.map.dcel().half_edge_at(side).expect("sides are half-edges of the map")
+    }
+
+    fn ends(&self, side: usize) -> [Point; 2] {
+        ends(self.map, self.half_edge(side))
+    }
+
+    fn space(&self, h: HalfEdge<'_>) -> Option<usize> {
+        self.spaces.get(&h.face().index()).copied()
+    }
+
+    fn features_at(&self, h: HalfEdge<'_>) -> Option<&[FeatureId]> {
+        self.features.get(&h.twin().face().index()).map(Vec::as_slice)
+    }
+
+    fn features(&self, side: usize) -> &[FeatureId] {
+        self.features_at(self.half_edge(side)).unwrap_or_default()
+    }
 }
 
 /// A part of a side that lies opposite another side: its start and end along the side, and how far the other one is there.
@@ -58,54 +93,46 @@ pub(super) fn chosen_width(map: &PlanarMap) -> f64 {
 /// The near misses up to a width. `spaces` has the space that each unclaimed face is part of, where near misses are looked for, both by
 /// index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
 pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, width: f64) -> Vec<Finding> {
-    let sides = sides(map, spaces);
+    let sides = &Sides::new(map, spaces);
     // By the two features, then by side.
     let mut pairs: BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>> = BTreeMap::new();
-    let boxed = |(i, side): (usize, &Side<'_>)| {
-        let [a, b] = side.ends;
-        GeomWithData::new(Rectangle::from_corners([a.x, a.y], [b.x, b.y]), i)
+    let boxed = |side| {
+        let [a, b] = sides.ends(side);
+        GeomWithData::new(Rectangle::from_corners([a.x, a.y], [b.x, b.y]), side)
     };
-    let tree = RTree::bulk_load(sides.iter().enumerate().map(boxed).collect());
-    for (i, side) in sides.iter().enumerate() {
-        let [a, b] = side.ends;
+    let tree = RTree::bulk_load(sides.all().map(boxed).collect());
+    for side in sides.all() {
+        let (ends, features) = (sides.ends(side), sides.features(side));
+        let space = sides.space(sides.half_edge(side));
+        let [a, b] = ends;
         let low = [a.x.min(b.x) - width, a.y.min(b.y) - width];
         let high = [a.x.max(b.x) + width, a.y.max(b.y) + width];
         for near in tree.locate_in_envelope_intersecting(AABB::from_corners(low, high)) {
-            let other = &sides[near.data];
-            if near.data == i || side.space != other.space || have_common(&side.features, &other.features) {
+            let other = near.data;
+            if other == side
+                || space != sides.space(sides.half_edge(other))
+                || have_common(features, sides.features(other))
+            {
                 continue;
             }
-            let Some(stretch) = facing(side.ends, other.ends, width) else { continue };
-            for one in &side.features {
-                for another in &other.features {
+            let Some(stretch) = facing(ends, sides.ends(other), width) else { continue };
+            for one in features {
+                for another in sides.features(other) {
                     let pair = [*one.min(another), *one.max(another)];
-                    let stretches = pairs.entry(pair).or_default().entry(i).or_default();
-                    stretches.push(Stretch { other: near.data, ..stretch });
+                    let stretches = pairs.entry(pair).or_default().entry(side).or_default();
+                    stretches.push(Stretch { other, ..stretch });
                 }
             }
         }
     }
-    let by_half_edge: FxHashMap<usize, usize> = sides.iter().map(|side| side.half_edge.index()).zip(0..).collect();
+    drop(tree);
     let mut findings = Vec::new();
     for (pair, near) in &pairs {
-        for cluster in clusters(near, &sides, &by_half_edge) {
-            findings.extend(near_miss(*pair, &cluster, near, &sides, width));
+        for cluster in clusters(near, sides) {
+            findings.extend(near_miss(*pair, &cluster, near, sides, width));
         }
     }
     findings
-}
-
-/// The half-edges with one of the spaces to their left and claimed faces to their right.
-fn sides<'a>(map: &'a PlanarMap, spaces: &FxHashMap<usize, usize>) -> Vec<Side<'a>> {
-    let mut sides = Vec::new();
-    for half_edge in map.dcel().half_edges() {
-        let Some(space) = spaces.get(&half_edge.face().index()).copied() else { continue };
-        let features: Vec<FeatureId> = features_of(map, half_edge.twin().face()).collect();
-        if !features.is_empty() {
-            sides.push(Side { half_edge, ends: ends(map, half_edge), space, features });
-        }
-    }
-    sides
 }
 
 /// Returns true if two sorted lists have an element in common.
@@ -114,11 +141,7 @@ fn have_common(a: &[FeatureId], b: &[FeatureId]) -> bool {
 }
 
 /// The sides that belong together: they face or follow each other. Each set is sorted.
-fn clusters(
-    near: &BTreeMap<usize, Vec<Stretch>>,
-    sides: &[Side<'_>],
-    by_half_edge: &FxHashMap<usize, usize>,
-) -> Vec<Vec<usize>> {
+fn clusters(near: &BTreeMap<usize, Vec<Stretch>>, sides: &Sides<'_>) -> Vec<Vec<usize>> {
     let mut seen = FxHashSet::default();
     let mut clusters: Vec<Vec<usize>> = Vec::new();
     for start in near.keys() {
@@ -129,8 +152,8 @@ fn clusters(
         let mut next = 0;
         while let Some(side) = cluster.get(next).copied() {
             next += 1;
-            let h = sides[side].half_edge;
-            let along = [h.next(), h.prev()].into_iter().filter_map(|h| by_half_edge.get(&h.index()).copied());
+            let h = sides.half_edge(side);
+            let along = [h.next(), h.prev()].into_iter().map(|h| h.index());
             let facing = near.get(&side).into_iter().flatten().map(|stretch| stretch.other);
             for other in along.chain(facing).filter(|other| near.contains_key(other)) {
                 if seen.insert(other) {
@@ -149,7 +172,7 @@ fn near_miss(
     pair: [FeatureId; 2],
     cluster: &[usize],
     near: &BTreeMap<usize, Vec<Stretch>>,
-    sides: &[Side<'_>],
+    sides: &Sides<'_>,
     width: f64,
 ) -> Option<Finding> {
     let mut pieces: Vec<Piece> = cluster.iter().flat_map(|side| pieces(&near[side], *side, sides)).collect();
@@ -196,17 +219,17 @@ impl Piece {
     }
 
     /// The point in the middle between both sides.
-    fn middle(&self, sides: &[Side<'_>]) -> Point {
+    fn middle(&self, sides: &Sides<'_>) -> Point {
         let p = middle(self.ends);
-        middle([p, nearest(p, sides[self.other].ends)])
+        middle([p, nearest(p, sides.ends(self.other))])
     }
 }
 
 /// The union of the stretches of a side, in order, each place once.
-fn pieces(stretches: &[Stretch], side: usize, sides: &[Side<'_>]) -> Vec<Piece> {
+fn pieces(stretches: &[Stretch], side: usize, sides: &Sides<'_>) -> Vec<Piece> {
     let mut sorted = stretches.to_vec();
     sorted.sort_unstable_by(|a, b| a.from.total_cmp(&b.from).then(a.widths[0].total_cmp(&b.widths[0])));
-    let [a, b] = sides[side].ends;
+    let [a, b] = sides.ends(side);
     let mut end = 0.0_f64;
     let mut pieces = Vec::new();
     for Stretch { from, to, widths: [first, last], other, .. } in sorted {

@@ -138,7 +138,9 @@ impl<K: Subject> InStep<K> {
             self.subject.forget_retired();
         }
         let vertices = self.compare()?;
-        exchange.compare::<K>(&self.vertices, &vertices)?;
+        if self.settings.vertex_handles {
+            exchange.compare::<K>(&self.vertices, &vertices)?;
+        }
         self.vertices = vertices;
         Ok(())
     }
@@ -154,6 +156,9 @@ impl<K: Subject> InStep<K> {
         }
         if !self.settings.stale_handles {
             self.summary.note(NotCompared::StaleHandles);
+        }
+        if !self.settings.vertex_handles {
+            self.summary.note(NotCompared::VertexHandles);
         }
     }
 

@@ -23,7 +23,7 @@
 //! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
 //!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used;
 //! 5. whether each vertex has the handle that it had before. Where two become one, either may be kept, unless
-//!    [`Conformance::collapse_keeps`] says which.
+//!    [`Conformance::collapse_keeps`] says which. [`Conformance::without_vertex_handles`] is for structures that give vertices other indices.
 //!
 //! What an operator returns is not compared beyond its handles: which boundary components and faces it says that it kept, made and
 //! dropped. For `Dcel`, `ReportAudit` of the crate `twinedge-trials` compares that, too.

@@ -41,6 +41,7 @@ pub enum End {
 pub struct Conformance {
     pub(super) expectation: Expectation,
     pub(super) stale_handles: bool,
+    pub(super) vertex_handles: bool,
     pub(super) survivor: Option<End>,
     pub(super) coverage: Option<Coverage>,
     pub(super) programs: usize,
@@ -56,6 +57,7 @@ impl Conformance {
         Self {
             expectation: *expectation,
             stale_handles: true,
+            vertex_handles: true,
             survivor: None,
             coverage: None,
             programs: 200,
@@ -77,6 +79,16 @@ impl Conformance {
     #[must_use]
     pub const fn without_stale_handles(mut self) -> Self {
         self.stale_handles = false;
+        self
+    }
+
+    /// The same, but operators may give vertices other handles, as a structure does that keeps its vertices without gaps and whose handles are
+    /// indices. Data that is kept by such handles must be moved by its owner. Within one state of the structure equal handles still mean
+    /// equal vertices. Handles of half-edges and of isolated vertices must stay. [`mesh::Named`](crate::program::mesh::Named) finds
+    /// half-edges again by their vertices: with it, a vertex that is made or kept may have a new index, and others may not.
+    #[must_use]
+    pub const fn without_vertex_handles(mut self) -> Self {
+        self.vertex_handles = false;
         self
     }
 

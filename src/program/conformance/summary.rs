@@ -58,10 +58,14 @@ pub enum NotCompared {
     /// The refusal of stale handles: see
     /// [`without_stale_handles`](super::Conformance::without_stale_handles).
     StaleHandles,
+    /// The handles of vertices before and after an operator: see
+    /// [`without_vertex_handles`](super::Conformance::without_vertex_handles).
+    VertexHandles,
 }
 
 impl NotCompared {
-    const ALL: [Self; 5] = [Self::Faces, Self::Holes, Self::Outside, Self::BorderNext, Self::StaleHandles];
+    const ALL: [Self; 6] =
+        [Self::Faces, Self::Holes, Self::Outside, Self::BorderNext, Self::StaleHandles, Self::VertexHandles];
 
     /// The noun for it, without article.
     #[must_use]
@@ -72,6 +76,7 @@ impl NotCompared {
             Self::Outside => "the unbounded face",
             Self::BorderNext => "next on the border",
             Self::StaleHandles => "stale handles",
+            Self::VertexHandles => "the handles of vertices before and after",
         }
     }
 }

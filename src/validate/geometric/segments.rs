@@ -28,12 +28,13 @@ pub(in crate::validate) struct Segments {
 impl Segments {
     pub(in crate::validate) fn of(columns: &Columns) -> Self {
         let mut numbers = vec![NIL; columns.points.len()];
+        let (vertices, edges) = (columns.points.len(), columns.twin.len() / 2);
         let mut found = Self {
-            points: Vec::new(),
-            vertices: Vec::new(),
+            points: Vec::with_capacity(vertices),
+            vertices: Vec::with_capacity(vertices),
             numbers: Vec::new(),
-            ends: Vec::new(),
-            half_edges: Vec::new(),
+            ends: Vec::with_capacity(edges),
+            half_edges: Vec::with_capacity(edges),
             pieces: Vec::new(),
             edges: 0,
         };

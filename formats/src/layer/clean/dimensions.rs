@@ -3,6 +3,7 @@
 use super::super::model::{Feature, Geometry, Line, Position};
 use super::restored::{key, rounded};
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 use twinedge::geometry::Point;
 
 type Key = (u64, u64);
@@ -29,7 +30,7 @@ fn note(known: &mut Known, position: &Position, cell: Option<f64>) {
 
 impl Further {
     /// Notes the points of all features that have further dimensions. O(points), expected.
-    pub(super) fn new(features: &[Feature], cell: Option<f64>) -> Self {
+    pub(super) fn new(features: &[Cow<'_, Feature>], cell: Option<f64>) -> Self {
         let mut of_all = Known::default();
         for geometry in features.iter().filter_map(|feature| feature.geometry.as_ref()) {
             geometry.shape.visit(&mut |position| {

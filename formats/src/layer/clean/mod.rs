@@ -27,6 +27,7 @@ use dimensions::Further;
 use fillers::fillers;
 use rebuild::{is_same, polygons_of, replace};
 use restored::Restoration;
+use std::borrow::Cow;
 use twinedge::algorithm::clean::{Cleaned, Options, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
 use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
@@ -87,7 +88,8 @@ pub enum CleanError {
 /// # Errors
 /// [`CleanError`]; the layer is then unchanged.
 pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, CleanError> {
-    let mut done = pass(&layer.features, &[], options)?;
+    let features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
+    let mut done = pass(&features, &[], options)?;
     // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
     if let Some(width) = options.assign.gap_width {
         let mut near_misses = done.near_misses();
@@ -115,16 +117,21 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
         accepted_gaps: done.judged.accepted_gaps.iter().map(Remaining::from).collect(),
     };
     report.remaining.extend(done.judged.invalid);
-    for (number, (before, after)) in layer.features.iter().zip(&mut done.features).enumerate() {
+    let mut changed = Vec::new();
+    for (number, (before, after)) in layer.features.iter().zip(done.features).enumerate() {
         let polygons = before.geometry.as_ref().map(polygons_of).unwrap_or_default();
         report.polygons += usize::from(!polygons.is_empty());
         if before.geometry != after.geometry {
+            let mut after = after.into_owned();
             let now = after.geometry.as_ref().map(polygons_of).unwrap_or_default();
             report.features.push(FeatureChange::new(number, &shapes(before), &polygons, &now));
-            rebuild::update_box(after);
+            rebuild::update_box(&mut after);
+            changed.push((number, after));
         }
     }
-    layer.features = done.features;
+    for (number, feature) in changed {
+        layer.features[number] = feature;
+    }
     if !report.features.is_empty() {
         rebuild::update_box_of_layer(layer);
     }
@@ -132,15 +139,16 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
 }
 
 /// The result of one round of cleaning.
-struct Pass {
-    features: Vec<Feature>,
+struct Pass<'a> {
+    /// Those of which nothing changed are borrowed.
+    features: Vec<Cow<'a, Feature>>,
     changes: Vec<LayerChange>,
     noding: Option<NodingSummary>,
     sliver_area: f64,
     judged: Judgement,
 }
 
-impl Pass {
+impl Pass<'_> {
     fn is_plane(&self) -> bool {
         self.judged.left.is_none_or(|left| left.is_plane)
     }
@@ -152,37 +160,38 @@ impl Pass {
 }
 
 /// One round: noding, faces to features, outlines.
-fn pass(features: &[Feature], fillers: &[map::Shape], options: &CleanOptions) -> Result<Pass, CleanError> {
+fn pass<'a>(
+    features: &[Cow<'a, Feature>],
+    fillers: &[map::Shape],
+    options: &CleanOptions,
+) -> Result<Pass<'a>, CleanError> {
     let map = build(features, fillers, options.snap)?;
     let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
-    let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
+    let (noding, sliver_area) = (map.noding().copied(), cleaned.sliver_area);
+    let changes = cleaned.changes.iter().map(LayerChange::from).collect();
     // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
-    let restored = match (options.snap, cell) {
-        (None, Some(cell)) => Some(Restoration::new(features, cell)),
+    let restored = match (options.snap, noding) {
+        (None, Some(NodingSummary { cell, .. })) if cell > 0.0 => Some(Restoration::new(features, cell)),
         _ => None,
     };
     let mut made = outlined(features, &map, &cleaned, restored.as_ref())?;
+    // The map is not needed beside the one by which the outlines are judged, unless they are made once more.
+    let kept = restored.is_some().then_some((map, cleaned));
     let mut found = judged(&made, options)?;
-    if restored.is_some() && found.left.is_some_and(|left| !left.is_plane) {
+    if let Some((map, cleaned)) = kept.filter(|_| found.left.is_some_and(|left| !left.is_plane)) {
         made = outlined(features, &map, &cleaned, None)?;
         found = judged(&made, options)?;
     }
-    Ok(Pass {
-        features: made,
-        changes: cleaned.changes.iter().map(LayerChange::from).collect(),
-        noding: map.noding().copied(),
-        sliver_area: cleaned.sliver_area,
-        judged: found,
-    })
+    Ok(Pass { features: made, changes, noding, sliver_area, judged: found })
 }
 
 /// The features with their outlines.
-fn outlined(
-    features: &[Feature],
+fn outlined<'a>(
+    features: &[Cow<'a, Feature>],
     map: &PlanarMap,
     cleaned: &Cleaned,
     restored: Option<&Restoration>,
-) -> Result<Vec<Feature>, CleanError> {
+) -> Result<Vec<Cow<'a, Feature>>, CleanError> {
     let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
     let mut further = Further::new(features, cell);
     let mut all = features.to_vec();
@@ -199,14 +208,26 @@ fn outlined(
             }
         }
         if !is_same(&before, &after) {
-            feature.geometry = replace(geometry, &after, &mut further);
+            let geometry = replace(geometry, &after, &mut further);
+            feature.to_mut().geometry = geometry;
         }
     }
     Ok(all)
 }
 
 /// The map of all polygons and then of the fillers, cut where they meet.
-fn build(features: &[Feature], fillers: &[map::Shape], snap: Option<Snap>) -> Result<PlanarMap, CleanError> {
+fn build(features: &[Cow<'_, Feature>], fillers: &[map::Shape], snap: Option<Snap>) -> Result<PlanarMap, CleanError> {
+    if let Some(snap) = snap {
+        return Ok(gather(features, fillers)?.build_with(Noding::Snap(snap))?);
+    }
+    match gather(features, fillers)?.build_with(Noding::Exact) {
+        Err(BuildError::Crossing { .. }) => Ok(gather(features, fillers)?.build_with(Noding::Snap(Snap::Auto))?),
+        built => Ok(built?),
+    }
+}
+
+/// A builder with all polygons and then the fillers.
+fn gather(features: &[Cow<'_, Feature>], fillers: &[map::Shape]) -> Result<Builder, CleanError> {
     let mut builder = Builder::new();
     let mut any = false;
     for feature in features {
@@ -220,13 +241,7 @@ fn build(features: &[Feature], fillers: &[map::Shape], snap: Option<Snap>) -> Re
     for filler in fillers {
         builder.shape(filler)?;
     }
-    if let Some(snap) = snap {
-        return Ok(builder.build_with(Noding::Snap(snap))?);
-    }
-    match builder.clone().build_with(Noding::Exact) {
-        Err(BuildError::Crossing { .. }) => Ok(builder.build_with(Noding::Snap(Snap::Auto))?),
-        built => Ok(built?),
-    }
+    Ok(builder)
 }
 
 /// The polygons of a feature, as the library takes them.
@@ -249,7 +264,7 @@ struct Judgement {
 }
 
 /// The findings of C1 … C6 afterwards, judged by the polygons that are written.
-fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judgement, CleanError> {
+fn judged(features: &[Cow<'_, Feature>], options: &CleanOptions) -> Result<Judgement, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();
     let mut judged = Judgement::default();

@@ -2,6 +2,7 @@
 
 use super::super::model::{Feature, Position};
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 use twinedge::algorithm::contour::Polygon;
 use twinedge::geometry::Point;
 
@@ -26,7 +27,7 @@ pub(super) struct Restoration(FxHashMap<(u64, u64), Point>);
 
 impl Restoration {
     /// Notes all positions. O(positions), expected.
-    pub(super) fn new(features: &[Feature], cell: f64) -> Self {
+    pub(super) fn new(features: &[Cow<'_, Feature>], cell: f64) -> Self {
         let mut first = FxHashMap::default();
         for geometry in features.iter().filter_map(|feature| feature.geometry.as_ref()) {
             geometry.shape.visit(&mut |position| {

@@ -1,0 +1,169 @@
+//! A layer that was cleaned, in words: the names of its features, why each has changed, and what is left.
+
+use crate::convert::Written;
+use crate::output::{decimals, measure, place, plain};
+use crate::status::Failure;
+use std::collections::{BTreeMap, BTreeSet};
+use twinedge::algorithm::clean::ChangeKind;
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_formats::layer::clean::{CleanReport, FeatureChange, LayerChange, Remaining};
+use twinedge_formats::layer::{Feature, Layer, Value};
+
+/// The number of columns that an error lists.
+const COLUMNS: usize = 20;
+
+/// A layer, cleaned.
+pub(super) struct Cleaning<'a> {
+    pub(super) name: &'a str,
+    pub(super) names: Names<'a>,
+    pub(super) layer: &'a Layer,
+    pub(super) report: &'a CleanReport,
+    pub(super) written: Option<&'a Written>,
+    /// The width from which on gaps are accepted.
+    pub(super) greatest_gap: Option<f64>,
+    /// The changes that each feature has a part in.
+    pub(super) changes: BTreeMap<usize, Vec<&'a LayerChange>>,
+    pub(super) elapsed: f64,
+}
+
+/// The source of the names of features.
+#[derive(Clone, Copy)]
+pub(super) struct Names<'a> {
+    /// The column that was asked for.
+    pub(super) from: Option<&'a str>,
+}
+
+impl Names<'_> {
+    pub(super) fn of(self, feature: &Feature) -> Option<String> {
+        match self.from {
+            Some(column) => feature.get(column).and_then(Value::text),
+            None => feature.name(),
+        }
+    }
+
+    /// Refuses a column that no feature has.
+    pub(super) fn refuse_unknown(self, name: &str, layer: &Layer) -> Result<(), Failure> {
+        let Some(column) = self.from else { return Ok(()) };
+        if layer.features.iter().any(|feature| self.of(feature).is_some()) {
+            return Ok(());
+        }
+        let columns: BTreeSet<String> =
+            layer.features.iter().flat_map(|feature| &feature.attributes).map(|(name, _)| plain(name)).collect();
+        let known = match columns.into_iter().take(COLUMNS).collect::<Vec<_>>() {
+            columns if columns.is_empty() => "there are no columns".to_owned(),
+            columns => format!("there are {}", columns.join(", ")),
+        };
+        Err(Failure(format!("{name}: no feature has a value in the column {column}; {known}")))
+    }
+}
+
+/// The name for a feature.
+fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
+    let feature = layer.features.get(number);
+    let name = feature.and_then(|feature| names.of(feature));
+    let id = feature.and_then(|feature| feature.id.as_ref()).map(ToString::to_string);
+    plain(&match (name, id) {
+        (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
+        (Some(name), _) => name,
+        (None, Some(id)) => id,
+        (None, None) => format!("feature {number}"),
+    })
+}
+
+impl Cleaning<'_> {
+    pub(super) fn label(&self, number: usize) -> String {
+        label(self.names, self.layer, number)
+    }
+
+    pub(super) fn labels(&self, numbers: &[usize]) -> String {
+        numbers.iter().map(|number| self.label(*number)).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Why a feature has another geometry.
+    pub(super) fn reasons(&self, feature: &FeatureChange) -> Vec<String> {
+        let number = feature.feature;
+        let mut reasons = Vec::new();
+        for change in self.changes.get(&number).into_iter().flatten() {
+            let has_lost = change.from.contains(&number);
+            let has_won = change.to == Some(number);
+            let others: Vec<usize> = change.from.iter().copied().filter(|other| *other != number).collect();
+            let to = change.to.map_or_else(|| "nobody".to_owned(), |to| self.label(to));
+            reasons.extend(match (change.kind, has_lost, has_won) {
+                (ChangeKind::Overlap, true, true) => Some(format!("overlap with {} kept", self.labels(&others))),
+                (ChangeKind::Overlap, true, false) => {
+                    Some(format!("overlap with {} given to {to}", self.labels(&others)))
+                }
+                (ChangeKind::Gap, _, true) => Some("gap filled".to_owned()),
+                (ChangeKind::Sliver, true, _) => Some(format!("sliver given to {to}")),
+                (ChangeKind::Sliver, false, true) => Some(format!("sliver of {} taken", self.labels(&others))),
+                _ => None,
+            });
+        }
+        if !feature.defects.is_empty() {
+            let kinds: Vec<String> = feature.defects.iter().map(ToString::to_string).collect();
+            reasons.push(format!("it was not valid ({})", kinds.join(", ")));
+        }
+        reasons.dedup();
+        if reasons.is_empty() {
+            reasons.push("points where borders meet, spikes or repeated points".to_owned());
+        }
+        reasons
+    }
+
+    /// The features that have no geometry any more, each in a sentence.
+    pub(super) fn warnings(&self) -> Vec<String> {
+        let gone = self.report.features.iter().filter(|feature| feature.points_after == 0);
+        let warning = |feature: &FeatureChange| {
+            let number = feature.feature;
+            let changes = self.changes.get(&number).into_iter().flatten();
+            let to = changes.filter(|change| change.from.contains(&number)).filter_map(|one| one.to);
+            let to: BTreeSet<usize> = to.filter(|to| *to != number).collect();
+            let to = match to.len() {
+                0 => "its rings enclose nothing".to_owned(),
+                _ => format!("its place went to {}", self.labels(&to.into_iter().collect::<Vec<_>>())),
+            };
+            format!("{} has no geometry any more: {to}; its attributes are kept", self.label(number))
+        };
+        gone.map(warning).collect()
+    }
+
+    /// Something that was left, and what would take it.
+    pub(super) fn remaining(&self, one: &Remaining, decimals: usize) -> String {
+        let hint = match one.rule {
+            CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(one.width)),
+            CoverageRule::NearMiss => "; --gap-width would fill it, from its greatest width on".to_owned(),
+            _ => String::new(),
+        };
+        format!("{}{hint}", self.described(one, decimals))
+    }
+
+    /// Something that was left.
+    pub(super) fn described(&self, one: &Remaining, decimals: usize) -> String {
+        let Remaining { rule, features, area, width, at, .. } = one;
+        let what = match features.len() {
+            0 => rule.name().to_owned(),
+            _ => format!("{} of {}", rule.name(), self.labels(features)),
+        };
+        let at = place([at.x, at.y], decimals);
+        match rule {
+            CoverageRule::Validity => format!("{what}, at {at}"),
+            _ => format!("{what}, area {}, width {}, at {at}", measure(*area), measure(*width)),
+        }
+    }
+
+    /// With how many decimal places a place is shown.
+    pub(super) fn decimals(&self) -> usize {
+        let mut greatest: f64 = 0.0;
+        for geometry in self.layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
+            geometry.shape.visit(&mut |position| greatest = greatest.max(position.x.abs()).max(position.y.abs()));
+        }
+        decimals(greatest)
+    }
+}
+
+/// A number that is at least as large, with three digits.
+fn rounded_up(x: f64) -> f64 {
+    let unit = 10_f64.powf(x.abs().max(f64::MIN_POSITIVE).log10().floor() - 2.0);
+    let text = format!("{:.2e}", (x / unit).ceil() * unit);
+    text.parse().ok().filter(|y| *y >= x).unwrap_or(x)
+}
