@@ -8,10 +8,6 @@ SELECT 3 * triangle + side AS dart,
     triangle, side, twin, point, half_edge, ahead, face, dart_rank
 FROM sides;
 
--- The next dart counter-clockwise around the same point.
-CREATE TEMPORARY VIEW turns AS
-SELECT d.dart, p.twin AS turn FROM darts d LEFT JOIN darts p ON p.dart = d.prev_dart;
-
 CREATE TEMPORARY VIEW drawing_readable AS
 SELECT triangle AS record FROM sides GROUP BY triangle HAVING count(*) <> 3 OR triangle IS NULL
 UNION ALL SELECT triangle FROM sides GROUP BY triangle, side HAVING count(*) > 1
@@ -40,10 +36,11 @@ LEFT JOIN darts t ON t.dart = d.twin
 LEFT JOIN half_edges h ON h.half_edge = d.half_edge
 WHERE CASE WHEN d.half_edge IS NOT NULL THEN h.dart IS DISTINCT FROM d.dart ELSE t.half_edge IS NOT NULL END;
 
+-- The next dart counter-clockwise around the same point is the twin of the one before in the triangle.
 CREATE TEMPORARY VIEW dart_ahead_ok AS
 SELECT d.dart AS record FROM darts d
-LEFT JOIN turns r ON r.dart = d.dart
-LEFT JOIN darts t ON t.dart = r.turn
+LEFT JOIN darts p ON p.dart = d.prev_dart
+LEFT JOIN darts t ON t.dart = p.twin
 WHERE d.ahead IS DISTINCT FROM coalesce(d.half_edge, t.ahead);
 
 CREATE TEMPORARY VIEW dart_face_ok AS
@@ -91,9 +88,10 @@ WHERE d.half_edge IS DISTINCT FROM h.half_edge OR d.point IS DISTINCT FROM h.ori
 CREATE TEMPORARY VIEW rotation_ok AS
 SELECT h.half_edge AS record FROM half_edges h
 LEFT JOIN half_edges p ON p.half_edge = h.prev_half_edge
-LEFT JOIN turns r ON r.dart = h.dart
-LEFT JOIN darts d ON d.dart = r.turn
-WHERE p.twin IS NULL OR p.twin IS DISTINCT FROM d.ahead;
+LEFT JOIN darts d ON d.dart = h.dart
+LEFT JOIN darts e ON e.dart = d.prev_dart
+LEFT JOIN darts t ON t.dart = e.twin
+WHERE p.twin IS NULL OR p.twin IS DISTINCT FROM t.ahead;
 
 CREATE TEMPORARY VIEW vertex_dart_ok AS
 SELECT v.vertex AS record FROM vertices v
