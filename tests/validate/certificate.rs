@@ -3,7 +3,9 @@
 use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
 use std::cell::Cell as Counter;
 use std::collections::BTreeSet;
-use twinedge::validate::certificate::{Certificate, Column, Labels, LabelsError, Test, check, check_surface};
+use twinedge::validate::certificate::{
+    Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
+};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table, View};
 use twinedge_trials::census::{Census, Scope};
@@ -55,7 +57,9 @@ fn a_corruption_passes_only_if_the_rules_hold() {
             let mut projection = projected(&table, &form);
             let labels = Labels::new(&projection).unwrap();
             for_each_corruption(&mut projection, form.parts, |corrupt, cell, value| {
-                let passes = check(corrupt, &labels).is_ok();
+                let found = check(corrupt, &labels);
+                assert_eq!(check_parallel(corrupt, &labels), found, "{cell:?} = {value:?}: {corrupt}");
+                let passes = found.is_ok();
                 let broken = first_broken_rule(corrupt, &PLANE);
                 let own = Labels::new(corrupt).unwrap();
                 assert_eq!(check(corrupt, &own).is_ok(), broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
@@ -194,8 +198,10 @@ fn surfaces_are_certified_with_their_genus() {
         for table in [Part::Prev, Part::Leaving, Part::Faces].map(|part| mesh.without(part)).iter().chain([&mesh]) {
             let (labels, genus) = Labels::of_surface(table).unwrap();
             assert_eq!((check_surface(table, &labels, genus), genus), (Ok(()), parts), "{table}");
+            assert_eq!(labels.column(Column::HalfEdgeComponent).len(), if parts == 1 { 1 } else { 36 * 2 * parts }, "{table}");
             for wrong in (0..5).filter(|wrong| *wrong != genus) {
                 let failures = check_surface(table, &labels, wrong).unwrap_err();
+                assert_eq!(check_surface_parallel(table, &labels, wrong).unwrap_err(), failures);
                 assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::GenusOk]);
             }
         }
