@@ -15,7 +15,9 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
 use twinedge::map::{Builder, Noding, PlanarMap, Snap, certificate};
-use twinedge::validate::certificate::{Column, Labels, check, check_drawing, check_surface};
+use twinedge::validate::certificate::{
+    Column, Labels, check, check_drawing, check_parallel, check_surface, check_surface_parallel,
+};
 use twinedge::validate::{Collect, Expectation, validate};
 
 fn grid(criterion: &mut Criterion) {
@@ -37,6 +39,9 @@ fn grid(criterion: &mut Criterion) {
     group.bench_function("mesh: check", |b| {
         b.iter(|| assert_eq!(check_surface(black_box(&mesh), black_box(&labels), genus), Ok(())));
     });
+    group.bench_function("mesh: check, all threads", |b| {
+        b.iter(|| assert_eq!(check_surface_parallel(black_box(&mesh), black_box(&labels), genus), Ok(())));
+    });
     group.bench_function("mesh: labels", |b| b.iter(|| Labels::of_surface(black_box(&mesh))));
 
     let labels = Labels::new(dcel).expect("there is memory");
@@ -46,6 +51,9 @@ fn grid(criterion: &mut Criterion) {
     });
     group.bench_function("plane: check", |b| {
         b.iter(|| assert_eq!(check(black_box(dcel), black_box(&labels)), Ok(())));
+    });
+    group.bench_function("plane: check, all threads", |b| {
+        b.iter(|| assert_eq!(check_parallel(black_box(dcel), black_box(&labels)), Ok(())));
     });
     group.bench_function("plane: labels", |b| b.iter(|| Labels::new(black_box(dcel))));
     group.finish();
