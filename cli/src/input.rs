@@ -5,7 +5,9 @@ use crate::output::counted;
 use crate::progress::busy;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use sha2::{Digest as _, Sha256};
 use std::ffi::OsStr;
+use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -109,17 +111,24 @@ impl Input {
         self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
     }
 
-    /// The format if it is a map. A layer that is asked of a format whose files have one is refused, unless it has the name of the file.
+    /// The format if it is a map. A layer that is asked of a format whose files have one is refused.
     fn map_format(&mut self) -> Result<Option<Format>, Failure> {
         let options = self.options();
         let head = self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))?;
         let Ok(format) = format_of(head, self.path.as_deref(), &options) else { return Ok(None) };
-        let has_layers = matches!(format, Format::GeoPackage | Format::TopoJson);
+        if !matches!(format, Format::GeoPackage | Format::TopoJson) {
+            self.refuse_layer(format)?;
+        }
+        Ok(Some(format))
+    }
+
+    /// Refuses a layer that was asked for, unless it has the name of the file.
+    pub(crate) fn refuse_layer(&self, what: impl Display) -> Result<(), Failure> {
         let of_file = self.path.as_deref().and_then(Path::file_stem);
-        match self.layer.as_deref().filter(|layer| !has_layers && of_file != Some(OsStr::new(layer))) {
-            None => Ok(Some(format)),
+        match self.layer.as_deref().filter(|layer| of_file != Some(OsStr::new(layer))) {
+            None => Ok(()),
             Some(layer) => Err(Failure(format!(
-                "{}: there is no layer {layer:?}: this is {format}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
+                "{}: there is no layer {layer:?}: this is {what}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
                  zip archives",
                 self.name
             ))),
@@ -151,6 +160,20 @@ fn gather(
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
     Ok((builder, summary, noted, header.crs))
+}
+
+/// The SHA-256 in hexadecimal digits.
+fn sha256(mut reader: impl BufRead) -> Result<String, Failure> {
+    let mut digest = Sha256::new();
+    loop {
+        let bytes = reader.fill_buf()?;
+        if bytes.is_empty() {
+            return Ok(digest.finalize().iter().fold(String::new(), |digits, byte| format!("{digits}{byte:02x}")));
+        }
+        digest.update(bytes);
+        let length = bytes.len();
+        reader.consume(length);
+    }
 }
 
 /// A bar on standard error, if that is a terminal.
@@ -229,6 +252,17 @@ impl MapFile {
     /// The path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    /// The SHA-256 of the file as it is, or of the built-in map, in hexadecimal digits; none of what can be read but once.
+    pub(crate) fn sha256(&self) -> Result<Option<String>, Failure> {
+        match &self.file {
+            None => sha256(EMBEDDED).map(Some),
+            Some(_) => match self.path().filter(|path| path.is_file()) {
+                Some(path) => sha256(BufReader::new(File::open(path)?)).map(Some),
+                None => Ok(None),
+            },
+        }
     }
 
     /// The layer that was asked for.

@@ -31,6 +31,8 @@ fn template(folder: &Path, subject: &str) {
     fs::write(folder.join("src/lib.rs"), "pub use twinedge_trials::planted::Planted;\n").expect("it is written");
     let written = Command::new(env!("CARGO"))
         .current_dir(&root)
+        // The program needs no `cfg(fuzzing)`: as others have built it will do.
+        .env_remove("RUSTFLAGS")
         .args(["run", "--quiet", "-p", "twinedge-cli", "--", "fuzz-template"])
         .args([&folder.join("fuzz"), Path::new("--twinedge"), &root])
         .args(["--subject", subject])

@@ -87,6 +87,18 @@ def proved(folder):
     return subprocess.run(["proofs/coq/certified", folder], capture_output=True).returncode
 
 
+def parquet_to_csv(parquet, path):
+    import duckdb
+
+    duckdb.sql(f"COPY (FROM '{parquet}') TO '{path}' (HEADER)")
+
+
+def csv_to_parquet(path, parquet):
+    import duckdb
+
+    duckdb.sql(f"COPY (FROM read_csv('{path}', all_varchar = true) SELECT CAST(COLUMNS(*) AS BIGINT)) TO '{parquet}'")
+
+
 class Changes:
     """Changes of one number of a certificate, in its tables and in its columns."""
 
@@ -95,17 +107,22 @@ class Changes:
         self.random = random.Random(seed)
         self.tables = {}
         for table in FILES:
-            path = os.path.join(folder, table + ".csv")
-            if os.path.exists(path):
-                with open(path) as file:
+            csv_file, parquet = (os.path.join(folder, table + extension) for extension in (".csv", ".parquet"))
+            if os.path.exists(parquet):
+                parquet_to_csv(parquet, csv_file)
+            if os.path.exists(csv_file):
+                with open(csv_file) as file:
                     self.tables[table] = list(csv.reader(file))
 
     def path(self, column):
         return os.path.join(self.folder, column + (".i64" if column.startswith("point_") else ".u32"))
 
     def write_table(self, table, rows):
-        with open(os.path.join(self.folder, table + ".csv"), "w") as file:
+        csv_file, parquet = (os.path.join(self.folder, table + extension) for extension in (".csv", ".parquet"))
+        with open(csv_file, "w") as file:
             csv.writer(file, lineterminator="\n").writerows(rows)
+        if os.path.exists(parquet):
+            csv_to_parquet(csv_file, parquet)
 
     def one(self, judge):
         """Makes a change, calls judge(what, expressible), and takes it back."""

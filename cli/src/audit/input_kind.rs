@@ -91,9 +91,13 @@ impl InputKind {
     }
 
     /// Refuses options that were given and are for other kinds.
-    pub(super) fn refuse_options(self, run: &Run<'_>, name: &str) -> Result<(), Failure> {
+    pub(super) fn refuse_options(self, run: &Run<'_>, input: &Input) -> Result<(), Failure> {
         let (what, taken) = self.options();
+        // The formats of maps differ.
+        if !matches!(self, Self::Map | Self::Arcs) {
+            input.refuse_layer(what)?;
+        }
         let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(run));
-        refused.map_or(Ok(()), |options| Err(Failure(format!("{name}: {}", options.refusal(what)))))
+        refused.map_or(Ok(()), |options| Err(Failure(format!("{}: {}", input.name, options.refusal(what)))))
     }
 }

@@ -32,7 +32,7 @@ impl Audit {
         let mut input = self.map.open()?;
         let kind = InputKind::of(self, &mut input)?;
         let run = &Run { asked: self, to: self.destination.destination(self.map.path())?, start };
-        kind.refuse_options(run, &input.name)?;
+        kind.refuse_options(run, &input)?;
         match kind {
             InputKind::Map => map::audit(run, input),
             InputKind::Mesh(format) => mesh_file::audit(run, input, format),

@@ -2,7 +2,8 @@
 
 use super::check::{certified, lines};
 use super::folder::Folder;
-use super::sql_folder::{self, Engine};
+use super::notes::Notes;
+use super::sql::{self, Engine};
 use crate::input::MapFile;
 use crate::output::{counted, print};
 use crate::progress::busy;
@@ -39,12 +40,13 @@ pub(crate) struct Certify {
     #[arg(long)]
     topology_only: bool,
 
-    /// Write tables in CSV, too, and `check.sql`, which has each test as a query in this dialect.
+    /// Write tables, too, and `check.sql`, which has each test as a query in this dialect. Tables are in Parquet, or in CSV
+    /// for `PostgreSQL`.
     #[arg(long, value_name = "ENGINE", value_enum)]
     sql: Option<Engine>,
 
     /// The input is a table, and has no coordinates.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["layer", "snap"])]
     table: bool,
 }
 
@@ -83,13 +85,13 @@ impl Certify {
             counted((0..certificate.face_slots()).filter(|f| certificate.is_face(*f)).count(), "face"),
         ]
         .join(", ");
-        let grid = drawing.as_ref().map_or_else(String::new, |drawing| format!("unit 2^{}\n", drawing.exponent));
-        let notes = format!("of {}\n{counts}\n{grid}by twinedge {}\n", name.escape_debug(), env!("CARGO_PKG_VERSION"));
+        let exponent = drawing.as_ref().map(|drawing| drawing.exponent);
+        let notes = Notes::new(name, self.map.sha256()?, &counts, exponent);
         let claim = certified(drawing.is_some());
         let folder = Folder { certificate, drawing };
         folder.write(&self.output, &notes)?;
         if let Some(engine) = self.sql {
-            sql_folder::write(&self.output, &folder, engine)?;
+            sql::write(&self.output, &folder, &notes, engine)?;
         }
         print(&format!("{}: certificate that {name} is {claim}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)

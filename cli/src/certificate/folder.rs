@@ -1,5 +1,6 @@
 //! The folder of a certificate, as `proofs/coq/CERTIFICATE.md` specifies it.
 
+use super::notes::Notes;
 use crate::status::Failure;
 use std::fs;
 use std::path::Path;
@@ -20,7 +21,7 @@ pub(super) struct Folder {
 
 impl Folder {
     /// Writes all columns, and then the claim with these notes below it. What was there of another certificate is overwritten.
-    pub(super) fn write(&self, folder: &Path, notes: &str) -> Result<(), Failure> {
+    pub(super) fn write(&self, folder: &Path, notes: &Notes) -> Result<(), Failure> {
         fs::create_dir_all(folder).map_err(|error| Failure(format!("{}: {error}", folder.display())))?;
         let claim = folder.join(CLAIM_FILE);
         let has_other_files = fs::read_dir(folder)?.next().is_some();
@@ -45,11 +46,17 @@ impl Folder {
                 write_file(&folder.join(name), &bytes)?;
             }
         }
-        let claimed = if self.drawing.is_some() { DRAWING } else { PLANE };
-        write_file(&claim, format!("{FIRST_LINE}{claimed}{notes}").as_bytes())
+        write_file(&claim, format!("{FIRST_LINE}{}{}", self.claim(), notes.lines()).as_bytes())
+    }
+
+    /// The line of the claim.
+    pub(super) const fn claim(&self) -> &'static str {
+        if self.drawing.is_some() { DRAWING } else { PLANE }
     }
 
     /// Reads a folder. What is not readable, as the specification says, is a failure.
+    ///
+    /// All columns are in memory at once: links lead anywhere, and memory maps would be unsafe code.
     pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
         let claim = read_file(&folder.join(CLAIM_FILE))?;
         let claimed = claim.strip_prefix(FIRST_LINE.as_bytes());

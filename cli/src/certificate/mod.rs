@@ -3,7 +3,8 @@
 mod certify;
 mod check;
 mod folder;
-mod sql_folder;
+mod notes;
+mod sql;
 
 pub(crate) use certify::Certify;
 pub(crate) use check::Check;

@@ -1,6 +1,9 @@
 //! `twinedge certify` and `twinedge check`, beside the checker that is proved in Coq where that is built.
 
 use crate::support::{complaint, scratch_folder, twinedge, twinedge_reading};
+use parquet::basic::Repetition;
+use parquet::file::reader::{FileReader as _, SerializedFileReader};
+use parquet::record::Field;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -160,6 +163,104 @@ fn a_table_is_certified() {
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(agreed(&folder, "table"), Some(0));
     assert_eq!(fs::read(folder.join("half_edge_next.u32")).unwrap(), [1, 0, 0, 0, 0, 0, 0, 0]);
+}
+
+/// A table in Parquet: its columns, each with whether it may have NULL and its values; and its metadata.
+type Columns = Vec<(String, bool, Vec<Option<i64>>)>;
+
+fn parquet_table(folder: &Path, name: &str) -> (Columns, Vec<(String, String)>) {
+    let file = fs::File::open(folder.join(name).with_extension("parquet")).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let metadata = reader.metadata().file_metadata();
+    let notes = metadata.key_value_metadata().unwrap().iter();
+    let notes = notes.map(|note| (note.key.clone(), note.value.clone().unwrap())).collect();
+    let fields = metadata.schema().get_fields().iter();
+    let mut columns: Columns = fields
+        .map(|field| (field.name().to_owned(), field.get_basic_info().repetition() == Repetition::OPTIONAL, Vec::new()))
+        .collect();
+    for row in reader.get_row_iter(None).unwrap() {
+        for (column, (_, field)) in columns.iter_mut().zip(row.unwrap().get_column_iter()) {
+            column.2.push(match field {
+                Field::Long(number) => Some(*number),
+                Field::Null => None,
+                other => panic!("{other:?}"),
+            });
+        }
+    }
+    (columns, notes)
+}
+
+/// A column of the folder, as a table has it.
+fn folder_column(folder: &Path, name: &str) -> Vec<Option<i64>> {
+    let bytes = fs::read(folder.join(name).with_extension("u32")).unwrap();
+    let numbers = bytes.as_chunks().0.iter().map(|number| u32::from_le_bytes(*number));
+    numbers.map(|number| Some(number).filter(|number| *number != u32::MAX).map(i64::from)).collect()
+}
+
+#[test]
+fn tables_in_parquet_say_which_columns_are_never_null() {
+    let folder = certified("parquet", &["--sql", "duckdb"]);
+    let nullable = |table| {
+        let columns = parquet_table(&folder, table).0.into_iter();
+        columns.filter(|column| column.1).map(|column| column.0).collect::<Vec<_>>()
+    };
+    for table in ["half_edges", "entries", "points"] {
+        assert_eq!(nullable(table), [""; 0], "{table}");
+    }
+    assert_eq!(nullable("vertices"), ["leaving", "isolated"]);
+    assert_eq!(nullable("boundaries"), ["start_half_edge", "vertex", "place"]);
+    assert_eq!(nullable("faces"), ["outer_boundary"]);
+    assert_eq!(nullable("sides"), ["half_edge"]);
+    assert!(!folder.join("half_edges.csv").exists());
+}
+
+#[test]
+fn no_row_is_lost_where_a_table_has_several_row_groups() {
+    let world = format!("{}/../tests/data/world-50m.geojson", env!("CARGO_MANIFEST_DIR"));
+    let folder = scratch_folder("row-groups");
+    let name = folder.to_str().unwrap();
+    let output = twinedge(&["certify", &world, "--topology-only", "--sql", "spark", "-o", name]);
+    assert_eq!(output.status.code(), Some(0), "{}", complaint(&output));
+    for (table, prefix) in [("half_edges", "half_edge_"), ("vertices", "vertex_"), ("boundaries", "boundary_")] {
+        let (columns, _) = parquet_table(&folder, table);
+        for (name, _, values) in &columns[1..] {
+            let name = name.trim_end_matches("_half_edge").trim_start_matches("half_edge_");
+            let slots = folder_column(&folder, &format!("{prefix}{name}"));
+            let rows: Vec<_> = columns[0].2.iter().map(|i| slots[usize::try_from(i.unwrap()).unwrap()]).collect();
+            assert!(*values == rows, "{table}.{name}");
+        }
+    }
+    // As many as the map has, of the 131,072 that a group holds.
+    assert_eq!(parquet_table(&folder, "half_edges").0[0].2.len(), 2 * 75_863);
+}
+
+/// The hash is that of `sha256sum`.
+#[test]
+fn a_certificate_says_of_what_file_it_is() {
+    let folder = scratch_folder("of-file");
+    let input = scratch_folder("of-file-input").join("edge.txt");
+    fs::write(&input, "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0\n").unwrap();
+    let (name, input) = (folder.to_str().unwrap(), input.to_str().unwrap());
+    let output = twinedge(&["certify", "--table", input, "--sql", "duckdb", "-o", name]);
+    assert_eq!(output.status.code(), Some(0), "{}", complaint(&output));
+    let sha256 = "bd8610e6a380fcfa1553736f71cf087a95205aebe8f4227f779d79675e369085";
+    let by = concat!("twinedge ", env!("CARGO_PKG_VERSION"));
+    let counts = "2 vertices, 2 half-edges, 1 face";
+    let claim = fs::read_to_string(folder.join("claim.txt")).unwrap();
+    assert_eq!(
+        claim,
+        format!("twinedge certificate 1\nplane\nof {input}\nsha256 {sha256}\ncounts {counts}\nby {by}\n")
+    );
+    let notes =
+        [("schema", "1"), ("claim", "plane"), ("of", input), ("sha256", sha256), ("counts", counts), ("by", by)];
+    let notes = notes.map(|(key, value)| (format!("twinedge.{key}"), value.to_owned()));
+    for table in ["half_edges", "vertices", "boundaries", "faces", "entries"] {
+        assert_eq!(parquet_table(&folder, table).1, notes, "{table}");
+    }
+    // Standard input cannot be read twice.
+    let table = fs::read(input).unwrap();
+    twinedge_reading(&["certify", "--table", "-", "-o", name], &table);
+    assert!(!fs::read_to_string(folder.join("claim.txt")).unwrap().contains("sha256"));
 }
 
 #[test]

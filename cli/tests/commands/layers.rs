@@ -394,4 +394,20 @@ fn a_layer_that_is_not_there_is_refused() {
     }
     // The one layer has the name of the file.
     assert_ne!(status(&["audit", &input, "--layer", "parcels"]), Some(2));
+    let file = |name: &str, content: &[u8]| {
+        fs::write(folder.join(name), content).unwrap();
+        in_folder(&folder, name)
+    };
+    let town = file("town.copy", include_bytes!("../../../formats/tests/postgis/data/town.copy"));
+    let mesh = file("flat.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    let table = file("empty.tables", b"V 0 H 0 B 0 F 1 - 0\n");
+    let textbook = file("point.txt", b"v1 nil\nf1 nil nil\n");
+    for command in [&["audit", "--postgis", &town][..], &["audit", &mesh], &["audit", &table], &["audit", &textbook]] {
+        let said = complaint(&twinedge(&[command, &["--layer", "roads"]].concat()));
+        assert!(said.contains("there is no layer \"roads\""), "{command:?} {said}");
+    }
+    let certificate = in_folder(&folder, "certificate");
+    for option in ["--layer", "--snap"] {
+        assert_eq!(status(&["certify", "--table", &table, option, "auto", "-o", &certificate]), Some(2), "{option}");
+    }
 }
