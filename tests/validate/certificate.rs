@@ -320,3 +320,24 @@ fn labels_are_written_and_read() {
     let text = serde_json::to_string(&certificate).unwrap();
     assert_eq!(serde_json::from_str::<Certificate>(&text).unwrap(), certificate);
 }
+
+/// Each half of the test follows from the other at some half-edge, and is tested at each.
+#[test]
+fn next_and_prev_are_compared_both_ways() {
+    let mut edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let labels = Labels::new(&edge).unwrap();
+    edge.half_edges[1].as_mut().unwrap().next = Some(1);
+    let failures = check(&edge, &labels).unwrap_err();
+    assert_eq!(failures[0].to_string(), "next_ok: 2 of the half-edges, the first is 0");
+}
+
+/// Four half-edges that are their own twins, around one vertex: the sums are those of a torus.
+#[test]
+fn half_edges_that_are_their_own_twins_are_no_handle() {
+    let text =
+        "P 3 prev leaving faces V 1 0 - H 4 0 0 1 3 - 0 1 2 0 - 0 2 3 1 - 0 3 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0";
+    let table: Table = text.parse().unwrap();
+    let (labels, _) = Labels::of_surface(&table).unwrap();
+    let failures = check_surface(&table, &labels, 1).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::TwinOk]);
+}

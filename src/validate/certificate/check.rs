@@ -47,6 +47,7 @@ pub(super) fn note_sums(sums: Sums, failures: &mut Failures) {
 }
 
 /// Runs every test of single records.
+#[inline(always)]
 pub(super) fn scan<V: View + ?Sized>(s: &Answers<'_, V>, failures: &mut Failures) -> Sums {
     let mut sums = Sums::default();
     for h in s.share(s.half_edges).filter(|h| s.is_half_edge(*h)) {

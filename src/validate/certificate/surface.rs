@@ -46,6 +46,7 @@ pub(super) struct Surface<'a, V: ?Sized>(pub(super) Answers<'a, V>);
 
 impl<V: View + ?Sized> Surface<'_, V> {
     /// Runs every test but that of the genus.
+    #[inline(always)]
     pub(super) fn scan(&self, failures: &mut Failures) -> Sums {
         let mut sums = Sums::default();
         for h in self.0.share(self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
