@@ -4,6 +4,8 @@
 
 use twinedge::dcel::{Dcel, Face, HalfEdge, Vertex};
 use twinedge::map::{Builder, Feature, PlanarMap};
+use twinedge::validate::{Link, Part, Parts, View};
+use twinedge::view_answers;
 
 /// A grid of `side` × `side` vertices, each square cut in two triangles.
 pub fn triangulated_grid(side: u32) -> PlanarMap {
@@ -62,6 +64,113 @@ impl PlainArrays {
             plain.outer[f.index()] = f.outer_half_edge().map_or(u32::MAX, |h| h.index() as u32);
         }
         plain
+    }
+
+    /// The least that any check must do: follow each link once.
+    pub fn one_pass(&self) -> usize {
+        let links = self.origin.iter().zip(&self.twin).zip(&self.next);
+        links
+            .filter(|((_, twin), next)| {
+                **twin != u32::MAX && self.origin[**twin as usize] == self.origin[**next as usize]
+            })
+            .count()
+    }
+}
+
+/// The same links as meshes keep them: half-edges that name their face, with a border where the unbounded face was, or without.
+pub struct Mesh {
+    origin: Vec<u32>,
+    twin: Vec<u32>,
+    next: Vec<u32>,
+    prev: Vec<u32>,
+    face: Vec<u32>,
+    leaving: Vec<u32>,
+    outer: Vec<u32>,
+}
+
+impl View for Mesh {
+    view_answers! { |mesh|
+        parts => Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces),
+        vertex_slots => mesh.leaving.len(),
+        half_edge_slots => mesh.next.len(),
+        face_slots => mesh.outer.len(),
+        is_vertex(v) => mesh.leaving[v] != u32::MAX,
+        is_half_edge(h) => mesh.origin[h] != u32::MAX,
+        is_face(f) => mesh.outer[f] != u32::MAX,
+        origin(h) => link(mesh.origin[h]),
+        twin(h) => link(mesh.twin[h]),
+        next(h) => link(mesh.next[h]),
+        prev(h) => link(mesh.prev[h]),
+        face(h) => link(mesh.face[h]),
+        leaving(v) => link(mesh.leaving[v]),
+        outer_half_edge(f) => link(mesh.outer[f]),
+    }
+}
+
+fn link(slot: u32) -> Link {
+    (slot != u32::MAX).then_some(slot as usize)
+}
+
+impl Mesh {
+    pub fn of(plain: &PlainArrays) -> Self {
+        let vacant = || vec![u32::MAX; plain.next.len()];
+        let mut mesh = Self {
+            origin: plain.origin.clone(),
+            twin: plain.twin.clone(),
+            next: plain.next.clone(),
+            prev: vacant(),
+            face: vacant(),
+            leaving: plain.leaving.clone(),
+            outer: Vec::new(),
+        };
+        for start in (0..mesh.next.len()).filter(|h| plain.origin[*h] != u32::MAX) {
+            let mut h = start;
+            while mesh.prev[mesh.next[h] as usize] == u32::MAX {
+                let next = mesh.next[h] as usize;
+                mesh.prev[next] = h as u32;
+                mesh.face[h] = mesh.outer.len() as u32;
+                h = next;
+            }
+            if mesh.face[start] as usize == mesh.outer.len() {
+                mesh.outer.push(start as u32);
+            }
+        }
+        mesh
+    }
+
+    /// The same without the longest of the faces, which are triangles but for that one: a border is left.
+    pub fn open(mut self) -> Self {
+        let mut sides = vec![0_u32; self.outer.len()];
+        for face in self.face.iter().filter(|face| **face != u32::MAX) {
+            sides[*face as usize] += 1;
+        }
+        let longest = (0..sides.len()).max_by_key(|f| sides[*f]).unwrap_or_default();
+        self.outer[longest] = u32::MAX;
+        for h in 0..self.next.len() {
+            if self.face[h] == longest as u32 {
+                let twin = self.twin[h] as usize;
+                self.twin[twin] = u32::MAX;
+                self.origin[h] = u32::MAX;
+            }
+        }
+        for h in 0..self.next.len() {
+            if let Some(vertex) = self.origin(h) {
+                self.leaving[vertex] = h as u32;
+            }
+        }
+        self
+    }
+
+    /// Reads each link by index.
+    pub fn scan(&self, parts: Parts) -> usize {
+        let (with_prev, with_faces) = (parts.has(Part::Prev), parts.has(Part::Faces));
+        let holds = |h: &usize| {
+            let Some(next) = self.next(*h) else { return false };
+            self.twin(*h).is_none_or(|twin| self.twin(twin) == Some(*h) && self.origin(twin) == self.origin(next))
+                && (!with_prev || self.prev(next) == Some(*h))
+                && (!with_faces || self.face(next) == self.face(*h))
+        };
+        (0..self.half_edge_slots()).filter(holds).count()
     }
 }
 

@@ -5,14 +5,14 @@ use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, zero};
 use crate::print_rows;
-use crate::print_tables::Printer;
+use crate::print_tables::{Printer, validator};
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
 use std::fmt;
 use std::time::Instant;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, HUNG, RuleRow, Tally};
 use twinedge_trials::replay::Indexed;
-use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, corrupt};
+use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, corrupt};
 
 /// Set every field of every small map to every other value, exchange what they hold, and compare the validator with the reference.
 ///
@@ -66,6 +66,11 @@ pub(crate) struct Corrupt {
     #[arg(long, value_enum, value_name = "STRUCTURE", default_value_t)]
     on: StructureName,
 
+    /// Judge by certificates: a table is right if its labels pass, or random or changed ones. With --print: certificates of each table that
+    /// has all parts, with the tests that fail, instead of the table.
+    #[arg(long)]
+    certificates: bool,
+
     /// Print each table and the verdict of the validator; the summary goes to standard error.
     #[arg(long, conflicts_with = "format")]
     print: bool,
@@ -102,8 +107,8 @@ impl Corrupt {
         self.effort.refuse_too_much(work.estimate(), self.format)?;
         let run = self.effort.start()?;
         let start = Instant::now();
-        let printer = Printer::default();
-        let checker: &dyn Checker = if self.print { &printer } else { &Validator };
+        let printer = Printer::new(self.certificates);
+        let checker: &dyn Checker = if self.print { &printer } else { validator(self.certificates) };
         let print = |document: &Document<CorruptOutcome>| {
             if self.print { printer.finish(&document.text()) } else { document.print(self.format) }
         };

@@ -1,15 +1,21 @@
-//! `--print`: each table that is judged, with the verdict of the validator, one on each line.
+//! `--print`: each table that is judged, with the verdict of the validator, one on each line; or certificates of it.
 
 use crate::expectation_text::ExpectationText;
 use crate::progress;
 use crate::status::Failure;
+use std::fmt::Write as _;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use twinedge::validate::certificate::Column;
 use twinedge::validate::{Expectation, Table};
-use twinedge_trials::{Checker, Validator, Verdict};
+use twinedge_trials::{Certificates, Checker, Validator, Verdict, certificates_of};
 
-/// The validator, which prints each table that it judged to standard output.
-pub(crate) struct Printer(Mutex<Lines>);
+/// A validator, which prints each table that it judged to standard output.
+pub(crate) struct Printer {
+    lines: Mutex<Lines>,
+    /// The validator is that of certificates, and these are printed.
+    certificates: bool,
+}
 
 struct Lines {
     out: BufWriter<Stdout>,
@@ -18,11 +24,9 @@ struct Lines {
     error: Option<io::Error>,
 }
 
-impl Default for Printer {
-    fn default() -> Self {
-        let out = BufWriter::with_capacity(1 << 16, io::stdout());
-        Self(Mutex::new(Lines { out, expectation: None, error: None }))
-    }
+/// A validator of tables: that of certificates, or that of all rules.
+pub(crate) fn validator(certificates: bool) -> &'static dyn Checker {
+    if certificates { &Certificates } else { &Validator }
 }
 
 impl Lines {
@@ -36,8 +40,13 @@ impl Lines {
 }
 
 impl Printer {
+    pub(crate) fn new(certificates: bool) -> Self {
+        let out = BufWriter::with_capacity(1 << 16, io::stdout());
+        Self { lines: Mutex::new(Lines { out, expectation: None, error: None }), certificates }
+    }
+
     fn lines(&self) -> MutexGuard<'_, Lines> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.lines.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Writes what is left, and the summary to standard error.
@@ -54,11 +63,15 @@ impl Printer {
 
 impl Checker for Printer {
     fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
-        Validator.check(table, expectation)
+        validator(self.certificates).check(table, expectation)
     }
 
     fn checked(&self, table: &Table, expectation: &Expectation, verdict: Verdict) {
-        let line = format!("{table} = {}\n", verdict.broken.map_or("ok", |rule| rule.id()));
+        let line = if self.certificates {
+            certificates(table, expectation)
+        } else {
+            format!("{table} = {}\n", verdict.broken.map_or("ok", |rule| rule.id()))
+        };
         let mut lines = self.lines();
         if lines.error.is_none()
             && let Err(error) = lines.write(*expectation, &line)
@@ -68,4 +81,26 @@ impl Checker for Printer {
             lines.error = Some(error);
         }
     }
+}
+
+/// Certificates of a table, one on each line: the columns in their order, each after its number of entries, and the tests that fail.
+fn certificates(table: &Table, expectation: &Expectation) -> String {
+    let mut lines = String::new();
+    let has_all = *expectation == Expectation::plane();
+    for certificate in certificates_of(table).filter(|_| has_all).into_iter().flatten() {
+        for column in Column::of_subdivision() {
+            let numbers = certificate.columns().column(*column);
+            let _ = write!(lines, "{}", numbers.len());
+            for number in numbers {
+                let _ = write!(lines, " {number}");
+            }
+            lines.push(' ');
+        }
+        lines.push('=');
+        for failure in certificate.check().err().into_iter().flatten() {
+            let _ = write!(lines, " {}", failure.test().name());
+        }
+        lines.push('\n');
+    }
+    lines
 }

@@ -4,13 +4,13 @@ use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD};
 use crate::output::{Format, counted, grouped};
-use crate::print_tables::Printer;
+use crate::print_tables::{Printer, validator};
 use crate::status::{Failure, Verdict};
 use std::fmt;
 use std::time::Instant;
 use twinedge_trials::corrupt::RuleRow;
 use twinedge_trials::sample::{SampleOutcome, SampleWork};
-use twinedge_trials::{Outcome, Validator, sample};
+use twinedge_trials::{Outcome, sample};
 
 /// Judge random tables, right or wrong, by the validator and by the reference.
 ///
@@ -41,6 +41,11 @@ pub(crate) struct Sample {
     #[arg(long, value_name = "X")]
     seed: Option<u64>,
 
+    /// Judge by certificates: a table is right if its labels pass, or random or changed ones. With --print: certificates of each table that
+    /// has all parts, with the tests that fail, instead of the table.
+    #[arg(long)]
+    certificates: bool,
+
     /// Print each table and the verdict of the validator; the summary goes to standard error.
     #[arg(long, conflicts_with = "format")]
     print: bool,
@@ -61,12 +66,12 @@ impl Sample {
         let run = self.effort.start()?;
         let start = Instant::now();
         if self.print {
-            let printer = Printer::default();
+            let printer = Printer::new(self.certificates);
             let document = Document::new(sample(work, &printer, &run), start);
             printer.finish(&document.text())?;
             return Ok(document.verdict());
         }
-        let document = Document::new(sample(work, &Validator, &run), start);
+        let document = Document::new(sample(work, validator(self.certificates), &run), start);
         document.print(self.format)?;
         Ok(document.verdict())
     }

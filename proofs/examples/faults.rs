@@ -84,8 +84,12 @@ const TESTS: [(&str, &[&str], &str); 6] = [
 ];
 
 /// The checks of the program `twinedge`.
-const COMMANDS: [(&str, &[&str]); 6] = [
+const COMMANDS: [(&str, &[&str]); 7] = [
     ("corrupt", &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1"]),
+    (
+        "certificates",
+        &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1", "--certificates"],
+    ),
     ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
     ("sample", &["sample", "--tables", "1000", "--seed", "1", "--threads", "1"]),
     ("prove", &["prove", "--edges", "2", "--threads", "1"]),
@@ -253,7 +257,9 @@ impl Check {
     fn is_near(&self, fault: &Fault) -> bool {
         let near: &[&str] = match fault.file.as_str() {
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
-            file if file.starts_with("src/validate/") => &["validate", "map", "corrupt", "tables", "sample"],
+            file if file.starts_with("src/validate/") => {
+                &["validate", "map", "corrupt", "certificates", "tables", "sample"]
+            }
             file if file.starts_with("src/algorithm/") => &["algorithm"],
             _ => &["dcel", "program", "prove", "soak", "audited"],
         };

@@ -279,3 +279,158 @@ fn what_is_unreadable_is_not_tested() {
         assert!(is_unreadable(&changed));
     }
 }
+
+/// A map that is changed in the structure or in the drawing so that one test finds it.
+fn failing(map: &Drawn, labels: &Labels, drawing: &Drawing) -> Vec<Test> {
+    let failures = check_drawing(&map.table, labels, drawing).err().unwrap_or_default();
+    failures.iter().map(|failure| failure.test()).collect()
+}
+
+fn set(drawing: &mut Drawing, column: Column, i: usize, value: u32) {
+    drawing.columns.column_mut(column)[i] = value;
+}
+
+/// Two triangles, one in the other.
+fn nested() -> (Drawn, Labels, Drawing) {
+    let mut builder = Builder::new();
+    for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
+        builder.shape(&twinedge::map::Shape::polygon(corners)).unwrap();
+    }
+    let map = Drawn::new(&builder.build().unwrap());
+    let (labels, drawing) = (Labels::new(&map.table).unwrap(), draw(&map).unwrap());
+    (map, labels, drawing)
+}
+
+#[test]
+fn a_vertex_has_a_dart_that_starts_there() {
+    let (map, labels, drawing) = nested();
+    for v in (0..map.points.len()).filter(|v| map.is_vertex(*v)) {
+        for (dart, point) in drawing.columns.column(Column::DartPoint).iter().enumerate() {
+            let mut changed = drawing.clone();
+            set(&mut changed, Column::VertexDart, v, dart as u32);
+            let expected = if *point as usize == v { vec![] } else { vec![Test::VertexDartOk] };
+            assert_eq!(failing(&map, &labels, &changed), expected, "vertex {v}, dart {dart}");
+        }
+    }
+}
+
+#[test]
+fn a_triangle_between_added_edges_is_in_the_face_around_it() {
+    let (map, labels, drawing) = nested();
+    let half_edge = drawing.columns.column(Column::DartHalfEdge);
+    let is_added = |triangle: &usize| (0..3).all(|i| half_edge[3 * triangle + i] == u32::MAX);
+    let mut seen = 0;
+    for triangle in (1..half_edge.len() / 3).filter(is_added) {
+        let mut changed = drawing.clone();
+        for dart in 3 * triangle..3 * triangle + 3 {
+            let face = drawing.columns.column(Column::DartFace)[dart];
+            set(&mut changed, Column::DartFace, dart, (0..3).find(|f| *f != face).unwrap());
+        }
+        assert_eq!(failing(&map, &labels, &changed), [Test::DartFaceOk], "triangle {triangle}");
+        seen += 1;
+    }
+    assert!(seen > 0);
+}
+
+/// In a face of one triangle the ranks lead down to the next face.
+#[test]
+fn ranks_lead_down_inside_a_face() {
+    let (map, labels, mut drawing) = nested();
+    let half_edge = drawing.columns.column(Column::DartHalfEdge);
+    let triangle = (0..half_edge.len() / 3).find(|triangle| (0..3).all(|i| half_edge[3 * triangle + i] != u32::MAX));
+    let darts = [0, 1, 2].map(|i| 3 * triangle.unwrap() + i);
+    let kept =
+        darts.iter().position(|dart| drawing.columns.column(Column::FaceDart).contains(&(*dart as u32))).unwrap();
+    for (i, rank) in [(0, 3000), (1, 2000), (2, 1000)] {
+        set(&mut drawing, Column::DartRank, darts[(kept + i) % 3], rank);
+    }
+    assert_eq!(failing(&map, &labels, &drawing), [Test::DartRankOk]);
+}
+
+/// On one side of the big triangle, where no vertex of the map is, a half-edge that lies elsewhere.
+#[test]
+fn a_half_edge_lies_on_one_dart() {
+    let (map, labels, drawing) = nested();
+    let points = drawing.columns.column(Column::DartPoint);
+    let unbounded = drawing.columns.column(Column::DartFace)[0];
+    let half_edges = drawing.columns.column(Column::DartHalfEdge).iter().zip(drawing.columns.column(Column::DartFace));
+    let half_edge =
+        *half_edges.filter(|(h, face)| **h != u32::MAX && **face == unbounded).map(|(h, _)| h).next().unwrap();
+    let found = [0, 1, 2].map(|dart| {
+        let twin = drawing.columns.column(Column::DartTwin)[dart] as usize;
+        let mut changed = drawing.clone();
+        for at in [dart, twin] {
+            set(&mut changed, Column::DartHalfEdge, at, half_edge);
+        }
+        for other in (0..points.len()).filter(|other| [points[dart], points[twin]].contains(&points[*other])) {
+            set(&mut changed, Column::DartAhead, other, half_edge);
+        }
+        failing(&map, &labels, &changed)
+    });
+    assert!(found.contains(&vec![Test::DartHalfEdgeOk]), "{found:?}");
+}
+
+/// Two corners of a triangle have each other's names in the structure.
+#[test]
+fn a_half_edge_starts_where_its_dart_starts() {
+    let (mut map, labels, drawing) = nested();
+    let live: Vec<usize> = (0..map.points.len()).filter(|v| map.is_vertex(*v)).collect();
+    let corner = |i: usize| live[i];
+    let inner: Vec<usize> =
+        (0..live.len()).map(corner).filter(|v| map.points[*v].x.max(map.points[*v].y) < 3.0).collect();
+    let [u, v] = [inner[1], inner[2]];
+    for row in map.table.half_edges.iter_mut().flatten() {
+        row.origin = row.origin.map(|origin| {
+            if origin == u {
+                v
+            } else if origin == v {
+                u
+            } else {
+                origin
+            }
+        });
+    }
+    map.table.vertices.swap(u, v);
+    assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);
+}
+
+/// At the middle of a path the half-edges lie on each other's darts.
+#[test]
+fn a_half_edge_lies_on_the_other_side_of_its_twin() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.0, 0.0], [2.0, 1.0]).unwrap();
+    map.insert_segment([2.0, 1.0], [4.0, 0.0]).unwrap();
+    let map = Drawn::new(&map);
+    let (labels, mut drawing) = (Labels::new(&map.table).unwrap(), draw(&map).unwrap());
+    assert_eq!(failing(&map, &labels, &drawing), []);
+    let middle = map.points.iter().position(|point| *point == Point::new(2.0, 1.0)).unwrap();
+    let around: Vec<u32> =
+        (0..map.table.half_edges.len()).filter(|h| map.origin(*h) == Some(middle)).map(|h| h as u32).collect();
+    let other = |h: u32| if around.contains(&h) { around[0] + around[1] - h } else { h };
+    for column in [Column::DartHalfEdge, Column::DartAhead] {
+        drawing.columns.column_mut(column).iter_mut().filter(|h| **h != u32::MAX).for_each(|h| *h = other(*h));
+    }
+    drawing.columns.column_mut(Column::HalfEdgeDart).swap(around[0] as usize, around[1] as usize);
+    assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);
+}
+
+/// One triangle on both sides of nothing, for a map without vertices.
+#[test]
+fn the_outer_triangle_is_not_flat() {
+    let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
+    let map = Drawn { table, points: Vec::new() };
+    let mut drawing = Drawing { points: vec![[0, 0]], ..Drawing::default() };
+    let columns = [
+        (Column::DartTwin, vec![0, 1, 2]),
+        (Column::DartPoint, vec![0; 3]),
+        (Column::DartHalfEdge, vec![u32::MAX; 3]),
+        (Column::DartAhead, vec![0; 3]),
+        (Column::DartFace, vec![0; 3]),
+        (Column::DartRank, vec![0, 2, 1]),
+        (Column::FaceDart, vec![0]),
+    ];
+    for (column, numbers) in columns {
+        *drawing.columns.column_mut(column) = numbers;
+    }
+    assert_eq!(failing(&map, &Labels::new(&map.table).unwrap(), &drawing), [Test::TriangleOk]);
+}

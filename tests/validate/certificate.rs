@@ -1,18 +1,19 @@
 //! Certificates: what is right has labels that pass, and nothing else has.
 
 use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
-use std::cell::Cell as Counter;
 use std::collections::BTreeSet;
-use twinedge::validate::certificate::{Certificate, Column, Labels, LabelsError, Test, check, check_surface};
+use twinedge::validate::certificate::{
+    Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
+};
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table, View};
+use twinedge::validate::{Expectation, Part, Parts, Rule, Table, View};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::{CorruptWork, abort};
 use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{Form, forms, projected};
 use twinedge_trials::sample::SampleWork;
 use twinedge_trials::tables::TablesWork;
-use twinedge_trials::{Checker, Outcome, RotationSystem, Run, Structure, Validator, Verdict, corrupt, sample, tables};
+use twinedge_trials::{Certificates, Outcome, RotationSystem, Run, Structure, corrupt, sample, tables};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -55,7 +56,9 @@ fn a_corruption_passes_only_if_the_rules_hold() {
             let mut projection = projected(&table, &form);
             let labels = Labels::new(&projection).unwrap();
             for_each_corruption(&mut projection, form.parts, |corrupt, cell, value| {
-                let passes = check(corrupt, &labels).is_ok();
+                let found = check(corrupt, &labels);
+                assert_eq!(check_parallel(corrupt, &labels), found, "{cell:?} = {value:?}: {corrupt}");
+                let passes = found.is_ok();
                 let broken = first_broken_rule(corrupt, &PLANE);
                 let own = Labels::new(corrupt).unwrap();
                 assert_eq!(check(corrupt, &own).is_ok(), broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
@@ -98,66 +101,21 @@ fn a_changed_label_is_found_or_certifies_as_well() {
     assert_eq!((found, as_good), (27_064, 13_448));
 }
 
-/// Numbers that look random.
-struct Numbers(Counter<u64>);
-
-impl Numbers {
-    fn below(&self, end: usize) -> usize {
-        self.0.set(self.0.get().wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407));
-        (self.0.get() >> 33) as usize % end.max(1)
-    }
-}
-
-/// A validator that knows certificates only: a table is right if its own labels pass, or labels in which something was changed at random, or
-/// random ranks. It finds the first broken rule that there is, so that it differs from the reference if and only if one of both finds none.
-struct ByCertificate;
-
-impl Checker for ByCertificate {
-    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
-        let asks = Rule::ALL.iter().any(|rule| rule.is_optional() && expectation.asks_for(*rule));
-        let made = match expectation.surface_kind() {
-            _ if asks || expectation.is_open() => None,
-            Surface::Plane => Labels::new(table).ok().map(|labels| (labels, None)),
-            _ => Labels::of_surface(table).ok().map(|(labels, genus)| (labels, Some(genus))),
-        };
-        let Some((labels, genus)) = made else { return Validator.check(table, expectation) };
-        let passes = |labels: &Labels| match genus {
-            None => check(table, labels).is_ok(),
-            Some(genus) => (0..=genus + 1).any(|genus| check_surface(table, labels, genus).is_ok()),
-        };
-        let seed = table.to_string().bytes().fold(1_u64, |sum, byte| sum.wrapping_mul(31).wrapping_add(byte.into()));
-        let numbers = Numbers(Counter::new(seed));
-        let mut random = labels.clone();
-        let count = random.column(Column::HalfEdgeRank).len();
-        random.column_mut(Column::HalfEdgeRank).iter_mut().for_each(|rank| *rank = numbers.below(count) as u32);
-        let mut changed = labels.clone();
-        for _ in 0..2 {
-            let column = changed.column_mut(Column::ALL[numbers.below(Column::ALL.len())]);
-            let at = numbers.below(column.len());
-            let value = numbers.below(column.len() + 1) as u32;
-            column.get_mut(at).into_iter().for_each(|entry| *entry = value);
-        }
-        let valid = [labels, random, changed].iter().any(passes);
-        let broken = if valid { None } else { first_broken_rule(table, expectation).or(Some(Rule::R1)) };
-        Verdict { valid, broken }
-    }
-}
-
 #[test]
 fn every_corruption_of_small_maps_in_every_form_is_judged_as_by_the_reference() {
     let structure = Structure::new("second model", RotationSystem::new, PLANE);
     let work = CorruptWork { edges: 2, pairs: 2000, seed: 1 };
-    corrupt(&structure, work, &ByCertificate, &Run::default(), &abort).unwrap().into_result().unwrap();
+    corrupt(&structure, work, &Certificates, &Run::default(), &abort).unwrap().into_result().unwrap();
 }
 
 #[test]
 fn every_small_table_is_judged_as_by_the_reference() {
-    tables(TablesWork { half_edges: 2 }, &ByCertificate, &Run::default()).into_result().unwrap();
+    tables(TablesWork { half_edges: 2 }, &Certificates, &Run::default()).into_result().unwrap();
 }
 
 #[test]
 fn random_tables_are_judged_as_by_the_reference() {
-    let outcome = sample(SampleWork { tables: 20_000, seed: 1 }, &ByCertificate, &Run::default());
+    let outcome = sample(SampleWork { tables: 20_000, seed: 1 }, &Certificates, &Run::default());
     let outcome = outcome.into_result().unwrap();
     assert!(outcome.right > 1000, "{}", outcome.right);
 }
@@ -194,8 +152,14 @@ fn surfaces_are_certified_with_their_genus() {
         for table in [Part::Prev, Part::Leaving, Part::Faces].map(|part| mesh.without(part)).iter().chain([&mesh]) {
             let (labels, genus) = Labels::of_surface(table).unwrap();
             assert_eq!((check_surface(table, &labels, genus), genus), (Ok(()), parts), "{table}");
+            assert_eq!(
+                labels.column(Column::HalfEdgeComponent).len(),
+                if parts == 1 { 1 } else { 36 * 2 * parts },
+                "{table}"
+            );
             for wrong in (0..5).filter(|wrong| *wrong != genus) {
                 let failures = check_surface(table, &labels, wrong).unwrap_err();
+                assert_eq!(check_surface_parallel(table, &labels, wrong).unwrap_err(), failures);
                 assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::GenusOk]);
             }
         }
@@ -355,4 +319,25 @@ fn labels_are_written_and_read() {
     let certificate = Certificate::new(&table, &labels).unwrap();
     let text = serde_json::to_string(&certificate).unwrap();
     assert_eq!(serde_json::from_str::<Certificate>(&text).unwrap(), certificate);
+}
+
+/// Each half of the test follows from the other at some half-edge, and is tested at each.
+#[test]
+fn next_and_prev_are_compared_both_ways() {
+    let mut edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let labels = Labels::new(&edge).unwrap();
+    edge.half_edges[1].as_mut().unwrap().next = Some(1);
+    let failures = check(&edge, &labels).unwrap_err();
+    assert_eq!(failures[0].to_string(), "next_ok: 2 of the half-edges, the first is 0");
+}
+
+/// Four half-edges that are their own twins, around one vertex: the sums are those of a torus.
+#[test]
+fn half_edges_that_are_their_own_twins_are_no_handle() {
+    let text =
+        "P 3 prev leaving faces V 1 0 - H 4 0 0 1 3 - 0 1 2 0 - 0 2 3 1 - 0 3 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0";
+    let table: Table = text.parse().unwrap();
+    let (labels, _) = Labels::of_surface(&table).unwrap();
+    let failures = check_surface(&table, &labels, 1).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::TwinOk]);
 }

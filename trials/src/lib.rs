@@ -29,8 +29,8 @@
 //! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
 //! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
 //!
-//! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, or any
-//! other [`Checker`].
+//! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, its
+//! checker of [`Certificates`], or any other [`Checker`].
 //!
 //! | input for tests of one's own | |
 //! | --- | --- |
@@ -58,6 +58,7 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+mod certificates;
 mod error;
 mod progress;
 mod published;
@@ -84,6 +85,7 @@ pub mod sample;
 pub mod soak;
 pub mod tables;
 
+pub use certificates::{Certificates, certificates_of};
 pub use corrupt::corrupt;
 pub use error::{Failed, StructureError};
 pub use meshes::meshes;

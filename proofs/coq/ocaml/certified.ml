@@ -91,6 +91,9 @@ let read_drawing folder topology =
     face_dart_column = column "face_dart";
   }
 
+(* Beyond the end of its file [ranks_in] is 0, which is lower than others; CERTIFICATE.md says that nil fails. *)
+let rank_of folder h = if h < folder.half_edge_rows then ranks_in folder h else 1 lsl 32
+
 (* The tests that fail, for a reader of the verdict "invalid": nothing depends on this. *)
 let each view kind slots live tests =
   List.iter
@@ -108,7 +111,7 @@ let explain_surface surface =
   each "half-edges" folder.half_edge_rows half_edge
     [ ("twin_ok", twin_ok view); ("next_ok", next_ok view); ("target_ok", target_ok view); ("origin_ok", origin_ok view);
       ("cycle_ok", cycle_ok view); ("turn_ok", turn_ok view (turns_in surface)); ("step_ok", step_ok view (steps_in surface));
-      ("component_ok", component_ok view component (surface_ranks_in surface)); ("border_ok", border_ok view border) ];
+      ("component_ok", component_ok view component (rank_of folder)); ("border_ok", border_ok view border) ];
   each "vertices" folder.vertex_rows vertex [ ("surface_vertex_ok", surface_vertex_ok view) ];
   each "boundary components" folder.boundary_rows boundary [ ("surface_boundary_ok", surface_boundary_ok view) ];
   each "faces" folder.face_rows face [ ("surface_face_ok", surface_face_ok view) ];
@@ -117,7 +120,7 @@ let explain_surface surface =
   then print_endline "genus_ok"
 
 let explain folder drawing =
-  let view = view_in folder and rank = ranks_in folder in
+  let view = view_in folder and rank = rank_of folder in
   let each kind = each view kind in
   each "half-edges" folder.half_edge_rows half_edge
     [ ("twin_ok", twin_ok view); ("next_ok", next_ok view); ("target_ok", target_ok view);

@@ -1,7 +1,8 @@
 //! The structure as the tests read it: each link from the structure if it stores it, and from the labels if not.
 
-use super::columns::{Column, Labels};
+use super::columns::{Column, Labels, MOST_SLOTS};
 use crate::validate::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
+use core::ops::Range;
 
 /// A structure together with labels. What is asked of a slot that is vacant, or not there, is nil.
 pub(super) struct Answers<'a, V: ?Sized> {
@@ -13,6 +14,8 @@ pub(super) struct Answers<'a, V: ?Sized> {
     pub(super) half_edges: usize,
     pub(super) boundaries: usize,
     pub(super) faces: usize,
+    /// The part of the records that is looked at, and of how many: one for each thread.
+    part: (usize, usize),
 }
 
 impl<'a, V: View + ?Sized> Answers<'a, V> {
@@ -28,47 +31,77 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
             half_edges: view.half_edge_slots(),
             boundaries: if by_record { view.boundary_slots() } else { length(Column::BoundaryFace) },
             faces: if parts.has(Part::Faces) { view.face_slots() } else { length(Column::FaceOuter) },
+            part: (0, 1),
         }
     }
 
+    /// The same, for one part of the records.
+    #[cfg(feature = "rayon")]
+    pub(super) fn part(&self, part: usize, of: usize) -> Self {
+        Self { part: (part, of), ..*self }
+    }
+
+    /// The slots that are looked at.
+    pub(super) fn share(&self, slots: usize) -> Range<usize> {
+        let (part, of) = self.part;
+        let length = slots.div_ceil(of);
+        (part * length).min(slots)..((part + 1) * length).min(slots)
+    }
+
+    /// Each half-edge has a rank, and numbers fit into columns.
+    pub(super) fn readable(&self) -> bool {
+        let slots = [self.vertices, self.half_edges, self.boundaries, self.faces];
+        self.labels.column(Column::HalfEdgeRank).len() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
+    }
+
     /// True if the structure has records for boundary components.
+    #[inline(always)]
     pub(super) fn by_record(&self) -> bool {
         self.parts.has(Part::BoundaryComponents)
     }
 
     /// True if half-edges and faces name each other, without boundary components.
+    #[inline(always)]
     pub(super) fn by_name(&self) -> bool {
         self.parts.has(Part::Faces) && !self.by_record()
     }
 
+    #[inline(always)]
     pub(super) fn is_vertex(&self, v: usize) -> bool {
-        v < self.vertices && self.view.is_vertex(v)
+        has(self.vertices, v) && self.view.is_vertex(v)
     }
 
+    #[inline(always)]
     pub(super) fn is_half_edge(&self, h: usize) -> bool {
-        h < self.half_edges && self.view.is_half_edge(h)
+        has(self.half_edges, h) && self.view.is_half_edge(h)
     }
 
+    #[inline(always)]
     pub(super) fn is_boundary(&self, b: usize) -> bool {
-        b < self.boundaries && (!self.by_record() || self.view.is_boundary(b))
+        has(self.boundaries, b) && (!self.by_record() || self.view.is_boundary(b))
     }
 
+    #[inline(always)]
     pub(super) fn is_face(&self, f: usize) -> bool {
-        f < self.faces && (!self.parts.has(Part::Faces) || self.view.is_face(f))
+        has(self.faces, f) && (!self.parts.has(Part::Faces) || self.view.is_face(f))
     }
 
+    #[inline(always)]
     pub(super) fn origin(&self, h: usize) -> Link {
         if self.is_half_edge(h) { self.view.origin(h) } else { None }
     }
 
+    #[inline(always)]
     pub(super) fn twin(&self, h: usize) -> Link {
         if self.is_half_edge(h) { self.view.twin(h) } else { None }
     }
 
+    #[inline(always)]
     pub(super) fn next(&self, h: usize) -> Link {
         if self.is_half_edge(h) { self.view.next(h) } else { None }
     }
 
+    #[inline(always)]
     pub(super) fn prev(&self, h: usize) -> Link {
         match self.is_half_edge(h) {
             false => None,
@@ -77,6 +110,26 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    /// The twin, the next and the previous half-edge.
+    #[inline(always)]
+    pub(super) fn links(&self, h: usize) -> [Link; 3] {
+        [self.twin(h), self.next(h), self.prev(h)]
+    }
+
+    /// The same, if all are live.
+    #[inline(always)]
+    pub(super) fn live_links(&self, h: usize) -> Option<[usize; 3]> {
+        let live = |link: Link| link.filter(|h| self.is_half_edge(*h));
+        Some([live(self.twin(h))?, live(self.next(h))?, live(self.prev(h))?])
+    }
+
+    /// The half-edge that its origin keeps.
+    #[inline(always)]
+    pub(super) fn kept(&self, h: usize) -> Link {
+        self.leaving(self.origin(h)?)
+    }
+
+    #[inline(always)]
     pub(super) fn boundary(&self, h: usize) -> Link {
         match self.is_half_edge(h) {
             false => None,
@@ -85,6 +138,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn leaving(&self, v: usize) -> Link {
         match self.is_vertex(v) {
             false => None,
@@ -93,6 +147,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn isolated(&self, v: usize) -> Link {
         match self.is_vertex(v) {
             false => None,
@@ -101,6 +156,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn boundary_face(&self, b: usize) -> Link {
         match self.is_boundary(b) {
             false => None,
@@ -109,6 +165,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn start(&self, b: usize) -> Option<Start> {
         if !self.is_boundary(b) {
             return None;
@@ -123,6 +180,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn place(&self, b: usize) -> Option<BoundaryPlace> {
         match self.is_boundary(b) {
             false => None,
@@ -131,6 +189,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
         }
     }
 
+    #[inline(always)]
     pub(super) fn outer(&self, f: usize) -> Link {
         match self.is_face(f) {
             false => None,
@@ -159,4 +218,31 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
             self.labels.link(Column::FaceInner, self.labels.list(f).0.checked_add(i)?)
         }
     }
+
+    /// The half-edge with which the boundary component starts, if it is a cycle.
+    #[inline(always)]
+    pub(super) fn cycle_start(&self, b: usize) -> Link {
+        match self.start(b) {
+            Some(Start::HalfEdge(h)) => Some(h),
+            _ => None,
+        }
+    }
+
+    pub(super) fn is_inner(&self, b: usize) -> bool {
+        matches!(self.place(b), Some(BoundaryPlace::Inner(_)))
+    }
+
+    /// The link leads to a half-edge with a lower rank than that of `h`.
+    #[inline(always)]
+    pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
+        let rank = self.labels.column(Column::HalfEdgeRank);
+        link.and_then(|l| rank.get(l)).zip(rank.get(h)).is_some_and(|(l, h)| l < h)
+    }
+}
+
+/// True if there is a slot of this number. In 32 bits: of a structure that keeps its links so, with all bits set for nil, one comparison then
+/// tells that a link is not nil and that its slot is there.
+#[inline(always)]
+const fn has(slots: usize, i: usize) -> bool {
+    i < slots as u32 as usize
 }

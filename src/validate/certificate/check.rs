@@ -4,7 +4,8 @@
 //! is no walk, no set, no order, and nothing of the rules.
 
 use super::answers::Answers;
-use super::columns::{Column, Labels, MOST_SLOTS};
+use super::columns::Labels;
+use super::sums::Sums;
 use super::test::{Failure, Failures, Test};
 use crate::validate::structure::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
@@ -33,89 +34,108 @@ pub fn check<V: View + ?Sized>(view: &V, labels: &Labels) -> Result<(), Vec<Fail
     let mut failures = Failures::new();
     failures.note(Test::Readable, 0, s.readable());
     if s.readable() {
-        scan(&s, &mut failures);
+        let sums = scan(&s, &mut failures);
+        note_sums(sums, &mut failures);
     }
     failures.into_result()
 }
 
-/// Runs every test of what is readable.
-pub(super) fn scan<V: View + ?Sized>(s: &Answers<'_, V>, failures: &mut Failures) {
-    let (mut half_edges, mut rotations, mut cycles, mut roots, mut unbounded) = (0, 0, 0, 0, 0);
-    for h in (0..s.half_edges).filter(|h| s.is_half_edge(*h)) {
-        half_edges += 1;
+/// Notes the results of the tests of the whole.
+pub(super) fn note_sums(sums: Sums, failures: &mut Failures) {
+    failures.note(Test::OneUnbounded, 0, sums.unbounded == 1);
+    failures.note(Test::EulerOk, 0, sums.fit(0));
+}
+
+/// Runs every test of single records.
+#[inline(always)]
+pub(super) fn scan<V: View + ?Sized>(s: &Answers<'_, V>, failures: &mut Failures) -> Sums {
+    let mut sums = Sums::default();
+    for h in s.share(s.half_edges).filter(|h| s.is_half_edge(*h)) {
+        sums.half_edges += 1;
         s.half_edge(h, failures);
     }
-    for v in (0..s.vertices).filter(|v| s.is_vertex(*v)) {
-        rotations += usize::from(s.leaving(v).is_some());
+    for v in s.share(s.vertices).filter(|v| s.is_vertex(*v)) {
+        sums.rotations += usize::from(s.leaving(v).is_some());
         failures.note(Test::VertexOk, v, s.vertex_ok(v));
     }
-    for b in (0..s.boundaries).filter(|b| s.is_boundary(*b)) {
+    for b in s.share(s.boundaries).filter(|b| s.is_boundary(*b)) {
         let is_cycle = s.cycle_start(b).is_some();
-        cycles += usize::from(is_cycle);
-        roots += usize::from(is_cycle && s.is_inner(b));
+        sums.cycles += usize::from(is_cycle);
+        sums.roots += usize::from(is_cycle && s.is_inner(b));
         failures.note(Test::StartOk, b, s.start_ok(b));
         failures.note(Test::PlaceOk, b, s.place_ok(b));
     }
     // A boundary component is at one place. More entries can only be right if answers change.
     let mut entries = s.boundaries;
-    for f in (0..s.faces).filter(|f| s.is_face(*f)) {
-        unbounded += usize::from(s.outer(f).is_none());
+    for f in s.share(s.faces).filter(|f| s.is_face(*f)) {
+        sums.unbounded += usize::from(s.outer(f).is_none());
         failures.note(Test::FaceOk, f, s.face_ok(f, &mut entries));
         failures.note(Test::FaceStartsOk, f, !s.by_name() || s.face_starts_ok(f));
     }
-    failures.note(Test::OneUnbounded, 0, unbounded == 1);
-    failures.note(Test::EulerOk, 0, 2 * (rotations + cycles) == half_edges + 4 * roots);
+    sums
 }
 
 impl<V: View + ?Sized> Answers<'_, V> {
-    /// Each half-edge has a rank, and numbers fit into columns.
-    pub(super) fn readable(&self) -> bool {
-        let slots = [self.vertices, self.half_edges, self.boundaries, self.faces];
-        self.labels.column(Column::HalfEdgeRank).len() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
+    /// The links of a half-edge, its neighbours and its origin fit together. Further tests follow while `passes` returns true.
+    #[inline(always)]
+    pub(super) fn links_ok(
+        &self,
+        h: usize,
+        [twin, next, prev]: [Link; 3],
+        kept: Link,
+        passes: &mut impl FnMut(Test, bool) -> bool,
+    ) -> bool {
+        passes(Test::TwinOk, twin.and_then(|t| self.twin(t)) == Some(h) && twin != Some(h))
+            && passes(Test::NextOk, {
+                next.and_then(|n| self.prev(n)) == Some(h) && prev.and_then(|p| self.next(p)) == Some(h)
+            })
+            && passes(Test::TargetOk, next.and_then(|n| self.origin(n)) == twin.and_then(|t| self.origin(t)))
+            && passes(Test::OriginOk, kept.is_some())
     }
 
-    /// The links of a half-edge, its neighbours and its origin fit together.
-    pub(super) fn links_ok(&self, h: usize, failures: &mut Failures) {
-        let (twin, next, prev) = (self.twin(h), self.next(h), self.prev(h));
-        let twin_ok = twin.and_then(|t| self.twin(t)) == Some(h) && twin != Some(h);
-        let next_ok = next.and_then(|n| self.prev(n)) == Some(h) && prev.and_then(|p| self.next(p)) == Some(h);
-        let target_ok = next.and_then(|n| self.origin(n)) == twin.and_then(|t| self.origin(t));
-        let origin_ok = self.origin(h).and_then(|v| self.leaving(v)).is_some();
-        failures.note(Test::TwinOk, h, twin_ok);
-        failures.note(Test::NextOk, h, next_ok);
-        failures.note(Test::TargetOk, h, target_ok);
-        failures.note(Test::OriginOk, h, origin_ok);
-    }
-
+    /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
+    #[inline(always)]
     fn half_edge(&self, h: usize, failures: &mut Failures) {
-        self.links_ok(h, failures);
-        let (twin, next, prev, boundary) = (self.twin(h), self.next(h), self.prev(h), self.boundary(h));
-        let cycle_ok =
-            next.and_then(|n| self.boundary(n)) == boundary && boundary.and_then(|b| self.cycle_start(b)).is_some();
-        let lower = |link: Link| self.is_lower(link, h);
-        let rank_ok = lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b));
-        failures.note(Test::CycleOk, h, cycle_ok);
-        failures.note(Test::RankOk, h, rank_ok);
-        let face_name_ok = !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b));
-        failures.note(Test::FaceNameOk, h, face_name_ok);
-    }
-
-    /// The half-edge with which the boundary component starts, if it is a cycle.
-    pub(super) fn cycle_start(&self, b: usize) -> Link {
-        match self.start(b) {
-            Some(Start::HalfEdge(h)) => Some(h),
-            _ => None,
+        let whole_star = || {
+            let ([t, n, p], kept, b) = (self.live_links(h)?, self.kept(h)?, self.boundary(h)?);
+            Some(([Some(t), Some(n), Some(p)], Some(kept), Some(b)))
+        };
+        if !whole_star().is_some_and(|(links, kept, b)| self.half_edge_ok(h, links, kept, b, |_, passes| passes)) {
+            self.note_half_edge(h, failures);
         }
     }
 
-    fn is_inner(&self, b: usize) -> bool {
-        matches!(self.place(b), Some(BoundaryPlace::Inner(_)))
+    #[cold]
+    #[inline(never)]
+    fn note_half_edge(&self, h: usize, failures: &mut Failures) {
+        self.half_edge_ok(h, self.links(h), self.kept(h), self.boundary(h), |test, passes| {
+            failures.note(test, h, passes);
+            true
+        });
     }
 
-    /// The link leads to a half-edge with a lower rank than that of `h`.
-    pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
-        let rank = self.labels.column(Column::HalfEdgeRank);
-        link.and_then(|l| rank.get(l)).zip(rank.get(h)).is_some_and(|(l, h)| l < h)
+    /// The tests of a half-edge, until `passes` returns false.
+    #[inline(always)]
+    fn half_edge_ok(
+        &self,
+        h: usize,
+        links: [Link; 3],
+        kept: Link,
+        boundary: Link,
+        mut passes: impl FnMut(Test, bool) -> bool,
+    ) -> bool {
+        let [twin, next, prev] = links;
+        let lower = |link: Link| self.is_lower(link, h);
+        self.links_ok(h, links, kept, &mut passes)
+            && passes(Test::CycleOk, {
+                next.and_then(|n| self.boundary(n)) == boundary && boundary.and_then(|b| self.cycle_start(b)).is_some()
+            })
+            && passes(Test::RankOk, {
+                lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b))
+            })
+            && passes(Test::FaceNameOk, {
+                !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b))
+            })
     }
 
     /// `h` is the start of an inner boundary component of the unbounded face, or of one whose outer cycle starts with a lower rank.

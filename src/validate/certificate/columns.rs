@@ -88,7 +88,7 @@ columns! {
     HalfEdgeTurn "half_edge_turn",
     /// On surfaces: the position of the half-edge on its cycle.
     HalfEdgeStep "half_edge_step",
-    /// On surfaces: the half-edge that is the root of the component.
+    /// On surfaces: the half-edge that is the root of the component. The last entry holds for all half-edges after it, too.
     HalfEdgeComponent "half_edge_component",
     /// On surfaces: the half-edge of a hole that leaves the vertex, or nil.
     VertexBorder "vertex_border",

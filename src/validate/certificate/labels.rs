@@ -245,39 +245,86 @@ fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     Ok(place)
 }
 
-/// The half-edges in an order in which each comes after a neighbour, but for those that it is begun with.
-pub(super) struct Queue {
-    /// For each half-edge its position; nil if it is not in the queue.
+/// Numbers for half-edges, cycle by cycle: each comes after the one before on its cycle, or after its twin, but for those at which it is begun.
+pub(super) struct Ranks {
+    /// For each half-edge its rank, or nil.
     pub(super) rank: Vec<u32>,
-    half_edges: Vec<u32>,
-    taken: usize,
+    count: u32,
+    /// Half-edges at which cycles are still to be entered.
+    ways: Vec<u32>,
     /// The number of list entries that may still be read: a boundary component is listed once.
     entries: usize,
 }
 
-impl Queue {
+impl Ranks {
     pub(super) fn new<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Self, LabelsError> {
-        let mut half_edges = Vec::new();
-        half_edges.try_reserve_exact(s.half_edges).map_err(|_| LabelsError::OutOfMemory)?;
-        Ok(Self { rank: nils(s.half_edges)?, half_edges, taken: 0, entries: s.boundaries })
+        let mut ways = Vec::new();
+        // Each half-edge is added by its twin at most, or as a start.
+        ways.try_reserve_exact(s.half_edges + s.boundaries).map_err(|_| LabelsError::OutOfMemory)?;
+        Ok(Self { rank: nils(s.half_edges)?, count: 0, ways, entries: s.boundaries })
     }
 
-    /// Adds a half-edge, and says whether it never was in the queue.
+    /// Adds a half-edge, and says whether it had no rank.
     pub(super) fn add(&mut self, h: usize) -> bool {
-        let Some(rank) = self.rank.get_mut(h).filter(|rank| **rank == NIL) else { return false };
-        *rank = self.half_edges.len() as u32;
-        self.half_edges.push(h as u32);
-        true
+        let is_free = self.rank.get(h) == Some(&NIL);
+        if is_free {
+            self.ways.push(h as u32);
+        }
+        is_free
     }
 
-    /// The next half-edge, of which the neighbours are added.
-    pub(super) fn take<V: View + ?Sized>(&mut self, s: &Answers<'_, V>) -> Option<usize> {
-        let h = *self.half_edges.get(self.taken)? as usize;
-        self.taken += 1;
-        for neighbour in [s.next(h), s.prev(h), s.twin(h)].into_iter().flatten() {
-            self.add(neighbour);
+    /// Ranks all that can be reached from what was added, and tells `ranked` each half-edge.
+    pub(super) fn spread<V: View + ?Sized>(&mut self, s: &Answers<'_, V>, mut ranked: impl FnMut(&mut Self, usize)) {
+        while let Some(way) = self.ways.pop() {
+            self.rank_cycle(s, way as usize, |ranks, h| {
+                if let Some(twin) = s.twin(h) {
+                    ranks.add(twin);
+                }
+                ranked(ranks, h);
+            });
         }
-        Some(h)
+    }
+
+    /// The same, and then all that can be reached from what has a rank. First cycles are entered in the order of their numbers, where the
+    /// twin has a rank already: what has close numbers is in the caches then, and most is reached so.
+    pub(super) fn spread_in_order<V: View + ?Sized>(
+        &mut self,
+        s: &Answers<'_, V>,
+        mut ranked: impl FnMut(&mut Self, usize),
+    ) {
+        let free = |ranks: &Self, h: usize| ranks.rank.get(h) == Some(&NIL);
+        let can_enter = |ranks: &Self, h: usize| {
+            free(ranks, h) && s.twin(h).is_some_and(|twin| ranks.rank.get(twin).is_some_and(|rank| *rank != NIL))
+        };
+        for h in 0..self.rank.len() {
+            while let Some(way) = self.ways.pop() {
+                self.rank_cycle(s, way as usize, &mut ranked);
+            }
+            if can_enter(self, h) {
+                self.rank_cycle(s, h, &mut ranked);
+            }
+        }
+        for h in 0..self.rank.len() {
+            if can_enter(self, h) {
+                self.add(h);
+            }
+            self.spread(s, &mut ranked);
+        }
+    }
+
+    fn rank_cycle<V: View + ?Sized>(
+        &mut self,
+        s: &Answers<'_, V>,
+        from: usize,
+        mut ranked: impl FnMut(&mut Self, usize),
+    ) {
+        let mut at = Some(from);
+        while let Some(h) = at.filter(|h| self.rank.get(*h) == Some(&NIL)) {
+            self.rank[h] = self.count;
+            self.count += 1;
+            ranked(self, h);
+            at = s.next(h);
+        }
     }
 
     /// Adds the starts of the inner boundary components of a face.
@@ -294,27 +341,27 @@ impl Queue {
 
 /// Ranks: from the unbounded face over the components in it, and, from the start of an outer cycle, to those in its face.
 fn ranks<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<u32>, LabelsError> {
-    let mut queue = Queue::new(s)?;
+    let mut ranks = Ranks::new(s)?;
     for f in (0..s.faces).filter(|f| s.is_face(*f) && s.outer(*f).is_none()) {
-        queue.add_inner(s, f);
+        ranks.add_inner(s, f);
     }
-    while let Some(h) = queue.take(s) {
-        let Some(b) = s.boundary(h).filter(|b| s.start(*b) == Some(Start::HalfEdge(h))) else { continue };
+    ranks.spread_in_order(s, |ranks, h| {
+        let Some(b) = s.boundary(h).filter(|b| s.start(*b) == Some(Start::HalfEdge(h))) else { return };
         if let (Some(BoundaryPlace::Outer), Some(f)) = (s.place(b), s.boundary_face(b)) {
-            queue.add_inner(s, f);
+            ranks.add_inner(s, f);
         }
-    }
-    Ok(queue.rank)
+    });
+    Ok(ranks.rank)
 }
 
 /// For each cycle: whether it is the first one of its component.
 fn outsides<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<bool>, LabelsError> {
     let mut outside = column(s.boundaries, false).ok_or(LabelsError::OutOfMemory)?;
-    let mut queue = Queue::new(s)?;
+    let mut ranks = Ranks::new(s)?;
     for (b, outside) in outside.iter_mut().enumerate() {
         if let Some(Start::HalfEdge(h)) = s.start(b) {
-            *outside = queue.add(h);
-            while queue.take(s).is_some() {}
+            *outside = ranks.add(h);
+            ranks.spread(s, |_, _| {});
         }
     }
     Ok(outside)

@@ -52,14 +52,20 @@
 //!
 //! Labels can be kept beside a structure (with the feature `serde`), so that whoever reads both checks instead of validating.
 
+#![allow(clippy::inline_always, reason = "a call for each half-edge costs more than what it asks")]
+
 mod answers;
 mod check;
 mod closed;
 mod columns;
 mod drawing;
 mod labels;
+#[cfg(feature = "rayon")]
+mod parts;
 mod saved;
+mod sums;
 mod surface;
+mod surface_counts;
 mod surface_labels;
 mod surface_saved;
 mod test;
@@ -67,7 +73,10 @@ mod test;
 pub use check::check;
 pub use columns::{Column, Labels, LabelsError};
 pub use drawing::{Drawing, check_drawing};
+#[cfg(feature = "rayon")]
+pub use parts::{check_parallel, check_surface_parallel};
 pub use saved::Certificate;
-pub use surface::{SurfaceCounts, check_surface};
+pub use surface::check_surface;
+pub use surface_counts::SurfaceCounts;
 pub use surface_saved::SurfaceCertificate;
 pub use test::{Failure, Test};

@@ -2,7 +2,7 @@
 
 use super::answers::Answers;
 use super::columns::{Column, Labels, LabelsError};
-use super::labels::{Queue, nils};
+use super::labels::{Ranks, nils};
 use super::surface::Surface;
 use crate::slots::NIL;
 use crate::validate::structure::{Link, Part, View};
@@ -14,7 +14,7 @@ impl Labels {
     /// If it keeps all rules of [`Expectation::surface`](crate::validate::Expectation::surface),
     /// [`check_surface`](super::check_surface) passes with both; if not, it never does. Lists of holes, and an unbounded face, are not looked at.
     ///
-    /// Cost: O(n). The labels take 16 bytes for each half-edge.
+    /// Cost: O(n). The labels take 12 bytes for each half-edge, and 4 more where there are several components.
     ///
     /// # Errors
     /// [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].
@@ -29,22 +29,26 @@ impl Labels {
         let turns = positions(s.0.half_edges, (0..s.0.vertices).filter_map(|v| s.0.leaving(v)), turn)?;
         let steps = positions(s.0.half_edges, (0..s.boundaries()).filter_map(|b| s.start(b)), |h| s.0.next(h))?;
         let mut component = nils(s.0.half_edges)?;
-        let mut queue = Queue::new(&s.0)?;
+        let mut ranks = Ranks::new(&s.0)?;
         let mut roots = 0_usize;
         for root in (0..s.0.half_edges).filter(|h| s.0.is_half_edge(*h)) {
-            roots += usize::from(queue.add(root));
-            while let Some(h) = queue.take(&s.0) {
-                component[h] = root as u32;
+            let ranked = |_: &mut Ranks, h: usize| component[h] = root as u32;
+            if ranks.add(root) {
+                roots += 1;
+                if roots == 1 { ranks.spread_in_order(&s.0, ranked) } else { ranks.spread(&s.0, ranked) }
             }
         }
         let half_edges = (0..s.0.half_edges).filter(|h| s.0.is_half_edge(*h)).count();
         let orbits = (0..s.0.vertices).filter(|v| s.0.leaving(*v).is_some()).count()
             + (0..s.boundaries()).filter(|b| s.start(*b).is_some()).count();
         let genus = (half_edges + 4 * roots).saturating_sub(2 * orbits) / 4;
+        if roots == 1 {
+            component = (0..s.0.half_edges).find(|h| s.0.is_half_edge(*h)).map(|h| h as u32).into_iter().collect();
+        }
         labels.set(Column::HalfEdgeTurn, turns);
         labels.set(Column::HalfEdgeStep, steps);
         labels.set(Column::HalfEdgeComponent, component);
-        labels.set(Column::HalfEdgeRank, queue.rank);
+        labels.set(Column::HalfEdgeRank, ranks.rank);
         Ok((labels, genus))
     }
 }

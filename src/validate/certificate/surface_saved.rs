@@ -4,8 +4,11 @@ use super::answers::Answers;
 use super::closed::closed;
 use super::columns::{Column, Labels, LabelsError};
 use super::saved::{Certificate, have_one_length};
-use super::surface::{Sums, Surface, SurfaceCounts};
+use super::sums::Sums;
+use super::surface::Surface;
+use super::surface_counts::SurfaceCounts;
 use super::test::{Failure, Failures, Test};
+use crate::slots::NIL;
 use crate::validate::structure::View;
 use alloc::vec::Vec;
 
@@ -49,6 +52,12 @@ impl SurfaceCertificate {
     pub fn new<V: View + ?Sized>(view: &V) -> Result<Self, LabelsError> {
         let mut certificate = Certificate { columns: closed(view)? };
         let (mut labels, _) = Labels::of_surface(&certificate)?;
+        // One entry may stand for the component of all that follow; in a certificate each has its own.
+        let components = labels.column_mut(Column::HalfEdgeComponent);
+        let missing = certificate.half_edge_slots() - components.len().min(certificate.half_edge_slots());
+        components.try_reserve_exact(missing).map_err(|_| LabelsError::OutOfMemory)?;
+        let last = components.last().copied().unwrap_or(NIL);
+        components.resize(components.len() + missing, last);
         for column in LABELS {
             certificate.columns.set(column, core::mem::take(labels.column_mut(column)));
         }

@@ -147,10 +147,29 @@ impl Failures {
     }
 
     /// Notes the result of a test of record `i`.
+    #[inline]
     pub(super) fn note(&mut self, test: Test, i: usize, passes: bool) {
         if !passes {
-            self.0[test as usize].get_or_insert(Failure { test, count: 0, first: i }).count += 1;
+            self.add(test, i);
         }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn add(&mut self, test: Test, i: usize) {
+        self.0[test as usize].get_or_insert(Failure { test, count: 0, first: i }).count += 1;
+    }
+
+    /// Those of two parts, of which the records of the other one come later.
+    #[cfg(feature = "rayon")]
+    pub(super) fn join(mut self, other: &Self) -> Self {
+        for (mine, other) in self.0.iter_mut().zip(&other.0) {
+            *mine = match (*mine, other) {
+                (Some(mine), Some(other)) => Some(Failure { count: mine.count + other.count, ..mine }),
+                (mine, other) => mine.or(*other),
+            };
+        }
+        self
     }
 
     pub(super) fn into_result(self) -> Result<(), alloc::vec::Vec<Failure>> {

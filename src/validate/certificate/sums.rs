@@ -1,0 +1,52 @@
+//! The numbers of live records by which components and the genus are counted.
+
+use super::surface_counts::SurfaceCounts;
+
+/// The sums of a scan.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    pub(super) half_edges: usize,
+    /// Vertices with half-edges.
+    pub(super) rotations: usize,
+    /// Boundary components that start at a half-edge.
+    pub(super) cycles: usize,
+    pub(super) roots: usize,
+    pub(super) unbounded: usize,
+    /// Boundary components without face, of an open surface.
+    pub(super) holes: usize,
+}
+
+impl Sums {
+    /// Euler's formula.
+    pub(super) const fn fit(self, genus: usize) -> bool {
+        let orbits = self.rotations as u128 + self.cycles as u128;
+        2 * orbits + 4 * genus as u128 == self.half_edges as u128 + 4 * self.roots as u128
+    }
+
+    /// The genus is the one that fits, if there is one.
+    pub(super) const fn counts(self) -> SurfaceCounts {
+        let edge_side = self.half_edges as u128 + 4 * self.roots as u128;
+        let orbits = self.rotations as u128 + self.cycles as u128;
+        SurfaceCounts {
+            genus: (edge_side.saturating_sub(2 * orbits) / 4) as usize,
+            components: self.roots,
+            holes: self.holes,
+            vertices: self.rotations,
+            edges: self.half_edges / 2,
+            faces: self.cycles.saturating_sub(self.holes),
+        }
+    }
+
+    /// Those of two parts.
+    #[cfg(feature = "rayon")]
+    pub(super) const fn join(self, other: Self) -> Self {
+        Self {
+            half_edges: self.half_edges + other.half_edges,
+            rotations: self.rotations + other.rotations,
+            cycles: self.cycles + other.cycles,
+            roots: self.roots + other.roots,
+            unbounded: self.unbounded + other.unbounded,
+            holes: self.holes + other.holes,
+        }
+    }
+}

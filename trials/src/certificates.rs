@@ -1,0 +1,85 @@
+//! Certificates as a validator, and as input for other checkers of certificates.
+
+use crate::random::Random;
+use crate::verdict::{Checker, Validator, Verdict};
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use twinedge::validate::certificate::{Certificate, Column, Labels, check, check_surface};
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Expectation, Parts, Rule, Surface, Table};
+
+/// A validator that knows certificates only: a table is right if its own labels pass, or random ranks, or labels in which something was
+/// changed. It differs from the reference if and only if one of both finds nothing wrong: then what it finds is the first broken rule, or R1.
+///
+/// Open structures, and meshes that are held to more than surfaces are, have no labels: these are left to [`Validator`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Certificates;
+
+impl Checker for Certificates {
+    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
+        let Some((labels, genus)) = labels(table, expectation) else { return Validator.check(table, expectation) };
+        let passes = |labels: &Labels| match genus {
+            None => check(table, labels).is_ok(),
+            Some(genus) => (0..=genus + 1).any(|genus| check_surface(table, labels, genus).is_ok()),
+        };
+        let mut random = random_of(table);
+        let mut changed = labels.clone();
+        for _ in 0..2 {
+            change(&mut changed, &mut random);
+        }
+        let valid = [random_ranks(&labels, &mut random), labels, changed].iter().any(passes);
+        let broken = if valid { None } else { first_broken_rule(table, expectation).or(Some(Rule::R1)) };
+        Verdict { valid, broken }
+    }
+}
+
+/// Certificates of a table of a plane subdivision: that with its own labels, that with random ranks, and two in which one number was changed. None if the
+/// table lacks a part.
+#[must_use]
+pub fn certificates_of(table: &Table) -> Option<[Certificate; 4]> {
+    if table.parts != Parts::ALL {
+        return None;
+    }
+    let labels = Labels::new(table).ok()?;
+    let own = Certificate::new(table, &labels).ok()?;
+    let mut random = random_of(table);
+    let ranked = Certificate::new(table, &random_ranks(&labels, &mut random)).ok()?;
+    let mut changed = || {
+        let mut columns = own.columns().clone();
+        change(&mut columns, &mut random);
+        Certificate::from_columns(columns)
+    };
+    Some([changed()?, changed()?, ranked, own])
+}
+
+/// The labels of a table that is held to this expectation, and the genus on surfaces. None if there are no labels for it.
+fn labels(table: &Table, expectation: &Expectation) -> Option<(Labels, Option<usize>)> {
+    let asks = Rule::ALL.iter().any(|rule| rule.is_optional() && expectation.asks_for(*rule));
+    match expectation.surface_kind() {
+        _ if asks || expectation.is_open() => None,
+        Surface::Plane => Labels::new(table).ok().map(|labels| (labels, None)),
+        _ => Labels::of_surface(table).ok().map(|(labels, genus)| (labels, Some(genus))),
+    }
+}
+
+/// Numbers that are always the same for the same table.
+fn random_of(table: &Table) -> Random {
+    let mut hasher = DefaultHasher::new();
+    table.to_string().hash(&mut hasher);
+    Random::new(hasher.finish(), 0)
+}
+
+fn random_ranks(labels: &Labels, random: &mut Random) -> Labels {
+    let mut labels = labels.clone();
+    let count = labels.column(Column::HalfEdgeRank).len();
+    labels.column_mut(Column::HalfEdgeRank).iter_mut().for_each(|rank| *rank = random.below(count) as u32);
+    labels
+}
+
+/// Sets one number, if there is one, to another one that could be there, to nil, or to what a vacant slot holds.
+fn change(labels: &mut Labels, random: &mut Random) {
+    let filled: Vec<Column> = Column::ALL.into_iter().filter(|column| !labels.column(*column).is_empty()).collect();
+    let Some(column) = filled.get(random.below(filled.len())) else { return };
+    let column = labels.column_mut(*column);
+    let (at, value) = (random.below(column.len()), random.below(column.len() + 3) as u32);
+    column[at] = if value as usize > column.len() { u32::MAX - (value - column.len() as u32 - 1) } else { value };
+}
