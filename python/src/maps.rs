@@ -52,6 +52,8 @@ struct Finding {
 pub(crate) struct Options {
     coverage: bool,
     gap_width: Option<f64>,
+    lake_width: Option<f64>,
+    accepted_gaps: Vec<[f64; 2]>,
     sliver_area: Option<f64>,
     snap: Option<f64>,
     list: usize,
@@ -109,7 +111,13 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict
         object["at"] = json!(at);
         object["features"] = json!(features(&map, violation));
     }
-    let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver_area, ..Limits::default() };
+    let limits = Limits {
+        gap_width: asked.gap_width,
+        lake_width: asked.lake_width,
+        accepted_gaps: asked.accepted_gaps.iter().copied().map(Into::into).collect(),
+        sliver_area: asked.sliver_area,
+        ..Limits::default()
+    };
     // The faces that features cover are known on a plane map only: borders that cross are cut first.
     let coverage = if map.is_plane() {
         check(&map, &limits).map_err(|error| Refusal(error.to_string()))?
@@ -123,6 +131,8 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict
     }
     document["finding_count"] = json!(found.len());
     document["findings"] = json!(found.into_iter().take(asked.list).collect::<Vec<_>>());
+    document["wider_gaps"] = json!(coverage.wider_gaps.len());
+    document["accepted_gaps"] = json!(coverage.accepted_gaps.len());
     document["features"] = json!(names.len());
     document["without_geometry"] = json!(without_geometry);
     Ok((document.to_string(), names))

@@ -43,6 +43,8 @@ MESH = trimesh.creation.box()
         (lambda: twinedge.audit(MESH, plane=True), "unexpected keyword argument 'plane'"),
         (lambda: twinedge.audit(SQUARES, genus=0), "genus: this is for meshes"),
         (lambda: twinedge.audit(MESH, gap_width=0.0), "gap_width: this is for maps"),
+        (lambda: twinedge.audit(MESH, accept_gaps=[(0, 0)]), "accept_gaps: this is for maps"),
+        (lambda: twinedge.audit(SQUARES, accept_gaps=[1]), "accept_gaps: expected points"),
         (lambda: twinedge.audit(SQUARES, snap=[1]), "snap: expected a number, not list"),
         (lambda: twinedge.audit(SQUARES, snap=True), "snap: expected a number, not bool"),
         (lambda: twinedge.audit(SQUARES, gap_width="1"), "gap_width: expected a number, not str"),
@@ -56,10 +58,16 @@ def test_what_has_the_wrong_type_is_named(call, told):
 
 
 @pytest.mark.parametrize("value", [-1, -1e-300, float("nan"), float("inf"), np.float64("nan")])
-@pytest.mark.parametrize("name", ["gap_width", "sliver_area", "snap"])
+@pytest.mark.parametrize("name", ["gap_width", "lake_width", "sliver_area", "snap"])
 def test_lengths_and_areas_are_finite_and_not_negative(name, value):
     with pytest.raises(ValueError, match=f"{name}: .* is negative or not finite"):
         twinedge.audit(SQUARES, **{name: value})
+
+
+def test_accepted_gaps_are_at_points_of_the_plane():
+    for points, told in [([(0, 0, 0)], "expected points"), ([(0, float("inf"))], "not finite")]:
+        with pytest.raises(ValueError, match=f"accept_gaps: .*{told}"):
+            twinedge.audit(SQUARES, accept_gaps=points)
 
 
 def test_a_snap_is_positive_or_auto():

@@ -130,3 +130,15 @@ def test_a_width_hides_wider_gaps_and_mean_widths_are_those_of_the_page():
     assert np.allclose([(f.area, f.width) for f in gaps], [(1, 0.5)])
     for width, found in [(0.5, 1), (0.49, 0), (10, 1)]:
         assert len([f for f in twinedge.audit(pieces, gap_width=width).findings if f.rule == "C2"]) == found, width
+    # A lake has limits of its own.
+    for options, accepted in [
+        ({"lake_width": 0.49}, (1, 0)),
+        ({"gap_width": 0.01, "lake_width": 0.49}, (1, 0)),
+        ({"accept_gaps": [(1.5, 1.5)]}, (0, 1)),
+        ({"accept_gaps": np.array([[1.5, 1.5]]), "gap_width": 0.6}, (0, 1)),
+    ]:
+        report = twinedge.audit(pieces, coverage=True, **options)
+        assert report.valid and (report.wider_gaps, report.accepted_gaps) == accepted, options
+    for options in [{"gap_width": 0.01, "lake_width": 0.6}, {"accept_gaps": [(0.5, 0.5)]}, {"accept_gaps": []}]:
+        report = twinedge.audit(pieces, coverage=True, **options)
+        assert not report.valid and (report.finding_count, report.wider_gaps, report.accepted_gaps) == (1, 0, 0), options

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import sys
 from collections.abc import Iterable, Sequence
@@ -242,6 +243,8 @@ def audit(
     format: str | None = None,
     coverage: bool = False,
     gap_width: float | None = None,
+    lake_width: float | None = None,
+    accept_gaps: Iterable[Sequence[float]] | None = None,
     sliver_area: float | None = None,
     snap: float | str | None = None,
     name: str | None = None,
@@ -270,6 +273,12 @@ def audit(
         How wide a near miss (C3) is at most, and a gap (C2) that is reported: **a wider gap is then taken as intended, and not
         reported**. Default: gaps of any width, and near misses up to a hundredth of the median length of the edges. The width of a gap
         is its *mean* width, twice its area by the length of its border: the width of a strip, but half of the side of a square.
+    lake_width : float, optional
+        How wide a gap is at most that is reported, where that is not ``gap_width``: wider ones are accepted, as lakes, and counted in
+        :attr:`Report.wider_gaps`.
+    accept_gaps : iterable of points, optional
+        The gap around each of these points is accepted, whatever its width, and counted in :attr:`Report.accepted_gaps`. A point is
+        ``(x, y)``.
     sliver_area : float, optional
         A part of a feature is a sliver (C4) if it is smaller than this, and thin: 4πA/P² is less than 0.2 for its area A and
         perimeter P. Default: a thousandth of the median area of all parts.
@@ -308,7 +317,8 @@ def audit(
     if unknown:
         raise TypeError(f"audit() got an unexpected keyword argument {unknown[0]!r}")
     for_maps = {
-        "format": format, "coverage": coverage, "gap_width": gap_width, "sliver_area": sliver_area, "snap": snap, "name": name
+        "format": format, "coverage": coverage, "gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps,
+        "sliver_area": sliver_area, "snap": snap, "name": name,
     }
     labels: Names | None = None
     not_finite: Sequence[int] = ()
@@ -335,6 +345,8 @@ def audit(
     asked = {
         "coverage": bool(coverage),
         "gap_width": _number("gap_width", gap_width),
+        "lake_width": _number("lake_width", lake_width),
+        "accepted_gaps": _points("accept_gaps", accept_gaps),
         "sliver_area": _number("sliver_area", sliver_area),
         "snap": _cell(snap),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
@@ -345,6 +357,18 @@ def audit(
     if any(one is not None for one in found):
         labels = found
     return Report(document, None if labels is None else {"feature": labels})
+
+
+def _points(name: str, points: Iterable[Sequence[float]] | None) -> list[tuple[float, float]]:
+    try:
+        found = [(float(x), float(y)) for x, y in (() if points is None else points)]
+    except TypeError as error:
+        raise TypeError(f"{name}: expected points (x, y): {error}") from None
+    except ValueError as error:
+        raise ValueError(f"{name}: expected points (x, y): {error}") from None
+    if not all(math.isfinite(number) for point in found for number in point):
+        raise ValueError(f"{name}: a coordinate is not finite")
+    return found
 
 
 def _cell(snap: Any) -> float | None:

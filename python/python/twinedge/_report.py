@@ -299,6 +299,16 @@ class Report:
         return int(self._document.get("finding_count", 0))
 
     @property
+    def wider_gaps(self) -> int:
+        """The number of gaps that are wider than ``lake_width``, or ``gap_width``, where one was given: they are no findings."""
+        return int(self._document.get("wider_gaps", 0))
+
+    @property
+    def accepted_gaps(self) -> int:
+        """The number of gaps that were accepted by their place (``accept_gaps``): they are no findings."""
+        return int(self._document.get("accepted_gaps", 0))
+
+    @property
     def without_geometry(self) -> list[int]:
         """The positions of the features of a map whose geometry is missing or empty: nothing of them is judged."""
         return [*self._document.get("without_geometry", ())]
