@@ -34,16 +34,9 @@ pub fn check<V: View + ?Sized>(view: &V, labels: &Labels) -> Result<(), Vec<Fail
     let mut failures = Failures::new();
     failures.note(Test::Readable, 0, s.readable());
     if s.readable() {
-        let sums = scan(&s, &mut failures);
-        note_sums(sums, &mut failures);
+        scan(&s, &mut failures).note(&mut failures);
     }
     failures.into_result()
-}
-
-/// Notes the results of the tests of the whole.
-pub(super) fn note_sums(sums: Sums, failures: &mut Failures) {
-    failures.note(Test::OneUnbounded, 0, sums.unbounded == 1);
-    failures.note(Test::EulerOk, 0, sums.fit(0));
 }
 
 /// Runs every test of single records.
@@ -140,10 +133,7 @@ impl<V: View + ?Sized> Answers<'_, V> {
 
     /// `h` is the start of an inner boundary component of the unbounded face, or of one whose outer cycle starts with a lower rank.
     fn is_root(&self, h: usize, b: usize) -> bool {
-        let lies_lower = |f: usize| match self.outer(f) {
-            None => true,
-            Some(outer) => self.is_lower(self.cycle_start(outer), h),
-        };
+        let lies_lower = |f| self.outer(f).is_none_or(|outer| self.is_lower(self.cycle_start(outer), h));
         self.cycle_start(b) == Some(h) && self.is_inner(b) && self.boundary_face(b).is_some_and(lies_lower)
     }
 

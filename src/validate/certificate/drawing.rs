@@ -4,7 +4,7 @@
 //! is beyond the end of a column is 0, as it is there.
 
 use super::answers::Answers;
-use super::check::{note_sums, scan};
+use super::check::scan;
 use super::columns::{Column, Labels};
 use super::test::{Failure, Failures, Test};
 use crate::slots::NIL;
@@ -42,8 +42,7 @@ pub fn check_drawing<V: View + ?Sized>(view: &V, labels: &Labels, drawing: &Draw
     let mut failures = Failures::new();
     failures.note(Test::Readable, 0, s.readable() && d.readable());
     if s.readable() && d.readable() {
-        let sums = scan(&s, &mut failures);
-        note_sums(sums, &mut failures);
+        scan(&s, &mut failures).note(&mut failures);
         d.scan(&mut failures);
     }
     failures.into_result()

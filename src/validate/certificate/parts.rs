@@ -1,7 +1,7 @@
 //! The checkers in parts, one for each thread: the tests share nothing.
 
 use super::answers::Answers;
-use super::check::{check, note_sums, scan};
+use super::check::{check, scan};
 use super::columns::Labels;
 use super::sums::Sums;
 use super::surface::{Surface, check_surface};
@@ -29,7 +29,7 @@ pub fn check_parallel<V: View + Sync + ?Sized>(view: &V, labels: &Labels) -> Res
         return check(view, labels);
     }
     let (sums, mut failures) = in_parts(&whole, |part, failures| scan(&part, failures));
-    note_sums(sums, &mut failures);
+    sums.note(&mut failures);
     failures.into_result()
 }
 

@@ -1,6 +1,7 @@
 //! The numbers of live records by which components and the genus are counted.
 
 use super::surface_counts::SurfaceCounts;
+use super::test::{Failures, Test};
 
 /// The sums of a scan.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,6 +22,12 @@ impl Sums {
     pub(super) const fn fit(self, genus: usize) -> bool {
         let orbits = self.rotations as u128 + self.cycles as u128;
         2 * orbits + 4 * genus as u128 == self.half_edges as u128 + 4 * self.roots as u128
+    }
+
+    /// Notes the results of the tests of a whole subdivision.
+    pub(super) fn note(self, failures: &mut Failures) {
+        failures.note(Test::OneUnbounded, 0, self.unbounded == 1);
+        failures.note(Test::EulerOk, 0, self.fit(0));
     }
 
     /// The genus is the one that fits, if there is one.
