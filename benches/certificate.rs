@@ -14,7 +14,8 @@ use common::{Mesh, PlainArrays, triangulated_grid};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
-use twinedge::map::{Builder, Noding, PlanarMap, Snap, certificate};
+use twinedge::geometry::noding::Snap;
+use twinedge::map::{Builder, Noding, PlanarMap, certificate};
 use twinedge::validate::certificate::{
     Column, Labels, check, check_drawing, check_parallel, check_surface, check_surface_parallel,
 };
@@ -70,8 +71,11 @@ fn drawing(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("certify a drawing");
     group.throughput(Throughput::Elements(edges as u64));
     let vertices: Vec<_> = map.dcel().vertices().collect();
-    let points: Vec<_> =
-        vertices.iter().map(|v| map.point(v.key()).expect("it is a vertex")).map(|p| Point2::new(p.x, p.y)).collect();
+    let points: Vec<_> = vertices
+        .iter()
+        .map(|v| map.position(v.key()).expect("it is a vertex"))
+        .map(|p| Point2::new(p.x, p.y))
+        .collect();
     let mut number = vec![0; vertices.iter().map(|v| v.index() + 1).max().unwrap_or_default()];
     vertices.iter().enumerate().for_each(|(i, v)| number[v.index()] = i);
     let ends = map.dcel().half_edges().filter(|h| h.index() < h.twin().index());
@@ -96,11 +100,14 @@ fn drawn_map() -> PlanarMap {
     let mut features = Vec::new();
     match std::env::var_os("MAP") {
         None => features = common::world_50m_features(),
-        Some(path) => twinedge::io::geojson::read(std::fs::File::open(path).expect("MAP is a file"), |feature| {
-            features.push(feature);
-            Ok::<(), twinedge::io::ReadError>(())
-        })
-        .expect("MAP is GeoJSON"),
+        Some(path) => {
+            let file = std::fs::File::open(path).expect("MAP is a file");
+            let read = twinedge::io::geojson::read(file, |feature| {
+                features.push(feature);
+                Ok::<(), twinedge::io::ReadError>(())
+            });
+            read.expect("MAP is GeoJSON");
+        }
     }
     let mut builder = Builder::new();
     for feature in &features {
