@@ -29,15 +29,23 @@ fn template(folder: &Path, subject: &str) {
     );
     fs::write(folder.join("Cargo.toml"), manifest).expect("it is written");
     fs::write(folder.join("src/lib.rs"), "pub use twinedge_trials::planted::Planted;\n").expect("it is written");
-    let written = Command::new(env!("CARGO"))
+    // TWINEDGE names a program that is already built.
+    let mut program = match std::env::var_os("TWINEDGE") {
+        Some(path) => Command::new(path),
+        None => {
+            let mut cargo = Command::new(env!("CARGO"));
+            // The program needs no `cfg(fuzzing)`: as others have built it will do.
+            cargo.env_remove("RUSTFLAGS").args(["run", "--quiet", "-p", "twinedge-cli", "--"]);
+            cargo
+        }
+    };
+    let written = program
         .current_dir(&root)
-        // The program needs no `cfg(fuzzing)`: as others have built it will do.
-        .env_remove("RUSTFLAGS")
-        .args(["run", "--quiet", "-p", "twinedge-cli", "--", "fuzz-template"])
+        .arg("fuzz-template")
         .args([&folder.join("fuzz"), Path::new("--twinedge"), &root])
         .args(["--subject", subject])
         .output()
-        .expect("cargo runs");
+        .expect("it runs");
     assert!(written.status.success(), "{}", said(&written));
     // The versions locked here are downloaded already.
     fs::copy(root.join("fuzz/Cargo.lock"), folder.join("fuzz/Cargo.lock")).expect("it is copied");
