@@ -45,7 +45,7 @@ fn agreed(folder: &Path, what: &str) -> Option<i32> {
     let (status, printed) = check(folder);
     if let Some((proved_status, proved_printed)) = proved(folder) {
         assert_eq!(status, proved_status, "{what}\n{printed}\n{proved_printed}");
-        // A rank that is not there is nil for the one, and 0 for the other, which other tests find as well.
+        // The component of a half-edge that is not there is nil for the one, and 0 for the other; other tests find that as well.
         let (ours, theirs) = (failed_tests(&printed), failed_tests(&proved_printed));
         assert!(theirs.is_subset(&ours), "{what}\n{printed}\n{proved_printed}");
         if status == Some(0) {

@@ -122,7 +122,8 @@ impl<V: View + ?Sized> Surface<'_, V> {
     #[inline(always)]
     fn component(&self, h: usize) -> Link {
         let component = self.0.labels.column(Column::HalfEdgeComponent);
-        component.get(h).or(component.last()).filter(|root| **root != NIL).map(|root| *root as usize)
+        let last = || component.last().filter(|_| h < self.0.half_edges);
+        component.get(h).or_else(last).filter(|root| **root != NIL).map(|root| *root as usize)
     }
 
     /// A label of the second half-edge is greater.
