@@ -98,5 +98,6 @@ fn verdict(sql: &str) -> String {
         let also = if i == 0 { "" } else { "UNION ALL " };
         let _ = writeln!(verdict, "{also}SELECT '{test}' AS test, count(*) AS violations FROM {test}");
     }
-    verdict + ";\n\nSELECT * FROM verdict;\n"
+    // Tests that fail come first: some engines print no more than the beginning.
+    verdict + ";\n\nSELECT * FROM verdict ORDER BY violations DESC, test;\n"
 }
