@@ -1,8 +1,8 @@
-//! What is certified of a structure on surfaces, in numbers.
+//! The numbers that a certificate of surfaces proves.
 
 use core::fmt;
 
-/// What is certified of a structure on surfaces.
+/// The numbers that a [`SurfaceCertificate`](super::SurfaceCertificate) proves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
