@@ -2,6 +2,7 @@
 //!
 //! Each returns if all is well and panics if not.
 
+mod certificates;
 mod drawings;
 mod edits;
 mod layers;
@@ -11,6 +12,7 @@ mod shapefiles;
 mod tables;
 mod topologies;
 
+pub use certificates::certificates;
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
 pub use layers::{flatgeobuf, layer};

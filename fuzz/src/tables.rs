@@ -17,14 +17,14 @@ use twinedge_trials::forms::{Form, projections};
 const SMALL: usize = 12;
 
 /// Numbers from bytes.
-struct Source<'a>(Unstructured<'a>);
+pub(crate) struct Source<'a>(pub(crate) Unstructured<'a>);
 
 impl Source<'_> {
-    fn below(&mut self, n: usize) -> usize {
+    pub(crate) fn below(&mut self, n: usize) -> usize {
         Choose::choose(&mut self.0, n)
     }
 
-    fn one_in(&mut self, n: usize) -> bool {
+    pub(crate) fn one_in(&mut self, n: usize) -> bool {
         self.below(n) == 1
     }
 
@@ -51,7 +51,7 @@ impl Source<'_> {
     }
 
     /// Any table.
-    fn table(&mut self) -> Table {
+    pub(crate) fn table(&mut self) -> Table {
         let most = if self.one_in(8) { 200 } else { SMALL + 1 };
         let [v, h, b, f] = [(); 4].map(|()| self.below(most));
         let longest = 4;
@@ -80,7 +80,7 @@ impl Source<'_> {
         }
     }
 
-    fn form(&mut self) -> Form {
+    pub(crate) fn form(&mut self) -> Form {
         let mut expectation = if self.one_in(4) { Expectation::surface() } else { Expectation::plane() };
         if self.one_in(4) {
             expectation = expectation.open();
@@ -97,7 +97,7 @@ impl Source<'_> {
     }
 
     /// A map that is right in this form, with a few cells set to something else.
-    fn corrupt_map(&mut self, form: Form) -> Table {
+    pub(crate) fn corrupt_map(&mut self, form: Form) -> Table {
         let corruptions = self.below(4);
         let choices: Vec<(usize, usize)> =
             (0..corruptions).map(|_| (self.below(0x1_0000), self.below(0x1_0000))).collect();
@@ -132,13 +132,18 @@ pub fn right_map(program: &[u8], form: &Form) -> Table {
 }
 
 /// A structure that says something else each time it is asked.
-struct Fickle<'a> {
+pub(crate) struct Fickle<'a> {
     parts: Parts,
     slots: [usize; 4],
     source: RefCell<Source<'a>>,
 }
 
-impl Fickle<'_> {
+impl<'a> Fickle<'a> {
+    pub(crate) fn new(parts: Parts, mut source: Source<'a>) -> Self {
+        let slots = [(); 4].map(|()| source.below(64));
+        Self { parts, slots, source: RefCell::new(source) }
+    }
+
     fn link(&self, kind: usize) -> Link {
         self.source.borrow_mut().link(self.slots[kind])
     }
@@ -232,9 +237,7 @@ pub fn validator_total(bytes: &[u8]) {
     match mode {
         0 => judged(&Table { parts, ..source.table() }, expectation),
         3 => {
-            let slots = [(); 4].map(|()| source.below(64));
-            let fickle = Fickle { parts, slots, source: RefCell::new(source) };
-            coherent(&validate(&fickle, &expectation, Collect::AtMost(5)), 5);
+            coherent(&validate(&Fickle::new(parts, source), &expectation, Collect::AtMost(5)), 5);
         }
         _ => judged(&source.corrupt_map(form), expectation),
     }
