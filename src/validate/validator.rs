@@ -105,6 +105,20 @@ pub fn rule_by_rule<V: View + ?Sized>(view: &V, expectation: &Expectation, colle
     judge(view, expectation, collect, |_| Facts::default())
 }
 
+/// True if the fast path of [`validate`] alone settles that R1 … T1 and T3 hold, as it does wherever they hold.
+///
+/// Nobody needs it but to test the fast path. O(n).
+///
+/// ```
+/// use twinedge::validate::{Expectation, Table, reference};
+/// let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert!(reference::is_settled(&table, &Expectation::plane()));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+pub fn is_settled<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
+    Extent::of(view, *expectation).is_ok_and(|extent| fast_path::settle(Subject { view, extent }, true).are_all(extent))
+}
+
 /// Settles what `settle` can, and runs the rules on the rest. Only the former is compiled for each type of view.
 fn judge<V: View + ?Sized>(
     view: &V,
