@@ -7,7 +7,6 @@ use std::fmt::Write as _;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use twinedge::validate::certificate::Column;
-use twinedge::validate::reference::is_settled;
 use twinedge::validate::{Expectation, Table};
 use twinedge_trials::{Certificates, Checker, FastPath, Validator, Verdict, certificates_of};
 
@@ -19,8 +18,8 @@ pub(crate) struct Judge {
     #[arg(long)]
     certificates: bool,
 
-    /// Judge by the fast path: a table is right if it settles all that it can, and the rest is right. With --print: `= accepted`
-    /// or `= refused` is what the fast path alone says.
+    /// Judge by the fast path alone: a table is right if the fast path settles all rules. With --print: `= accepted` or `= refused`
+    /// instead of a rule.
     #[arg(long, conflicts_with = "certificates")]
     fast_path: bool,
 }
@@ -38,7 +37,7 @@ impl Judge {
     fn line(self, table: &Table, expectation: &Expectation, verdict: Verdict) -> String {
         let said = match self {
             Self { certificates: true, .. } => return certificates(table, expectation),
-            Self { fast_path: true, .. } if is_settled(table, expectation) => "accepted",
+            Self { fast_path: true, .. } if verdict.valid => "accepted",
             Self { fast_path: true, .. } => "refused",
             Self { .. } => verdict.broken.map_or("ok", |rule| rule.id()),
         };

@@ -14,6 +14,6 @@
 mod compare;
 mod rules;
 
-pub use super::validator::{is_settled, rule_by_rule};
+pub use super::validator::rule_by_rule;
 pub use compare::{Disagreement, compare, compare_first, disagreement};
 pub use rules::{broken_rules, first_broken_rule};
