@@ -5,7 +5,7 @@ use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, zero};
 use crate::print_rows;
-use crate::print_tables::{Printer, validator};
+use crate::print_tables::{Judge, Printer};
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
 use std::fmt;
@@ -66,10 +66,8 @@ pub(crate) struct Corrupt {
     #[arg(long, value_enum, value_name = "STRUCTURE", default_value_t)]
     on: StructureName,
 
-    /// Judge by certificates: a table is right if its labels pass, or random or changed ones. With --print: certificates of each table that
-    /// has all parts, with the tests that fail, instead of the table.
-    #[arg(long)]
-    certificates: bool,
+    #[command(flatten)]
+    judge: Judge,
 
     /// Print each table and the verdict of the validator; the summary goes to standard error.
     #[arg(long, conflicts_with = "format")]
@@ -107,8 +105,8 @@ impl Corrupt {
         self.effort.refuse_too_much(work.estimate(), self.format)?;
         let run = self.effort.start()?;
         let start = Instant::now();
-        let printer = Printer::new(self.certificates);
-        let checker: &dyn Checker = if self.print { &printer } else { validator(self.certificates) };
+        let printer = Printer::new(self.judge);
+        let checker: &dyn Checker = if self.print { &printer } else { self.judge.checker() };
         let print = |document: &Document<CorruptOutcome>| {
             if self.print { printer.finish(&document.text()) } else { document.print(self.format) }
         };

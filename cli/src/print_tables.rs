@@ -1,4 +1,4 @@
-//! `--print`: each table that is judged, with the verdict of the validator, one on each line; or certificates of it.
+//! The validators of tables, and `--print`: each table that is judged, with the verdict, one on each line; or certificates of it.
 
 use crate::expectation_text::ExpectationText;
 use crate::progress;
@@ -8,13 +8,47 @@ use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use twinedge::validate::certificate::Column;
 use twinedge::validate::{Expectation, Table};
-use twinedge_trials::{Certificates, Checker, Validator, Verdict, certificates_of};
+use twinedge_trials::{Certificates, Checker, FastPath, Validator, Verdict, certificates_of};
+
+/// The validator that judges tables.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(crate) struct Judge {
+    /// Judge by certificates: a table is right if its labels pass, or random or changed ones. With --print: certificates of each table that
+    /// has all parts, with the tests that fail, instead of the table.
+    #[arg(long)]
+    certificates: bool,
+
+    /// Judge by the fast path alone: a table is right if the fast path settles all rules. With --print: `= accepted` or `= refused`
+    /// instead of a rule.
+    #[arg(long, conflicts_with = "certificates")]
+    fast_path: bool,
+}
+
+impl Judge {
+    pub(crate) const fn checker(self) -> &'static dyn Checker {
+        match self {
+            Self { certificates: true, .. } => &Certificates,
+            Self { fast_path: true, .. } => &FastPath,
+            Self { .. } => &Validator,
+        }
+    }
+
+    /// The line or the lines that are printed of a table.
+    fn line(self, table: &Table, expectation: &Expectation, verdict: Verdict) -> String {
+        let said = match self {
+            Self { certificates: true, .. } => return certificates(table, expectation),
+            Self { fast_path: true, .. } if verdict.valid => "accepted",
+            Self { fast_path: true, .. } => "refused",
+            Self { .. } => verdict.broken.map_or("ok", |rule| rule.id()),
+        };
+        format!("{table} = {said}\n")
+    }
+}
 
 /// A validator, which prints each table that it judged to standard output.
 pub(crate) struct Printer {
     lines: Mutex<Lines>,
-    /// The validator is that of certificates, and these are printed.
-    certificates: bool,
+    judge: Judge,
 }
 
 struct Lines {
@@ -22,11 +56,6 @@ struct Lines {
     /// The expectation of the last table.
     expectation: Option<Expectation>,
     error: Option<io::Error>,
-}
-
-/// A validator of tables: that of certificates, or that of all rules.
-pub(crate) fn validator(certificates: bool) -> &'static dyn Checker {
-    if certificates { &Certificates } else { &Validator }
 }
 
 impl Lines {
@@ -40,9 +69,9 @@ impl Lines {
 }
 
 impl Printer {
-    pub(crate) fn new(certificates: bool) -> Self {
+    pub(crate) fn new(judge: Judge) -> Self {
         let out = BufWriter::with_capacity(1 << 16, io::stdout());
-        Self { lines: Mutex::new(Lines { out, expectation: None, error: None }), certificates }
+        Self { lines: Mutex::new(Lines { out, expectation: None, error: None }), judge }
     }
 
     fn lines(&self) -> MutexGuard<'_, Lines> {
@@ -63,15 +92,11 @@ impl Printer {
 
 impl Checker for Printer {
     fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
-        validator(self.certificates).check(table, expectation)
+        self.judge.checker().check(table, expectation)
     }
 
     fn checked(&self, table: &Table, expectation: &Expectation, verdict: Verdict) {
-        let line = if self.certificates {
-            certificates(table, expectation)
-        } else {
-            format!("{table} = {}\n", verdict.broken.map_or("ok", |rule| rule.id()))
-        };
+        let line = self.judge.line(table, expectation, verdict);
         let mut lines = self.lines();
         if lines.error.is_none()
             && let Err(error) = lines.write(*expectation, &line)

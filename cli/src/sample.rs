@@ -4,7 +4,7 @@ use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD};
 use crate::output::{Format, counted, grouped};
-use crate::print_tables::{Printer, validator};
+use crate::print_tables::{Judge, Printer};
 use crate::status::{Failure, Verdict};
 use std::fmt;
 use std::time::Instant;
@@ -41,10 +41,8 @@ pub(crate) struct Sample {
     #[arg(long, value_name = "X")]
     seed: Option<u64>,
 
-    /// Judge by certificates: a table is right if its labels pass, or random or changed ones. With --print: certificates of each table that
-    /// has all parts, with the tests that fail, instead of the table.
-    #[arg(long)]
-    certificates: bool,
+    #[command(flatten)]
+    judge: Judge,
 
     /// Print each table and the verdict of the validator; the summary goes to standard error.
     #[arg(long, conflicts_with = "format")]
@@ -66,12 +64,12 @@ impl Sample {
         let run = self.effort.start()?;
         let start = Instant::now();
         if self.print {
-            let printer = Printer::new(self.certificates);
+            let printer = Printer::new(self.judge);
             let document = Document::new(sample(work, &printer, &run), start);
             printer.finish(&document.text())?;
             return Ok(document.verdict());
         }
-        let document = Document::new(sample(work, validator(self.certificates), &run), start);
+        let document = Document::new(sample(work, self.judge.checker(), &run), start);
         document.print(self.format)?;
         Ok(document.verdict())
     }

@@ -5,7 +5,7 @@ use crate::effort::Effort;
 use crate::output::style::{BAD, GOOD};
 use crate::output::{Format, counted};
 use crate::print_rows::table;
-use crate::print_tables::{Printer, validator};
+use crate::print_tables::{Judge, Printer};
 use crate::status::{Failure, Verdict};
 use std::fmt;
 use std::time::Instant;
@@ -46,10 +46,8 @@ pub(crate) struct Tables {
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=10))]
     half_edges: u8,
 
-    /// Judge by certificates: a table is right if its labels pass, or random or changed ones. With --print: certificates of each table that
-    /// has all parts, with the tests that fail, instead of the table.
-    #[arg(long)]
-    certificates: bool,
+    #[command(flatten)]
+    judge: Judge,
 
     /// Print each table and the verdict of the validator; the summary goes to standard error.
     #[arg(long, conflicts_with = "format")]
@@ -70,12 +68,12 @@ impl Tables {
         let run = self.effort.start()?;
         let start = Instant::now();
         if self.print {
-            let printer = Printer::new(self.certificates);
+            let printer = Printer::new(self.judge);
             let document = Document::new(tables(work, &printer, &run), start);
             printer.finish(&document.text())?;
             return Ok(document.verdict());
         }
-        let document = Document::new(tables(work, validator(self.certificates), &run), start);
+        let document = Document::new(tables(work, self.judge.checker(), &run), start);
         document.print(self.format)?;
         Ok(document.verdict())
     }

@@ -1,6 +1,6 @@
-(** * Extraction: the checker as an OCaml program
+(** * Extraction: the checker and the fast path as an OCaml program
 
-    [first_broken] becomes OCaml. What this file says of numbers and of memory is not proved but trusted, and it is all
+    [first_broken] and [fast_path] become OCaml, and [check_t2], which the fast path leaves to be checked. What this file says of numbers and of memory is not proved but trusted, and it is all
     that is:
 
     - a number is an `int` of OCaml (63 bits), and the seven functions below are the machine's;
@@ -8,7 +8,7 @@
 
 From Coq Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Loops Reference.
+From twinedge Require Import View Rules Loops Reference FastPath.
 
 Extract Constant addn => "(+)".
 Extract Constant muln => "( * )".
@@ -23,4 +23,4 @@ Extract Inlined Constant blank => "Memory.blank".
 Extract Inlined Constant read => "Memory.read".
 Extract Inlined Constant write => "Memory.write".
 
-Extraction "checker.ml" first_broken.
+Extraction "checker.ml" first_broken fast_path check_t2 labels.

@@ -17,8 +17,9 @@
       prev(n) = h
 >>
 
-    Like the Rust code it asks of any slot that there is, live or not, and so it hears what vacant slots say ([says_twin]
-    and not [twin]). It is about structures that have every part, in the plane. It differs in this:
+    Like the Rust code it asks first whether a record is live, and never what a vacant slot says, or one that is not there: the
+    extracted program would end there. So it need not hear nil of these ([says_twin], and not [twin]). It is about structures
+    that have every part, in the plane. It differs in this:
 
     - Everything is looked at, where the Rust code stops at the first fault. A walk may take as many steps as there are
       slots, not only as many as are left of the live half-edges, and the lists of the faces are read to their ends,
@@ -27,12 +28,11 @@
     - That no boundary component is listed twice is said of the list of them: [uniq]. The Rust code marks them as they are
       listed, but where they say their places, as here, it need not: what is listed at two places are two.
     - A set of vertices is kept as the number that all of its vertices have, and [join] gives those of one set the number
-      of the other; sets are counted when it is asked how many there are. The Rust code keeps a forest of disjoint sets,
-      and their number. Both have the same sets after the same joins, and nothing else is asked of them: which number
+      of the other; sets are counted when it is asked how many there are, which makes it quadratic. The Rust code keeps a forest
+      of disjoint sets, and their number. Both have the same sets after the same joins, and nothing else is asked of them: which number
       stands for a set does not matter.
     - A nil is read as 0 where it has been excluded before: of what is listed ([entry_ok]), of the twins and origins of
-      half-edges ([scanned]), and of the vertices where boundary components start ([entry_ok]).
-
+      half-edges ([scanned]), and of the vertices where boundary components start ([enters]).
     - It accepts or refuses. The Rust code asks the same in another order, the vertices before the cycles, and where something
       is wrong it keeps what holds in spite of that, and has the rest looked at by the rules.
 
@@ -61,7 +61,7 @@ Definition face_ones := live_ones (face_slots t) (face t).
 Definition scanned h : bool :=
   match existing (half_edge_slots t) (says_twin t h), existing (half_edge_slots t) (says_next t h) with
   | Some w, Some n =>
-    [&& w != h, same_link (says_twin t w) (Some h), half_edge t w, half_edge t n, ~~ is_nil (says_origin t n),
+    [&& w != h, half_edge t w, same_link (says_twin t w) (Some h), half_edge t n, ~~ is_nil (says_origin t n),
         same_link (says_origin t n) (says_origin t w) & same_link (says_prev t n) (Some h)]
   | _, _ => false
   end.
@@ -82,7 +82,16 @@ Definition along b : option nat :=
 (** The vertex where [b] starts. *)
 Definition says_vertex_at b : link :=
   match says_boundary_start t b with
-  | Some (AtHalfEdge h) => says_origin t h | Some (AtVertex v) => Some v | None => None
+  | Some (AtHalfEdge h) => if half_edge t h then says_origin t h else None
+  | Some (AtVertex v) => if vertex t v then Some v else None
+  | None => None
+  end.
+
+(** That vertex is there; of an outer boundary component it need only be named. *)
+Definition enters p b : bool :=
+  match p with
+  | Outer => ~~ is_nil (says_vertex_at b)
+  | Inner _ => ~~ is_nil (existing (vertex_slots t) (says_vertex_at b))
   end.
 
 (** What the lists of the faces have room for: at this place of this face. *)
@@ -98,7 +107,7 @@ Definition says_listed (e : nat * place) : link :=
 Definition entry_ok (e : nat * place) : bool :=
   if says_listed e is Some b then
     [&& boundary t b, same_link (says_boundary_face t b) (Some e.1), same_place (says_boundary_place t b) e.2,
-        ~~ is_nil (existing (vertex_slots t) (says_vertex_at b)) & ~~ is_nil (along b)]
+        enters e.2 b & ~~ is_nil (along b)]
   else false.
 
 Definition listed_ones : seq nat := [seq odflt 0 (says_listed e) | e <- entries].
@@ -152,12 +161,17 @@ Definition complete :=
 *)
 
 (** How many sets there are, if vertices are in the same set that have the same number. *)
-Definition sets (number : memory nat) := size (undup [seq number v | v <- vertex_ones]).
+Definition sets (number : memory nat) := size (undup [seq read number v | v <- vertex_ones]).
+
+(** Each vertex has the number that [f] gives it. *)
+Definition numbered (f : nat -> nat) : memory nat :=
+  fold_below (vertex_slots t) (fun number v => write number v (f v)) (blank 0).
 
 (** The set of [u] and that of [v] become one. *)
-Definition join (number : memory nat) u v : memory nat := fun w => if number w == number u then number v else number w.
+Definition join (number : memory nat) u v : memory nat :=
+  numbered (fun w => if read number w == read number u then read number v else read number w).
 
-Definition hooked : memory nat := foldl (fun number v => join number v (nearest v)) id vertex_ones.
+Definition hooked : memory nat := foldl (fun number v => join number v (nearest v)) (numbered id) vertex_ones.
 
 Definition edge_ends : seq (nat * nat) :=
   [seq (odflt 0 (says_origin t h), odflt 0 (says_twin t h >>= says_origin t)) |
@@ -177,15 +191,16 @@ Definition twice := vertices_and_cycles - edge_number.
 Definition set_of : memory nat := join_until (maxn twice./2 1) edge_ends hooked.
 
 (** T3: there are as few sets as can be. *)
-Definition as_few_as_can_be := [&& edge_number <= vertices_and_cycles, ~~ odd twice & sets set_of == twice./2].
+Definition as_few_as_can_be number := [&& edge_number <= vertices_and_cycles, ~~ odd twice & sets number == twice./2].
 
 (** T1: each set has one inner boundary component. *)
 Definition is_listed_inner b := if says_boundary_place t b is Some (Inner _) then true else false.
-Definition outsides := [seq read set_of (odflt 0 (says_vertex_at b)) | b <- listed_ones & is_listed_inner b].
-Definition one_outside_each := uniq outsides && (size outsides == sets set_of).
+Definition outsides (number : memory nat) :=
+  [seq read number (odflt 0 (says_vertex_at b)) | b <- listed_ones & is_listed_inner b].
+Definition one_outside_each number := uniq (outsides number) && (size (outsides number) == sets number).
 
 Definition fast_path :=
   [&& all scanned half_edge_ones, all entry_ok entries && listed_once, all (fun v => ~~ is_nil (around v)) vertex_ones,
-      complete & as_few_as_can_be && one_outside_each].
+      complete & let number := set_of in as_few_as_can_be number && one_outside_each number].
 
 End FastPath.

@@ -55,7 +55,7 @@ Lemma scannedP h : scanned t h -> exists w n,
   [/\ says_next t h = Some n, half_edge t n, says_prev t n = Some h & exists2 u, says_origin t n = Some u & says_origin t w = Some u].
 Proof.
 rewrite /scanned; case Ew: (existing _ _) => [w|] //; case En: (existing _ _) => [n|] //.
-case/and5P=> /eqP wh /same_linkP tw lw ln /and3P[on /same_linkP ow /same_linkP pn].
+case/and5P=> /eqP wh lw /same_linkP tw ln /and3P[on /same_linkP ow /same_linkP pn].
 have [Ew' _] := (existingP _ _ _).1 Ew; have [En' _] := (existingP _ _ _).1 En; exists w, n; split; split=> //.
 by case O: (says_origin t n) on ow => [u|] // _ ow; exists u.
 Qed.

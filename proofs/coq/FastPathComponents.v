@@ -60,9 +60,17 @@ Let rot := low_v2 low.
 Definition within (number : memory nat) := forall u v, vertex t u -> vertex t v -> number u = number v -> connected t u v.
 Definition whole (number : memory nat) := forall u v, vertex t u -> connected t u v -> number u = number v.
 
-Lemma join_within number u v : vertex t u -> vertex t v -> connected t u v -> within number -> within (join number u v).
+Lemma numberedE f v : vertex t v -> numbered t f v = f v.
 Proof.
-move=> lu lv uv ok x y lx ly; rewrite /join.
+move/(@vertex_below t); rewrite /numbered; set step := fun _ _ => _.
+suff H m : forall n, fold_below n step m v = if v < n then f v else m v by rewrite H => ->.
+move=> n; elim: n m => [|n IH] m //=; rewrite {}IH /step /write [v < n.+1]ltnS [v <= n]leq_eqVlt.
+by case: (ltnP v n) => _; rewrite ?orbT // orbF; case: eqP => [->|].
+Qed.
+
+Lemma join_within number u v : vertex t u -> vertex t v -> connected t u v -> within number -> within (join t number u v).
+Proof.
+move=> lu lv uv ok x y lx ly; rewrite /join !numberedE // /read.
 case: eqP => [xu|_]; case: eqP => [yu|_].
 - by move=> _; apply: ok => //; rewrite xu yu.
 - by move=> /ok vy; apply: connected_trans (vy lv ly); apply: connected_trans uv; apply: ok.
@@ -71,11 +79,12 @@ case: eqP => [xu|_]; case: eqP => [yu|_].
 exact: ok.
 Qed.
 
-Lemma join_keeps number u v x y : number x = number y -> join number u v x = join number u v y.
-Proof. by rewrite /join => ->. Qed.
+Lemma join_keeps number u v x y : vertex t x -> vertex t y -> number x = number y ->
+  join t number u v x = join t number u v y.
+Proof. by move=> lx ly E; rewrite /join !numberedE // /read E. Qed.
 
-Lemma join_same number u v : join number u v u = join number u v v.
-Proof. by rewrite /join eqxx; case: eqP. Qed.
+Lemma join_same number u v : vertex t u -> vertex t v -> join t number u v u = join t number u v v.
+Proof. by move=> lu lv; rewrite /join !numberedE // eqxx; case: eqP. Qed.
 
 Definition joins_connected (ends : seq (nat * nat)) := forall u v, (u, v) \in ends ->
   [/\ vertex t u, vertex t v & connected t u v].
@@ -88,17 +97,21 @@ elim: ends number => [|[u v] ends IH] number on ok //=; case: ifP => // _; apply
 by have [lu lv uv] := on u v (mem_head _ _); apply: join_within.
 Qed.
 
-Lemma join_until_keeps fewest ends number x y : number x = number y ->
+Lemma join_until_keeps fewest ends number x y : vertex t x -> vertex t y -> number x = number y ->
   join_until t fewest ends number x = join_until t fewest ends number y.
-Proof. by elim: ends number => [|[u v] ends IH] number E //=; case: ifP => // _; apply/IH/join_keeps. Qed.
+Proof.
+by move=> lx ly; elim: ends number => [|[u v] ends IH] number E //=; case: ifP => // _; apply/IH/join_keeps.
+Qed.
 
 (** It stops when few enough sets are left, or with every edge used. *)
-Lemma join_until_end fewest ends number : sets t (join_until t fewest ends number) <= fewest \/
+Lemma join_until_end fewest ends number : joins_connected ends -> sets t (join_until t fewest ends number) <= fewest \/
   forall u v, (u, v) \in ends -> join_until t fewest ends number u = join_until t fewest ends number v.
 Proof.
-elim: ends number => [|[u v] ends IH] number /=; first by right.
+elim: ends number => [|[u v] ends IH] number on /=; first by right.
 case: ifP => [few|_]; first by left.
-case: (IH (join number u v)) => [|used]; [by left | right] => x y; rewrite inE => /orP[/eqP[-> ->]|]; last exact: used.
+case: (IH (join t number u v)) => [x y xy||used]; [by apply: on; rewrite inE xy orbT | by left | right].
+have [lu lv _] := on u v (mem_head _ _).
+move=> x y; rewrite inE => /orP[/eqP[-> ->]|]; last exact: used.
 exact: join_until_keeps (join_same _ _ _).
 Qed.
 
@@ -120,8 +133,8 @@ Qed.
 Lemma hooked_within : within (hooked t).
 Proof.
 have: {subset vertex_ones t <= vertex t} by move=> v; rewrite vertex_onesP.
-have: within (id : memory nat) by move=> u v _ _ ->; apply: connected_self.
-rewrite /hooked; elim: (vertex_ones t) (id : memory nat) => [|v s IH] number ok sub //=; apply: IH; last first.
+have: within (numbered t id) by move=> u v lu lv; rewrite !numberedE // => ->; apply: connected_self.
+rewrite /hooked; elim: (vertex_ones t) (numbered t id) => [|v s IH] number ok sub //=; apply: IH; last first.
   by move=> x xs; apply: sub; rewrite inE xs orbT.
 have lv : vertex t v by apply: sub; apply: mem_head.
 by have [ln vn] := nearest_connected lv; apply: join_within.
@@ -191,7 +204,7 @@ Qed.
 Lemma whole_sets : whole number -> sets t number = size cs.
 Proof.
 move=> all; apply/eqP; rewrite eqn_leq sets_least andbT -(size_map number); apply: uniq_leq_size; first exact: undup_uniq.
-move=> k; rewrite mem_undup => /mapP[v + ->]; rewrite vertex_onesP => lv; have [_ live _ reps] := each.
+move=> k; rewrite mem_undup => /mapP[v + ->]; rewrite /read vertex_onesP => lv; have [_ live _ reps] := each.
 by have [c cc cv] := reps v lv; rewrite -(all c v (live c cc) cv); apply: map_f.
 Qed.
 
@@ -203,7 +216,7 @@ Proof.
 pose number := join_until t 0 (edge_ends t) (hooked t).
 have ok : within number := join_until_within edge_ends_connected hooked_within.
 have all : whole number.
-  case: (join_until_end 0 (edge_ends t) (hooked t)) => [|used]; last exact: all_edges_are_enough.
+  case: (join_until_end 0 (hooked t) edge_ends_connected) => [|used]; last exact: all_edges_are_enough.
   rewrite leqn0 size_eq0 => /eqP none v w lv _.
   have : number v \in undup [seq number v | v <- vertex_ones t] by rewrite mem_undup map_f ?vertex_onesP.
   by rewrite none.
@@ -279,12 +292,12 @@ Qed.
 Lemma set_of_whole : t3_euler t -> whole (set_of t).
 Proof.
 case/twice_number=> cs Hc [_ E].
-case: (join_until_end (maxn (twice t)./2 1) (edge_ends t) (hooked t)) => [few|]; last exact: all_edges_are_enough.
+case: (join_until_end (maxn (twice t)./2 1) (hooked t) edge_ends_connected) => [few|]; last exact: all_edges_are_enough.
 move=> u v lu; apply: (sets_whole set_of_within Hc) => //; move: few; rewrite -/(set_of t) E doubleK.
 by have [_ _ _ all] := Hc; have [c + _] := all u lu; case: (cs).
 Qed.
 
-Theorem as_few_as_can_be_means : as_few_as_can_be t <-> t3_euler t.
+Theorem as_few_as_can_be_means : as_few_as_can_be t (set_of t) <-> t3_euler t.
 Proof.
 split=> [/and3P[le even /eqP few]|t3].
   have E : (twice t)./2.*2 = twice t by rewrite -[RHS]odd_double_half (negPf even).
@@ -298,7 +311,7 @@ Qed.
 (** ** T1 *)
 
 (** Where T3 holds, the sets are the components: so each has one inner boundary component if and only if T1 holds. *)
-Theorem one_outside_means : t3_euler t -> one_outside_each t <-> t1_outside t.
+Theorem one_outside_means : t3_euler t -> one_outside_each t (set_of t) <-> t1_outside t.
 Proof.
 move=> /set_of_whole all; have ok := set_of_within.
 pose inner_ones := [seq b <- listed_ones t | is_listed_inner t b]; pose at_ b := odflt 0 (says_vertex_at t b).
@@ -316,20 +329,20 @@ have out v b : vertex t v -> outside_of t v b <-> b \in inner_ones /\ set_of t (
   have [W lw _] := atP b bi; split; first exact/innerP.
   by exists (at_ b) => //; apply: ok.
 have ui : uniq inner_ones by rewrite filter_uniq // (perm_uniq (listed_kept low)) ones_uniq.
-have sub : {subset outsides t <= undup [seq set_of t v | v <- vertex_ones t]}.
+have sub : {subset outsides t (set_of t) <= undup [seq set_of t v | v <- vertex_ones t]}.
   move=> k /mapP[b /atP[_ lv _] ->]; rewrite mem_undup; apply: map_f.
   by rewrite vertex_onesP.
 split=> [/andP[u /eqP n] v lv|t1].
   have same := all_met u sub n.
-  have : set_of t v \in outsides t by rewrite same mem_undup map_f ?vertex_onesP.
+  have : set_of t v \in outsides t (set_of t) by rewrite same mem_undup map_f ?vertex_onesP.
   case/mapP=> b bi E; exists b; split; first by apply/out.
   move=> c /(out _ _ lv)[ci Ec].
   by apply: (uniq_map_inj u bi ci); apply: etrans (esym E) (esym Ec).
-have u : uniq (outsides t).
+have u : uniq (outsides t (set_of t)).
   rewrite map_inj_in_uniq // => b c bi ci E; have [_ lb _] := atP b bi; have [d [_ one]] := t1 (at_ b) lb.
   by rewrite -(one b) ?(one c) //; apply/out.
 rewrite /one_outside_each u /=; apply/eqP/perm_size/uniq_perm; rewrite ?undup_uniq // => k.
-apply/idP/idP => [/sub //|]; rewrite mem_undup => /mapP[v]; rewrite vertex_onesP => lv ->.
+apply/idP/idP => [/sub //|]; rewrite mem_undup => /mapP[v]; rewrite /read vertex_onesP => lv ->.
 by have [b [/(out _ _ lv)[bi <-] _]] := t1 v lv; apply: map_f.
 Qed.
 

@@ -106,8 +106,8 @@ Lemma vertex_at_kept b : boundary t b -> exists v, [/\ says_vertex_at t b = Some
 Proof.
 move=> lb; rewrite /says_vertex_at -(@heardE _ (boundary t) (says_boundary_start t) b lb) -/(boundary_start t b).
 case: (boundaryP low lb) => [x S _|v S lv _ _].
-  by rewrite (vertex_at_cycle low S) S says_originE; exists (org x); split=> //; apply: org_live.
-by rewrite (vertex_at_vertex S) S; exists v.
+  by rewrite (vertex_at_cycle low S) S dart_live says_originE; exists (org x); split=> //; apply: org_live.
+by rewrite (vertex_at_vertex S) S lv; exists v.
 Qed.
 
 (** *** What is listed *)
@@ -125,7 +125,7 @@ Proof.
 case/entry_listed=> b; rewrite /entry_ok => -> L; have lb := listed_live low L; have [Ef Ep] := listed_names low L.
 have [v [Ev _ lv]] := vertex_at_kept lb; rewrite /boundary_face heardE // in Ef; rewrite /boundary_place heardE // in Ep.
 apply/and5P; split=> //; [exact/same_linkP|exact/same_placeP| |by rewrite along_kept].
-by rewrite Ev /= vertex_below.
+by rewrite /enters Ev; case: (e.2) => [|i] //=; rewrite vertex_below.
 Qed.
 
 Lemma listed_kept : perm_eq (listed_ones t) (boundary_ones t).

@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop SplitEdge AnyInner Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -124,6 +124,12 @@ Check move_inner_keeps_rules : forall t b f g, rules t -> boundary_face t b = So
   boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
   rules (move_inner t b f g) <-> ~ inside t b g.
 
+(** Wherever it is listed: it changes places with the last one of its list first, which keeps all rules. *)
+
+Check move_any_inner_keeps_rules : forall t b f i g, rules t -> boundary_face t b = Some f ->
+  boundary_place t b = Some (Inner i) -> face t g -> g != f ->
+  rules (move_inner (exchange t f i (inner_count t f).-1) b f g) <-> ~ inside t b g.
+
 (** What keeps the rules keeps them under other numbers. *)
 
 Check renaming_keeps : forall t t' rv rd rb rf rp, renaming t t' rv rd rb rf rp -> rules t -> rules t'.
@@ -177,6 +183,14 @@ Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_
 Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (split_edge t e v h k).
+
+(** So does a program of these operators, whatever their arguments and their order; it makes subdivisions of subdivisions. *)
+
+Check step_keeps_rules : forall t t', Programs.step t t' -> rules t -> rules t'.
+
+Check program_keeps_rules : forall t t', program t t' -> rules t -> rules t'.
+
+Check program_makes_subdivision : forall t t', program t t' -> (exists s, represents t s) -> exists s, represents t' s.
 
 (** Positive triangles inside a negative one are drawn without crossings: at every rational point p / k. *)
 

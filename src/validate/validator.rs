@@ -63,6 +63,23 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
     judge(view, expectation, collect, |subject| fast_path::settle(subject, first_only))
 }
 
+/// True if [`validate`] finds nothing wrong: a verdict without a report.
+///
+/// Cost: O(n) time and memory, as [`validate`]. False if there is no memory for it.
+///
+/// ```
+/// use twinedge::validate::{Expectation, Table, accepts};
+/// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert!(accepts(&edge, &Expectation::plane()));
+/// assert!(!accepts(&edge, &Expectation::plane().triangles().components(2)));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+pub fn accepts<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
+    let Ok(extent) = Extent::of(view, *expectation) else { return false };
+    let facts = fast_path::settle(Subject { view, extent }, true);
+    facts.are_all(extent) && run(Subject { view: &view, extent }, facts, Collect::First).is_valid()
+}
+
 /// The same report as that of [`validate`], by all threads of the current pool of `rayon`.
 ///
 /// Structures are read in parts if they are closed and have records of boundary components with their places, and vertices that

@@ -9,8 +9,12 @@ use twinedge::program::{Program, Runner};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View};
 use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::corrupt::CorruptWork;
 use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{forms, projections};
+use twinedge_trials::sample::SampleWork;
+use twinedge_trials::tables::TablesWork;
+use twinedge_trials::{FastPath, Outcome, RotationSystem, Run, Structure, corrupt, sample, tables};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -25,6 +29,18 @@ fn assert_same(view: &impl View, expectation: &Expectation, what: impl std::fmt:
     }
     let _ = validate(&OnlyLive(view), expectation, Collect::All);
     let _ = rule_by_rule(&OnlyLive(view), expectation, Collect::All);
+}
+
+#[test]
+fn what_is_right_in_any_form_is_not_left_to_the_rules() {
+    let run = Run::default();
+    tables(TablesWork { half_edges: 2 }, &FastPath, &run).into_result().unwrap();
+    sample(SampleWork { tables: 20_000, seed: 1 }, &FastPath, &run).into_result().unwrap();
+    let structure = Structure::new("second model", RotationSystem::new, PLANE);
+    corrupt(&structure, CorruptWork { edges: 2, pairs: 2000, seed: 1 }, &FastPath, &run, &|_| {})
+        .unwrap()
+        .into_result()
+        .unwrap();
 }
 
 #[test]

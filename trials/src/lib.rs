@@ -30,7 +30,7 @@
 //! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
 //!
 //! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, its
-//! checker of [`Certificates`], or any other [`Checker`].
+//! [`FastPath`] or its checker of [`Certificates`], or any other [`Checker`].
 //!
 //! | input for tests of one's own | |
 //! | --- | --- |
@@ -102,4 +102,4 @@ pub use soak::soak;
 pub use structure::Structure;
 pub use sum::{Outcome, SumError, sum};
 pub use tables::tables;
-pub use verdict::{Checker, Validator, Verdict};
+pub use verdict::{Checker, FastPath, Validator, Verdict};

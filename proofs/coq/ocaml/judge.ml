@@ -1,7 +1,11 @@
 (* Reads tables as text, one a line, and says of each which rule the proved checker finds broken first.
 
-     judge < tables            prints the verdict of each line: a rule, or ok
-     judge --compare < tables  takes lines that end in a verdict, prints those that differ, and counts
+     judge < tables                prints the verdict of each line: a rule, or ok
+     judge --fast-path < tables    prints what the proved fast path says, and of T2, which it leaves, the checker: accepted or refused
+     judge [--fast-path] --compare < tables
+                                   takes lines that end in a verdict, prints those that differ, and counts
+
+   Both ask of live records only: a question about any other slot would end the program.
 
    A line: the four kinds of records, each with the number of its slots and what each slot holds; x is a vacant slot,
    - is nil.
@@ -87,9 +91,8 @@ let read_view word =
         for i = 0 to count - 1 do inner.(i) <- next_link () done;
         { outer = link first; inner })
   in
-  (* The checker asks of live slots and of listed positions only. *)
   let is rows i = rows.(i) <> None in
-  let ask rows field i = match rows.(i) with Some row -> field row | None -> None in
+  let ask rows field i = match rows.(i) with Some row -> field row | None -> invalid_arg "a vacant slot is asked" in
   {
     vertex_slots = Array.length vertices;
     half_edge_slots = Array.length half_edges;
@@ -110,16 +113,18 @@ let read_view word =
     says_boundary_start = ask boundaries (fun row -> row.start);
     says_boundary_place = ask boundaries (fun row -> row.place);
     says_outer = ask faces (fun row -> row.outer);
-    says_inner_count = (fun f -> match faces.(f) with Some row -> Array.length row.inner | None -> 0);
-    says_inner = (fun f i -> match faces.(f) with Some row -> row.inner.(i) | None -> None);
+    says_inner_count = ask faces (fun row -> Array.length row.inner);
+    says_inner = (fun f i -> ask faces (fun row -> row.inner.(i)) f);
   }
 
-let verdict view =
+let broken_first view =
   match first_broken view with
   | None -> "ok"
   | Some R1 -> "R1" | Some L1 -> "L1" | Some L2 -> "L2" | Some L3 -> "L3" | Some V1 -> "V1" | Some V2 -> "V2"
   | Some B1 -> "B1" | Some B2 -> "B2" | Some F1 -> "F1" | Some F2 -> "F2"
   | Some T1 -> "T1" | Some T2 -> "T2" | Some T3 -> "T3" | Some T4 -> "T4"
+
+let fast_path_says view = if fast_path view && check_t2 view (labels view) then "accepted" else "refused"
 
 let each_line judge =
   let number = ref 0 in
@@ -134,7 +139,7 @@ let each_line judge =
     done
   with End_of_file -> ()
 
-let compare_all () =
+let compare_all verdict verdicts =
   let counts = Hashtbl.create 16 and tables = ref 0 and differences = ref 0 in
   each_line (fun line ->
       let word = reader line in
@@ -148,15 +153,20 @@ let compare_all () =
         if !differences <= 10 then Printf.printf "%s, but the proved checker says %s\n" line ours
       end);
   List.iter
-    (fun rule -> Printf.printf "%-3s%12d\n" rule (Stdlib.Option.value ~default:0 (Hashtbl.find_opt counts rule)))
-    [ "R1"; "L1"; "L2"; "L3"; "V1"; "V2"; "B1"; "B2"; "F1"; "F2"; "T1"; "T2"; "T3"; "ok" ];
+    (fun said -> Printf.printf "%-3s%12d\n" said (Stdlib.Option.value ~default:0 (Hashtbl.find_opt counts said)))
+    verdicts;
   Printf.printf "%d tables, %d differences\n" !tables !differences;
   if !differences > 0 then exit 1
 
+let rules = [ "R1"; "L1"; "L2"; "L3"; "V1"; "V2"; "B1"; "B2"; "F1"; "F2"; "T1"; "T2"; "T3"; "ok" ]
+
 let () =
-  match Sys.argv with
-  | [| _ |] -> each_line (fun line -> print_endline (verdict (read_view (reader line))))
-  | [| _; "--compare" |] -> compare_all ()
+  let print_all verdict = each_line (fun line -> print_endline (verdict (read_view (reader line)))) in
+  match List.tl (Array.to_list Sys.argv) with
+  | [] -> print_all broken_first
+  | [ "--fast-path" ] -> print_all fast_path_says
+  | [ "--compare" ] -> compare_all broken_first rules
+  | [ "--fast-path"; "--compare" ] -> compare_all fast_path_says [ "accepted"; "refused" ]
   | _ ->
-      prerr_endline "usage: judge [--compare] < tables";
+      prerr_endline "usage: judge [--fast-path] [--compare] < tables";
       exit 2

@@ -4,6 +4,8 @@ use super::boundaries::Boundaries;
 use super::doubts::Doubts;
 use super::rotations::VertexTally;
 use crate::validate::columns::Components;
+use crate::validate::structure::Part;
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// The facts that hold already, whatever else is broken. Where a field is none, nothing of it is settled.
@@ -66,6 +68,16 @@ pub(crate) struct Whole {
 }
 
 impl Facts {
+    /// True if all of R1 … T1 and T3 is settled.
+    pub(crate) fn are_all(&self, extent: Extent) -> bool {
+        let has_outsides = |whole: &Whole| whole.lies_in.is_some() || !extent.is_plane() || !extent.has(Part::Holes);
+        let lists_hold = |lists: &ListFigures| lists.cycles_hold && lists.isolated_hold;
+        self.half_edges.as_ref().is_some_and(|doubts| doubts.half_edges.is_empty())
+            && self.vertices.is_some()
+            && (self.lists.as_ref().is_some_and(lists_hold) || !extent.has(Part::Faces))
+            && matches!(&self.rotations, Rotations::Whole(whole) if has_outsides(whole) || !extent.has(Part::Faces))
+    }
+
     /// True if V2 is settled.
     pub(crate) const fn rotations_hold(&self) -> bool {
         !matches!(self.rotations, Rotations::Unknown)
