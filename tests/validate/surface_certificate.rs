@@ -2,7 +2,9 @@
 
 use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
 use std::collections::BTreeSet;
-use twinedge::validate::certificate::{Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test};
+use twinedge::validate::certificate::{
+    Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test, check_surface, check_surface_parallel,
+};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, FaceRow, Part, Rule, Table};
 use twinedge_trials::enumerate::for_each_corruption;
@@ -258,4 +260,19 @@ fn a_hole_starts_with_a_half_edge_of_its_own() {
 fn a_boundary_component_is_the_outer_one_of_one_face() {
     let failures = changed(&textbook_mesh(4, &TETRAHEDRON), |columns| columns.column_mut(Column::FaceOuter).push(0));
     assert_eq!(failures, [Test::SurfaceFaceOk]);
+}
+
+/// Twelve half-edges, and five threads: the last part is shorter than the others.
+#[test]
+fn parts_find_what_the_whole_finds() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(5).build().unwrap();
+    let mesh = textbook_mesh(4, &TETRAHEDRON);
+    let (labels, genus) = Labels::of_surface(&mesh).unwrap();
+    for h in 0..12 {
+        let mut wrong = mesh.clone();
+        half_edge(&mut wrong, h).twin = Some(h);
+        let found = pool.install(|| check_surface_parallel(&wrong, &labels, genus));
+        assert!(found.is_err(), "half-edge {h}");
+        assert_eq!(found, check_surface(&wrong, &labels, genus), "half-edge {h}");
+    }
 }
