@@ -74,14 +74,21 @@ enum End {
 }
 
 /// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 6] = [
+const TESTS: [(&str, &[&str], &str); 7] = [
     ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
     ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
     ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
     ("map", &["-p", "twinedge", "--test", "map"], "tests/map/main.rs"),
     ("algorithm", &["-p", "twinedge", "--test", "algorithm"], "tests/algorithm/main.rs"),
     ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
+    ("commands", &["-p", "twinedge-cli", "--test", "commands"], "tests/commands/main.rs"),
 ];
+
+/// Of the tests of the program, the only module that is a check: it compares two checkers of certificates.
+const OF_COMMANDS: &str = "certificate";
+
+/// The folder of the checker of certificates that is proved, if that is built.
+const PROVED: &str = "proofs/coq";
 
 /// The checks of the program `twinedge`.
 const COMMANDS: [(&str, &[&str]); 7] = [
@@ -194,6 +201,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
             copied.insert(to);
         }
     }
+    copied.extend(link_proved(root, copy)?);
     let mut folders = vec![copy.to_owned()];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder)? {
@@ -206,6 +214,16 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
         }
     }
     Ok(sum.finish())
+}
+
+/// Has the copy use the proved checker that is built. Returns the path of the link.
+fn link_proved(root: &Path, copy: &Path) -> Result<Option<PathBuf>> {
+    let link = copy.join(PROVED);
+    #[cfg(unix)]
+    if !link.exists() {
+        std::os::unix::fs::symlink(root.join(PROVED), &link)?;
+    }
+    Ok(link.exists().then_some(link))
 }
 
 /// Builds the copy, and gives the checks.
@@ -229,7 +247,7 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
         let program = copy.join(program);
-        for module in modules(&program)? {
+        for module in modules(&program)?.iter().filter(|module| *name != "commands" || *module == OF_COMMANDS) {
             let arguments = vec![format!("{module}::"), "--test-threads=1".to_owned()];
             checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
         }
@@ -258,7 +276,7 @@ impl Check {
         let near: &[&str] = match fault.file.as_str() {
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
             file if file.starts_with("src/validate/") => {
-                &["validate", "map", "corrupt", "certificates", "tables", "sample"]
+                &["validate", "map", "corrupt", "certificates", "tables", "sample", "commands"]
             }
             file if file.starts_with("src/algorithm/") => &["algorithm"],
             _ => &["dcel", "program", "prove", "soak", "audited"],

@@ -434,3 +434,16 @@ fn the_outer_triangle_is_not_flat() {
     }
     assert_eq!(failing(&map, &Labels::new(&map.table).unwrap(), &drawing), [Test::TriangleOk]);
 }
+
+/// The half-edge of the other side has no dart then, which is said, too.
+#[test]
+fn an_edge_is_added_on_both_sides() {
+    let (map, labels, drawing) = nested();
+    let half_edge = drawing.columns.column(Column::DartHalfEdge);
+    for dart in (0..half_edge.len()).filter(|dart| half_edge[*dart] != u32::MAX) {
+        let mut changed = drawing.clone();
+        set(&mut changed, Column::DartHalfEdge, dart, u32::MAX);
+        let failures = failing(&map, &labels, &changed);
+        assert!(failures.contains(&Test::DartHalfEdgeOk), "dart {dart}: {failures:?}");
+    }
+}

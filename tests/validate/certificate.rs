@@ -1,6 +1,6 @@
 //! Certificates: what is right has labels that pass, and nothing else has.
 
-use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
+use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
 use std::collections::BTreeSet;
 use twinedge::validate::certificate::{
     Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
@@ -340,4 +340,91 @@ fn half_edges_that_are_their_own_twins_are_no_handle() {
     let (labels, _) = Labels::of_surface(&table).unwrap();
     let failures = check_surface(&table, &labels, 1).unwrap_err();
     assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::TwinOk]);
+}
+
+fn failing(table: &Table, labels: &Labels) -> Vec<Test> {
+    check(table, labels).unwrap_err().iter().map(|failure| failure.test()).collect()
+}
+
+/// A face that an isolated vertex bounds: nothing else is wrong.
+#[test]
+fn an_isolated_vertex_bounds_no_face() {
+    let table: Table = "V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0".parse().unwrap();
+    assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::F1));
+    assert_eq!(failing(&table, &Labels::new(&table).unwrap()), [Test::StartOk]);
+}
+
+/// Half-edges of an isolated vertex make the sums wrong, too; the test names them.
+#[test]
+fn half_edges_on_an_isolated_vertex_are_named() {
+    let table: Table = "V 3 0 - 1 - - 0 H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 v2 i0 F 1 - 1 0".parse().unwrap();
+    let failures = failing(&table, &Labels::new(&table).unwrap());
+    assert!(failures.starts_with(&[Test::CycleOk]) && failures.ends_with(&[Test::EulerOk]), "{failures:?}");
+}
+
+/// That its face does not list it is said, too; without a lower neighbour it is no root.
+#[test]
+fn an_outer_boundary_component_is_no_root() {
+    let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 o F 1 - 1 0".parse().unwrap();
+    assert_eq!(
+        failing(&table, &Labels::new(&table).unwrap()),
+        [Test::RankOk, Test::PlaceOk, Test::FaceOk, Test::EulerOk]
+    );
+}
+
+/// Maps whose half-edges and faces name each other, without boundary components, and their labels.
+fn maps_by_name() -> impl Iterator<Item = (Table, Labels)> {
+    let forms = || certified_forms().into_iter().filter(|form| form.parts.has(Part::Faces));
+    let by_name = move |form: &Form| !form.parts.has(Part::BoundaryComponents);
+    small_maps()
+        .filter(|table| table.half_edges.len() <= 4)
+        .flat_map(move |table| forms().filter(by_name).map(move |form| projected(&table, &form)).collect::<Vec<_>>())
+        .map(|table| {
+            let labels = Labels::new(&table).unwrap();
+            (table, labels)
+        })
+}
+
+#[test]
+fn a_vertex_names_no_boundary_component_where_there_are_none() {
+    let mut seen = 0;
+    for (mut table, labels) in maps_by_name() {
+        for v in (0..table.vertices.len()).filter(|v| table.is_vertex(*v)).collect::<Vec<_>>() {
+            vertex(&mut table, v).isolated = Some(0);
+            assert_eq!(failing(&table, &labels), [Test::VertexOk], "{table}");
+            vertex(&mut table, v).isolated = None;
+            seen += 1;
+        }
+    }
+    assert!(seen > 0);
+}
+
+#[test]
+fn a_face_names_no_more_than_its_boundary_components() {
+    let mut seen = 0;
+    for (mut table, labels) in maps_by_name() {
+        for f in 0..table.faces.len() {
+            let Some(last) = table.faces[f].as_ref().and_then(|face| face.inner_starts.last().copied()) else {
+                continue;
+            };
+            table.faces[f].as_mut().unwrap().inner_starts.push(last);
+            assert!(first_broken_rule(&table, &PLANE).is_some(), "{table}");
+            assert_eq!(failing(&table, &labels), [Test::FaceStartsOk], "{table}");
+            table.faces[f].as_mut().unwrap().inner_starts.pop();
+            seen += 1;
+        }
+    }
+    assert!(seen > 0);
+}
+
+/// Where components are not marked as open, a boundary component has a face.
+#[test]
+fn closed_surfaces_have_no_holes() {
+    let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));
+    let (labels, genus) = Labels::of_surface(&table).unwrap();
+    assert_eq!(check_surface(&table, &labels, genus), Ok(()));
+    table.boundaries[0].as_mut().unwrap().face = None;
+    table.faces[0] = None;
+    let failures = check_surface(&table, &labels, genus).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::SurfaceBoundaryOk]);
 }

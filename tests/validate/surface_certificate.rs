@@ -2,7 +2,9 @@
 
 use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
 use std::collections::BTreeSet;
-use twinedge::validate::certificate::{Column, Failure, SurfaceCertificate, SurfaceCounts, Test};
+use twinedge::validate::certificate::{
+    Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test, check_surface, check_surface_parallel,
+};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, FaceRow, Part, Rule, Table};
 use twinedge_trials::enumerate::for_each_corruption;
@@ -206,5 +208,71 @@ fn columns_of_different_lengths_are_no_certificate() {
         let mut columns = certificate.columns().clone();
         columns.column_mut(*column).push(0);
         assert_eq!(SurfaceCertificate::from_columns(columns), None, "{}", column.name());
+    }
+}
+
+/// The tests that fail once columns of the certificate of a closed mesh are changed.
+fn changed(mesh: &Table, change: impl Fn(&mut Labels)) -> Vec<Test> {
+    let certificate = SurfaceCertificate::new(&with_boundary_components(mesh)).unwrap();
+    assert!(certificate.check().is_ok());
+    let mut columns = certificate.columns().clone();
+    change(&mut columns);
+    let failures = SurfaceCertificate::from_columns(columns).unwrap().check().unwrap_err();
+    failures.iter().map(|failure| failure.test()).collect()
+}
+
+/// A face that is said to be a component of its own would make one component, and one handle, too many.
+#[test]
+fn both_sides_of_an_edge_are_of_one_component() {
+    let failures = changed(&textbook_mesh(4, &TETRAHEDRON), |columns| {
+        let apart: Vec<usize> = (0..12).filter(|h| columns.column(Column::HalfEdgeBoundary)[*h] == 1).collect();
+        for h in &apart {
+            columns.column_mut(Column::HalfEdgeComponent)[*h] = apart[0] as u32;
+        }
+    });
+    assert_eq!(failures, [Test::ComponentOk]);
+}
+
+/// Two tori that are said to be one component have one handle as far as the sums go.
+#[test]
+fn ranks_find_two_components_that_are_said_to_be_one() {
+    let tori: Vec<_> =
+        (0..2).flat_map(|part| torus([3, 3]).into_iter().map(move |triangle| triangle.map(|v| v + 9 * part))).collect();
+    let failures = changed(&textbook_mesh(18, &tori), |columns| {
+        let component = columns.column_mut(Column::HalfEdgeComponent);
+        let first = component[0];
+        component.fill(first);
+    });
+    assert_eq!(failures, [Test::ComponentOk]);
+}
+
+/// Two holes without half-edges would make a sphere of a torus.
+#[test]
+fn a_hole_starts_with_a_half_edge_of_its_own() {
+    let failures = changed(&textbook_mesh(9, &torus([3, 3])), |columns| {
+        columns.column_mut(Column::BoundaryFace).extend([u32::MAX; 2]);
+        columns.column_mut(Column::BoundaryStart).extend([0; 2]);
+    });
+    assert_eq!(failures, [Test::SurfaceBoundaryOk]);
+}
+
+#[test]
+fn a_boundary_component_is_the_outer_one_of_one_face() {
+    let failures = changed(&textbook_mesh(4, &TETRAHEDRON), |columns| columns.column_mut(Column::FaceOuter).push(0));
+    assert_eq!(failures, [Test::SurfaceFaceOk]);
+}
+
+/// Twelve half-edges, and five threads: the last part is shorter than the others.
+#[test]
+fn parts_find_what_the_whole_finds() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(5).build().unwrap();
+    let mesh = textbook_mesh(4, &TETRAHEDRON);
+    let (labels, genus) = Labels::of_surface(&mesh).unwrap();
+    for h in 0..12 {
+        let mut wrong = mesh.clone();
+        half_edge(&mut wrong, h).twin = Some(h);
+        let found = pool.install(|| check_surface_parallel(&wrong, &labels, genus));
+        assert!(found.is_err(), "half-edge {h}");
+        assert_eq!(found, check_surface(&wrong, &labels, genus), "half-edge {h}");
     }
 }

@@ -4,7 +4,7 @@ use super::check::lines;
 use super::folder::{Claim, Folder};
 use super::notes::Notes;
 use super::source::{self, Source};
-use super::sql::{self, Engine};
+use super::sql::Engine;
 use crate::audit::InputKind;
 use crate::input::{Input, MapFile};
 use crate::noted::Keep;
@@ -12,7 +12,7 @@ use crate::output::{counted, print};
 use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use std::path::PathBuf;
-use twinedge::map::certificate;
+use twinedge::map::certificate::{self, DrawingError};
 use twinedge::validate::View;
 use twinedge::validate::certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate};
 
@@ -37,7 +37,7 @@ pub(crate) struct Certify {
     #[command(flatten)]
     map: MapFile,
 
-    /// Folder to write.
+    /// Folder to write. A certificate that is there is replaced, with all its files; a folder with other files is refused.
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
@@ -47,7 +47,7 @@ pub(crate) struct Certify {
     topology_only: bool,
 
     /// Write tables, too, and `check.sql`, which has each test as a query in this dialect. Tables are in Parquet, or in CSV
-    /// for `PostgreSQL`. Not of surfaces.
+    /// for `PostgreSQL`.
     #[arg(long, value_name = "ENGINE", value_enum)]
     sql: Option<Engine>,
 
@@ -85,9 +85,8 @@ impl Certify {
         if self.topology_only {
             return self.certify_plane(&name, &map, None);
         }
-        let remedy = "`twinedge audit` says what is wrong, --snap auto puts the map on a grid, --topology-only leaves coordinates out";
         let drawing = busy("triangulating the map", || certificate::draw(&map));
-        let drawing = drawing.map_err(|error| Failure(format!("{name}: {error}; {remedy}")))?;
+        let drawing = drawing.map_err(|error| Failure(format!("{name}: {error}; {}", remedy(error))))?;
         self.certify_plane(&name, &map, Some(drawing))
     }
 
@@ -105,9 +104,6 @@ impl Certify {
     }
 
     fn certify_surface(&self, name: &str, view: &dyn View) -> Result<Verdict, Failure> {
-        if self.sql.is_some() {
-            return Err(Failure(format!("{name}: --sql is for maps of the plane, and this is a surface")));
-        }
         let certificate = SurfaceCertificate::new(view).map_err(|error| no_labels(name, error))?;
         let counts = certificate.check().map_or_else(
             |_| String::new(),
@@ -126,12 +122,19 @@ impl Certify {
             Err(failures) => return refuse(name, &lines(&failures)),
         };
         let notes = Notes::new(name, self.map.sha256()?, counts, exponent);
-        claim.write(&self.output, &notes)?;
-        if let (Some(engine), Claim::Plane(folder)) = (self.sql, claim) {
-            sql::write(&self.output, folder, &notes, engine)?;
-        }
+        claim.write(&self.output, &notes, self.sql)?;
         print(&format!("{}: certificate that {name} is {words}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)
+    }
+}
+
+const fn remedy(error: DrawingError) -> &'static str {
+    match error {
+        DrawingError::NoGrid => {
+            "--snap auto rounds them to the finest grid that they allow, and --topology-only leaves them out of the certificate"
+        }
+        DrawingError::NotPlane => "`twinedge audit` says where, and --snap auto cuts edges where they meet",
+        _ => "--topology-only leaves coordinates out of the certificate",
     }
 }
 

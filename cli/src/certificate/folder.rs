@@ -1,9 +1,11 @@
 //! The folder of a certificate, as `proofs/coq/CERTIFICATE.md` specifies it.
 
 use super::notes::Notes;
+use super::sql::{self, Engine};
 use crate::status::Failure;
-use std::fs;
+use std::ffi::OsString;
 use std::path::Path;
+use std::{fs, io};
 use twinedge::validate::certificate::{
     Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate, check_drawing,
 };
@@ -14,6 +16,7 @@ const PLANE: &str = "plane\n";
 const DRAWING: &str = "drawing\n";
 const SURFACE: &str = "surface\n";
 const CLAIM_FILE: &str = "claim.txt";
+const POINT_FILES: [&str; 2] = ["point_x.i64", "point_y.i64"];
 
 /// A certificate by its claim.
 pub(super) enum Claim {
@@ -47,31 +50,27 @@ impl Claim {
     }
 
     /// The second line of its claim.
-    const fn line(&self) -> &'static str {
+    pub(super) fn line(&self) -> &'static str {
         match self {
-            Self::Plane(folder) => folder.claim(),
+            Self::Plane(folder) if folder.drawing.is_some() => DRAWING,
+            Self::Plane(_) => PLANE,
             Self::Surface(_) => SURFACE,
         }
     }
 
-    /// Writes all columns, and then the claim with these notes below it. What was there of another certificate is overwritten.
-    pub(super) fn write(&self, folder: &Path, notes: &Notes) -> Result<(), Failure> {
-        fs::create_dir_all(folder).map_err(|error| Failure(format!("{}: {error}", folder.display())))?;
-        let claim = folder.join(CLAIM_FILE);
-        let has_other_files = fs::read_dir(folder)?.next().is_some();
-        if has_other_files && !claim.exists() {
-            let name = folder.display();
-            return Err(Failure(format!("{name}: this folder has other files, and is not written to")));
-        }
-        // Without its claim a folder that is not written to the end is unreadable.
-        if has_other_files {
-            fs::remove_file(&claim)?;
-        }
+    /// Writes all columns, the tables if they are asked for, and then the claim with these notes below it. A certificate that is there is
+    /// replaced.
+    pub(super) fn write(&self, folder: &Path, notes: &Notes, sql: Option<Engine>) -> Result<(), Failure> {
+        clear(folder)?;
         match self {
             Self::Plane(plane) => plane.write(folder)?,
             Self::Surface(surface) => write_columns(folder, Column::of_surface(), surface.columns())?,
         }
-        write_file(&claim, format!("{FIRST_LINE}{}{}", self.line(), notes.lines()).as_bytes())
+        if let Some(engine) = sql {
+            sql::write(folder, self, notes, engine)?;
+        }
+        let claim = format!("{FIRST_LINE}{}{}", self.line(), notes.lines());
+        write_file(&folder.join(CLAIM_FILE), claim.as_bytes())
     }
 
     /// Reads a folder. What is not readable, as the specification says, is a failure.
@@ -104,22 +103,50 @@ impl Folder {
         write_columns(folder, Column::of_subdivision(), self.certificate.columns())?;
         if let Some(drawing) = &self.drawing {
             write_columns(folder, Column::of_drawing(), &drawing.columns)?;
-            for (axis, name) in ["point_x.i64", "point_y.i64"].into_iter().enumerate() {
+            for (axis, name) in POINT_FILES.into_iter().enumerate() {
                 let bytes: Vec<u8> = drawing.points.iter().flat_map(|point| point[axis].to_le_bytes()).collect();
                 write_file(&folder.join(name), &bytes)?;
             }
         }
         Ok(())
     }
+}
 
-    /// The line of the claim.
-    pub(super) const fn claim(&self) -> &'static str {
-        if self.drawing.is_some() { DRAWING } else { PLANE }
+/// Makes the folder, or removes the certificate that is in it. A folder with anything else is left as it is.
+fn clear(folder: &Path) -> Result<(), Failure> {
+    let name = folder.display();
+    let failed = |error: io::Error| Failure(format!("{name}: {error}"));
+    fs::create_dir_all(folder).map_err(failed)?;
+    let entries = fs::read_dir(folder).map_err(failed)?;
+    let there: Vec<OsString> = entries.map(|entry| Ok(entry?.file_name())).collect::<Result<_, _>>().map_err(failed)?;
+    let claim = folder.join(CLAIM_FILE);
+    if there.is_empty() {
+        return Ok(());
     }
+    let may_be_there: Vec<OsString> = file_names().map(OsString::from).collect();
+    if let Some(other) = there.iter().find(|file| !may_be_there.contains(file)) {
+        let other = other.display();
+        return Err(Failure(format!("{name}: {other} is no file of a certificate, so the folder is not written to")));
+    }
+    if !fs::read(&claim).is_ok_and(|claim| claim.starts_with(FIRST_LINE.as_bytes())) {
+        return Err(Failure(format!("{name}: this folder has files and no certificate, and is not written to")));
+    }
+    // Without its second line a folder that is not written to the end is unreadable, and can be written to once more.
+    write_file(&claim, FIRST_LINE.as_bytes())?;
+    for file in there.iter().filter(|file| *file != CLAIM_FILE) {
+        fs::remove_file(folder.join(file)).map_err(failed)?;
+    }
+    Ok(())
+}
+
+/// The names of all files that a certificate may have.
+fn file_names() -> impl Iterator<Item = String> {
+    let fixed = [CLAIM_FILE, POINT_FILES[0], POINT_FILES[1]].map(str::to_owned);
+    Column::ALL.into_iter().map(file_name).chain(fixed).chain(sql::file_names())
 }
 
 fn read_drawing(folder: &Path) -> Result<Drawing, Failure> {
-    let [x, y] = ["point_x.i64", "point_y.i64"].map(|name| -> Result<Vec<i64>, Failure> {
+    let [x, y] = POINT_FILES.map(|name| -> Result<Vec<i64>, Failure> {
         let bytes = read_file(&folder.join(name))?;
         let (numbers, rest) = bytes.as_chunks();
         refuse_rest(folder, name, rest)?;

@@ -113,9 +113,10 @@ fn torus_and_tetrahedron(left_out: &[usize]) -> String {
 }
 
 /// A certificate of this mesh in OBJ.
-fn certified_mesh(name: &str, mesh: &str) -> PathBuf {
+fn certified_mesh(name: &str, mesh: &str, more: &[&str]) -> PathBuf {
     let folder = scratch_folder(name);
-    let output = twinedge_reading(&["certify", "-", "-o", folder.to_str().unwrap()], mesh.as_bytes());
+    let arguments = [&["certify", "-", "-o", folder.to_str().unwrap()], more].concat();
+    let output = twinedge_reading(&arguments, mesh.as_bytes());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     folder
 }
@@ -128,7 +129,7 @@ fn meshes_are_certified_with_genus_components_and_holes() {
         (&[4, 5, 11], "open at 1 hole", 19),
         (&[0, 14], "open at 2 holes", 20),
     ] {
-        let folder = certified_mesh("certified-mesh", &torus_and_tetrahedron(left_out));
+        let folder = certified_mesh("certified-mesh", &torus_and_tetrahedron(left_out), &[]);
         let valid = format!("valid: a surface of genus 1 with 2 components, {border}\n");
         assert_eq!(check(&folder), (Some(0), valid));
         assert_eq!(agreed(&folder, "mesh"), Some(0));
@@ -145,7 +146,7 @@ fn meshes_are_certified_with_genus_components_and_holes() {
 #[test]
 fn corruptions_of_surfaces_are_judged_as_by_the_proved_checker() {
     for (left_out, name) in [(&[][..], "corrupted-surface"), (&[4, 5, 11], "corrupted-open-surface")] {
-        let statuses = corrupted(&certified_mesh(name, &torus_and_tetrahedron(left_out)));
+        let statuses = corrupted(&certified_mesh(name, &torus_and_tetrahedron(left_out), &[]));
         let [valid, invalid, unreadable] = statuses;
         assert!(valid > 5 && invalid > 200 && unreadable == 0, "{statuses:?}");
     }
@@ -182,8 +183,6 @@ fn what_is_no_surface_is_not_certified() {
     let (status, printed) = refused(&[], &format!("# expect: plane open\n{triangle}\n"));
     assert!(status == Some(2) && printed.contains("open boundary have no certificates"), "{printed}");
     let mesh = torus_and_tetrahedron(&[]);
-    let (status, printed) = refused(&["--sql", "duckdb"], &mesh);
-    assert!(status == Some(2) && printed.contains("--sql is for maps of the plane"), "{printed}");
     let (status, printed) = refused(&["--snap", "auto"], &mesh);
     assert!(status == Some(2) && printed.contains("--snap is for maps, and this is a mesh"), "{printed}");
 }
@@ -192,7 +191,7 @@ fn what_is_no_surface_is_not_certified() {
 fn a_table_of_an_open_surface_is_certified() {
     let triangle = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0";
     let table = format!("# expect: surface open asking borders 1 genus 0\nP 3 prev leaving faces {triangle}\n");
-    let folder = certified_mesh("certified-open-table", &table);
+    let folder = certified_mesh("certified-open-table", &table, &[]);
     assert_eq!(check(&folder), (Some(0), "valid: a surface of genus 0 with 1 component, open at 1 hole\n".to_owned()));
     assert_eq!(agreed(&folder, "open table"), Some(0));
 }
@@ -257,7 +256,8 @@ fn what_is_not_valid_is_not_certified() {
     // Coordinates in decimals are on no grid.
     let output = twinedge(&["certify", &parcels(), "-o", name]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(complaint(&output).contains("--snap auto"));
+    let said = complaint(&output);
+    assert!(said.contains("on no grid") && said.contains("--snap auto") && !said.contains("audit"), "{said}");
     let crossing = format!("{}/../tests/data/world-110m-crossing.geojson", env!("CARGO_MANIFEST_DIR"));
     // Edges that cross make a handle of the countries around them.
     let output = twinedge(&["certify", &crossing, "--topology-only", "-o", name]);
@@ -315,19 +315,25 @@ fn folder_column(folder: &Path, name: &str) -> Vec<Option<i64>> {
 
 #[test]
 fn tables_in_parquet_say_which_columns_are_never_null() {
-    let folder = certified("parquet", &["--sql", "duckdb"]);
-    let nullable = |table| {
-        let columns = parquet_table(&folder, table).0.into_iter();
+    let nullable = |folder: &Path, table| {
+        let columns = parquet_table(folder, table).0.into_iter();
         columns.filter(|column| column.1).map(|column| column.0).collect::<Vec<_>>()
     };
+    let folder = certified("parquet", &["--sql", "duckdb"]);
     for table in ["half_edges", "entries", "points"] {
-        assert_eq!(nullable(table), [""; 0], "{table}");
+        assert_eq!(nullable(&folder, table), [""; 0], "{table}");
     }
-    assert_eq!(nullable("vertices"), ["leaving", "isolated"]);
-    assert_eq!(nullable("boundaries"), ["start_half_edge", "vertex", "place"]);
-    assert_eq!(nullable("faces"), ["outer_boundary"]);
-    assert_eq!(nullable("sides"), ["half_edge"]);
+    assert_eq!(nullable(&folder, "vertices"), ["leaving", "isolated"]);
+    assert_eq!(nullable(&folder, "boundaries"), ["start_half_edge", "vertex", "place"]);
+    assert_eq!(nullable(&folder, "faces"), ["outer_boundary"]);
+    assert_eq!(nullable(&folder, "sides"), ["half_edge"]);
     assert!(!folder.join("half_edges.csv").exists());
+    let folder = certified_mesh("parquet-surface", &torus_and_tetrahedron(&[0]), &["--sql", "spark"]);
+    for table in ["half_edges", "faces"] {
+        assert_eq!(nullable(&folder, table), [""; 0], "{table}");
+    }
+    assert_eq!(nullable(&folder, "vertices"), ["leaving", "border"]);
+    assert_eq!(nullable(&folder, "boundaries"), ["face"]);
 }
 
 #[test]
@@ -379,12 +385,59 @@ fn a_certificate_says_of_what_file_it_is() {
     assert!(!fs::read_to_string(folder.join("claim.txt")).unwrap().contains("sha256"));
 }
 
+fn files(folder: &Path) -> BTreeSet<String> {
+    fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+}
+
 #[test]
 fn a_folder_with_other_files_is_not_written_to() {
+    let written = |folder: &Path| twinedge(&["certify", "--topology-only", "-o", folder.to_str().unwrap()]);
+    let refused = |folder: &Path, words| {
+        let before = files(folder);
+        let output = written(folder);
+        assert_eq!((output.status.code(), files(folder)), (Some(2), before));
+        assert!(complaint(&output).contains(words), "{}", complaint(&output));
+    };
     let folder = scratch_folder("other-files");
     fs::write(folder.join("letter.txt"), "dear").unwrap();
+    refused(&folder, "letter.txt is no file of a certificate");
+    // With a certificate beside it, too.
+    fs::remove_file(folder.join("letter.txt")).unwrap();
+    assert_eq!(written(&folder).status.code(), Some(0));
+    fs::write(folder.join("letter.txt"), "dear").unwrap();
+    refused(&folder, "letter.txt is no file of a certificate");
+    // The names alone make no certificate.
+    let folder = scratch_folder("other-query");
+    fs::write(folder.join("check.sql"), "SELECT 1").unwrap();
+    refused(&folder, "no certificate");
+    fs::write(folder.join("claim.txt"), "I was there first").unwrap();
+    refused(&folder, "no certificate");
+}
+
+/// Tables of the certificate before would be judged by whoever runs the queries that are left.
+#[test]
+fn no_file_of_the_certificate_before_stays() {
+    let folder = certified("replaced", &["--sql", "postgres"]);
+    assert!(files(&folder).contains("sides.csv"));
+    let again = |more: &[&str]| {
+        let input = parcels();
+        let arguments = [&["certify", &input, "--topology-only", "-o", folder.to_str().unwrap()], more].concat();
+        assert_eq!(twinedge(&arguments).status.code(), Some(0));
+        files(&folder)
+    };
+    let tables = ["half_edges", "vertices", "boundaries", "faces", "entries"].map(|name| format!("{name}.parquet"));
+    let of_topology = again(&["--sql", "duckdb"]);
+    assert_eq!(of_topology.len(), 1 + 15 + tables.len() + 1);
+    assert!(tables.iter().all(|table| of_topology.contains(table)), "{of_topology:?}");
+    assert_eq!(again(&[]).len(), 1 + 15);
+}
+
+/// A folder that was not written to the end has no claim yet: it is unreadable, and can be written to once more.
+#[test]
+fn an_unfinished_certificate_is_replaced() {
+    let folder = certified("unfinished", &[]);
+    fs::write(folder.join("claim.txt"), "twinedge certificate 1\n").unwrap();
+    assert_eq!(check(&folder).0, Some(2));
     let output = twinedge(&["certify", "--topology-only", "-o", folder.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(complaint(&output).contains("other files"));
-    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+    assert_eq!((output.status.code(), check(&folder).0), (Some(0), Some(0)));
 }

@@ -7,12 +7,12 @@ mod csv_file;
 mod parquet_file;
 mod tables;
 
-use super::folder::Folder;
+use super::folder::Claim;
 use super::notes::Notes;
 use crate::status::Failure;
 use std::fmt::Write as _;
 use std::path::Path;
-use tables::{Table, tables};
+use tables::{NAMES, Table, TableColumn, tables};
 
 /// An engine for which `check.sql` is written.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -25,46 +25,63 @@ pub(super) enum Engine {
 /// The version of the tables and their columns, as `docs/certificate.md` lists them.
 const SCHEMA_VERSION: &str = "1";
 
-/// The views that have the records that fail, in order.
+/// The views that have the records that fail: of all claims, and of each.
+const LINKS: &str = include_str!("links.sql");
 const PLANE: &str = include_str!("plane.sql");
 const DRAWING: &str = include_str!("drawing.sql");
+const SURFACE: &str = include_str!("surface.sql");
+const FILE: &str = "check.sql";
+
+/// The names of all files that may be written.
+pub(super) fn file_names() -> impl Iterator<Item = String> {
+    let of_tables = NAMES.into_iter().flat_map(|name| [format!("{name}.parquet"), format!("{name}.csv")]);
+    of_tables.chain([FILE.to_owned()])
+}
 
 /// Writes the tables and `check.sql`.
-pub(super) fn write(folder: &Path, certificate: &Folder, notes: &Notes, engine: Engine) -> Result<(), Failure> {
+pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, engine: Engine) -> Result<(), Failure> {
     let mut sql = format!(
         "-- Run in this folder. The last statement prints the verdict: each test, and how many records fail it.\n{}",
         hint(engine)
     );
-    let metadata: Vec<(&str, &str)> = [("schema", SCHEMA_VERSION), ("claim", certificate.claim().trim_end())]
-        .into_iter()
-        .chain(notes.entries())
-        .collect();
-    for table in tables(certificate) {
-        sql += &header(engine, &table);
+    let metadata: Vec<(&str, &str)> =
+        [("schema", SCHEMA_VERSION), ("claim", claim.line().trim_end())].into_iter().chain(notes.entries()).collect();
+    let tables = tables(claim);
+    for table in &tables {
+        sql += &header(engine, table);
+    }
+    if !matches!(engine, Engine::Postgres) {
+        sql += &integers(&tables);
+    }
+    for table in tables {
         match engine {
             Engine::Postgres => csv_file::write(folder, table)?,
             Engine::Duckdb | Engine::Spark => parquet_file::write(folder, table, &metadata)?,
         }
     }
-    sql += PLANE;
-    if certificate.drawing.is_some() {
-        sql += DRAWING;
+    sql += LINKS;
+    match claim {
+        Claim::Surface(_) => sql += SURFACE,
+        Claim::Plane(plane) => {
+            sql += PLANE;
+            sql += plane.drawing.as_ref().map_or("", |_| DRAWING);
+        }
     }
     let verdict = verdict(&sql);
     sql += &verdict;
-    std::fs::write(folder.join("check.sql"), sql)?;
+    std::fs::write(folder.join(FILE), sql)?;
     Ok(())
 }
 
 const fn hint(engine: Engine) -> &'static str {
     match engine {
-        Engine::Duckdb => "-- duckdb < check.sql\n\n",
-        Engine::Postgres => "-- psql -f check.sql\n\n",
+        Engine::Duckdb => "-- duckdb < check.sql\n\nSET enable_progress_bar = false;\n",
+        Engine::Postgres => "-- psql -f check.sql\n\n\\set ON_ERROR_STOP on\n",
         Engine::Spark => "-- spark-sql -f check.sql\n\nSET spark.sql.parquet.filterPushdown = false;\n",
     }
 }
 
-/// The statement that makes a table, or a view of its file, of integers of 64 bits. All rows are read: the statistics of a Parquet file,
+/// The statements that make a table, or a view of its file, of integers of 64 bits. All rows are read: the statistics of a Parquet file,
 /// by which engines skip some, may be false.
 fn header(engine: Engine, table: &Table<'_>) -> String {
     let name = table.name;
@@ -72,21 +89,41 @@ fn header(engine: Engine, table: &Table<'_>) -> String {
         let columns: Vec<String> = table.columns.iter().map(|column| form(column.name)).collect();
         columns.join(", ")
     };
-    let typed = columns(&|column| format!("{column} BIGINT"));
+    let cast = || columns(&|column| format!("CAST({column} AS BIGINT) AS {column}"));
     match engine {
-        Engine::Duckdb => {
-            let cast = columns(&|column| format!("CAST({column} AS BIGINT) AS {column}"));
-            format!("CREATE TEMPORARY TABLE {name} AS SELECT {cast} FROM read_parquet('{name}.parquet');\n")
-        }
+        Engine::Duckdb => format!(
+            "CREATE TEMPORARY VIEW {name}_file AS SELECT * FROM read_parquet('{name}.parquet');\n\
+             CREATE TEMPORARY TABLE {name} AS SELECT {} FROM {name}_file;\n",
+            cast()
+        ),
         Engine::Postgres => {
+            let typed = columns(&|column| format!("{column} BIGINT"));
             format!(
                 "CREATE TEMPORARY TABLE {name} ({typed});\n\\copy {name} FROM '{name}.csv' CSV HEADER\nANALYZE {name};\n"
             )
         }
-        Engine::Spark => {
-            format!("CREATE TEMPORARY VIEW {name} ({typed}) USING parquet OPTIONS (path '{name}.parquet');\n")
-        }
+        Engine::Spark => format!(
+            "CREATE TEMPORARY VIEW {name}_file USING parquet OPTIONS (path '{name}.parquet');\n\
+             CREATE TEMPORARY VIEW {name} AS SELECT {} FROM {name}_file;\n",
+            cast()
+        ),
     }
+}
+
+/// The view of the tables with a column of another type than integers. Numbers of other types would be rounded before they are
+/// judged. `PostgreSQL` reads nothing but integers into its tables.
+fn integers(tables: &[Table<'_>]) -> String {
+    let of_table = |Table { name, columns }: &Table<'_>| {
+        let is_integer = |column: &TableColumn<'_>| format!("lower(typeof({})) LIKE '%int%'", column.name);
+        let all = columns.iter().map(is_integer).collect::<Vec<_>>().join("\n    AND ");
+        format!("SELECT '{name}' AS record FROM (SELECT * FROM {name}_file LIMIT 1) f\nWHERE NOT ({all})")
+    };
+    let tables: Vec<String> = tables.iter().map(of_table).collect();
+    format!(
+        "\n-- Columns hold integers: other numbers would be rounded before they are judged. Intervals, whose name has these letters, cannot be read.\n\
+         CREATE TEMPORARY VIEW integers_ok AS\n{};\n",
+        tables.join("\nUNION ALL ")
+    )
 }
 
 /// The view `verdict`: a row for each view of records that fail.

@@ -1,6 +1,5 @@
 
--- The tests of a planar subdivision. Each view has the records that fail the test of its name, and must be empty.
--- What a link does not lead to is NULL, as joins are outer ones; NULL is equal to NULL alone.
+-- The tests of a planar subdivision.
 
 CREATE TEMPORARY VIEW cycle_starts AS
 SELECT boundary, CASE WHEN vertex IS NULL THEN start_half_edge END AS start_half_edge FROM boundaries;
@@ -13,26 +12,6 @@ UNION ALL SELECT vertex FROM vertices GROUP BY vertex HAVING count(*) > 1 OR ver
 UNION ALL SELECT boundary FROM boundaries GROUP BY boundary HAVING count(*) > 1 OR boundary IS NULL
 UNION ALL SELECT face FROM faces GROUP BY face HAVING count(*) > 1 OR face IS NULL
 UNION ALL SELECT face FROM entries GROUP BY face, place HAVING count(*) > 1 OR face IS NULL OR place IS NULL;
-
-CREATE TEMPORARY VIEW twin_ok AS
-SELECT h.half_edge AS record FROM half_edges h LEFT JOIN half_edges t ON t.half_edge = h.twin
-WHERE t.twin IS DISTINCT FROM h.half_edge OR h.twin IS NOT DISTINCT FROM h.half_edge;
-
-CREATE TEMPORARY VIEW next_ok AS
-SELECT h.half_edge AS record FROM half_edges h
-LEFT JOIN half_edges n ON n.half_edge = h.next_half_edge
-LEFT JOIN half_edges p ON p.half_edge = h.prev_half_edge
-WHERE n.prev_half_edge IS DISTINCT FROM h.half_edge OR p.next_half_edge IS DISTINCT FROM h.half_edge;
-
-CREATE TEMPORARY VIEW target_ok AS
-SELECT h.half_edge AS record FROM half_edges h
-LEFT JOIN half_edges n ON n.half_edge = h.next_half_edge
-LEFT JOIN half_edges t ON t.half_edge = h.twin
-WHERE n.origin IS DISTINCT FROM t.origin;
-
-CREATE TEMPORARY VIEW origin_ok AS
-SELECT h.half_edge AS record FROM half_edges h LEFT JOIN vertices v ON v.vertex = h.origin
-WHERE v.leaving IS NULL;
 
 CREATE TEMPORARY VIEW cycle_ok AS
 SELECT h.half_edge AS record FROM half_edges h

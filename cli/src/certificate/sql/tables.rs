@@ -1,6 +1,6 @@
 //! The tables of a certificate. Vacant slots have no rows, and nil is NULL.
 
-use crate::certificate::folder::Folder;
+use crate::certificate::folder::{Claim, Folder};
 use twinedge::validate::View;
 use twinedge::validate::certificate::{Certificate, Column, Drawing, Labels};
 
@@ -18,88 +18,137 @@ pub(super) struct TableColumn<'a> {
     pub(super) values: Box<dyn Iterator<Item = Option<i64>> + 'a>,
 }
 
-/// A table with a row for each live record of a kind.
+/// A column of the certificate under its name in a table.
+struct Source {
+    name: &'static str,
+    column: Column,
+    is_nullable: bool,
+}
+
+const fn numbers(name: &'static str, column: Column) -> Source {
+    Source { name, column, is_nullable: false }
+}
+
+/// A column that may have nil in a certificate that is right.
+const fn links(name: &'static str, column: Column) -> Source {
+    Source { name, column, is_nullable: true }
+}
+
+/// A table with a row for each live record of a kind. Where the first column says so, a slot is vacant.
 struct RecordTable {
     name: &'static str,
     key: &'static str,
-    columns: &'static [(&'static str, Column)],
+    columns: &'static [Source],
     /// The dart of the record, in a drawing.
     dart: Option<Column>,
-    slots: fn(&Certificate) -> usize,
-    is_live: fn(&Certificate, usize) -> bool,
 }
 
-const RECORDS: [RecordTable; 4] = [
+/// The names of all tables.
+pub(super) const NAMES: [&str; 7] = ["half_edges", "vertices", "boundaries", "faces", "entries", "sides", "points"];
+
+const OF_SUBDIVISION: [RecordTable; 4] = [
     RecordTable {
         name: "half_edges",
         key: "half_edge",
         columns: &[
-            ("origin", Column::HalfEdgeOrigin),
-            ("twin", Column::HalfEdgeTwin),
-            ("next_half_edge", Column::HalfEdgeNext),
-            ("prev_half_edge", Column::HalfEdgePrev),
-            ("boundary", Column::HalfEdgeBoundary),
-            ("half_edge_rank", Column::HalfEdgeRank),
+            numbers("origin", Column::HalfEdgeOrigin),
+            numbers("twin", Column::HalfEdgeTwin),
+            numbers("next_half_edge", Column::HalfEdgeNext),
+            numbers("prev_half_edge", Column::HalfEdgePrev),
+            numbers("boundary", Column::HalfEdgeBoundary),
+            numbers("half_edge_rank", Column::HalfEdgeRank),
         ],
         dart: Some(Column::HalfEdgeDart),
-        slots: Certificate::half_edge_slots,
-        is_live: Certificate::is_half_edge,
     },
     RecordTable {
         name: "vertices",
         key: "vertex",
-        columns: &[("leaving", Column::VertexLeaving), ("isolated", Column::VertexIsolated)],
+        columns: &[links("leaving", Column::VertexLeaving), links("isolated", Column::VertexIsolated)],
         dart: Some(Column::VertexDart),
-        slots: Certificate::vertex_slots,
-        is_live: Certificate::is_vertex,
     },
     RecordTable {
         name: "boundaries",
         key: "boundary",
         columns: &[
-            ("face", Column::BoundaryFace),
-            ("start_half_edge", Column::BoundaryStart),
-            ("vertex", Column::BoundaryVertex),
-            ("place", Column::BoundaryPlace),
+            numbers("face", Column::BoundaryFace),
+            links("start_half_edge", Column::BoundaryStart),
+            links("vertex", Column::BoundaryVertex),
+            links("place", Column::BoundaryPlace),
         ],
         dart: None,
-        slots: Certificate::boundary_slots,
-        is_live: Certificate::is_boundary,
     },
     RecordTable {
         name: "faces",
         key: "face",
-        columns: &[("outer_boundary", Column::FaceOuter)],
+        columns: &[links("outer_boundary", Column::FaceOuter)],
         dart: Some(Column::FaceDart),
-        slots: Certificate::face_slots,
-        is_live: Certificate::is_face,
     },
 ];
 
-const SIDES: [(&str, Column); 6] = [
-    ("twin", Column::DartTwin),
-    ("point", Column::DartPoint),
-    ("half_edge", Column::DartHalfEdge),
-    ("ahead", Column::DartAhead),
-    ("face", Column::DartFace),
-    ("dart_rank", Column::DartRank),
+const OF_SURFACE: [RecordTable; 4] = [
+    RecordTable {
+        name: "half_edges",
+        key: "half_edge",
+        columns: &[
+            numbers("origin", Column::HalfEdgeOrigin),
+            numbers("twin", Column::HalfEdgeTwin),
+            numbers("next_half_edge", Column::HalfEdgeNext),
+            numbers("prev_half_edge", Column::HalfEdgePrev),
+            numbers("boundary", Column::HalfEdgeBoundary),
+            numbers("half_edge_rank", Column::HalfEdgeRank),
+            numbers("turn", Column::HalfEdgeTurn),
+            numbers("step", Column::HalfEdgeStep),
+            numbers("component", Column::HalfEdgeComponent),
+        ],
+        dart: None,
+    },
+    RecordTable {
+        name: "vertices",
+        key: "vertex",
+        columns: &[links("leaving", Column::VertexLeaving), links("border", Column::VertexBorder)],
+        dart: None,
+    },
+    RecordTable {
+        name: "boundaries",
+        key: "boundary",
+        columns: &[links("face", Column::BoundaryFace), numbers("start_half_edge", Column::BoundaryStart)],
+        dart: None,
+    },
+    RecordTable { name: "faces", key: "face", columns: &[numbers("outer_boundary", Column::FaceOuter)], dart: None },
+];
+
+const SIDES: [Source; 6] = [
+    numbers("twin", Column::DartTwin),
+    numbers("point", Column::DartPoint),
+    links("half_edge", Column::DartHalfEdge),
+    numbers("ahead", Column::DartAhead),
+    numbers("face", Column::DartFace),
+    numbers("dart_rank", Column::DartRank),
 ];
 
 /// The tables of a certificate.
-pub(super) fn tables(folder: &Folder) -> Vec<Table<'_>> {
-    let (certificate, drawing) = (&folder.certificate, folder.drawing.as_ref());
-    let mut tables: Vec<_> = RECORDS.iter().map(|records| of_records(records, certificate, drawing)).collect();
+pub(super) fn tables(claim: &Claim) -> Vec<Table<'_>> {
+    let folder = match claim {
+        Claim::Surface(surface) => {
+            return OF_SURFACE.iter().map(|records| of_records(records, surface.columns(), None)).collect();
+        }
+        Claim::Plane(folder) => folder,
+    };
+    let Folder { certificate, drawing } = &**folder;
+    let records = |records| of_records(records, certificate.columns(), drawing.as_ref());
+    let mut tables: Vec<_> = OF_SUBDIVISION.iter().map(records).collect();
     tables.push(entries(certificate));
-    tables.extend(drawing.into_iter().flat_map(|drawing| [sides(drawing), points(drawing)]));
+    tables.extend(drawing.iter().flat_map(|drawing| [sides(drawing), points(drawing)]));
     tables
 }
 
-fn of_records<'a>(table: &RecordTable, certificate: &'a Certificate, drawing: Option<&'a Drawing>) -> Table<'a> {
-    let is_live = table.is_live;
-    let records = || (0..(table.slots)(certificate)).filter(move |i| is_live(certificate, *i));
+fn of_records<'a>(table: &'static RecordTable, labels: &'a Labels, drawing: Option<&'a Drawing>) -> Table<'a> {
+    const VACANT: u32 = u32::MAX - 1;
+    let first = table.columns.first().map_or(&[][..], |source| labels.column(source.column));
+    let records = || (0..first.len()).filter(move |i| first[*i] != VACANT);
     let mut columns = vec![required(table.key, records())];
-    columns.extend(table.columns.iter().map(|(name, column)| of(certificate.columns(), name, *column, records())));
-    let dart = drawing.zip(table.dart).map(|(drawing, column)| of(&drawing.columns, "dart", column, records()));
+    columns.extend(table.columns.iter().map(|source| of(labels, source, records())));
+    let dart = drawing.zip(table.dart).map(|(drawing, dart)| of(&drawing.columns, &numbers("dart", dart), records()));
     columns.extend(dart);
     Table { name: table.name, columns }
 }
@@ -121,7 +170,7 @@ fn sides(drawing: &Drawing) -> Table<'_> {
     let darts = 0..drawing.columns.column(Column::DartTwin).len();
     let mut columns =
         vec![required("triangle", darts.clone().map(|d| d / 3)), required("side", darts.clone().map(|d| d % 3))];
-    columns.extend(SIDES.iter().map(|(name, column)| of(&drawing.columns, name, *column, darts.clone())));
+    columns.extend(SIDES.iter().map(|source| of(&drawing.columns, source, darts.clone())));
     Table { name: "sides", columns }
 }
 
@@ -140,28 +189,9 @@ fn required<'a>(name: &'static str, numbers: impl Iterator<Item = usize> + 'a) -
 }
 
 /// The entries of these records in a column of the certificate.
-fn of<'a>(
-    labels: &'a Labels,
-    name: &'static str,
-    column: Column,
-    records: impl Iterator<Item = usize> + 'a,
-) -> TableColumn<'a> {
-    let is_nullable = may_be_nil(column);
+fn of<'a>(labels: &'a Labels, source: &Source, records: impl Iterator<Item = usize> + 'a) -> TableColumn<'a> {
+    let Source { name, column, is_nullable } = *source;
     let numbers = labels.column(column);
     let value = move |i: usize| Some(numbers[i]).filter(|number| !is_nullable || *number != u32::MAX).map(i64::from);
     TableColumn { name, is_nullable, values: Box::new(records.map(value)) }
-}
-
-/// Returns true if a certificate that is right may have nil in the column.
-const fn may_be_nil(column: Column) -> bool {
-    matches!(
-        column,
-        Column::VertexLeaving
-            | Column::VertexIsolated
-            | Column::BoundaryStart
-            | Column::BoundaryVertex
-            | Column::BoundaryPlace
-            | Column::FaceOuter
-            | Column::DartHalfEdge
-    )
 }
