@@ -4,6 +4,8 @@ use super::boundaries::Boundaries;
 use super::doubts::Doubts;
 use super::rotations::VertexTally;
 use crate::validate::columns::Components;
+use crate::validate::structure::Part;
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// The facts that hold already, whatever else is broken. Where a field is none, nothing of it is settled.
@@ -66,6 +68,15 @@ pub(crate) struct Whole {
 }
 
 impl Facts {
+    /// True if R1 … T1 and T3 are settled.
+    pub(super) fn are_all(&self, extent: Extent) -> bool {
+        let lies_in_faces = extent.is_plane() && extent.has(Part::Holes);
+        self.half_edges.as_ref().is_some_and(|doubts| doubts.half_edges.is_empty())
+            && self.vertices.is_some()
+            && (!extent.has(Part::Faces) || self.lists.is_some_and(|lists| lists.cycles_hold && lists.isolated_hold))
+            && matches!(&self.rotations, Rotations::Whole(whole) if whole.lies_in.is_some() || !lies_in_faces)
+    }
+
     /// True if V2 is settled.
     pub(crate) const fn rotations_hold(&self) -> bool {
         !matches!(self.rotations, Rotations::Unknown)
