@@ -7,8 +7,11 @@
 //! # What is shown
 //!
 //! Two judges go through all tables, each for itself: the [`Acceptor`], which is the validator, and the reference, rule by rule in an order
-//! that reads little. Each table that one of both accepts is judged by the other one. If there is no difference, both accept
+//! that reads little. Each table that one of both accepts is judged by the other one, and both must accept as many. Then both accept
 //! the same tables, of all that there are: nothing wrong is accepted, and nothing right is refused.
+//!
+//! The sentences of the reference do not know numbers of slots. So where it reads a link to slots that nothing has told apart yet, one of them
+//! stands for all, and the tables that it accepts are counted with the number of those for which they stand. The validator reads every table as it is.
 //!
 //! Each run counts the tables for which it stands: the product of the numbers of values of the cells that it has not read. They must add up to
 //! the number of all tables, so that none is left out and none is judged twice. And as many must be accepted as a recount of the maps says,
@@ -46,8 +49,8 @@ impl Acceptor for Validator {
     }
 }
 
-/// Statement by statement, in an order in which few cells are read of wrong tables: first what ties the cells of half-edges to
-/// one another, and last R1, which reads them all.
+/// Statement by statement, in an order in which few cells are read of wrong tables: what ties cells to one another comes
+/// before R1, which reads them all.
 struct Reference;
 
 const ORDER: [Rule; 22] = [
@@ -62,9 +65,10 @@ const ORDER: [Rule; 22] = [
     Rule::M4,
     Rule::M5,
     Rule::B1,
-    Rule::F2,
-    Rule::F1,
     Rule::B2,
+    Rule::R1,
+    Rule::F1,
+    Rule::F2,
     Rule::T1,
     Rule::T2,
     Rule::T4,
@@ -72,7 +76,6 @@ const ORDER: [Rule; 22] = [
     Rule::M6,
     Rule::M7,
     Rule::M8,
-    Rule::R1,
 ];
 
 impl Acceptor for Reference {
@@ -80,6 +83,8 @@ impl Acceptor for Reference {
         first_broken_of(view, expectation, &ORDER).is_none()
     }
 }
+
+const REFERENCE: &str = "reference";
 
 /// The number of branches that suffices for all threads and parts.
 const ENOUGH_BRANCHES: usize = 512;
@@ -115,14 +120,13 @@ const ENOUGH_BRANCHES: usize = 512;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn lazy(work: LazyWork, validator: &dyn Acceptor, run: &Run<'_>) -> Result<LazyOutcome, TooManyTables> {
-    let all = OpenTable::new(&work)?;
+    let all = OpenTable::new(&work)?.agreeing();
     let judges: [(&str, [&dyn Acceptor; 2]); 2] =
-        [("validator", [validator, &Reference]), ("reference", [&Reference, validator])];
+        [("validator", [validator, &Reference]), (REFERENCE, [&Reference, validator])];
     let mut findings = Vec::new();
     let mut rows = Vec::new();
     for (name, judges) in judges {
-        let side = Side { work: &work, name, judges };
-        let found = side.judge(&all, run)?;
+        let found = Side { work: &work, name, judges }.judge(run)?;
         let sum = |count: fn(&Judgement) -> u128| found.iter().map(count).sum::<u128>();
         rows.push(JudgeRow {
             judge: name.to_owned(),
@@ -130,7 +134,7 @@ pub fn lazy(work: LazyWork, validator: &dyn Acceptor, run: &Run<'_>) -> Result<L
             accepted: narrow(sum(|found| found.accepted)),
             right: recount::right(&work),
             differences: narrow(sum(|found| found.differences)),
-            all: Many(all.agreeing()),
+            all: Many(all),
             covered: Many(sum(|found| found.covered)),
         });
         let found: Vec<String> = found.into_iter().filter_map(|found| found.finding).collect();
@@ -158,13 +162,19 @@ struct Judgement {
 }
 
 impl Side<'_> {
-    fn judge(&self, all: &OpenTable, run: &Run<'_>) -> Result<Vec<Judgement>, TooManyTables> {
-        let branches = self.branches(all);
+    /// The table for the first judge. The reference says the same of tables that differ in the numbers of their slots only.
+    fn table(&self) -> Result<OpenTable, TooManyTables> {
+        let table = OpenTable::new(self.work)?;
+        Ok(if self.name == REFERENCE { table.up_to_numbers() } else { table })
+    }
+
+    fn judge(&self, run: &Run<'_>) -> Result<Vec<Judgement>, TooManyTables> {
+        let branches = self.branches(&self.table()?);
         let ours: Vec<&Branch> = run.part().numbers(branches.len()).map(|number| &branches[number]).collect();
         let threads = run.each(
             self.name,
             ours.len(),
-            || (OpenTable::new(self.work), Judgement::default()),
+            || (self.table(), Judgement::default()),
             |(table, judged), number| {
                 if let Ok(table) = table {
                     self.follow(table, ours[number], judged, run);

@@ -20,6 +20,20 @@ pub(super) struct OpenTable {
     choices: RefCell<Vec<Choice>>,
     /// The number of tables that agree with the choices.
     agreeing: Cell<u128>,
+    /// The slots that are told apart by the choices, where others are interchangeable: those of which a cell was read or that a link leads to.
+    told_apart: Option<Cell<Slots>>,
+}
+
+/// A set of slots, a bit each: of vertices, half-edges, boundary components and faces.
+type Slots = [u16; 4];
+
+/// A kind of record.
+#[derive(Clone, Copy)]
+enum Kind {
+    Vertex,
+    HalfEdge,
+    Boundary,
+    Face,
 }
 
 const OPEN: u8 = u8::MAX;
@@ -57,13 +71,16 @@ mod cell {
 struct Domain {
     ways: Vec<u128>,
     all: u128,
+    /// The slot to which the value leads, if there is one.
+    leads_to: Vec<Option<(Kind, usize)>>,
 }
 
-/// A cell that has a value, and the number of tables that agreed before.
+/// A cell that has a value, the number of tables that agreed before, and the slots that were told apart before.
 #[derive(Clone, Copy)]
 struct Choice {
     cell: usize,
     agreeing: u128,
+    told_apart: Slots,
 }
 
 /// The first choices of a run, each with its cell: a branch of the tree of all runs.
@@ -72,18 +89,23 @@ pub(super) type Branch = Vec<(usize, u8)>;
 impl Domain {
     fn of(ways: Vec<u128>) -> Option<Self> {
         let all = ways.iter().try_fold(0_u128, |all, ways| all.checked_add(*ways))?;
-        (ways.len() < usize::from(OPEN)).then_some(Self { ways, all })
+        (ways.len() < usize::from(OPEN)).then_some(Self { ways, all, leads_to: Vec::new() })
+    }
+
+    /// That of a link to slots of this kind: nil, each slot, and the one past the end. One of starts, where there are slots of two kinds.
+    fn links(slots: &[(Kind, usize)], matters: bool) -> Option<Self> {
+        let mut leads_to = vec![None];
+        for (kind, count) in slots {
+            leads_to.extend((0..*count).map(|slot| Some((*kind, slot))));
+            leads_to.push(None);
+        }
+        Some(Self { leads_to, ..Self::plain(1 + slots.iter().map(|(_, count)| count + 1).sum::<usize>(), matters)? })
     }
 
     /// That of a cell on which none depends; a single value for a cell that does not matter.
     fn plain(values: usize, matters: bool) -> Option<Self> {
         Self::of(vec![1; if matters { values } else { 1 }])
     }
-}
-
-/// The number of values of a link to slots: nil, each slot, and the one past the end.
-const fn links(slots: usize) -> usize {
-    slots + 2
 }
 
 impl OpenTable {
@@ -99,36 +121,30 @@ impl OpenTable {
         let parts = work.expectation.looks_at(work.parts);
         let has = |part| parts.has(part);
         let (by_record, has_holes) = (has(Part::BoundaryComponents), has(Part::Holes));
-        let plain = Domain::plain;
-        let starts = 1 + (work.half_edges + 1) + (work.vertices + 1);
+        let (to_vertex, to_half_edge) = ((Kind::Vertex, work.vertices), (Kind::HalfEdge, work.half_edges));
+        let (to_boundary, to_face) = ((Kind::Boundary, work.boundaries), (Kind::Face, work.faces));
+        let starts = Domain::links(&[to_half_edge, to_vertex], true)?;
+        let link = |to| Domain::links(&[to], true);
         // Each component of a right table has one inner boundary component, so no list is longer.
         let longest = if has_holes { work.vertices } else { 0 };
-        let entries = if by_record { links(work.boundaries) } else { starts };
-        let lengths =
-            (0..=longest as u32).map(|length| (entries as u128).checked_pow(length)).collect::<Option<_>>()?;
-
+        let entry = if by_record { link(to_boundary)? } else { starts.clone() };
+        let lengths = (0..=longest as u32).map(|length| entry.all.checked_pow(length)).collect::<Option<_>>()?;
         let vertex = vec![
-            plain(links(work.half_edges), has(Part::Leaving))?,
-            plain(links(work.boundaries), by_record && has_holes)?,
+            Domain::links(&[to_half_edge], has(Part::Leaving))?,
+            Domain::links(&[to_boundary], by_record && has_holes)?,
         ];
-        let names = links(if by_record { work.boundaries } else { work.faces });
         let half_edge = vec![
-            plain(links(work.vertices), true)?,
-            plain(links(work.half_edges), true)?,
-            plain(links(work.half_edges), true)?,
-            plain(links(work.half_edges), has(Part::Prev))?,
-            plain(names, has(Part::Faces))?,
+            link(to_vertex)?,
+            link(to_half_edge)?,
+            link(to_half_edge)?,
+            Domain::links(&[to_half_edge], has(Part::Prev))?,
+            Domain::links(&[if by_record { to_boundary } else { to_face }], has(Part::Faces))?,
         ];
-        let boundary = vec![
-            plain(links(work.faces), true)?,
-            plain(starts, true)?,
-            // Nil, the outer one, and each position up to the one past the end.
-            plain(2 + longest + 1, has(Part::Places))?,
-        ];
-        let outer = links(if by_record { work.boundaries } else { work.half_edges });
-        let mut face = vec![plain(outer, true)?, Domain::of(lengths)?];
+        // A place is nil, the outer one, or a position up to the one past the end.
+        let boundary = vec![link(to_face)?, starts, Domain::plain(2 + longest + 1, has(Part::Places))?];
+        let mut face = vec![link(if by_record { to_boundary } else { to_half_edge })?, Domain::of(lengths)?];
         let with_list = face.iter().try_fold(1, |ways: u128, domain| ways.checked_mul(domain.all))?;
-        face.resize(face.len() + longest, plain(entries, true)?);
+        face.resize(face.len() + longest, entry);
 
         let mut table = Self {
             parts,
@@ -140,6 +156,7 @@ impl OpenTable {
             domains: Vec::new(),
             choices: RefCell::default(),
             agreeing: Cell::new(1),
+            told_apart: None,
         };
         let ways = |cells: &[Domain]| cells.iter().try_fold(1, |ways: u128, cell| ways.checked_mul(cell.all));
         table.vertices = table.add(work.vertices, ways(&vertex)?, &vertex, work.vacant)?;
@@ -149,6 +166,14 @@ impl OpenTable {
         let faces = if has(Part::Faces) { work.faces } else { 0 };
         table.faces = table.add(faces, with_list, &face, work.vacant)?;
         Some(table)
+    }
+
+    /// The same, where tables that differ in the numbers of their slots only are one.
+    ///
+    /// Two slots of a kind that are not told apart can change their numbers, and all that was read stays. So a link that leads to one of
+    /// them leads to the first, and stands for all. A run stands for all of these tables if its reader says the same of them.
+    pub(super) fn up_to_numbers(self) -> Self {
+        Self { told_apart: Some(Cell::default()), ..self }
     }
 
     /// Adds records with these cells, which can be set in so many ways.
@@ -203,6 +228,9 @@ impl OpenTable {
             if let Some(choice) = choices.pop() {
                 self.values[choice.cell].set(OPEN);
                 self.agreeing.set(choice.agreeing);
+                if let Some(told_apart) = &self.told_apart {
+                    told_apart.set(choice.told_apart);
+                }
             }
         }
     }
@@ -218,29 +246,82 @@ impl OpenTable {
     /// Gives the last cell that has another value that value; false if none has, of those after the first so many.
     fn advance(&self, depth: usize) -> bool {
         loop {
-            let choices = self.choices.borrow();
-            let Some(choice) = choices.get(depth..).and_then(<[Choice]>::last).copied() else { return false };
-            let length = choices.len();
-            drop(choices);
-            let next = self.values[choice.cell].get() + 1;
+            let length = self.choices.borrow().len();
+            let choice = self.choices.borrow().get(depth..).and_then(<[Choice]>::last).copied();
+            let Some(Choice { cell, .. }) = choice else { return false };
+            let next = self.values[cell].get() + 1;
             self.retract(length - 1);
-            if usize::from(next) < self.domains[choice.cell].ways.len() {
-                self.choose(choice.cell, next);
+            if self.choose_from(cell, next) {
                 return true;
             }
         }
     }
 
+    /// Gives the cell the first of the values from this one on, but those that an interchangeable slot stands for; false if there is none.
+    fn choose_from(&self, cell: usize, first: u8) -> bool {
+        let values = first..self.domains[cell].ways.len() as u8;
+        let value = values.into_iter().find(|value| self.stands_for(cell, *value) > 0);
+        value.is_some_and(|value| {
+            self.choose(cell, value);
+            true
+        })
+    }
+
     fn choose(&self, cell: usize, value: u8) {
-        let Domain { ways, all } = &self.domains[cell];
-        let agreeing = self.agreeing.get();
-        self.choices.borrow_mut().push(Choice { cell, agreeing });
-        self.agreeing.set(agreeing / all * ways[usize::from(value)]);
+        let Domain { ways, all, .. } = &self.domains[cell];
+        let (agreeing, slots) = (self.agreeing.get(), self.stands_for(cell, value));
+        let told_apart = self.told_apart.as_ref().map_or_else(Slots::default, Cell::get);
+        self.choices.borrow_mut().push(Choice { cell, agreeing, told_apart });
+        self.agreeing.set(agreeing / all * ways[usize::from(value)] * slots);
         self.values[cell].set(value);
+        if let Some(told_apart) = &self.told_apart {
+            let mut slots = self.with_owner(told_apart.get(), cell);
+            if let Some((kind, slot)) = self.leads_to(cell, value) {
+                slots[kind as usize] |= 1 << slot;
+            }
+            told_apart.set(slots);
+        }
+    }
+
+    fn leads_to(&self, cell: usize, value: u8) -> Option<(Kind, usize)> {
+        self.domains[cell].leads_to.get(usize::from(value)).copied().flatten()
+    }
+
+    /// The number of slots for which the value stands: 1 where its slot is told apart from all, 0 where another slot stands for it.
+    fn stands_for(&self, cell: usize, value: u8) -> u128 {
+        let (Some(told_apart), Some((kind, slot))) = (&self.told_apart, self.leads_to(cell, value)) else { return 1 };
+        let told_apart = self.with_owner(told_apart.get(), cell)[kind as usize];
+        let others = !told_apart & ((1 << self.records(kind).count) - 1);
+        match others >> slot & 1 {
+            0 => 1,
+            _ if others.trailing_zeros() as usize == slot => others.count_ones().into(),
+            _ => 0,
+        }
+    }
+
+    /// These slots, and that of the record that has the cell.
+    fn with_owner(&self, mut slots: Slots, cell: usize) -> Slots {
+        for kind in [Kind::Vertex, Kind::HalfEdge, Kind::Boundary, Kind::Face] {
+            let Records { count, before, width } = self.records(kind);
+            if let Some(at) = cell.checked_sub(before).filter(|at| *at < count * width) {
+                slots[kind as usize] |= 1 << (at / width);
+            }
+        }
+        slots
+    }
+
+    fn records(&self, kind: Kind) -> Records {
+        match kind {
+            Kind::Vertex => self.vertices,
+            Kind::HalfEdge => self.half_edges,
+            Kind::Boundary => self.boundaries,
+            Kind::Face => self.faces,
+        }
     }
 
     fn value(&self, cell: usize) -> u8 {
         if self.values[cell].get() == OPEN {
+            // The first value is nil, or that the record is live.
             self.choose(cell, 0);
         }
         self.values[cell].get()
@@ -248,7 +329,8 @@ impl OpenTable {
 
     /// True if the record is there. It is read first, as the other cells depend on it.
     fn is_live(&self, records: Records, record: usize) -> bool {
-        record < records.count && self.value(records.before + record * records.width + cell::VACANT) == 0
+        let cell = records.before + record * records.width + cell::VACANT;
+        record < records.count && (self.domains[cell].ways.len() == 1 || self.value(cell) == 0)
     }
 
     /// The value of a cell of a record; nil if that is vacant.

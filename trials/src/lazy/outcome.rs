@@ -101,6 +101,9 @@ impl Outcome for LazyOutcome {
                 if covered != all {
                     reasons.push(format!("{judge}: the runs stand for {covered} of {all} tables"));
                 }
+                if *accepted != self.accepted {
+                    reasons.push(format!("{judge}: accepted {accepted}, but the validator {}", self.accepted));
+                }
                 if let Some(right) = right.filter(|right| right != accepted) {
                     reasons.push(format!("{judge}: accepted {accepted} instead of {right}"));
                 }
