@@ -36,7 +36,7 @@ pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Ve
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Option<Rule> {
-    first_broken_of(view, expectation, &Rule::ALL)
+    first_broken_of(view, expectation, Rule::ALL)
 }
 
 /// The first of these rules that is broken, in their order. Rules about coordinates are passed over.

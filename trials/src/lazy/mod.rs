@@ -1,7 +1,7 @@
 //! All tables of a size, every cell free, by runs on tables whose cells are open until they are read.
 //!
 //! A validator that stops where it knows its answer reads few cells of a wrong table. Its run on one table is its run on all tables that have the
-//! same values in these cells, so one run stands for all of them (*lazy enumeration*: Korat, lazy SmallCheck). The next run gives the
+//! same values in these cells, so one run stands for all of them (*lazy enumeration*: Korat, lazy `SmallCheck`). The next run gives the
 //! cell that was read last its next value. In this way all tables are judged, in about 10^7 runs for 10^21 of them.
 //!
 //! # What is shown
@@ -218,7 +218,7 @@ impl Side<'_> {
                     true
                 });
             }
-            judged.runs % 1024 != 0 || !run.is_stopped()
+            !judged.runs.is_multiple_of(1024) || !run.is_stopped()
         });
         table.retract(0);
     }

@@ -50,9 +50,9 @@ impl Map {
     /// All of them: each permutation can be `next`.
     fn all(half_edges: usize) -> Vec<Self> {
         let mut all = Vec::new();
-        if half_edges % 2 == 0 {
+        if half_edges.is_multiple_of(2) {
             for_each_permutation(&mut (0..half_edges).collect::<Vec<_>>(), half_edges, &mut |next| {
-                all.push(Self::new(next))
+                all.push(Self::new(next));
             });
         }
         all
