@@ -1,6 +1,5 @@
 //! The validators of tables, and `--print`: each table that is judged, with the verdict, one on each line; or certificates of it.
 
-use crate::expectation_text::ExpectationText;
 use crate::progress;
 use crate::status::Failure;
 use std::fmt::Write as _;
@@ -45,6 +44,9 @@ impl Judge {
     }
 }
 
+/// Begins a comment that says what the tables below it are held to.
+pub(crate) const EXPECT: &str = "# expect:";
+
 /// A validator, which prints each table that it judged to standard output.
 pub(crate) struct Printer {
     lines: Mutex<Lines>,
@@ -62,7 +64,7 @@ impl Lines {
     fn write(&mut self, expectation: Expectation, line: &str) -> io::Result<()> {
         if self.expectation != Some(expectation) {
             self.expectation = Some(expectation);
-            writeln!(self.out, "# expect: {}", ExpectationText(expectation))?;
+            writeln!(self.out, "{EXPECT} {expectation}")?;
         }
         self.out.write_all(line.as_bytes())
     }

@@ -6,6 +6,7 @@ use crate::status::{Failure, Verdict};
 use serde_json::Value;
 use std::path::PathBuf;
 use twinedge_trials::corrupt::CorruptOutcome;
+use twinedge_trials::lazy::LazyOutcome;
 use twinedge_trials::meshes::MeshesOutcome;
 use twinedge_trials::prove::ProveOutcome;
 use twinedge_trials::sample::SampleOutcome;
@@ -56,6 +57,7 @@ impl Sum {
             Some(MeshesOutcome::COMMAND) => add_up::<MeshesOutcome>(parts, self.format),
             Some(CorruptOutcome::COMMAND) => add_up::<CorruptOutcome>(parts, self.format),
             Some(TablesOutcome::COMMAND) => add_up::<TablesOutcome>(parts, self.format),
+            Some(LazyOutcome::COMMAND) => add_up::<LazyOutcome>(parts, self.format),
             Some(SampleOutcome::COMMAND) => add_up::<SampleOutcome>(parts, self.format),
             Some(SoakOutcome::COMMAND) => add_up::<SoakOutcome>(parts, self.format),
             _ => Err(Failure(format!(

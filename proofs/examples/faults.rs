@@ -91,13 +91,17 @@ const OF_COMMANDS: &str = "certificate";
 const PROVED: &str = "proofs/coq";
 
 /// The checks of the program `twinedge`.
-const COMMANDS: [(&str, &[&str]); 7] = [
+const COMMANDS: [(&str, &[&str]); 8] = [
     ("corrupt", &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1"]),
     (
         "certificates",
         &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1", "--certificates"],
     ),
     ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
+    (
+        "tables-lazy",
+        &["tables", "--lazy", "--expect", "plane", "--parts", "prev,leaving", "--half-edges", "4", "--threads", "1"],
+    ),
     ("sample", &["sample", "--tables", "1000", "--seed", "1", "--threads", "1"]),
     ("prove", &["prove", "--edges", "2", "--threads", "1"]),
     ("soak", &["soak", "--programs", "30", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
@@ -276,7 +280,7 @@ impl Check {
         let near: &[&str] = match fault.file.as_str() {
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
             file if file.starts_with("src/validate/") => {
-                &["validate", "map", "corrupt", "certificates", "tables", "sample", "commands"]
+                &["validate", "map", "corrupt", "certificates", "tables", "tables-lazy", "sample", "commands"]
             }
             file if file.starts_with("src/algorithm/") => &["algorithm"],
             _ => &["dcel", "program", "prove", "soak", "audited"],

@@ -104,6 +104,7 @@ mod catalogue;
 pub mod certificate;
 mod columns;
 mod expectation;
+mod expectation_text;
 mod fast_path;
 mod findings;
 #[cfg(feature = "geometry")]
@@ -121,6 +122,7 @@ mod table;
 mod validator;
 
 pub use expectation::{Expectation, Surface};
+pub use expectation_text::ParseExpectationError;
 #[cfg(feature = "geometry")]
 pub use geometric::validator::validate_embedding;
 #[cfg(feature = "geometry")]

@@ -3,16 +3,16 @@
 use super::arguments::Run;
 use super::destination::ReportFormat;
 use crate::diagnosis_text::{write, write_explanations, write_more};
-use crate::expectation_text::{EXPECT, parse};
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD};
 use crate::output::{counted, grouped, plain};
+use crate::print_tables::EXPECT;
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::BufRead;
-use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+use twinedge::validate::{Collect, Expectation, ParseExpectationError, Rule, Table, validate};
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 
 /// Returns true if a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
@@ -64,7 +64,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input)
         }
         let text = line.trim();
         if let Some(expect) = text.strip_prefix(EXPECT) {
-            expectation = parse(expect).map_err(at)?;
+            expectation = expect.parse().map_err(|error: ParseExpectationError| at(error.to_string()))?;
         } else if !text.is_empty() && !text.starts_with('#') {
             audited.judge(number, text, expectation, list, &mut broken).map_err(at)?;
         }

@@ -1,8 +1,8 @@
 //! Structures that are certified as they are: meshes, topologies of PostGIS, and tables.
 
 use crate::audit::InputKind;
-use crate::expectation_text::{EXPECT, parse};
 use crate::input::Input;
+use crate::print_tables::EXPECT;
 use crate::status::{Failure, Verdict};
 use std::fmt::Display;
 use std::io::{BufRead, Read};
@@ -72,7 +72,7 @@ fn read_table(Input { name, reader, .. }: Input, certify: Use<'_>) -> Result<Ver
         let line = line.map_err(|error| failed(&error))?;
         let text = line.trim();
         if let Some(expect) = text.strip_prefix(EXPECT) {
-            expectation = parse(expect).map_err(|error| failed(&error))?;
+            expectation = expect.parse().map_err(|error| failed(&error))?;
         } else if !text.is_empty() && !text.starts_with('#') {
             // A verdict may follow the table.
             let text = text.split_once('=').map_or(text, |(table, _)| table);

@@ -68,14 +68,13 @@ pub(crate) struct Whole {
 }
 
 impl Facts {
-    /// True if all of R1 … T1 and T3 is settled.
-    pub(crate) fn are_all(&self, extent: Extent) -> bool {
-        let has_outsides = |whole: &Whole| whole.lies_in.is_some() || !extent.is_plane() || !extent.has(Part::Holes);
-        let lists_hold = |lists: &ListFigures| lists.cycles_hold && lists.isolated_hold;
+    /// True if R1 … T1 and T3 are settled.
+    pub(super) fn are_all(&self, extent: Extent) -> bool {
+        let lies_in_faces = extent.is_plane() && extent.has(Part::Holes);
         self.half_edges.as_ref().is_some_and(|doubts| doubts.half_edges.is_empty())
             && self.vertices.is_some()
-            && (self.lists.as_ref().is_some_and(lists_hold) || !extent.has(Part::Faces))
-            && matches!(&self.rotations, Rotations::Whole(whole) if has_outsides(whole) || !extent.has(Part::Faces))
+            && (!extent.has(Part::Faces) || self.lists.is_some_and(|lists| lists.cycles_hold && lists.isolated_hold))
+            && matches!(&self.rotations, Rotations::Whole(whole) if whole.lies_in.is_some() || !lies_in_faces)
     }
 
     /// True if V2 is settled.

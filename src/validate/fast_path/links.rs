@@ -26,6 +26,8 @@ pub(super) struct Links {
     pub(super) wrong: Vec<u32>,
     pub(super) next_holds: bool,
     pub(super) twin_holds: bool,
+    /// With more half-edges in doubt than these, all are.
+    most_doubts: usize,
 }
 
 impl Links {
@@ -40,6 +42,7 @@ impl Links {
             wrong: Vec::new(),
             next_holds: true,
             twin_holds: true,
+            most_doubts: 0,
         }
     }
 
@@ -84,7 +87,7 @@ impl Links {
     fn doubt(&mut self, h: usize, [next_holds, twin_holds]: [bool; 2]) -> Option<()> {
         self.next_holds &= next_holds;
         self.twin_holds &= twin_holds;
-        if self.wrong.len() == MOST_DOUBTS {
+        if self.wrong.len() == self.most_doubts {
             return None;
         }
         self.wrong.try_reserve(1).ok()?;
@@ -108,9 +111,9 @@ impl Links {
     }
 }
 
-/// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if too many are wrong.
-pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
-    let mut links = Links::right(0);
+/// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if more than so many are wrong.
+pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent, most_doubts: usize) -> Option<Links> {
+    let mut links = Links { most_doubts, ..Links::right(0) };
     let mut leaving = Vec::new();
     if !extent.has(Part::Leaving) {
         leaving = extent.vertices.nils()?;

@@ -100,16 +100,38 @@ use facts::{ListFigures, VertexFigures};
 use links::Links;
 use rotations::{RotationWalk, VertexTally};
 
+/// The place where the fast path stops reading a structure that is wrong.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stop {
+    /// It reads all that can be settled.
+    Never,
+    /// After the first broken rule.
+    AfterRule,
+    /// Where it cannot settle something: right structures have no such place.
+    AtDoubt,
+}
+
+impl Stop {
+    const fn most_doubts(self) -> usize {
+        if matches!(self, Self::AtDoubt) { 0 } else { links::MOST_DOUBTS }
+    }
+}
+
 /// Settles as much of R1 … T3 as can be.
-///
-/// With `first_only`, the fast path stops after the first broken rule.
-pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool) -> Facts {
+pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, stop: Stop) -> Facts {
     let Subject { view, extent } = subject;
-    let Some(mut links) = links::scan(view, extent) else { return Facts::default() };
-    let (vertices, around) = turn(view, extent, &mut links);
+    let Some(mut links) = links::scan(view, extent, stop.most_doubts()) else { return Facts::default() };
+    let (vertices, around) = turn(view, extent, &mut links, stop);
+    if stop == Stop::AtDoubt && vertices.is_none() {
+        return Facts::default();
+    }
     // Lists can be read although the links or the rotations are wrong, but their rules come after one that is broken.
-    let is_wanted = around.is_some() || !first_only;
+    let is_wanted = around.is_some() || stop == Stop::Never;
     let lists = if extent.has(Part::Faces) && is_wanted { boundaries::read(view, extent, &links) } else { None };
+    let are_lists_settled = lists.is_some() || !extent.has(Part::Faces);
+    if stop == Stop::AtDoubt && !are_lists_settled {
+        return Facts::default();
+    }
     let settled = Assurances { origins: around.is_some(), names: lists.is_some() && links.next_holds };
     let Some(doubts) = doubts::find(view, extent, &links, settled) else { return Facts::default() };
     let isolated_hold = around.as_ref().zip(lists.as_ref()).is_some_and(|(around, lists)| agree(extent, around, lists));
@@ -117,7 +139,7 @@ pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool
     let rotations = match around {
         None => Rotations::Unknown,
         Some(around) => {
-            let is_wanted = lists.is_some() || !extent.has(Part::Faces) || !first_only;
+            let is_wanted = are_lists_settled || stop == Stop::Never;
             let whole = if is_wanted { whole(view, extent, links, around, lists) } else { None };
             whole.map_or(Rotations::Hold, Rotations::Whole)
         }
@@ -125,17 +147,28 @@ pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool
     Facts { half_edges: Some(doubts), vertices, lists: figures, rotations }
 }
 
+/// Settles R1 … T1 and T3; none, at the first doubt, where one of them is broken.
+pub(crate) fn settle_all<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Facts> {
+    Some(settle(subject, Stop::AtDoubt)).filter(|facts| facts.are_all(subject.extent))
+}
+
 /// Walks around the vertices, where the links are right, and gives what holds of these.
 fn turn<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     links: &mut Links,
+    stop: Stop,
 ) -> (Option<VertexFigures>, Option<RotationWalk>) {
+    if links.are_right()
+        && let Some(around) = rotations::walk(view, extent, links)
+    {
+        return (VertexFigures::of(around.counted), Some(around));
+    }
+    if stop == Stop::AtDoubt {
+        return (None, None);
+    }
     if !links.are_right() {
         return (vertices::by_index(view, extent, links), None);
-    }
-    if let Some(around) = rotations::walk(view, extent, links) {
-        return (VertexFigures::of(around.counted), Some(around));
     }
     // The half-edges that vertices keep may be all that is wrong.
     let around = links.note_leaving(view, extent).and_then(|()| rotations::walk(view, extent, links));

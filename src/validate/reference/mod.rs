@@ -16,4 +16,4 @@ mod rules;
 
 pub use super::validator::rule_by_rule;
 pub use compare::{Disagreement, compare, compare_first, disagreement};
-pub use rules::{broken_rules, first_broken_rule};
+pub use rules::{broken_rules, first_broken_of, first_broken_rule};

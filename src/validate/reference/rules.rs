@@ -5,6 +5,7 @@ use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
+use core::cell::OnceCell;
 
 /// Every broken rule, in order; none if the structure is valid.
 ///
@@ -35,8 +36,27 @@ pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Ve
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Option<Rule> {
+    first_broken_of(view, expectation, Rule::ALL)
+}
+
+/// The first of these rules that is broken, in their order. Rules about coordinates are passed over.
+///
+/// A rule that is broken keeps those after it from being looked at, so their order decides what is read of the structure.
+///
+/// Cost: O(n³) and more.
+///
+/// ```
+/// use twinedge::validate::{Expectation, Rule, Table, reference::first_broken_of};
+/// // A loop that is its own twin and its own face.
+/// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert_eq!(first_broken_of(&table, &Expectation::plane(), &[Rule::L2, Rule::T3, Rule::L1]), Some(Rule::T3));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+pub fn first_broken_of<V: View + ?Sized>(view: &V, expectation: &Expectation, order: &[Rule]) -> Option<Rule> {
     let s = Structure::new(view, *expectation);
-    rules().into_iter().find(|(_, holds)| !holds(&s)).map(|(rule, _)| rule)
+    let statements = rules();
+    let is_broken = |rule: &Rule| statements.iter().any(|(stated, holds)| stated == rule && !holds(&s));
+    order.iter().copied().find(is_broken)
 }
 
 /// A rule and the function that says whether it holds.
@@ -101,11 +121,11 @@ fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         (s.lacks(Part::Leaving) || half_edge(s.leaving(v)) || nil(s.leaving(v)) && s.all_leaving(v).is_empty())
             && (s.lacks(Part::Holes) || boundary(s.isolated(v)) || nil(s.isolated(v)))
     }) && s.boundaries.iter().all(|&b| face(s.boundary_face(b)) && start(s.start(b)))
-        && s.entries.iter().all(|e| match s.says {
+        && s.entries().iter().all(|e| match s.says {
             Says::Boundary => boundary(e.boundary),
             Says::Face | Says::Nothing => start(e.start),
         })
-        && s.entries.iter().filter(|e| !e.is_outer()).count()
+        && s.entries().iter().filter(|e| !e.is_outer()).count()
             <= 16
                 + 2 * match s.says {
                     Says::Boundary => s.boundaries.len(),
@@ -163,7 +183,7 @@ fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         }
         Says::Face => {
             s.half_edges.iter().all(|&h| s.face(s.next(h)) == s.face(h))
-                && s.entries.iter().all(|e| match e.start {
+                && s.entries().iter().all(|e| match e.start {
                     Some(Start::HalfEdge(h)) => s.face(Some(h)) == e.face,
                     Some(Start::Vertex(_)) | None => true,
                 })
@@ -183,7 +203,7 @@ fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
             let at_v = |start| matches!(start, Some(Start::Vertex(u)) if Some(u) == v);
             let starts: Vec<Link> = match s.says {
                 Says::Boundary => s.boundaries.iter().copied().filter(|&b| at_v(s.start(b))).collect(),
-                Says::Face | Says::Nothing => s.entries.iter().filter(|e| at_v(e.start)).map(|e| e.face).collect(),
+                Says::Face | Says::Nothing => s.entries().iter().filter(|e| at_v(e.start)).map(|e| e.face).collect(),
             };
             let right = if s.all_leaving(v).is_empty() {
                 starts.len() == 1 || starts.is_empty() && s.lacks(Part::UnboundedFace)
@@ -198,11 +218,11 @@ fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 ///
 /// A face keeps one link for it, so that there are never two. It is a cycle: an isolated vertex encloses nothing.
 fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
-    let is_unbounded = |f: &&Link| !s.entries.iter().any(|e| e.face == **f && e.is_outer());
+    let is_unbounded = |f: &&Link| !s.entries().iter().any(|e| e.face == **f && e.is_outer());
     let unbounded = s.faces.iter().filter(is_unbounded).count();
     s.lacks(Part::Faces)
         || unbounded == usize::from(!s.lacks(Part::UnboundedFace))
-            && s.entries.iter().all(|e| !e.is_outer() || !matches!(e.start, Some(Start::Vertex(_))))
+            && s.entries().iter().all(|e| !e.is_outer() || !matches!(e.start, Some(Start::Vertex(_))))
 }
 
 /// F2 listed: every boundary component is listed exactly once, by the face it names, at the place it says.
@@ -213,7 +233,7 @@ fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     match s.says {
         Says::Nothing => true,
         Says::Boundary => s.boundaries.iter().all(|&b| {
-            let listed: Vec<&Entry> = s.entries.iter().filter(|e| e.boundary == b).collect();
+            let listed: Vec<&Entry> = s.entries().iter().filter(|e| e.boundary == b).collect();
             listed.len() == 1
                 && listed.iter().all(|e| e.face == s.boundary_face(b))
                 && (s.lacks(Part::Places) || listed.iter().all(|e| Some(e.place) == s.place(b)))
@@ -221,7 +241,7 @@ fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         Says::Face => s.half_edges.iter().all(|&h| {
             let cycle = s.cycle(h);
             let on_it = |e: &&Entry| matches!(e.start, Some(Start::HalfEdge(g)) if cycle.contains(&Some(g)));
-            let listed = s.entries.iter().filter(on_it).count();
+            let listed = s.entries().iter().filter(on_it).count();
             listed == 1 || listed == 0 && s.face(h).is_none()
         }),
     }
@@ -235,7 +255,7 @@ fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     !s.has_containment()
         || s.components().iter().all(|c| {
-            let inner = s.entries.iter().filter(|e| !e.is_outer() && c.contains(&s.vertex_at(e.start))).count();
+            let inner = s.entries().iter().filter(|e| !e.is_outer() && c.contains(&s.vertex_at(e.start))).count();
             inner == 1 || inner == 0 && (s.lacks(Part::UnboundedFace) || s.is_open_somewhere(c))
         })
 }
@@ -250,9 +270,9 @@ fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let components: Vec<BTreeSet<Link>> = s.components().into_iter().collect();
     let component_at = |start| components.iter().position(|c| c.contains(&s.vertex_at(start)));
     let face_around =
-        |c: Link| s.entries.iter().find(|e| !e.is_outer() && component_at(e.start) == c).and_then(|e| e.face);
+        |c: Link| s.entries().iter().find(|e| !e.is_outer() && component_at(e.start) == c).and_then(|e| e.face);
     let component_around =
-        |f: Link| s.entries.iter().find(|e| e.is_outer() && e.face == f).and_then(|e| component_at(e.start));
+        |f: Link| s.entries().iter().find(|e| e.is_outer() && e.face == f).and_then(|e| component_at(e.start));
     let container = |c: Link| c.and_then(|_| component_around(face_around(c)));
     (0..components.len()).map(Some).all(|c| !orbit(container(c), container).contains(&c))
 }
@@ -297,7 +317,7 @@ fn m3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let sides = |f: Link| s.half_edges.iter().filter(|&&h| s.face_of(h) == f).count();
     match s.says {
         Says::Nothing => s.half_edges.iter().all(|&h| s.cycle(h).len() == expected),
-        Says::Boundary | Says::Face => s.entries.iter().filter(|e| e.is_outer()).all(|e| sides(e.face) == expected),
+        Says::Boundary | Says::Face => s.entries().iter().filter(|e| e.is_outer()).all(|e| sides(e.face) == expected),
     }
 }
 
@@ -376,7 +396,8 @@ struct Structure<'a, V: ?Sized> {
     half_edges: Vec<Link>,
     boundaries: Vec<Link>,
     faces: Vec<Link>,
-    entries: Vec<Entry>,
+    /// The entries of the lists of the faces, read when they are asked for first.
+    entries: OnceCell<Vec<Entry>>,
 }
 
 impl<'a, V: View + ?Sized> Structure<'a, V> {
@@ -389,7 +410,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         };
         let boundary_slots = if says == Says::Boundary { view.boundary_slots() } else { 0 };
         let face_slots = if says == Says::Nothing { 0 } else { view.face_slots() };
-        let mut s = Self {
+        Self {
             view,
             expect,
             parts,
@@ -399,15 +420,20 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
             half_edges: (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)).map(Some).collect(),
             boundaries: (0..boundary_slots).filter(|b| view.is_boundary(*b)).map(Some).collect(),
             faces: (0..face_slots).filter(|f| view.is_face(*f)).map(Some).collect(),
-            entries: Vec::new(),
-        };
-        for f in s.faces.iter().copied().flatten() {
-            let inner = if s.lacks(Part::Holes) { 0 } else { view.inner_count(f) };
-            let places = [BoundaryPlace::Outer].into_iter().chain((0..inner).map(BoundaryPlace::Inner));
-            let entries: Vec<Entry> = places.filter_map(|place| s.entry(f, place)).collect();
-            s.entries.extend(entries);
+            entries: OnceCell::new(),
         }
-        s
+    }
+
+    fn entries(&self) -> &[Entry] {
+        self.entries.get_or_init(|| {
+            let mut entries = Vec::new();
+            for f in self.faces.iter().copied().flatten() {
+                let inner = if self.lacks(Part::Holes) { 0 } else { self.view.inner_count(f) };
+                let places = [BoundaryPlace::Outer].into_iter().chain((0..inner).map(BoundaryPlace::Inner));
+                entries.extend(places.filter_map(|place| self.entry(f, place)));
+            }
+            entries
+        })
     }
 
     /// The entry of the face at that place; none where the face has no outer boundary component.

@@ -12,7 +12,7 @@ fn permutations_with_orbits(n: u128, k: u128) -> u128 {
 }
 
 /// The ways to pair off 2n half-edges as twins: (2n − 1)!!. The greatest number where 128 bits cannot hold it.
-pub(super) fn pairings(edges: u128) -> u128 {
+pub(crate) fn pairings(edges: u128) -> u128 {
     let mut pairings = 1_u128;
     for i in 1..=edges {
         pairings = pairings.saturating_mul(2 * i - 1);
@@ -24,31 +24,31 @@ pub(super) fn pairings(edges: u128) -> u128 {
 }
 
 /// The maps of n edges on labelled half-edges, on any surface: `next` may be any permutation.
-pub(super) fn maps(edges: u128) -> u128 {
+pub(crate) fn maps(edges: u128) -> u128 {
     pairings(edges) * factorial(2 * edges)
 }
 
 /// The same with k of m vertices assigned to the rotations. The other vertices are isolated.
-pub(super) fn maps_with_vertices(edges: u128, vertices: u128) -> u128 {
+pub(crate) fn maps_with_vertices(edges: u128, vertices: u128) -> u128 {
     let named = |k| factorial(k) * binomial(vertices, k) * permutations_with_orbits(2 * edges, k);
     pairings(edges) * (0..=vertices).map(named).sum::<u128>()
 }
 
 /// The same with a half-edge chosen from each rotation: k orbits of n things in a row, each with a first thing, are the
 /// things in a row with k − 1 bars between.
-pub(super) fn maps_with_leaving(edges: u128, vertices: u128) -> u128 {
+pub(crate) fn maps_with_leaving(edges: u128, vertices: u128) -> u128 {
     let named = |k| binomial(vertices, k) * factorial(2 * edges) * binomial(2 * edges - 1, k - 1);
     pairings(edges) * (1..=vertices).map(named).sum::<u128>()
 }
 
 /// Connected plane maps on labelled half-edges. A rooted one has no symmetry, so it can be labelled in (2n − 1)! ways with its
 /// root first.
-pub(super) fn connected_plane_maps(edges: u128) -> u128 {
+pub(crate) fn connected_plane_maps(edges: u128) -> u128 {
     rooted(edges as usize) * factorial(2 * edges - 1)
 }
 
 /// Plane maps on labelled half-edges: the component of the first half-edge, and the rest.
-pub(super) fn plane_maps(edges: u128) -> u128 {
+pub(crate) fn plane_maps(edges: u128) -> u128 {
     if edges == 0 {
         return 1;
     }

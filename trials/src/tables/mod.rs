@@ -15,7 +15,7 @@
 //!
 //! Where origins are not free, they are what twin and next demand.
 
-mod formulas;
+pub(crate) mod formulas;
 mod jobs;
 mod outcome;
 mod work;

@@ -2,6 +2,7 @@
 
 mod corrupt;
 mod incomplete;
+mod lazy;
 mod meshes;
 mod prove;
 mod sample;

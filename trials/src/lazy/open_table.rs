@@ -1,0 +1,402 @@
+//! A table whose cells are open: each gets its value when it is first read.
+
+use super::work::{LazyWork, TooManyTables};
+use std::cell::{Cell, RefCell};
+use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, Table, View};
+
+/// A table of a size, of which the cells that were read have values.
+///
+/// The first read of a cell gives it its first value. [`runs`](Self::runs) then gives the last cell its next value, and opens it again after
+/// the last one. So runs of a reader go through all tables, and one run stands for all tables that agree with it in the cells that it has read.
+pub(super) struct OpenTable {
+    parts: Parts,
+    vertices: Records,
+    half_edges: Records,
+    boundaries: Records,
+    faces: Records,
+    /// The number of the value of each cell, or [`OPEN`].
+    values: Vec<Cell<u8>>,
+    domains: Vec<Domain>,
+    choices: RefCell<Vec<Choice>>,
+    /// The number of tables that agree with the choices.
+    agreeing: Cell<u128>,
+    /// The slots that are told apart by the choices, where others are interchangeable: those of which a cell was read or that a link leads to.
+    told_apart: Option<Cell<Slots>>,
+}
+
+/// A set of slots, a bit each: of vertices, half-edges, boundary components and faces.
+type Slots = [u16; 4];
+
+/// A kind of record.
+#[derive(Clone, Copy)]
+enum Kind {
+    Vertex,
+    HalfEdge,
+    Boundary,
+    Face,
+}
+
+const OPEN: u8 = u8::MAX;
+
+/// The records of one kind: the number of cells before them, and the number of cells of each.
+#[derive(Clone, Copy)]
+struct Records {
+    count: usize,
+    before: usize,
+    width: usize,
+}
+
+/// The numbers of the cells of a record. The first one says whether it is vacant.
+mod cell {
+    pub(super) const VACANT: usize = 0;
+    pub(super) const ORIGIN: usize = 1;
+    pub(super) const TWIN: usize = 2;
+    pub(super) const NEXT: usize = 3;
+    pub(super) const PREV: usize = 4;
+    /// The boundary component or face of a half-edge.
+    pub(super) const NAME: usize = 5;
+    pub(super) const LEAVING: usize = 1;
+    pub(super) const ISOLATED: usize = 2;
+    pub(super) const FACE: usize = 1;
+    pub(super) const START: usize = 2;
+    pub(super) const PLACE: usize = 3;
+    pub(super) const OUTER: usize = 1;
+    pub(super) const LENGTH: usize = 2;
+    /// The first entry of the list of a face.
+    pub(super) const INNER: usize = 3;
+}
+
+/// The values of a cell, by numbers from 0. For each, in how many ways the cells of the same record that depend on it can be set.
+#[derive(Clone)]
+struct Domain {
+    ways: Vec<u128>,
+    all: u128,
+    /// The slot to which the value leads, if there is one.
+    leads_to: Vec<Option<(Kind, usize)>>,
+}
+
+/// A cell that has a value, the number of tables that agreed before, and the slots that were told apart before.
+#[derive(Clone, Copy)]
+struct Choice {
+    cell: usize,
+    agreeing: u128,
+    told_apart: Slots,
+}
+
+/// The first choices of a run, each with its cell: a branch of the tree of all runs.
+pub(super) type Branch = Vec<(usize, u8)>;
+
+impl Domain {
+    fn of(ways: Vec<u128>) -> Option<Self> {
+        let all = ways.iter().try_fold(0_u128, |all, ways| all.checked_add(*ways))?;
+        (ways.len() < usize::from(OPEN)).then_some(Self { ways, all, leads_to: Vec::new() })
+    }
+
+    /// That of a link to slots of this kind: nil, each slot, and the one past the end. One of starts, where there are slots of two kinds.
+    fn links(slots: &[(Kind, usize)], matters: bool) -> Option<Self> {
+        let mut leads_to = vec![None];
+        for (kind, count) in slots {
+            leads_to.extend((0..*count).map(|slot| Some((*kind, slot))));
+            leads_to.push(None);
+        }
+        Some(Self { leads_to, ..Self::plain(1 + slots.iter().map(|(_, count)| count + 1).sum::<usize>(), matters)? })
+    }
+
+    /// That of a cell on which none depends; a single value for a cell that does not matter.
+    fn plain(values: usize, matters: bool) -> Option<Self> {
+        Self::of(vec![1; if matters { values } else { 1 }])
+    }
+}
+
+impl OpenTable {
+    /// The table of this work, with all cells open.
+    ///
+    /// # Errors
+    /// [`TooManyTables`] if there are more tables than can be counted.
+    pub(super) fn new(work: &LazyWork) -> Result<Self, TooManyTables> {
+        Self::with_cells(work).ok_or(TooManyTables)
+    }
+
+    fn with_cells(work: &LazyWork) -> Option<Self> {
+        let parts = work.expectation.looks_at(work.parts);
+        let has = |part| parts.has(part);
+        let (by_record, has_holes) = (has(Part::BoundaryComponents), has(Part::Holes));
+        let (to_vertex, to_half_edge) = ((Kind::Vertex, work.vertices), (Kind::HalfEdge, work.half_edges));
+        let (to_boundary, to_face) = ((Kind::Boundary, work.boundaries), (Kind::Face, work.faces));
+        let starts = Domain::links(&[to_half_edge, to_vertex], true)?;
+        let link = |to| Domain::links(&[to], true);
+        // Each component of a right table has one inner boundary component, so no list is longer.
+        let longest = if has_holes { work.vertices } else { 0 };
+        let entry = if by_record { link(to_boundary)? } else { starts.clone() };
+        let lengths = (0..=longest as u32).map(|length| entry.all.checked_pow(length)).collect::<Option<_>>()?;
+        let vertex = vec![
+            Domain::links(&[to_half_edge], has(Part::Leaving))?,
+            Domain::links(&[to_boundary], by_record && has_holes)?,
+        ];
+        let half_edge = vec![
+            link(to_vertex)?,
+            link(to_half_edge)?,
+            link(to_half_edge)?,
+            Domain::links(&[to_half_edge], has(Part::Prev))?,
+            Domain::links(&[if by_record { to_boundary } else { to_face }], has(Part::Faces))?,
+        ];
+        // A place is nil, the outer one, or a position up to the one past the end.
+        let boundary = vec![link(to_face)?, starts, Domain::plain(2 + longest + 1, has(Part::Places))?];
+        let mut face = vec![link(if by_record { to_boundary } else { to_half_edge })?, Domain::of(lengths)?];
+        let with_list = face.iter().try_fold(1, |ways: u128, domain| ways.checked_mul(domain.all))?;
+        face.resize(face.len() + longest, entry);
+
+        let mut table = Self {
+            parts,
+            vertices: Records { count: 0, before: 0, width: 0 },
+            half_edges: Records { count: 0, before: 0, width: 0 },
+            boundaries: Records { count: 0, before: 0, width: 0 },
+            faces: Records { count: 0, before: 0, width: 0 },
+            values: Vec::new(),
+            domains: Vec::new(),
+            choices: RefCell::default(),
+            agreeing: Cell::new(1),
+            told_apart: None,
+        };
+        let ways = |cells: &[Domain]| cells.iter().try_fold(1, |ways: u128, cell| ways.checked_mul(cell.all));
+        table.vertices = table.add(work.vertices, ways(&vertex)?, &vertex, work.vacant)?;
+        table.half_edges = table.add(work.half_edges, ways(&half_edge)?, &half_edge, work.vacant)?;
+        let boundaries = if by_record { work.boundaries } else { 0 };
+        table.boundaries = table.add(boundaries, ways(&boundary)?, &boundary, work.vacant)?;
+        let faces = if has(Part::Faces) { work.faces } else { 0 };
+        table.faces = table.add(faces, with_list, &face, work.vacant)?;
+        Some(table)
+    }
+
+    /// The same, where tables that differ in the numbers of their slots only are one.
+    ///
+    /// Two slots of a kind that are not told apart can change their numbers, and all that was read stays. So a link that leads to one of
+    /// them leads to the first, and stands for all. A run stands for all of these tables if its reader says the same of them.
+    pub(super) fn up_to_numbers(self) -> Self {
+        Self { told_apart: Some(Cell::default()), ..self }
+    }
+
+    /// Adds records with these cells, which can be set in so many ways.
+    fn add(&mut self, count: usize, ways: u128, cells: &[Domain], vacant: bool) -> Option<Records> {
+        let live = Domain::of(if vacant { vec![ways, 1] } else { vec![ways] })?;
+        let records = Records { count, before: self.values.len(), width: 1 + cells.len() };
+        for _ in 0..count {
+            self.agreeing.set(self.agreeing.get().checked_mul(live.all)?);
+            self.domains.push(live.clone());
+            self.domains.extend_from_slice(cells);
+        }
+        self.values.resize(self.domains.len(), Cell::new(OPEN));
+        Some(records)
+    }
+
+    /// The number of tables that agree with all that was read.
+    pub(super) fn agreeing(&self) -> u128 {
+        self.agreeing.get()
+    }
+
+    /// Calls `run`, which reads the table, until every table was in one run, or `run` returns false. What had been read before stays.
+    pub(super) fn runs(&self, mut run: impl FnMut(&Self) -> bool) {
+        let before = self.choices.borrow().len();
+        while run(self) && self.advance(before) {}
+        self.retract(before);
+    }
+
+    /// The branches of the runs of a reader: their first choices, up to so many.
+    pub(super) fn branches(&self, depth: usize, mut read: impl FnMut(&Self)) -> Vec<Branch> {
+        let mut branches = Vec::new();
+        self.runs(|table| {
+            read(table);
+            table.retract(depth);
+            let choices = table.choices.borrow();
+            branches.push(choices.iter().map(|choice| (choice.cell, table.values[choice.cell].get())).collect());
+            true
+        });
+        branches
+    }
+
+    /// Makes the choices of a branch.
+    pub(super) fn enter(&self, branch: &[(usize, u8)]) {
+        for (cell, value) in branch {
+            self.choose(*cell, *value);
+        }
+    }
+
+    /// Opens the cells that were read after the first so many.
+    pub(super) fn retract(&self, depth: usize) {
+        let mut choices = self.choices.borrow_mut();
+        while choices.len() > depth {
+            if let Some(choice) = choices.pop() {
+                self.values[choice.cell].set(OPEN);
+                self.agreeing.set(choice.agreeing);
+                if let Some(told_apart) = &self.told_apart {
+                    told_apart.set(choice.told_apart);
+                }
+            }
+        }
+    }
+
+    /// The table, with the first value in each cell that is open.
+    pub(super) fn to_table(&self) -> Option<Table> {
+        let depth = self.choices.borrow().len();
+        let table = Table::copy_of(self);
+        self.retract(depth);
+        table
+    }
+
+    /// Gives the last cell that has another value that value; false if none has, of those after the first so many.
+    fn advance(&self, depth: usize) -> bool {
+        loop {
+            let length = self.choices.borrow().len();
+            let choice = self.choices.borrow().get(depth..).and_then(<[Choice]>::last).copied();
+            let Some(Choice { cell, .. }) = choice else { return false };
+            let next = self.values[cell].get() + 1;
+            self.retract(length - 1);
+            if self.choose_from(cell, next) {
+                return true;
+            }
+        }
+    }
+
+    /// Gives the cell the first of the values from this one on, but those that an interchangeable slot stands for; false if there is none.
+    fn choose_from(&self, cell: usize, first: u8) -> bool {
+        let values = first..self.domains[cell].ways.len() as u8;
+        let value = values.into_iter().find(|value| self.stands_for(cell, *value) > 0);
+        value.is_some_and(|value| {
+            self.choose(cell, value);
+            true
+        })
+    }
+
+    fn choose(&self, cell: usize, value: u8) {
+        let Domain { ways, all, .. } = &self.domains[cell];
+        let (agreeing, slots) = (self.agreeing.get(), self.stands_for(cell, value));
+        let told_apart = self.told_apart.as_ref().map_or_else(Slots::default, Cell::get);
+        self.choices.borrow_mut().push(Choice { cell, agreeing, told_apart });
+        self.agreeing.set(agreeing / all * ways[usize::from(value)] * slots);
+        self.values[cell].set(value);
+        if let Some(told_apart) = &self.told_apart {
+            let mut slots = self.with_owner(told_apart.get(), cell);
+            if let Some((kind, slot)) = self.leads_to(cell, value) {
+                slots[kind as usize] |= 1 << slot;
+            }
+            told_apart.set(slots);
+        }
+    }
+
+    fn leads_to(&self, cell: usize, value: u8) -> Option<(Kind, usize)> {
+        self.domains[cell].leads_to.get(usize::from(value)).copied().flatten()
+    }
+
+    /// The number of slots for which the value stands: 1 where its slot is told apart from all, 0 where another slot stands for it.
+    fn stands_for(&self, cell: usize, value: u8) -> u128 {
+        let (Some(told_apart), Some((kind, slot))) = (&self.told_apart, self.leads_to(cell, value)) else { return 1 };
+        let told_apart = self.with_owner(told_apart.get(), cell)[kind as usize];
+        let others = !told_apart & ((1 << self.records(kind).count) - 1);
+        match others >> slot & 1 {
+            0 => 1,
+            _ if others.trailing_zeros() as usize == slot => others.count_ones().into(),
+            _ => 0,
+        }
+    }
+
+    /// These slots, and that of the record that has the cell.
+    fn with_owner(&self, mut slots: Slots, cell: usize) -> Slots {
+        for kind in [Kind::Vertex, Kind::HalfEdge, Kind::Boundary, Kind::Face] {
+            let Records { count, before, width } = self.records(kind);
+            if let Some(at) = cell.checked_sub(before).filter(|at| *at < count * width) {
+                slots[kind as usize] |= 1 << (at / width);
+            }
+        }
+        slots
+    }
+
+    fn records(&self, kind: Kind) -> Records {
+        match kind {
+            Kind::Vertex => self.vertices,
+            Kind::HalfEdge => self.half_edges,
+            Kind::Boundary => self.boundaries,
+            Kind::Face => self.faces,
+        }
+    }
+
+    fn value(&self, cell: usize) -> u8 {
+        if self.values[cell].get() == OPEN {
+            // The first value is nil, or that the record is live.
+            self.choose(cell, 0);
+        }
+        self.values[cell].get()
+    }
+
+    /// True if the record is there. It is read first, as the other cells depend on it.
+    fn is_live(&self, records: Records, record: usize) -> bool {
+        let cell = records.before + record * records.width + cell::VACANT;
+        record < records.count && (self.domains[cell].ways.len() == 1 || self.value(cell) == 0)
+    }
+
+    /// The value of a cell of a record; nil if that is vacant.
+    fn field(&self, records: Records, record: usize, field: usize) -> usize {
+        if self.is_live(records, record) {
+            self.value(records.before + record * records.width + field).into()
+        } else {
+            0
+        }
+    }
+
+    fn link(&self, records: Records, record: usize, field: usize) -> Link {
+        self.field(records, record, field).checked_sub(1)
+    }
+
+    /// Nil, half-edges up to the one past the end, vertices up to the one past the end.
+    fn start(&self, records: Records, record: usize, field: usize) -> Option<Start> {
+        let number = self.link(records, record, field)?;
+        let vertex = number.checked_sub(self.half_edges.count + 1);
+        Some(vertex.map_or(Start::HalfEdge(number), Start::Vertex))
+    }
+
+    fn place(&self, boundary: usize) -> Option<BoundaryPlace> {
+        let number = self.link(self.boundaries, boundary, cell::PLACE)?;
+        Some(number.checked_sub(1).map_or(BoundaryPlace::Outer, BoundaryPlace::Inner))
+    }
+
+    /// The cell of an entry, if the list is that long.
+    fn entry(&self, face: usize, position: usize) -> Option<usize> {
+        (position < self.inner_count(face)).then_some(cell::INNER + position)
+    }
+
+    /// The link, where it is one of boundary components with records, or of faces without them.
+    fn only(&self, by_record: bool, link: impl FnOnce() -> Link) -> Link {
+        if by_record == self.parts.has(Part::BoundaryComponents) { link() } else { None }
+    }
+}
+
+impl View for OpenTable {
+    twinedge::view_answers! { |this|
+        parts => this.parts,
+        vertex_slots => this.vertices.count,
+        half_edge_slots => this.half_edges.count,
+        boundary_slots => this.boundaries.count,
+        face_slots => this.faces.count,
+        is_vertex(v) => this.is_live(this.vertices, v),
+        is_half_edge(h) => this.is_live(this.half_edges, h),
+        is_boundary(b) => this.is_live(this.boundaries, b),
+        is_face(f) => this.is_live(this.faces, f),
+        origin(h) => this.link(this.half_edges, h, cell::ORIGIN),
+        twin(h) => this.link(this.half_edges, h, cell::TWIN),
+        next(h) => this.link(this.half_edges, h, cell::NEXT),
+        prev(h) => this.link(this.half_edges, h, cell::PREV),
+        boundary(h) => this.only(true, || this.link(this.half_edges, h, cell::NAME)),
+        face(h) => this.only(false, || this.link(this.half_edges, h, cell::NAME)),
+        leaving(v) => this.link(this.vertices, v, cell::LEAVING),
+        isolated(v) => this.link(this.vertices, v, cell::ISOLATED),
+        boundary_face(b) => this.link(this.boundaries, b, cell::FACE),
+        boundary_start(b) => this.start(this.boundaries, b, cell::START),
+        boundary_place(b) => this.place(b),
+        outer(f) => this.only(true, || this.link(this.faces, f, cell::OUTER)),
+        inner_count(f) => this.field(this.faces, f, cell::LENGTH),
+        inner(f, i) => this.only(true, || this.link(this.faces, f, this.entry(f, i)?)),
+        outer_half_edge(f) => this.only(false, || this.link(this.faces, f, cell::OUTER)),
+        inner_start(f, i) => {
+            if this.parts.has(Part::BoundaryComponents) { None } else { this.entry(f, i).and_then(|entry| this.start(this.faces, f, entry)) }
+        },
+    }
+}

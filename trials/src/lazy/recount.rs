@@ -1,0 +1,167 @@
+//! The number of right tables, counted map by map and without the validator.
+
+use super::work::LazyWork;
+use crate::published::{binomial, factorial};
+use crate::rows::narrow;
+use crate::tables::formulas::pairings;
+use twinedge::validate::{Expectation, Part, Surface};
+
+/// The number of right tables of this work: none for open structures, for claims that are asked for, and for lists of holes.
+pub(super) fn right(work: &LazyWork) -> Option<u64> {
+    let plain = [Expectation::plane(), Expectation::surface()].contains(&work.expectation);
+    let parts = work.expectation.looks_at(work.parts);
+    if !plain || parts.has(Part::Holes) {
+        return None;
+    }
+    let has_boundaries = parts.has(Part::BoundaryComponents);
+    let [faces, boundaries] = [(work.faces, parts.has(Part::Faces)), (work.boundaries, has_boundaries)]
+        .map(|(slots, is_there)| if is_there { slots } else { 0 });
+    // Each live record of so many slots, or each choice of live ones.
+    let live = |slots: usize| if work.vacant { 0..=slots } else { slots..=slots };
+    let chosen = |slots: usize, live: usize| binomial(slots as u128, live as u128);
+    let mut right = 0;
+    for half_edges in live(work.half_edges) {
+        for map in Map::all(half_edges) {
+            for v in live(work.vertices) {
+                for f in live(faces) {
+                    for b in live(boundaries) {
+                        let slots = chosen(work.half_edges, half_edges)
+                            * chosen(work.vertices, v)
+                            * chosen(faces, f)
+                            * chosen(boundaries, b);
+                        right += slots * map.tables(work, [v, f, b]);
+                    }
+                }
+            }
+        }
+    }
+    Some(narrow(right))
+}
+
+/// A map on labelled half-edges, of which 0 and 1, 2 and 3 … are twins: the lengths of its orbits.
+struct Map {
+    half_edges: usize,
+    cycles: Vec<u128>,
+    rotations: Vec<u128>,
+    components: usize,
+}
+
+impl Map {
+    /// All of them: each permutation can be `next`.
+    fn all(half_edges: usize) -> Vec<Self> {
+        let mut all = Vec::new();
+        if half_edges.is_multiple_of(2) {
+            for_each_permutation(&mut (0..half_edges).collect::<Vec<_>>(), half_edges, &mut |next| {
+                all.push(Self::new(next));
+            });
+        }
+        all
+    }
+
+    fn new(next: &[usize]) -> Self {
+        let around: Vec<usize> = (0..next.len()).map(|h| next[h ^ 1]).collect();
+        let both = |start: usize, component: &mut Vec<usize>| {
+            component.push(start);
+            let mut done = 0;
+            while let Some(h) = component.get(done).copied() {
+                done += 1;
+                for other in [h ^ 1, next[h]] {
+                    if !component.contains(&other) {
+                        component.push(other);
+                    }
+                }
+            }
+        };
+        let mut components = 0;
+        let mut seen = Vec::new();
+        for h in 0..next.len() {
+            if !seen.contains(&h) {
+                components += 1;
+                let mut component = Vec::new();
+                both(h, &mut component);
+                seen.extend(component);
+            }
+        }
+        Self { half_edges: next.len(), cycles: orbits(next), rotations: orbits(&around), components }
+    }
+
+    /// The number of tables that keep it with so many vertices, faces and boundary components.
+    fn tables(&self, work: &LazyWork, [vertices, faces, boundaries]: [usize; 3]) -> u128 {
+        let parts = work.expectation.looks_at(work.parts);
+        let (rotations, cycles) = (self.rotations.len(), self.cycles.len());
+        let is_plane = rotations + cycles == self.half_edges / 2 + 2 * self.components;
+        if work.expectation.surface_kind() == Surface::Plane && !is_plane || rotations > vertices {
+            return 0;
+        }
+        // Every other pairing of twins is this one, renamed. The other vertices are isolated.
+        let mut tables = pairings(self.half_edges as u128 / 2) * factorial(rotations as u128);
+        tables *= binomial(vertices as u128, rotations as u128);
+        if parts.has(Part::Leaving) {
+            tables *= self.rotations.iter().product::<u128>();
+        }
+        if parts.has(Part::Faces) {
+            // Each face starts at a half-edge of its cycle, or each boundary component does.
+            tables *= if cycles == faces { factorial(faces as u128) * self.cycles.iter().product::<u128>() } else { 0 };
+        }
+        if parts.has(Part::BoundaryComponents) {
+            tables *= if cycles == boundaries { factorial(boundaries as u128) } else { 0 };
+        }
+        tables
+    }
+}
+
+/// The lengths of the orbits of a permutation.
+fn orbits(permutation: &[usize]) -> Vec<u128> {
+    let mut lengths = Vec::new();
+    let mut seen = vec![false; permutation.len()];
+    for start in 0..permutation.len() {
+        let (mut x, mut length) = (start, 0);
+        while !std::mem::replace(&mut seen[x], true) {
+            length += 1;
+            x = permutation[x];
+        }
+        lengths.extend((length > 0).then_some(length));
+    }
+    lengths
+}
+
+/// Calls `visit` with every order of the first so many.
+fn for_each_permutation(order: &mut [usize], first: usize, visit: &mut impl FnMut(&[usize])) {
+    if first <= 1 {
+        return visit(order);
+    }
+    for i in 0..first {
+        order.swap(i, first - 1);
+        for_each_permutation(order, first - 1, visit);
+        order.swap(i, first - 1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tables::formulas;
+    use twinedge::validate::Parts;
+
+    fn work(expectation: Expectation, parts: Parts, [vertices, half_edges]: [usize; 2]) -> LazyWork {
+        LazyWork { expectation, parts, vertices, half_edges, boundaries: 0, faces: 0, vacant: false }
+    }
+
+    #[test]
+    fn the_recount_is_that_of_the_formulas() {
+        let leaving = Parts::NONE.with(Part::Leaving);
+        for edges in 0..=3 {
+            for vertices in 1..=3 {
+                let size = [vertices, 2 * edges];
+                let (e, v) = (edges as u128, vertices as u128);
+                let bare = work(Expectation::surface(), Parts::NONE, size);
+                assert_eq!(right(&bare).map(u128::from), Some(formulas::maps_with_vertices(e, v)));
+                let kept = work(Expectation::surface(), leaving, size);
+                let with_leaving = if edges == 0 { 1 } else { formulas::maps_with_leaving(e, v) };
+                assert_eq!(right(&kept).map(u128::from), Some(with_leaving));
+            }
+        }
+        assert_eq!(right(&work(Expectation::surface(), leaving, [2, 6])), Some(75_600));
+        assert_eq!(right(&work(Expectation::plane(), leaving, [2, 6])), Some(44_640));
+    }
+}

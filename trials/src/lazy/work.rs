@@ -1,0 +1,31 @@
+//! The work of `lazy`.
+
+use thiserror::Error;
+use twinedge::validate::{Expectation, Parts};
+
+/// The tables that are judged, all of one size: every cell is free.
+///
+/// A link can be nil, each slot, or the one past the end. The list of a face has up to as many entries as there are vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct LazyWork {
+    /// The claims to which the tables are held.
+    pub expectation: Expectation,
+    /// The parts that they store.
+    pub parts: Parts,
+    /// The number of slots for vertices.
+    pub vertices: usize,
+    /// The number of slots for half-edges.
+    pub half_edges: usize,
+    /// The number of slots for boundary components, where there are records for these.
+    pub boundaries: usize,
+    /// The number of slots for faces, where there are faces.
+    pub faces: usize,
+    /// True if each slot can also be vacant.
+    pub vacant: bool,
+}
+
+/// There are more tables than can be counted, about 10^38.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("there are more than 10^38 tables of this size")]
+pub struct TooManyTables;

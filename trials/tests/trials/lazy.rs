@@ -1,0 +1,96 @@
+//! All tables of a size, every cell free: what the validator and the reference accept.
+
+use twinedge::validate::{Expectation, Only, Part, Parts, View, accepts};
+use twinedge_trials::lazy::{Acceptor, LazyOutcome, LazyWork};
+use twinedge_trials::{Outcome, Run, Shard, Validator, lazy, sum};
+
+/// A validator that does not look at `prev`.
+struct BlindToPrev;
+
+impl Acceptor for BlindToPrev {
+    fn accepts(&self, view: &dyn View, expectation: &Expectation) -> bool {
+        accepts(&Only::new(view, view.parts().without(Part::Prev)), expectation)
+    }
+}
+
+/// A validator that refuses loops.
+struct NoLoops;
+
+impl Acceptor for NoLoops {
+    fn accepts(&self, view: &dyn View, expectation: &Expectation) -> bool {
+        accepts(view, &expectation.simple())
+    }
+}
+
+const MAP: Parts = Parts::NONE.with(Part::Prev).with(Part::Leaving);
+const RECORDS: Parts = MAP.with(Part::Places);
+
+fn work(expectation: Expectation, parts: Parts, [vertices, half_edges, boundaries, faces]: [usize; 4]) -> LazyWork {
+    LazyWork { expectation, parts, vertices, half_edges, boundaries, faces, vacant: false }
+}
+
+fn accepted(work: LazyWork) -> u64 {
+    let outcome = lazy(work, &Validator, &Run::default()).unwrap();
+    assert_eq!(outcome.reasons(), [""; 0], "{work:?}");
+    outcome.accepted
+}
+
+#[test]
+fn as_many_tables_are_accepted_as_there_are_maps() {
+    let (plane, surface) = (Expectation::plane(), Expectation::surface());
+    // A loop at one of two vertices that keeps either half-edge, or an edge between both.
+    assert_eq!(accepted(work(surface, MAP, [2, 2, 0, 0])), 2 * 2 + 2);
+    assert_eq!(accepted(work(plane, MAP, [2, 4, 0, 0])), 312);
+    // Besides, which component and face a cycle has.
+    assert_eq!(accepted(work(surface, RECORDS, [2, 2, 2, 2])), 2 * 2 * 2 * 2);
+    // Either half-edge begins the face.
+    assert_eq!(accepted(work(surface, MAP.with(Part::Faces), [2, 2, 0, 1])), 2 * 2);
+    // The isolated vertex is the only inner boundary component.
+    assert_eq!(accepted(work(plane, Parts::ALL, [1, 0, 1, 1])), 1);
+}
+
+#[test]
+fn vacant_slots_open_borders_and_claims_are_judged_alike() {
+    let surface = Expectation::surface();
+    // The empty map, with or without each vertex; and the maps of two half-edges, of which one vertex may be vacant.
+    assert_eq!(accepted(LazyWork { vacant: true, ..work(surface, MAP, [2, 2, 0, 0]) }), 4 + 6 + 2 * 2);
+    // Besides those without border.
+    assert!(accepted(work(surface.open(), MAP, [2, 2, 0, 0])) > 6);
+    assert_eq!(accepted(work(surface.simple().no_unused_vertices(), MAP, [2, 2, 0, 0])), 2);
+}
+
+fn differences(acceptor: &dyn Acceptor, work: LazyWork) -> LazyOutcome {
+    lazy(work, acceptor, &Run::default()).unwrap()
+}
+
+#[test]
+fn a_validator_that_accepts_too_much_differs() {
+    let outcome = differences(&BlindToPrev, work(Expectation::surface(), MAP, [2, 2, 0, 0]));
+    // Two values of `prev` that are nil, dangling or live, for each right table; one of these is right.
+    assert_eq!((outcome.accepted, outcome.differences), (6 * 16, 6 * 15));
+    assert!(outcome.findings[0].starts_with("accepted by the validator alone: "), "{:?}", outcome.findings);
+    assert!(!outcome.is_ok());
+}
+
+#[test]
+fn a_validator_that_accepts_too_little_differs() {
+    let outcome = differences(&NoLoops, work(Expectation::surface(), MAP, [2, 2, 0, 0]));
+    assert_eq!((outcome.accepted, outcome.differences), (2, 4));
+    assert!(outcome.findings[0].starts_with("accepted by the reference alone: "), "{:?}", outcome.findings);
+}
+
+#[test]
+fn the_parts_add_up() {
+    let work = work(Expectation::plane(), MAP, [2, 4, 0, 0]);
+    let part = |index| lazy(work, &Validator, &Run::default().shard(Shard::new(index, 3).unwrap())).unwrap();
+    let parts = [part(0), part(1), part(2)];
+    let text = serde_json::to_string(&parts).unwrap();
+    assert_eq!(serde_json::from_str::<Vec<LazyOutcome>>(&text).unwrap(), parts);
+    assert_eq!(sum(&parts).unwrap(), lazy(work, &Validator, &Run::default().threads(3)).unwrap());
+}
+
+#[test]
+fn tables_that_cannot_be_counted_are_an_error() {
+    let many = work(Expectation::plane(), Parts::ALL, [6, 10, 6, 6]);
+    assert!(lazy(many, &Validator, &Run::default()).is_err());
+}
