@@ -87,6 +87,9 @@ const TESTS: [(&str, &[&str], &str); 7] = [
 /// Of the tests of the program, the only module that is a check: it compares two checkers of certificates.
 const OF_COMMANDS: &str = "certificate";
 
+/// Its tests write into folders of their own, but all runs into the same: one at a time.
+static COMMANDS_RUN: Mutex<()> = Mutex::new(());
+
 /// The folder of the checker of certificates that is proved, if that is built.
 const PROVED: &str = "proofs/coq";
 
@@ -290,6 +293,7 @@ impl Check {
 
     /// Runs the check with a fault switched on.
     fn run(&self, fault: Option<usize>) -> Result<End> {
+        let _alone = self.name.starts_with("commands").then(|| COMMANDS_RUN.lock());
         let mut command = if cfg!(unix) {
             let mut shell = Command::new("sh");
             shell.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")]).arg(&self.program);

@@ -3,6 +3,7 @@
 use super::check::lines;
 use super::folder::{Claim, Folder};
 use super::notes::Notes;
+use super::output;
 use super::source::{self, Source};
 use super::sql::Engine;
 use crate::audit::InputKind;
@@ -122,7 +123,7 @@ impl Certify {
             Err(failures) => return refuse(name, &lines(&failures)),
         };
         let notes = Notes::new(name, self.map.sha256()?, counts, exponent);
-        claim.write(&self.output, &notes, self.sql)?;
+        output::write(&self.output, claim, &notes, self.sql)?;
         print(&format!("{}: certificate that {name} is {words}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)
     }

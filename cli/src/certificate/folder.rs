@@ -1,21 +1,19 @@
 //! The folder of a certificate, as `proofs/coq/CERTIFICATE.md` specifies it.
 
 use super::notes::Notes;
-use super::sql::{self, Engine};
 use crate::status::Failure;
-use std::ffi::OsString;
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 use twinedge::validate::certificate::{
     Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate, check_drawing,
 };
 
 /// The first line of `claim.txt`; the second one is the claim.
-const FIRST_LINE: &str = "twinedge certificate 1\n";
+pub(super) const FIRST_LINE: &str = "twinedge certificate 1\n";
 const PLANE: &str = "plane\n";
 const DRAWING: &str = "drawing\n";
 const SURFACE: &str = "surface\n";
-const CLAIM_FILE: &str = "claim.txt";
+pub(super) const CLAIM_FILE: &str = "claim.txt";
 const POINT_FILES: [&str; 2] = ["point_x.i64", "point_y.i64"];
 
 /// A certificate by its claim.
@@ -58,17 +56,16 @@ impl Claim {
         }
     }
 
-    /// Writes all columns, the tables if they are asked for, and then the claim with these notes below it. A certificate that is there is
-    /// replaced.
-    pub(super) fn write(&self, folder: &Path, notes: &Notes, sql: Option<Engine>) -> Result<(), Failure> {
-        clear(folder)?;
+    /// Writes all columns.
+    pub(super) fn write_columns(&self, folder: &Path) -> Result<(), Failure> {
         match self {
-            Self::Plane(plane) => plane.write(folder)?,
-            Self::Surface(surface) => write_columns(folder, Column::of_surface(), surface.columns())?,
+            Self::Plane(plane) => plane.write(folder),
+            Self::Surface(surface) => write_columns(folder, Column::of_surface(), surface.columns()),
         }
-        if let Some(engine) = sql {
-            sql::write(folder, self, notes, engine)?;
-        }
+    }
+
+    /// Writes the claim with these notes below it.
+    pub(super) fn write_claim(&self, folder: &Path, notes: &Notes) -> Result<(), Failure> {
         let claim = format!("{FIRST_LINE}{}{}", self.line(), notes.lines());
         write_file(&folder.join(CLAIM_FILE), claim.as_bytes())
     }
@@ -112,37 +109,10 @@ impl Folder {
     }
 }
 
-/// Makes the folder, or removes the certificate that is in it. A folder with anything else is left as it is.
-fn clear(folder: &Path) -> Result<(), Failure> {
-    let name = folder.display();
-    let failed = |error: io::Error| Failure(format!("{name}: {error}"));
-    fs::create_dir_all(folder).map_err(failed)?;
-    let entries = fs::read_dir(folder).map_err(failed)?;
-    let there: Vec<OsString> = entries.map(|entry| Ok(entry?.file_name())).collect::<Result<_, _>>().map_err(failed)?;
-    let claim = folder.join(CLAIM_FILE);
-    if there.is_empty() {
-        return Ok(());
-    }
-    let may_be_there: Vec<OsString> = file_names().map(OsString::from).collect();
-    if let Some(other) = there.iter().find(|file| !may_be_there.contains(file)) {
-        let other = other.display();
-        return Err(Failure(format!("{name}: {other} is no file of a certificate, so the folder is not written to")));
-    }
-    if !fs::read(&claim).is_ok_and(|claim| claim.starts_with(FIRST_LINE.as_bytes())) {
-        return Err(Failure(format!("{name}: this folder has files and no certificate, and is not written to")));
-    }
-    // Without its second line a folder that is not written to the end is unreadable, and can be written to once more.
-    write_file(&claim, FIRST_LINE.as_bytes())?;
-    for file in there.iter().filter(|file| *file != CLAIM_FILE) {
-        fs::remove_file(folder.join(file)).map_err(failed)?;
-    }
-    Ok(())
-}
-
-/// The names of all files that a certificate may have.
-fn file_names() -> impl Iterator<Item = String> {
+/// The names of all files that a certificate may have without tables.
+pub(super) fn file_names() -> impl Iterator<Item = String> {
     let fixed = [CLAIM_FILE, POINT_FILES[0], POINT_FILES[1]].map(str::to_owned);
-    Column::ALL.into_iter().map(file_name).chain(fixed).chain(sql::file_names())
+    Column::ALL.into_iter().map(file_name).chain(fixed)
 }
 
 fn read_drawing(folder: &Path) -> Result<Drawing, Failure> {
@@ -195,6 +165,6 @@ fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
     fs::read(path).map_err(|error| Failure(format!("{}: {error}", path.display())))
 }
 
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     fs::write(path, bytes).map_err(|error| Failure(format!("{}: {error}", path.display())))
 }

@@ -4,6 +4,7 @@ mod certify;
 mod check;
 mod folder;
 mod notes;
+mod output;
 mod source;
 mod sql;
 

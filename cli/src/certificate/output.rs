@@ -1,0 +1,47 @@
+//! The folder that a certificate is written to.
+
+use super::folder::{self, CLAIM_FILE, Claim, FIRST_LINE, write_file};
+use super::notes::Notes;
+use super::sql::{self, Engine};
+use crate::status::Failure;
+use std::ffi::OsString;
+use std::path::Path;
+use std::{fs, io};
+
+/// Writes all columns, the tables if they are asked for, and then the claim with these notes below it. A certificate that is there is
+/// replaced.
+pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, sql: Option<Engine>) -> Result<(), Failure> {
+    clear(folder)?;
+    claim.write_columns(folder)?;
+    if let Some(engine) = sql {
+        sql::write(folder, claim, notes, engine)?;
+    }
+    claim.write_claim(folder, notes)
+}
+
+/// Makes the folder, or removes the certificate that is in it. A folder with anything else is left as it is.
+fn clear(path: &Path) -> Result<(), Failure> {
+    let name = path.display();
+    let failed = |error: io::Error| Failure(format!("{name}: {error}"));
+    fs::create_dir_all(path).map_err(failed)?;
+    let entries = fs::read_dir(path).map_err(failed)?;
+    let there: Vec<OsString> = entries.map(|entry| Ok(entry?.file_name())).collect::<Result<_, _>>().map_err(failed)?;
+    let claim = path.join(CLAIM_FILE);
+    if there.is_empty() {
+        return Ok(());
+    }
+    let may_be_there: Vec<OsString> = folder::file_names().chain(sql::file_names()).map(OsString::from).collect();
+    if let Some(other) = there.iter().find(|file| !may_be_there.contains(file)) {
+        let other = other.display();
+        return Err(Failure(format!("{name}: {other} is no file of a certificate, so the folder is not written to")));
+    }
+    if !fs::read(&claim).is_ok_and(|claim| claim.starts_with(FIRST_LINE.as_bytes())) {
+        return Err(Failure(format!("{name}: this folder has files and no certificate, and is not written to")));
+    }
+    // Without its second line a folder that is not written to the end is unreadable, and can be written to once more.
+    write_file(&claim, FIRST_LINE.as_bytes())?;
+    for file in there.iter().filter(|file| *file != CLAIM_FILE) {
+        fs::remove_file(path.join(file)).map_err(failed)?;
+    }
+    Ok(())
+}
