@@ -159,9 +159,8 @@ fn turn<V: View + ?Sized>(
     links: &mut Links,
     stop: Stop,
 ) -> (Option<VertexFigures>, Option<RotationWalk>) {
-    if links.are_right()
-        && let Some(around) = rotations::walk(view, extent, links)
-    {
+    let around = if links.are_right() { rotations::walk(view, extent, links) } else { None };
+    if let Some(around) = around {
         return (VertexFigures::of(around.counted), Some(around));
     }
     if stop == Stop::AtDoubt {
