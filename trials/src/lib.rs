@@ -59,6 +59,7 @@
 struct Readme;
 
 mod certificates;
+mod erased;
 mod error;
 mod progress;
 mod published;
@@ -87,6 +88,7 @@ pub mod tables;
 
 pub use certificates::{Certificates, certificates_of};
 pub use corrupt::corrupt;
+pub use erased::Erased;
 pub use error::{Failed, StructureError};
 pub use meshes::meshes;
 pub use progress::{Progress, Silent};
