@@ -39,6 +39,7 @@
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
 //! | [`RotationSystem`] | a second model of the operators, simple and slow |
 //! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
+//! | [`Erased`] | structures of several types as one: the engines are compiled once for them |
 //!
 //! # Long runs
 //!
