@@ -9,7 +9,7 @@ use twinedge_trials::planted::Planted;
 use twinedge_trials::regression::TestSource;
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::soak::Comparable;
-use twinedge_trials::{ReportAudit, RotationSystem};
+use twinedge_trials::{Erased, ReportAudit, RotationSystem};
 
 /// A structure that programs can be run on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -32,29 +32,46 @@ pub(crate) enum StructureName {
     Panicking,
 }
 
-/// Something to be done with a structure of any type.
+/// Something to be done with a structure of any type. It is compiled for two types: the second model, and all others as one.
 pub(crate) trait Task {
     type Result;
 
     fn run<K: Indexed + Clone + 'static>(self, structure: Structure<K>) -> Self::Result;
 }
 
+type Arrays = FixedStore<24, 40, 40, 24>;
+
 const DCEL: &str = "twinedge::dcel::Dcel";
 const PROGRAM: &str = "twinedge::program::*";
 const REPORT_AUDIT: &str = "twinedge_trials::ReportAudit";
 const EXPECTATION: &str = "twinedge::validate::Expectation";
+const POINTER_STORE: &str = "twinedge::store::PointerStore";
+const FIXED_STORE: &str = "twinedge::store::FixedStore";
 
-/// A store of the library, by the source that names it.
-const fn dcel_source(imports: &'static [&'static str], make: &'static str) -> TestSource {
+/// A structure by the source that names it.
+const fn source(imports: &'static [&'static str], make: &'static str) -> TestSource {
     TestSource { imports, make, expectation: "Expectation::plane()", remark: "" }
 }
 
-const PLANTED: TestSource = TestSource {
-    remark: "The structure with the planted bug is not public. This one passes.",
-    ..dcel_source(&[DCEL, PROGRAM, EXPECTATION], "Dcel::new()")
-};
-
-const AUDITED: &str = r#"Audited::new(Dcel::new()).expect("the empty map is valid")"#;
+const SLOTS: TestSource = source(&[DCEL, PROGRAM, EXPECTATION], "Dcel::new()");
+const POINTERS: TestSource = source(&[DCEL, PROGRAM, POINTER_STORE, EXPECTATION], "Dcel::<PointerStore>::default()");
+const FIXED: TestSource =
+    source(&[DCEL, PROGRAM, FIXED_STORE, EXPECTATION], "Dcel::<FixedStore<24, 40, 40, 24>>::default()");
+const AUDITED: TestSource = source(
+    &["twinedge::dcel::{Audited, Dcel}", PROGRAM, EXPECTATION],
+    r#"Audited::new(Dcel::new()).expect("the empty map is valid")"#,
+);
+const ROTATION_SYSTEM: TestSource =
+    source(&[PROGRAM, EXPECTATION, "twinedge_trials::RotationSystem"], "RotationSystem::new()");
+const PLANTED: TestSource =
+    TestSource { remark: "The structure with the planted bug is not public. This one passes.", ..SLOTS };
+const AUDITED_SLOTS: TestSource = source(&[DCEL, PROGRAM, EXPECTATION, REPORT_AUDIT], "ReportAudit::new(Dcel::new())");
+const AUDITED_POINTERS: TestSource =
+    source(&[PROGRAM, POINTER_STORE, EXPECTATION, REPORT_AUDIT], "ReportAudit::<PointerStore>::default()");
+const AUDITED_FIXED: TestSource = source(
+    &[DCEL, PROGRAM, FIXED_STORE, EXPECTATION, REPORT_AUDIT],
+    "ReportAudit::new(Dcel::<FixedStore<24, 40, 40, 24>>::default())",
+);
 
 /// The empty map, audited.
 fn audited() -> Audited {
@@ -79,38 +96,14 @@ impl StructureName {
 
     /// Does something with the structure of this name.
     pub(crate) fn with<T: Task>(self, task: T) -> T::Result {
-        let (name, plane) = (self.name(), Expectation::plane());
         match self {
-            Self::Slots => {
-                let source = dcel_source(&[DCEL, PROGRAM, EXPECTATION], "Dcel::new()");
-                task.run(Structure::new(name, Dcel::new, plane).source(source))
-            }
-            Self::Pointers => {
-                let imports = &[DCEL, PROGRAM, "twinedge::store::PointerStore", EXPECTATION];
-                let source = dcel_source(imports, "Dcel::<PointerStore>::default()");
-                task.run(Structure::new(name, Dcel::<PointerStore>::default, plane).source(source))
-            }
-            Self::Fixed => {
-                let imports = &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION];
-                let source = dcel_source(imports, "Dcel::<FixedStore<24, 40, 40, 24>>::default()");
-                task.run(Structure::new(name, Dcel::<FixedStore<24, 40, 40, 24>>::default, plane).source(source))
-            }
-            Self::Audited => {
-                let imports = &["twinedge::dcel::{Audited, Dcel}", PROGRAM, EXPECTATION];
-                let source = dcel_source(imports, AUDITED);
-                task.run(Structure::new(name, audited, plane).source(source))
-            }
-            Self::RotationSystem => {
-                let source = TestSource {
-                    imports: &[PROGRAM, EXPECTATION, "twinedge_trials::RotationSystem"],
-                    make: "RotationSystem::new()",
-                    expectation: "Expectation::plane()",
-                    remark: "",
-                };
-                task.run(Structure::new(name, RotationSystem::new, Expectation::plane()).source(source))
-            }
-            Self::Planted => task.run(Structure::new(name, Planted::<false>::default, plane).source(PLANTED)),
-            Self::Panicking => task.run(Structure::new(name, Planted::<true>::default, plane).source(PLANTED)),
+            Self::Slots => task.run(self.made(|| Erased::new(Dcel::new()), SLOTS)),
+            Self::Pointers => task.run(self.made(|| Erased::new(Dcel::<PointerStore>::default()), POINTERS)),
+            Self::Fixed => task.run(self.made(|| Erased::new(Dcel::<Arrays>::default()), FIXED)),
+            Self::Audited => task.run(self.made(|| Erased::new(audited()), AUDITED)),
+            Self::RotationSystem => task.run(self.made(RotationSystem::new, ROTATION_SYSTEM)),
+            Self::Planted => task.run(self.made(|| Erased::new(Planted::<false>::default()), PLANTED)),
+            Self::Panicking => task.run(self.made(|| Erased::new(Planted::<true>::default()), PLANTED)),
         }
     }
 
@@ -124,25 +117,19 @@ impl StructureName {
                 Box::new(structure)
             }
         }
-        let (name, plane) = (self.name(), Expectation::plane());
         match self {
-            Self::Slots => {
-                let source = dcel_source(&[DCEL, PROGRAM, EXPECTATION, REPORT_AUDIT], "ReportAudit::new(Dcel::new())");
-                Box::new(Structure::new(name, ReportAudit::<SlotStore>::default, plane).source(source))
-            }
+            Self::Slots => Box::new(self.made(|| Erased::new(ReportAudit::<SlotStore>::default()), AUDITED_SLOTS)),
             Self::Pointers => {
-                let imports = &[PROGRAM, "twinedge::store::PointerStore", EXPECTATION, REPORT_AUDIT];
-                let source = dcel_source(imports, "ReportAudit::<PointerStore>::default()");
-                Box::new(Structure::new(name, ReportAudit::<PointerStore>::default, plane).source(source))
+                Box::new(self.made(|| Erased::new(ReportAudit::<PointerStore>::default()), AUDITED_POINTERS))
             }
-            Self::Fixed => {
-                let imports = &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION, REPORT_AUDIT];
-                let source = dcel_source(imports, "ReportAudit::new(Dcel::<FixedStore<24, 40, 40, 24>>::default())");
-                let make = ReportAudit::<FixedStore<24, 40, 40, 24>>::default;
-                Box::new(Structure::new(name, make, plane).source(source))
-            }
+            Self::Fixed => Box::new(self.made(|| Erased::new(ReportAudit::<Arrays>::default()), AUDITED_FIXED)),
             Self::Audited | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
         }
+    }
+
+    /// The structure of this name, as it is made, and the source that names it.
+    const fn made<K: Indexed>(self, make: fn() -> K, source: TestSource) -> Structure<K> {
+        Structure::new(self.name(), make, Expectation::plane()).source(source)
     }
 }
 

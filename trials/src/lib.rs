@@ -40,6 +40,7 @@
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
 //! | [`RotationSystem`] | a second model of the operators, simple and slow |
 //! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
+//! | [`Erased`] | structures of several types as one: the engines are compiled once for them |
 //!
 //! # Long runs
 //!
@@ -60,6 +61,7 @@
 struct Readme;
 
 mod certificates;
+mod erased;
 mod error;
 mod progress;
 mod published;
@@ -89,6 +91,7 @@ pub mod tables;
 
 pub use certificates::{Certificates, certificates_of};
 pub use corrupt::corrupt;
+pub use erased::Erased;
 pub use error::{Failed, StructureError};
 pub use lazy::lazy;
 pub use meshes::meshes;

@@ -3,6 +3,15 @@
 use super::Position;
 
 /// The place where two segments cross, if these are their four ends, or else the middle of the points.
+///
+/// ```
+/// use twinedge_formats::diagnosis::middle;
+/// assert_eq!(middle(&[[0.0, 0.0], [4.0, 4.0], [0.0, 2.0], [4.0, 2.0]]), Some([2.0, 2.0]));
+/// // The lines of these two cross, and they do not.
+/// assert_eq!(middle(&[[0.0, 0.0], [1.0, 1.0], [0.0, 3.0], [3.0, 2.0]]), Some([1.0, 1.5]));
+/// assert_eq!(middle(&[[2.0, 0.0], [4.0, 0.0]]), Some([3.0, 0.0]));
+/// assert_eq!(middle(&[]), None);
+/// ```
 #[must_use]
 pub fn middle(points: &[Position]) -> Option<Position> {
     if let [a, b, c, d] = *points
@@ -22,18 +31,4 @@ fn crossing([a, b]: [Position; 2], [c, d]: [Position; 2]) -> Option<Position> {
     let (s, t) = (cross(w, u) / cross(u, v), cross(w, v) / cross(u, v));
     let is_inside = |t: f64| (0.0..=1.0).contains(&t);
     (is_inside(s) && is_inside(t)).then(|| [a[0] + t * u[0], a[1] + t * u[1]])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::middle;
-
-    #[test]
-    fn two_segments_are_looked_at_where_they_cross() {
-        assert_eq!(middle(&[[0.0, 0.0], [4.0, 4.0], [0.0, 2.0], [4.0, 2.0]]), Some([2.0, 2.0]));
-        // Their lines cross, and they do not.
-        assert_eq!(middle(&[[0.0, 0.0], [1.0, 1.0], [0.0, 3.0], [3.0, 2.0]]), Some([1.0, 1.5]));
-        assert_eq!(middle(&[[2.0, 0.0], [4.0, 0.0]]), Some([3.0, 0.0]));
-        assert_eq!(middle(&[]), None);
-    }
 }

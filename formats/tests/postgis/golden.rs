@@ -1,6 +1,6 @@
 //! Topologies that PostGIS wrote are read as they are, and valid.
 
-use crate::support::{DECIMAL, EDGE, GEOM, LARGE_IDS, NODE, OLD_TOWN, Rows, TOWN, line};
+use crate::support::{DECIMAL, EDGE, END, GEOM, LARGE_IDS, NODE, OLD_TOWN, Row, Rows, START, TOWN, int, line};
 use twinedge::validate::{Embedding, Record, View};
 use twinedge_formats::postgis::{audit, is_copy, read};
 
@@ -81,4 +81,57 @@ fn the_order_of_rows_does_not_matter() {
 fn a_node_may_lie_in_the_universe() {
     let rows = Rows::of(TOWN);
     assert!(rows.0[NODE].iter().any(|row| row[1] == Some(vec![0; 4])));
+}
+
+/// The ids of nodes by this numbering of theirs, in the order of the rows.
+fn numbered(rows: &mut Rows, number: impl Fn(i32) -> i32) {
+    let change = |row: &mut Row, column: usize| {
+        let id = i32::from_be_bytes(row[column].as_deref().unwrap().try_into().unwrap());
+        row[column] = int(number(id));
+    };
+    rows.0[NODE].iter_mut().for_each(|row| change(row, 0));
+    for row in &mut rows.0[EDGE] {
+        change(row, START);
+        change(row, END);
+    }
+}
+
+#[test]
+fn ids_are_found_however_far_apart_they_are() {
+    let far = |id: i32| if id % 2 == 0 { i32::MAX - id } else { i32::MIN + id };
+    let numberings: [fn(i32) -> i32; 5] = [|id| id + 7, |id| -id, |id| 2 * id, |id| 1_000_003 * id, far];
+    let counts = *Rows::of(TOWN).audit().counts();
+    for numbering in numberings {
+        let mut rows = Rows::of(TOWN);
+        numbered(&mut rows, numbering);
+        let audit = rows.audit();
+        assert!(audit.is_valid(), "{audit}");
+        assert_eq!(*audit.counts(), counts);
+        // An edge at a node that no row has.
+        for lost in [numbering(3) + 1, numbering(3) - 1, 100_000, i32::MIN, i32::MAX, 0] {
+            if rows.0[NODE].iter().all(|row| row[0] != int(lost)) {
+                let mut rows = rows.clone();
+                rows.row(EDGE, 5)[START] = int(lost);
+                let audit = rows.audit();
+                assert!(audit.violations().iter().any(|one| one.rule == Some("R1")), "{lost}\n{audit}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_first_row_with_an_id_has_it() {
+    for numbering in [|id: i32| id, |id: i32| 1_000_003 * id] {
+        let mut rows = Rows::of(TOWN);
+        numbered(&mut rows, numbering);
+        let second = rows.0[NODE][1][0].clone();
+        rows.0[NODE].extend([2, 3].map(|at| {
+            let mut row = Rows::of(TOWN).0[NODE][at].clone();
+            row[0].clone_from(&second);
+            row
+        }));
+        let audit = rows.audit();
+        let rules: Vec<_> = audit.violations().iter().map(|one| one.rule).collect();
+        assert_eq!(rules, [Some("P0"), Some("P0")], "{audit}");
+    }
 }

@@ -26,6 +26,7 @@ pub(crate) const EDGE: usize = 2;
 
 /// Columns of edges.
 pub(crate) const START: usize = 1;
+pub(crate) const END: usize = 2;
 pub(crate) const NEXT_LEFT: usize = 3;
 pub(crate) const ABS_NEXT_LEFT: usize = 4;
 pub(crate) const LEFT_FACE: usize = 7;

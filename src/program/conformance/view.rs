@@ -35,7 +35,7 @@ pub(super) fn compare<K: Subject>(
             subject.half_edges().iter().position(|other| *other == handle)
         };
         let place = place.filter(|place| !core::mem::replace(&mut seen[*place], true));
-        places.insert(h, place.ok_or(Difference::Unknown { half_edge: h, is_named: K::NAMED })?);
+        places.insert(h, place.ok_or(Difference::Unknown { half_edge: h, is_named: view.is_named() })?);
     }
     if let Some(place) = seen.iter().position(|seen| !seen) {
         return Err(Difference::Missing { corner: place });

@@ -283,7 +283,10 @@ impl<M: View> View for Named<M> {
 
 impl<M: View> Subject for Named<M> {
     crate::subject_by_index!();
-    const NAMED: bool = true;
+
+    fn is_named(&self) -> bool {
+        true
+    }
 
     fn mesh_flip_edge(&mut self, n: usize) -> Result<(), Refusal> {
         self.run(n, |named| &mut named.flip_edge)?;

@@ -66,8 +66,10 @@ macro_rules! delegate_subject {
         type Vertex = <$subject as $crate::program::Subject>::Vertex;
         type HalfEdge = <$subject as $crate::program::Subject>::HalfEdge;
         type Face = <$subject as $crate::program::Subject>::Face;
-        const NAMED: bool = <$subject as $crate::program::Subject>::NAMED;
 
+        fn is_named(&self) -> bool {
+            $crate::program::Subject::is_named($get(self))
+        }
         fn unbounded_face(&self) -> Option<Self::Face> {
             $crate::program::Subject::unbounded_face($get(self))
         }

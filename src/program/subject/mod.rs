@@ -116,7 +116,9 @@ pub trait Subject: View {
     /// True if half-edges are found again after each operator, as [`mesh::Named`](crate::program::mesh::Named) does. Only the advice in
     /// messages depends on it.
     #[doc(hidden)]
-    const NAMED: bool = false;
+    fn is_named(&self) -> bool {
+        false
+    }
 
     /// The unbounded face; none, as by default, if the structure has no such face.
     fn unbounded_face(&self) -> Option<Self::Face> {
