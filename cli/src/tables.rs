@@ -62,7 +62,7 @@ pub(crate) struct Tables {
     print: bool,
 
     /// Go through all tables of one size, every field free, by runs that each stand for many.
-    #[arg(long, conflicts_with_all = ["certificates", "print"])]
+    #[arg(long, conflicts_with_all = ["certificates", "fast_path", "print"])]
     lazy: bool,
 
     #[command(flatten)]

@@ -19,7 +19,7 @@ pub(crate) struct Size {
     #[arg(long, value_name = "CLAIMS", default_value = "surface", requires = "lazy", value_parser = expectation)]
     expect: Expectation,
 
-    /// With --lazy: the parts that the tables store, with commas: prev, leaving, faces, boundary_components, places, holes, unbounded_face; or
+    /// With --lazy: the parts that the tables store, with commas: `prev`, `leaving`, `faces`, `boundary_components`, `places`, `holes`, `unbounded_face`; or
     /// none, or all. Each brings those on which it depends.
     #[arg(long, value_name = "PARTS", default_value = "none", requires = "lazy", value_parser = parts)]
     parts: Parts,
