@@ -1,6 +1,6 @@
 //! A table whose cells are open: each gets its value when it is first read.
 
-use super::work::{LazyWork, TooManyTables};
+use super::work::{LazyWork, MOST_SLOTS, TooManyTables};
 use std::cell::{Cell, RefCell};
 use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, Table, View};
 
@@ -24,7 +24,7 @@ pub(super) struct OpenTable {
     told_apart: Option<Cell<Slots>>,
 }
 
-/// A set of slots, a bit each: of vertices, half-edges, boundary components and faces.
+/// A set of slots, of which there are at most [`MOST_SLOTS`], a bit each: of vertices, half-edges, boundary components and faces.
 type Slots = [u16; 4];
 
 /// A kind of record.
@@ -112,12 +112,15 @@ impl OpenTable {
     /// The table of this work, with all cells open.
     ///
     /// # Errors
-    /// [`TooManyTables`] if there are more tables than can be counted.
+    /// [`TooManyTables`] if there are more tables than can be counted, or too many slots.
     pub(super) fn new(work: &LazyWork) -> Result<Self, TooManyTables> {
         Self::with_cells(work).ok_or(TooManyTables)
     }
 
     fn with_cells(work: &LazyWork) -> Option<Self> {
+        if [work.vertices, work.half_edges, work.boundaries, work.faces].iter().any(|slots| *slots > MOST_SLOTS) {
+            return None;
+        }
         let parts = work.expectation.looks_at(work.parts);
         let has = |part| parts.has(part);
         let (by_record, has_holes) = (has(Part::BoundaryComponents), has(Part::Holes));

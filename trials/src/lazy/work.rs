@@ -25,7 +25,10 @@ pub struct LazyWork {
     pub vacant: bool,
 }
 
-/// There are more tables than can be counted, about 10^38.
+/// The most slots of a kind.
+pub(super) const MOST_SLOTS: usize = 15;
+
+/// There are more tables than can be counted, about 10^38, or more than 15 slots of a kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("there are more than 10^38 tables of this size")]
+#[error("there are more than 10^38 tables of this size, or more than {MOST_SLOTS} slots of a kind")]
 pub struct TooManyTables;

@@ -1,7 +1,7 @@
 //! All tables of a size, every cell free: what the validator and the reference accept.
 
 use twinedge::validate::{Expectation, Only, Part, Parts, View, accepts};
-use twinedge_trials::lazy::{Acceptor, LazyOutcome, LazyWork};
+use twinedge_trials::lazy::{Acceptor, LazyOutcome, LazyWork, TooManyTables};
 use twinedge_trials::{Outcome, Run, Shard, Validator, lazy, sum};
 
 /// A validator that does not look at `prev`.
@@ -91,6 +91,9 @@ fn the_parts_add_up() {
 
 #[test]
 fn tables_that_cannot_be_counted_are_an_error() {
-    let many = work(Expectation::plane(), Parts::ALL, [6, 10, 6, 6]);
-    assert!(lazy(many, &Validator, &Run::default()).is_err());
+    let sizes = [([6, 10, 6, 6], Parts::ALL), ([16, 1, 0, 0], Parts::NONE), ([usize::MAX, 0, 0, 0], Parts::NONE)];
+    for (size, parts) in sizes {
+        let outcome = lazy(work(Expectation::plane(), parts, size), &Validator, &Run::default());
+        assert_eq!(outcome.err(), Some(TooManyTables), "{size:?}");
+    }
 }
