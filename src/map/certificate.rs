@@ -6,7 +6,6 @@
 use crate::slots::NIL;
 use crate::validate::certificate::{Column, Drawing, Labels};
 use crate::validate::{Embedding, Part};
-use rustc_hash::FxHashMap;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 /// Why a map has no certificate of its drawing.
@@ -128,8 +127,6 @@ struct Darts {
     ahead: Vec<u32>,
     face: Vec<u32>,
     rank: Vec<u32>,
-    /// For each pair of points with an edge of the map the dart that leads from the first to the second.
-    by_ends: FxHashMap<[u32; 2], u32>,
     /// By half-edge, vertex and face.
     of_half_edge: Vec<u32>,
     of_vertex: Vec<u32>,
@@ -181,16 +178,12 @@ impl Darts {
             ahead: vec![0; sides.len()],
             face: vec![0; sides.len()],
             rank: vec![NIL; sides.len()],
-            by_ends: FxHashMap::default(),
             of_half_edge: vec![0; map.half_edge_slots()],
             of_vertex: vec![0; slots],
             of_face: vec![0; map.face_slots()],
         };
         for (d, side) in sides.iter().enumerate() {
-            let [from, to] = [side.from(), side.to()].map(|end| numbers[end.index()]);
-            if side.is_constraint_edge() {
-                darts.by_ends.insert([from as u32, to as u32], d as u32);
-            }
+            let from = numbers[side.from().index()];
             if from < slots {
                 darts.of_vertex[from] = d as u32;
             }
@@ -198,19 +191,45 @@ impl Darts {
         Ok(darts)
     }
 
-    /// Each half-edge lies on the dart between its ends.
+    /// Each half-edge lies on the dart between its ends. Half-edges and darts are passed together, clockwise around each vertex.
     fn place_half_edges<E: Embedding + ?Sized>(&mut self, map: &E) -> Result<(), DrawingError> {
-        for h in half_edges(map) {
-            if map.bends(h) > 0 {
-                return Err(DrawingError::Bends { half_edge: h });
+        if let Some(half_edge) = half_edges(map).find(|h| map.bends(*h) > 0) {
+            return Err(DrawingError::Bends { half_edge });
+        }
+        // Each half-edge, around its vertex once to find its first one, and once more. Rotations that are wrong take longer.
+        let mut steps = 3 * self.twin.len();
+        let mut step = || -> Result<(), DrawingError> {
+            steps = steps.checked_sub(1).ok_or(DrawingError::NotPlane)?;
+            Ok(())
+        };
+        for first in half_edges(map) {
+            let from = map.origin(first).ok_or(DrawingError::NotPlane)?;
+            let mut d = self.dart_from(from)?;
+            let mut h = first;
+            while !self.is_placed(h) && map.origin(h) == Some(from) {
+                step()?;
+                let twin = map.twin(h).filter(|t| map.is_half_edge(*t)).ok_or(DrawingError::NotPlane)?;
+                let to = map.origin(twin).ok_or(DrawingError::NotPlane)?;
+                while self.point[next(d)] as usize != to {
+                    step()?;
+                    d = next(self.twin[d] as usize);
+                }
+                self.of_half_edge[h] = d as u32;
+                self.half_edge[d] = h as u32;
+                h = map.next(twin).filter(|next| map.is_half_edge(*next)).ok_or(DrawingError::NotPlane)?;
             }
-            let ends = [map.origin(h), map.twin(h).filter(|t| map.is_half_edge(*t)).and_then(|t| map.origin(t))];
-            let [Some(from), Some(to)] = ends else { return Err(DrawingError::NotPlane) };
-            let dart = *self.by_ends.get(&[from as u32, to as u32]).ok_or(DrawingError::NotPlane)?;
-            self.of_half_edge[h] = dart;
-            self.half_edge[dart as usize] = h as u32;
         }
         Ok(())
+    }
+
+    /// A dart that starts at the vertex.
+    fn dart_from(&self, v: usize) -> Result<usize, DrawingError> {
+        let dart = self.of_vertex.get(v).map(|d| *d as usize);
+        dart.filter(|d| self.point[*d] as usize == v).ok_or(DrawingError::NotPlane)
+    }
+
+    fn is_placed(&self, h: usize) -> bool {
+        self.half_edge[self.of_half_edge[h] as usize] as usize == h
     }
 
     /// The faces of the darts, and ranks: from the outer triangle over the unbounded face, and from a half-edge of each other face over
