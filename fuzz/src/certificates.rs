@@ -40,10 +40,11 @@ impl Changes {
                 numbers.truncate(at);
                 continue;
             }
-            let value = (value / 16 % (numbers.len() + 4)) as u32;
-            let beyond = value.saturating_sub(numbers.len() as u32);
+            let value = value / 16 % (numbers.len() + 4);
+            let beyond = value.saturating_sub(numbers.len());
             // One past the end, and the three numbers that mean something else.
-            numbers[at] = if beyond > 0 { u32::MAX - (beyond - 1) } else { value };
+            let number = if beyond > 0 { u32::MAX as usize - (beyond - 1) } else { value };
+            numbers[at] = u32::try_from(number).unwrap_or(u32::MAX);
         }
     }
 }
@@ -85,16 +86,13 @@ pub fn certificates(bytes: &[u8]) {
         return drawing(&mut source, &changes);
     }
     let form = source.form();
-    match mode {
-        3 => returns(&Fickle::new(form.parts, source), &changes),
-        _ => {
-            let table =
-                if mode == 0 { Table { parts: form.parts, ..source.table() } } else { source.corrupt_map(form) };
-            match form.expectation.surface_kind() {
-                Surface::Plane => subdivision(&table, &changes),
-                _ => surface(&table, &changes),
-            }
-        }
+    if mode == 3 {
+        return returns(&Fickle::new(form.parts, source), &changes);
+    }
+    let table = if mode == 0 { Table { parts: form.parts, ..source.table() } } else { source.corrupt_map(form) };
+    match form.expectation.surface_kind() {
+        Surface::Plane => subdivision(&table, &changes),
+        _ => surface(&table, &changes),
     }
 }
 
@@ -218,8 +216,8 @@ fn drawing(source: &mut Source<'_>, changes: &Changes) {
     let mut builder = Builder::new();
     let point = |source: &mut Source<'_>| [(); 2].map(|()| source.below(5) as f64);
     for _ in 0..source.below(6) {
-        let [from, to] = [point(source), point(source)];
-        let _ = if from == to { builder.shape(&Shape::Point(from.into())) } else { builder.segment(from, to) };
+        let [from, to] = [point(source), point(source)].map(Point::from);
+        let _ = if from == to { builder.shape(&Shape::Point(from)) } else { builder.segment(from, to) };
     }
     let map = builder.build_with(Noding::Snap(Snap::Size(1.0))).expect("points on a small grid");
     let points = (0..map.vertex_slots()).map(|v| map.point(v)).collect();
@@ -251,7 +249,7 @@ fn drawing(source: &mut Source<'_>, changes: &Changes) {
     for [at, x, y] in &changes.0 {
         if at % 2 == 0 {
             let at = at / 2 % certificate.points.len();
-            certificate.points[at] = [x, y].map(|x| (x % 11) as i64 - 5);
+            certificate.points[at] = [x, y].map(|x| i64::try_from(x % 11).unwrap_or_default() - 5);
         }
     }
     let drawn = drawn.at(&certificate);
