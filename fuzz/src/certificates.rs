@@ -7,7 +7,7 @@ use twinedge::geometry::noding::Snap;
 use twinedge::map::certificate::draw;
 use twinedge::map::{Builder, Noding, Shape};
 use twinedge::validate::certificate::{
-    Certificate, Column, Drawing, Labels, SurfaceCertificate, check, check_drawing, check_surface,
+    Certificate, Column, Drawing, Labels, SurfaceCertificate, VACANT, check, check_drawing, check_surface,
 };
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Embedding, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Surface,
@@ -17,8 +17,6 @@ use twinedge_trials::enumerate::TableCells;
 
 const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();
-/// In the first column of a kind of record: the slot is vacant.
-const VACANT: usize = u32::MAX as usize - 1;
 
 /// Some numbers of a certificate become others.
 struct Changes(Vec<[usize; 3]>);
@@ -161,10 +159,11 @@ fn returns(view: &Fickle<'_>, changes: &Changes) {
 fn without_holes(columns: &Labels) -> Table {
     let number = |column, i: usize| columns.column(column).get(i).map(|number| *number as usize);
     let link = |column, i: usize| number(column, i).filter(|to| *to != u32::MAX as usize);
-    let live = |column, i: usize| number(column, i).is_some_and(|number| number != VACANT);
+    let live = |column, i: usize| number(column, i).is_some_and(|number| number != VACANT as usize);
     let is_hole = |b| live(Column::BoundaryFace, b) && link(Column::BoundaryFace, b).is_none();
     let is_border = |h| link(Column::HalfEdgeBoundary, h).is_some_and(is_hole);
-    // At the border, the half-edge without twin: its twin arrives on the hole. Of a vertex elsewhere the column says nothing.
+    // A vertex at the border keeps the half-edge without twin. In the certificate that is the twin of the half-edge of the hole that arrives
+    // at the vertex. The column is not looked at for other vertices.
     let on_border =
         |v| link(Column::VertexBorder, v).filter(|h| is_border(*h) && link(Column::HalfEdgeOrigin, *h) == Some(v));
     let leaving = |v| match on_border(v).and_then(|h| link(Column::HalfEdgePrev, h)) {

@@ -196,7 +196,8 @@ impl Darts {
         if let Some(half_edge) = half_edges(map).find(|h| map.bends(*h) > 0) {
             return Err(DrawingError::Bends { half_edge });
         }
-        // Each half-edge, around its vertex once to find its first one, and once more. Rotations that are wrong take longer.
+        // Around each vertex once to find its first half-edge, and once more to place all; and each half-edge is placed once. Where a
+        // rotation is wrong it can take longer.
         let mut steps = 3 * self.twin.len();
         let mut step = || -> Result<(), DrawingError> {
             steps = steps.checked_sub(1).ok_or(DrawingError::NotPlane)?;
@@ -216,7 +217,8 @@ impl Darts {
                 }
                 self.of_half_edge[h] = d as u32;
                 self.half_edge[d] = h as u32;
-                h = map.next(twin).filter(|next| map.is_half_edge(*next)).ok_or(DrawingError::NotPlane)?;
+                let next = map.next(twin).filter(|next| *next < self.of_half_edge.len() && map.is_half_edge(*next));
+                h = next.ok_or(DrawingError::NotPlane)?;
             }
         }
         Ok(())

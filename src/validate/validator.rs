@@ -64,8 +64,8 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
 
 /// True if [`validate`] finds nothing wrong: a verdict without a report.
 ///
-/// It reads nothing after the first record at which something is wrong. So a structure that is wrong takes less time than with
-/// [`validate`], which looks for the rule that is broken first; one that is right takes the same.
+/// It stops at the first record that is wrong, so it takes less time for a wrong structure than [`validate`], which looks for the rule that is
+/// broken first. For a right structure it takes the same.
 ///
 /// Cost: O(n) time and memory, as [`validate`]. False if there is no memory for it.
 ///

@@ -417,7 +417,7 @@ fn a_face_names_no_more_than_its_boundary_components() {
     assert!(seen > 0);
 }
 
-/// Where components are not marked as open, a boundary component has a face.
+/// The checker of labels takes closed surfaces only: there each boundary component has a face.
 #[test]
 fn closed_surfaces_have_no_holes() {
     let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));

@@ -4,8 +4,8 @@ use crate::slots::NIL;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// In the first column of a kind of record: the slot is vacant.
-pub(super) const VACANT: u32 = u32::MAX - 1;
+/// The number of a vacant slot, in the first column of its kind of record.
+pub const VACANT: u32 = u32::MAX - 1;
 /// A link that leads nowhere, of a structure whose own number for it does not fit into 32 bits.
 pub(super) const DEAD: u32 = u32::MAX - 2;
 /// More slots cannot be numbered.

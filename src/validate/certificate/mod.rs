@@ -71,7 +71,7 @@ mod surface_saved;
 mod test;
 
 pub use check::check;
-pub use columns::{Column, Labels, LabelsError};
+pub use columns::{Column, Labels, LabelsError, VACANT};
 pub use drawing::{Drawing, check_drawing};
 #[cfg(feature = "rayon")]
 pub use parts::{check_parallel, check_surface_parallel};

@@ -107,7 +107,7 @@ pub(crate) enum Stop {
     Never,
     /// After the first broken rule.
     AfterRule,
-    /// Where it cannot settle something: right structures have no such place.
+    /// At the first record that it cannot settle. A right structure has none.
     AtDoubt,
 }
 

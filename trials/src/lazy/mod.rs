@@ -14,8 +14,8 @@
 //! stands for all, and the tables that it accepts are counted with the number of those for which they stand. The validator reads every table as it is.
 //!
 //! Each run counts the tables for which it stands: the product of the numbers of values of the cells that it has not read. They must add up to
-//! the number of all tables, so that none is left out and none is judged twice. And as many must be accepted as a recount of the maps says,
-//! where there is one.
+//! the number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes, the
+//! number of right tables is known by a recount of the maps, and as many must be accepted.
 
 mod many;
 mod open_table;

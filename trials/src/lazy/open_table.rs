@@ -20,7 +20,7 @@ pub(super) struct OpenTable {
     choices: RefCell<Vec<Choice>>,
     /// The number of tables that agree with the choices.
     agreeing: Cell<u128>,
-    /// The slots that are told apart by the choices, where others are interchangeable: those of which a cell was read or that a link leads to.
+    /// The slots of which a cell was read, or to which a link leads. The others of their kind are interchangeable. None if no slots are.
     told_apart: Option<Cell<Slots>>,
 }
 
@@ -290,7 +290,7 @@ impl OpenTable {
         self.domains[cell].leads_to.get(usize::from(value)).copied().flatten()
     }
 
-    /// The number of slots for which the value stands: 1 where its slot is told apart from all, 0 where another slot stands for it.
+    /// The number of slots for which the value stands. It is 1 if the slot was told apart from all others, and 0 if another slot stands for it.
     fn stands_for(&self, cell: usize, value: u8) -> u128 {
         let (Some(told_apart), Some((kind, slot))) = (&self.told_apart, self.leads_to(cell, value)) else { return 1 };
         let told_apart = self.with_owner(told_apart.get(), cell)[kind as usize];

@@ -2,7 +2,7 @@
 
 use crate::certificate::folder::{Claim, Folder};
 use twinedge::validate::View;
-use twinedge::validate::certificate::{Certificate, Column, Drawing, Labels};
+use twinedge::validate::certificate::{Certificate, Column, Drawing, Labels, VACANT};
 
 /// A table: its name, and its columns, all of the same length.
 pub(super) struct Table<'a> {
@@ -143,7 +143,6 @@ pub(super) fn tables(claim: &Claim) -> Vec<Table<'_>> {
 }
 
 fn of_records<'a>(table: &'static RecordTable, labels: &'a Labels, drawing: Option<&'a Drawing>) -> Table<'a> {
-    const VACANT: u32 = u32::MAX - 1;
     let first = table.columns.first().map_or(&[][..], |source| labels.column(source.column));
     let records = || (0..first.len()).filter(move |i| first[*i] != VACANT);
     let mut columns = vec![required(table.key, records())];
