@@ -447,3 +447,31 @@ fn an_edge_is_added_on_both_sides() {
         assert!(failures.contains(&Test::DartHalfEdgeOk), "dart {dart}: {failures:?}");
     }
 }
+
+/// A triangle of which one `next` leads past the last slot, and which says that a half-edge is there.
+struct Liar(PlanarMap);
+
+impl View for Liar {
+    twinedge::delegate_view!(|this| &this.0; except next, is_half_edge);
+
+    fn next(&self, half_edge: usize) -> Link {
+        if half_edge == 0 { Some(self.0.half_edge_slots()) } else { self.0.next(half_edge) }
+    }
+
+    fn is_half_edge(&self, _: usize) -> bool {
+        true
+    }
+}
+
+impl Embedding for Liar {
+    fn point(&self, vertex: usize) -> Point {
+        Embedding::point(&self.0, vertex)
+    }
+}
+
+#[test]
+fn a_structure_that_lies_about_its_slots_is_not_drawn() {
+    let mut map = PlanarMap::new();
+    map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]).unwrap();
+    assert_eq!(draw(&Liar(map)).err(), Some(DrawingError::NotPlane));
+}
