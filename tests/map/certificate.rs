@@ -448,18 +448,18 @@ fn an_edge_is_added_on_both_sides() {
     }
 }
 
-/// A triangle of which one `next` leads past the last slot, and which says that a half-edge is there.
+/// A triangle of which the last `next` leads past the last slot, and which says that a half-edge is there.
 struct Liar(PlanarMap);
 
 impl View for Liar {
     twinedge::delegate_view!(|this| &this.0; except next, is_half_edge);
 
     fn next(&self, half_edge: usize) -> Link {
-        if half_edge == 0 { Some(self.0.half_edge_slots()) } else { self.0.next(half_edge) }
+        if half_edge + 1 == self.0.half_edge_slots() { Some(half_edge + 1) } else { self.0.next(half_edge) }
     }
 
-    fn is_half_edge(&self, _: usize) -> bool {
-        true
+    fn is_half_edge(&self, half_edge: usize) -> bool {
+        half_edge == self.0.half_edge_slots() || self.0.is_half_edge(half_edge)
     }
 }
 
