@@ -77,9 +77,13 @@ impl PointerModel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_view<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<PointerModelStart, StartError> {
-        let parts = expectation.looks_at(view.parts());
+        // Compiled once for all views.
+        Self::start(&view, expectation.looks_at(view.parts()), expectation.is_open())
+    }
+
+    fn start(view: &dyn View, parts: Parts, is_open: bool) -> Result<PointerModelStart, StartError> {
         let discs = !parts.has(Part::Holes);
-        if !discs && expectation.is_open() {
+        if !discs && is_open {
             return Err(StartError::OpenWithHoles);
         }
         let mut start = PointerModelStart {
@@ -103,7 +107,7 @@ type Records = BTreeMap<usize, Owned<super::HalfEdge>>;
 
 impl PointerModelStart {
     /// Makes half-edges and their origins, and links them.
-    fn join<V: View + ?Sized>(&mut self, view: &V) -> Result<Records, StartError> {
+    fn join(&mut self, view: &dyn View) -> Result<Records, StartError> {
         let live = || (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h));
         let mut vertices = BTreeMap::new();
         for h in live() {
@@ -139,7 +143,7 @@ impl PointerModelStart {
     }
 
     /// Makes each cycle a face.
-    fn close<V: View + ?Sized>(&mut self, view: &V, records: &Records, has_faces: bool) {
+    fn close(&mut self, view: &dyn View, records: &Records, has_faces: bool) {
         for (h, record) in records {
             if record.borrow().face.upgrade().is_none() {
                 let f = self.model.make_face();
@@ -151,7 +155,7 @@ impl PointerModelStart {
     }
 
     /// Makes the faces that the view has, with their boundary components and isolated vertices.
-    fn nest<V: View + ?Sized>(&mut self, view: &V, records: &Records, parts: Parts) -> Result<(), StartError> {
+    fn nest(&mut self, view: &dyn View, records: &Records, parts: Parts) -> Result<(), StartError> {
         let unbounded = self.model.faces[0].clone();
         unbounded.borrow_mut().border = !parts.has(Part::UnboundedFace);
         // What is in no face lies outside.
@@ -199,7 +203,7 @@ pub(in crate::program) fn face_of<V: View + ?Sized>(view: &V, h: usize) -> Link 
 
 /// The half-edge after each half-edge. Where the view does not say, on the border, it is the half-edge before which there is a gap
 /// at the target.
-fn successors<V: View + ?Sized>(view: &V, records: &Records) -> Result<BTreeMap<usize, usize>, StartError> {
+fn successors(view: &dyn View, records: &Records) -> Result<BTreeMap<usize, usize>, StartError> {
     let mut next: BTreeMap<usize, usize> = BTreeMap::new();
     let mut prev: BTreeMap<usize, usize> = BTreeMap::new();
     for h in records.keys() {
