@@ -38,53 +38,94 @@ pub struct Drawing {
 /// The tests that fail.
 pub fn check_drawing<V: View + ?Sized>(view: &V, labels: &Labels, drawing: &Drawing) -> Result<(), Vec<Failure>> {
     let s = Answers::new(view, labels);
-    let d = Darts { s: &s, drawing };
+    let darts = Darts::new(&s, drawing);
     let mut failures = Failures::new();
-    failures.note(Test::Readable, 0, s.readable() && d.readable());
-    if s.readable() && d.readable() {
+    let is_readable = s.readable() && darts.readable();
+    failures.note(Test::Readable, 0, is_readable);
+    if is_readable {
         scan(&s, &mut failures).note(&mut failures);
-        d.scan(&mut failures);
+        darts.scan(&mut failures);
     }
     failures.into_result()
 }
 
+/// The columns of a drawing.
 struct Darts<'a, V: ?Sized> {
     s: &'a Answers<'a, V>,
-    drawing: &'a Drawing,
+    points: &'a [[i64; 2]],
+    twin: &'a [u32],
+    point: &'a [u32],
+    half_edge: &'a [u32],
+    ahead: &'a [u32],
+    face: &'a [u32],
+    rank: &'a [u32],
+    of_half_edge: &'a [u32],
+    of_vertex: &'a [u32],
+    of_face: &'a [u32],
 }
 
-impl<V: View + ?Sized> Darts<'_, V> {
+/// A dart, and the darts that are looked at from there.
+#[derive(Clone, Copy)]
+struct Dart {
+    number: usize,
+    /// The next dart of the triangle.
+    next: usize,
+    twin: usize,
+    /// The next dart counter-clockwise around the same point.
+    turn: usize,
+    /// The half-edge that lies on it; nil if its edge is added.
+    half_edge: Link,
+}
+
+impl<'a, V: View + ?Sized> Darts<'a, V> {
+    fn new(s: &'a Answers<'a, V>, drawing: &'a Drawing) -> Self {
+        let column = |column| drawing.columns.column(column);
+        Self {
+            s,
+            points: &drawing.points,
+            twin: column(Column::DartTwin),
+            point: column(Column::DartPoint),
+            half_edge: column(Column::DartHalfEdge),
+            ahead: column(Column::DartAhead),
+            face: column(Column::DartFace),
+            rank: column(Column::DartRank),
+            of_half_edge: column(Column::HalfEdgeDart),
+            of_vertex: column(Column::VertexDart),
+            of_face: column(Column::FaceDart),
+        }
+    }
+
     fn count(&self) -> usize {
-        self.drawing.columns.column(Column::DartTwin).len()
+        self.twin.len()
     }
 
     /// Columns have the right lengths, points of darts are there, and coordinates are in range.
     fn readable(&self) -> bool {
-        let length = |column| self.drawing.columns.column(column).len();
-        let per_dart = [Column::DartPoint, Column::DartHalfEdge, Column::DartAhead, Column::DartFace, Column::DartRank];
-        let points = &self.drawing.points;
+        let per_dart = [self.point, self.half_edge, self.ahead, self.face, self.rank];
         self.count() % 3 == 0
-            && per_dart.iter().all(|column| length(*column) == self.count())
-            && length(Column::HalfEdgeDart) == self.s.half_edges
-            && length(Column::VertexDart) == self.s.vertices
-            && length(Column::FaceDart) == self.s.faces
-            && self.s.vertices <= points.len()
-            && self.drawing.columns.column(Column::DartPoint).iter().all(|p| (*p as usize) < points.len())
-            && points.iter().flatten().all(|x| (-REACH..REACH).contains(x))
+            && per_dart.iter().all(|column| column.len() == self.count())
+            && self.of_half_edge.len() == self.s.half_edges
+            && self.of_vertex.len() == self.s.vertices
+            && self.of_face.len() == self.s.faces
+            && self.s.vertices <= self.points.len()
+            && self.point.iter().all(|p| (*p as usize) < self.points.len())
+            && self.points.iter().flatten().all(|x| (-REACH..REACH).contains(x))
     }
 
     fn scan(&self, failures: &mut Failures) {
-        for d in 0..self.count() {
-            failures.note(Test::DartTwinOk, d, self.twin_ok(d));
-            failures.note(Test::DartPointOk, d, self.point(next(d)) == self.point(self.twin(d)));
-            failures.note(Test::DartHalfEdgeOk, d, self.half_edge_ok(d));
-            let ahead = self.half_edge(d).unwrap_or_else(|| self.ahead(self.turn(d)));
-            failures.note(Test::DartAheadOk, d, self.ahead(d) == ahead);
-            failures.note(Test::DartFaceOk, d, self.face_ok(d));
-            failures.note(Test::DartRankOk, d, self.rank_ok(d));
-        }
-        for triangle in 0..self.count() / 3 {
-            failures.note(Test::TriangleOk, triangle, self.triangle_ok(triangle));
+        for first in (0..self.count()).step_by(3) {
+            let [second, third] = [first + 1, first + 2];
+            for [number, next, before] in [[first, second, third], [second, third, first], [third, first, second]] {
+                let [twin, turn] = [number, before].map(|d| at(self.twin, d));
+                let d = Dart { number, next, twin, turn, half_edge: self.half_edge(number) };
+                failures.note(Test::DartTwinOk, number, self.twin_ok(d));
+                failures.note(Test::DartPointOk, number, at(self.point, next) == at(self.point, twin));
+                failures.note(Test::DartHalfEdgeOk, number, self.half_edge_ok(d));
+                failures.note(Test::DartAheadOk, number, self.ahead_ok(d));
+                failures.note(Test::DartFaceOk, number, self.face_ok(d));
+                failures.note(Test::DartRankOk, number, self.rank_ok(d));
+            }
+            failures.note(Test::TriangleOk, first / 3, self.triangle_ok(first));
         }
         for h in (0..self.s.half_edges).filter(|h| self.s.is_half_edge(*h)) {
             failures.note(Test::HalfEdgeDartOk, h, self.half_edge_dart_ok(h));
@@ -95,94 +136,76 @@ impl<V: View + ?Sized> Darts<'_, V> {
         }
     }
 
-    fn number(&self, column: Column, i: usize) -> usize {
-        self.drawing.columns.column(column).get(i).copied().unwrap_or(0) as usize
-    }
-
-    fn twin(&self, d: usize) -> usize {
-        self.number(Column::DartTwin, d)
-    }
-
-    fn point(&self, d: usize) -> usize {
-        self.number(Column::DartPoint, d)
-    }
-
-    fn ahead(&self, d: usize) -> usize {
-        self.number(Column::DartAhead, d)
-    }
-
-    fn face(&self, d: usize) -> usize {
-        self.number(Column::DartFace, d)
-    }
-
-    /// The half-edge that lies on the dart; nil if its edge is added.
     fn half_edge(&self, d: usize) -> Link {
-        Some(self.number(Column::DartHalfEdge, d)).filter(|h| *h != NIL as usize)
+        Some(at(self.half_edge, d)).filter(|h| *h != NIL as usize)
     }
 
-    fn dart_of(&self, h: usize) -> usize {
-        self.number(Column::HalfEdgeDart, h)
+    fn twin_ok(&self, d: Dart) -> bool {
+        d.twin < self.count() && at(self.twin, d.twin) == d.number
     }
 
-    /// The next dart counter-clockwise around the same point.
-    fn turn(&self, d: usize) -> usize {
-        self.twin(next(next(d)))
-    }
-
-    fn twin_ok(&self, d: usize) -> bool {
-        self.twin(d) < self.count() && self.twin(self.twin(d)) == d
-    }
-
-    fn half_edge_ok(&self, d: usize) -> bool {
-        match self.half_edge(d) {
-            Some(h) => self.s.is_half_edge(h) && self.dart_of(h) == d,
-            None => self.half_edge(self.twin(d)).is_none(),
+    fn half_edge_ok(&self, d: Dart) -> bool {
+        match d.half_edge {
+            Some(h) => self.s.is_half_edge(h) && at(self.of_half_edge, h) == d.number,
+            None => self.half_edge(d.twin).is_none(),
         }
     }
 
-    fn face_ok(&self, d: usize) -> bool {
-        let beyond = match self.half_edge(d) {
-            Some(h) => self.s.boundary(h).and_then(|b| self.s.boundary_face(b)) == Some(self.face(d)),
-            None => self.face(self.twin(d)) == self.face(d),
+    fn ahead_ok(&self, d: Dart) -> bool {
+        at(self.ahead, d.number) == d.half_edge.unwrap_or_else(|| at(self.ahead, d.turn))
+    }
+
+    fn face_ok(&self, d: Dart) -> bool {
+        let face = at(self.face, d.number);
+        let beyond = match d.half_edge {
+            Some(h) => self.s.boundary(h).and_then(|b| self.s.boundary_face(b)) == Some(face),
+            None => at(self.face, d.twin) == face,
         };
-        self.face(next(d)) == self.face(d) && beyond
+        at(self.face, d.next) == face && beyond
     }
 
-    fn rank_ok(&self, d: usize) -> bool {
-        let lower = |e: usize| self.number(Column::DartRank, e) < self.number(Column::DartRank, d);
-        lower(next(d))
-            || self.half_edge(d).is_none() && lower(self.twin(d))
-            || self.number(Column::FaceDart, self.face(d)) == d
+    fn rank_ok(&self, d: Dart) -> bool {
+        let rank = at(self.rank, d.number);
+        at(self.rank, d.next) < rank
+            || d.half_edge.is_none() && at(self.rank, d.twin) < rank
+            || at(self.of_face, at(self.face, d.number)) == d.number
     }
 
-    fn triangle_ok(&self, triangle: usize) -> bool {
-        let corner =
-            |i| self.drawing.points.get(self.point(3 * triangle + i)).copied().unwrap_or([0, 0]).map(i128::from);
-        let ([ax, ay], [bx, by], [cx, cy]) = (corner(0), corner(1), corner(2));
-        let turn = (ax - cx) * (by - cy) - (bx - cx) * (ay - cy);
-        if triangle == 0 { turn < 0 } else { turn > 0 }
+    /// Differences of coordinates fit into 64 bits, since these are in range.
+    fn triangle_ok(&self, first: usize) -> bool {
+        let corner = |d| self.points.get(at(self.point, d)).copied().unwrap_or([0, 0]);
+        let ([ax, ay], [bx, by], [cx, cy]) = (corner(first), corner(first + 1), corner(first + 2));
+        let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
+        let turn = product(ax - cx, by - cy) - product(bx - cx, ay - cy);
+        if first == 0 { turn < 0 } else { turn > 0 }
     }
 
     fn half_edge_dart_ok(&self, h: usize) -> bool {
-        let d = self.dart_of(h);
+        let d = at(self.of_half_edge, h);
         d < self.count()
             && self.half_edge(d) == Some(h)
-            && self.s.origin(h) == Some(self.point(d))
-            && self.s.twin(h).is_some_and(|twin| self.dart_of(twin) == self.twin(d))
+            && self.s.origin(h) == Some(at(self.point, d))
+            && self.s.twin(h).is_some_and(|twin| at(self.of_half_edge, twin) == at(self.twin, d))
     }
 
     fn rotation_ok(&self, h: usize) -> bool {
-        self.s.prev(h).and_then(|prev| self.s.twin(prev)) == Some(self.ahead(self.turn(self.dart_of(h))))
+        let turn = at(self.twin, before(at(self.of_half_edge, h)));
+        self.s.prev(h).and_then(|prev| self.s.twin(prev)) == Some(at(self.ahead, turn))
     }
 
     fn vertex_dart_ok(&self, v: usize) -> bool {
-        let d = self.number(Column::VertexDart, v);
-        let in_its_face = |b| self.s.boundary_face(b) == Some(self.face(d));
-        d < self.count() && self.point(d) == v && self.s.isolated(v).is_none_or(in_its_face)
+        let d = at(self.of_vertex, v);
+        let in_its_face = |b| self.s.boundary_face(b) == Some(at(self.face, d));
+        d < self.count() && at(self.point, d) == v && self.s.isolated(v).is_none_or(in_its_face)
     }
 }
 
-/// The next dart of the triangle.
-const fn next(d: usize) -> usize {
-    if d % 3 == 2 { d - 2 } else { d + 1 }
+/// The entry of a column; 0 beyond its end.
+fn at(column: &[u32], i: usize) -> usize {
+    column.get(i).copied().unwrap_or(0) as usize
+}
+
+/// The dart before in the triangle.
+const fn before(d: usize) -> usize {
+    if d.is_multiple_of(3) { d.saturating_add(2) } else { d - 1 }
 }
