@@ -196,5 +196,5 @@ fn at(column: impl Numbers, i: usize) -> usize {
 
 /// The dart before in the triangle.
 const fn before(d: usize) -> usize {
-    if d.is_multiple_of(3) { d.saturating_add(2) } else { d - 1 }
+    if d % 3 == 0 { d.saturating_add(2) } else { d - 1 }
 }
