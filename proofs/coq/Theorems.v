@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge AnyInner Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop SplitEdge AnyInner Operate Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -189,6 +189,14 @@ Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
 Check step_keeps_rules : forall t t', Programs.step t t' -> rules t -> rules t'.
 
 Check program_keeps_rules : forall t t', program t t' -> rules t -> rules t'.
+
+(** An operation, an operator with its arguments as data, is such a step if its arguments pass a test: [Operate.v] is run beside
+    the Rust code. *)
+
+Check operation_is_step : forall t o, rules (Operate.before t o) -> Operate.is_right t o ->
+  Programs.step (Operate.before t o) (Operate.after t o).
+
+Check operation_keeps_rules : forall t o, rules (Operate.before t o) -> Operate.is_right t o -> rules (Operate.after t o).
 
 Check program_makes_subdivision : forall t t', program t t' -> (exists s, represents t s) -> exists s, represents t' s.
 
