@@ -6,7 +6,7 @@ use twinedge::validate::certificate::{
     Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
 };
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Expectation, Part, Parts, Rule, Table, View};
+use twinedge::validate::{BoundaryPlace, Expectation, Part, Parts, Rule, Table, View};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::{CorruptWork, abort};
 use twinedge_trials::enumerate::for_each_corruption;
@@ -425,6 +425,16 @@ fn closed_surfaces_have_no_holes() {
     assert_eq!(check_surface(&table, &labels, genus), Ok(()));
     table.boundaries[0].as_mut().unwrap().face = None;
     table.faces[0] = None;
+    let failures = check_surface(&table, &labels, genus).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::SurfaceBoundaryOk]);
+}
+
+/// A boundary component that says that it is an inner one, though its face names it as the outer one.
+#[test]
+fn a_boundary_component_of_a_surface_is_the_outer_one() {
+    let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));
+    let (labels, genus) = Labels::of_surface(&table).unwrap();
+    table.boundaries[0].as_mut().unwrap().place = Some(BoundaryPlace::Inner(0));
     let failures = check_surface(&table, &labels, genus).unwrap_err();
     assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::SurfaceBoundaryOk]);
 }

@@ -262,6 +262,24 @@ fn a_boundary_component_is_the_outer_one_of_one_face() {
     assert_eq!(failures, [Test::SurfaceFaceOk]);
 }
 
+/// Sums of nothing are those of a sphere, and not those of a torus.
+#[test]
+fn parts_add_up_to_the_whole() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(5).build().unwrap();
+    let mesh = textbook_mesh(9, &torus([3, 3]).into_iter().collect::<Vec<_>>());
+    let (labels, genus) = Labels::of_surface(&mesh).unwrap();
+    assert_eq!((pool.install(|| check_surface_parallel(&mesh, &labels, genus)), genus), (Ok(()), 1));
+}
+
+#[test]
+fn ranks_of_another_number_are_refused() {
+    let mesh = textbook_mesh(4, &TETRAHEDRON);
+    let (mut labels, genus) = Labels::of_surface(&mesh).unwrap();
+    labels.column_mut(Column::HalfEdgeRank).push(0);
+    let failures = check_surface(&mesh, &labels, genus).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::Readable]);
+}
+
 /// Twelve half-edges, and five threads: the last part is shorter than the others.
 #[test]
 fn parts_find_what_the_whole_finds() {

@@ -316,6 +316,70 @@ fn what_is_not_valid_is_not_certified() {
     assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
 }
 
+/// The tests that fail are all named, with their numbers of records.
+#[test]
+fn a_table_is_refused_with_every_test_that_fails() {
+    let folder = scratch_folder("refused-table");
+    for (table, lines) in [
+        // Each half of the first test fails at one of the half-edges.
+        (
+            "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 1 0 0 B 1 0 h0 i0 F 1 - 1 0",
+            "next_ok: 2 of the half-edges, the first is 0\ntarget_ok: 1 of the half-edges, the first is 1\n",
+        ),
+        ("V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0", "start_ok: 1 of the boundary components, the first is 0\n"),
+    ] {
+        let output = twinedge_reading(&["certify", "--table", "-", "-o", folder.to_str().unwrap()], table.as_bytes());
+        assert_eq!(output.status.code(), Some(1));
+        let printed = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(printed, format!("standard input: not valid, nothing is written\n{lines}"));
+    }
+}
+
+/// Four half-edges around a vertex that are their own twins: the sums are those of a torus.
+#[test]
+fn half_edges_that_are_their_own_twins_are_no_handle() {
+    let folder = scratch_folder("own-twins");
+    let columns: [(&str, &[u32]); 14] = [
+        ("half_edge_origin", &[0; 4]),
+        ("half_edge_twin", &[0, 1, 2, 3]),
+        ("half_edge_next", &[1, 2, 3, 0]),
+        ("half_edge_prev", &[3, 0, 1, 2]),
+        ("half_edge_boundary", &[0; 4]),
+        ("half_edge_turn", &[0, 1, 2, 3]),
+        ("half_edge_step", &[0, 1, 2, 3]),
+        ("half_edge_component", &[0; 4]),
+        ("half_edge_rank", &[0, 1, 2, 3]),
+        ("vertex_leaving", &[0]),
+        ("vertex_border", &[u32::MAX]),
+        ("boundary_face", &[0]),
+        ("boundary_start", &[0]),
+        ("face_outer", &[0]),
+    ];
+    for (name, numbers) in columns {
+        let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+        fs::write(folder.join(name).with_extension("u32"), bytes).unwrap();
+    }
+    fs::write(folder.join("claim.txt"), "twinedge certificate 1\nsurface\n").unwrap();
+    assert_eq!(check(&folder), (Some(1), "not valid\ntwin_ok: 4 of the half-edges, the first is 0\n".to_owned()));
+    assert_eq!(agreed(&folder, "own twins"), Some(1));
+}
+
+/// In a mirrored drawing every triangle is turned over, the outer one, too; where all points lie on a line, every one is flat.
+#[test]
+fn every_triangle_of_a_mirrored_or_flat_drawing_is_wrong() {
+    let folder = certified("mirrored", &[]);
+    let file = folder.join("point_x.i64");
+    let triangles = fs::read(folder.join("dart_twin.u32")).unwrap().len() / 12;
+    let points = fs::read(&file).unwrap();
+    for factor in [-1, 0] {
+        let moved = points.as_chunks().0.iter().flat_map(|x| (factor * i64::from_le_bytes(*x)).to_le_bytes());
+        fs::write(&file, moved.collect::<Vec<_>>()).unwrap();
+        let line = format!("triangle_ok: {triangles} of the triangles, the first is 0\n");
+        assert_eq!(check(&folder), (Some(1), format!("not valid\n{line}")));
+        assert_eq!(agreed(&folder, "mirrored or flat"), Some(1));
+    }
+}
+
 #[test]
 fn a_table_is_certified() {
     let folder = scratch_folder("certified-table");
