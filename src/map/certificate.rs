@@ -6,6 +6,7 @@
 use crate::slots::NIL;
 use crate::validate::certificate::{Column, Drawing, Labels};
 use crate::validate::{Embedding, Part};
+use core::mem::replace;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
 /// Why a map has no certificate of its drawing.
@@ -162,13 +163,17 @@ impl Darts {
         if count >= NIL as usize {
             return Err(DrawingError::TooLarge);
         }
+        // In the order of the vertices, where neighbours in most maps are neighbours, so that whoever checks the drawing has them at hand.
+        let mut is_numbered = vec![false; cdt.num_all_faces()];
         let mut of_edge = vec![NIL; count];
         let mut sides = Vec::with_capacity(count);
-        for face in cdt.all_faces() {
-            let first = face.adjacent_edge().ok_or(DrawingError::NotPlane)?;
-            for side in [first, first.next(), first.prev()] {
-                of_edge[side.fix().index()] = sides.len() as u32;
-                sides.push(side);
+        let outer = cdt.outer_face().adjacent_edge();
+        for first in outer.into_iter().chain(cdt.vertices().flat_map(|v| v.out_edges())) {
+            if !replace(&mut is_numbered[first.face().fix().index()], true) {
+                for side in [first, first.next(), first.prev()] {
+                    of_edge[side.fix().index()] = sides.len() as u32;
+                    sides.push(side);
+                }
             }
         }
         let mut darts = Self {

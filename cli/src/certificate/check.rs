@@ -1,6 +1,6 @@
 //! `twinedge check`: a certificate is checked.
 
-use super::folder::Claim;
+use super::folder;
 use crate::output::print;
 use crate::status::{Failure, Verdict};
 use std::path::PathBuf;
@@ -14,6 +14,7 @@ use twinedge::validate::certificate::{Failure as FailedTest, Test};
 #[command(after_help = "Examples:
   twinedge certify parcels.geojson -o parcels.cert
   twinedge check parcels.cert
+  twinedge check planet.cert --memory 256M
 
 Exit status: 0 it is certified; 1 it is not, and the tests that fail are printed, each with the first record that fails it; 2 the \
 folder could not be read.")]
@@ -21,11 +22,28 @@ pub(crate) struct Check {
     /// The folder of the certificate.
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
+
+    /// Memory for the columns. What does not fit is read again where it is needed, so that certificates of any size can be checked
+    #[arg(long, value_name = "SIZE", default_value = "1G", value_parser = size)]
+    memory: u64,
+}
+
+/// A number of bytes, as `4096`, `64K`, `256M` or `2G`.
+fn size(text: &str) -> Result<u64, String> {
+    let (number, shift) =
+        match text.trim_end_matches('B').split_at_checked(text.trim_end_matches('B').len().saturating_sub(1)) {
+            Some((number, "K")) => (number, 10),
+            Some((number, "M")) => (number, 20),
+            Some((number, "G")) => (number, 30),
+            _ => (text, 0),
+        };
+    let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
+    bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
 }
 
 impl Check {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        match Claim::read(&self.folder)?.check() {
+        match folder::check(&self.folder, self.memory)? {
             Ok(claim) => {
                 print(&format!("valid: {claim}\n"))?;
                 Ok(Verdict::Sound)

@@ -1,11 +1,13 @@
 //! The folder of a certificate, as `proofs/coq/CERTIFICATE.md` specifies it.
 
 use super::notes::Notes;
+use super::paged::{POINT_FILES, Paged, file_name};
 use crate::status::Failure;
-use std::fs;
+use std::fs::{self, File};
+use std::io::Read;
 use std::path::Path;
 use twinedge::validate::certificate::{
-    Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate, check_drawing,
+    Certificate, Column, Columns, Drawing, Failure as FailedTest, Labels, SurfaceCertificate, check_drawing,
 };
 
 /// The first line of `claim.txt`; the second one is the claim.
@@ -13,8 +15,9 @@ pub(super) const FIRST_LINE: &str = "twinedge certificate 1\n";
 const PLANE: &str = "plane\n";
 const DRAWING: &str = "drawing\n";
 const SURFACE: &str = "surface\n";
+/// More than the first two lines of it have bytes.
+const LINES: u64 = 64;
 pub(super) const CLAIM_FILE: &str = "claim.txt";
-const POINT_FILES: [&str; 2] = ["point_x.i64", "point_y.i64"];
 
 /// A certificate by its claim.
 pub(super) enum Claim {
@@ -34,16 +37,9 @@ pub(super) struct Folder {
 impl Claim {
     /// Checks the certificate, and gives the claim in words, or the tests that fail.
     pub(super) fn check(&self) -> Result<String, Vec<FailedTest>> {
-        let plane = "a plane subdivision";
         match self {
-            Self::Plane(folder) => match &**folder {
-                Folder { certificate, drawing: None } => certificate.check().map(|()| plane.to_owned()),
-                Folder { certificate, drawing: Some(drawing) } => {
-                    let checked = check_drawing(certificate, certificate.columns(), drawing);
-                    checked.map(|()| format!("{plane}, drawn without crossings"))
-                }
-            },
-            Self::Surface(certificate) => certificate.check().map(|counts| counts.to_string()),
+            Self::Plane(folder) => check_plane(&folder.certificate, folder.drawing.as_ref()),
+            Self::Surface(certificate) => check_surface(certificate),
         }
     }
 
@@ -69,29 +65,52 @@ impl Claim {
         let claim = format!("{FIRST_LINE}{}{}", self.line(), notes.lines());
         write_file(&folder.join(CLAIM_FILE), claim.as_bytes())
     }
+}
 
-    /// Reads a folder. What is not readable, as the specification says, is a failure.
-    ///
-    /// All columns are in memory at once: links lead anywhere, and memory maps would be unsafe code.
-    pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
-        let file = folder.join(CLAIM_FILE);
-        let claim = read_file(&file)?;
-        let claimed = claim.strip_prefix(FIRST_LINE.as_bytes()).unwrap_or_default();
-        let claims = |line: &str| claimed.starts_with(line.as_bytes());
-        let lengths = || Failure(format!("{}: columns of one kind of record have different lengths", folder.display()));
-        if claims(SURFACE) {
-            let columns = read_columns(folder, Column::of_surface())?;
-            let certificate = SurfaceCertificate::from_columns(columns).ok_or_else(lengths)?;
-            return Ok(Self::Surface(Box::new(certificate)));
-        }
-        if !claims(PLANE) && !claims(DRAWING) {
-            return Err(Failure(format!("{}: no claim that is known", file.display())));
-        }
-        let columns = read_columns(folder, Column::of_subdivision())?;
-        let certificate = Certificate::from_columns(columns).ok_or_else(lengths)?;
-        let drawing = if claims(DRAWING) { Some(read_drawing(folder)?) } else { None };
-        Ok(Self::Plane(Box::new(Folder { certificate, drawing })))
+/// Checks a folder, and gives its claim in words, or the tests that fail. What is not readable, as the specification says, is a failure.
+///
+/// Links lead anywhere, so pages of all columns are kept, which take at most about so many bytes, and others are read again.
+pub(super) fn check(folder: &Path, memory: u64) -> Result<Result<String, Vec<FailedTest>>, Failure> {
+    let file = folder.join(CLAIM_FILE);
+    let mut lines = Vec::new();
+    let read = File::open(&file).and_then(|file| file.take(LINES).read_to_end(&mut lines));
+    read.map_err(|error| Failure(format!("{}: {error}", file.display())))?;
+    let claimed = lines.strip_prefix(FIRST_LINE.as_bytes()).unwrap_or_default();
+    let claims = |line: &str| claimed.starts_with(line.as_bytes());
+    let [is_surface, is_drawing] = [SURFACE, DRAWING].map(claims);
+    if !is_surface && !is_drawing && !claims(PLANE) {
+        return Err(Failure(format!("{}: no claim that is known", file.display())));
     }
+    let mut wanted = if is_surface { Column::of_surface() } else { Column::of_subdivision() }.to_vec();
+    if is_drawing {
+        wanted.extend(Column::of_drawing());
+    }
+    let paged = Paged::open(folder, &wanted, is_drawing, memory)?;
+    let checked = if is_surface {
+        SurfaceCertificate::from_columns(&paged).map(|certificate| check_surface(&certificate))
+    } else {
+        Certificate::from_columns(&paged).map(|plane| check_plane(&plane, is_drawing.then_some(&paged)))
+    };
+    let lengths = || Failure(format!("{}: columns of one kind of record have different lengths", folder.display()));
+    paged.failure().map_or_else(|| checked.ok_or_else(lengths), Err)
+}
+
+fn check_plane<C: Columns, D: Columns>(
+    certificate: &Certificate<C>,
+    drawing: Option<&D>,
+) -> Result<String, Vec<FailedTest>> {
+    let plane = "a plane subdivision";
+    match drawing {
+        None => certificate.check().map(|()| plane.to_owned()),
+        Some(drawing) => {
+            let checked = check_drawing(certificate, certificate.columns(), drawing);
+            checked.map(|()| format!("{plane}, drawn without crossings"))
+        }
+    }
+}
+
+fn check_surface<C: Columns>(certificate: &SurfaceCertificate<C>) -> Result<String, Vec<FailedTest>> {
+    certificate.check().map(|counts| counts.to_string())
 }
 
 impl Folder {
@@ -115,54 +134,12 @@ pub(super) fn file_names() -> impl Iterator<Item = String> {
     Column::ALL.into_iter().map(file_name).chain(fixed)
 }
 
-fn read_drawing(folder: &Path) -> Result<Drawing, Failure> {
-    let [x, y] = POINT_FILES.map(|name| -> Result<Vec<i64>, Failure> {
-        let bytes = read_file(&folder.join(name))?;
-        let (numbers, rest) = bytes.as_chunks();
-        refuse_rest(folder, name, rest)?;
-        Ok(numbers.iter().map(|number| i64::from_le_bytes(*number)).collect())
-    });
-    let (x, y) = (x?, y?);
-    if x.len() != y.len() {
-        return Err(Failure(format!("{}: the columns of points have different lengths", folder.display())));
-    }
-    let points = x.into_iter().zip(y).map(|(x, y)| [x, y]).collect();
-    Ok(Drawing { columns: read_columns(folder, Column::of_drawing())?, points, exponent: 0 })
-}
-
-fn read_columns(folder: &Path, wanted: &[Column]) -> Result<Labels, Failure> {
-    let mut columns = Labels::default();
-    for column in wanted {
-        let name = file_name(*column);
-        let bytes = read_file(&folder.join(&name))?;
-        let (numbers, rest) = bytes.as_chunks();
-        refuse_rest(folder, &name, rest)?;
-        *columns.column_mut(*column) = numbers.iter().map(|number| u32::from_le_bytes(*number)).collect();
-    }
-    Ok(columns)
-}
-
 fn write_columns(folder: &Path, wanted: &[Column], columns: &Labels) -> Result<(), Failure> {
     for column in wanted {
         let bytes: Vec<u8> = columns.column(*column).iter().flat_map(|number| number.to_le_bytes()).collect();
         write_file(&folder.join(file_name(*column)), &bytes)?;
     }
     Ok(())
-}
-
-fn file_name(column: Column) -> String {
-    format!("{}.u32", column.name())
-}
-
-fn refuse_rest(folder: &Path, name: &str, rest: &[u8]) -> Result<(), Failure> {
-    if rest.is_empty() {
-        return Ok(());
-    }
-    Err(Failure(format!("{}: ends in the middle of a number", folder.join(name).display())))
-}
-
-fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(path).map_err(|error| Failure(format!("{}: {error}", path.display())))
 }
 
 pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {

@@ -5,6 +5,7 @@ mod check;
 mod folder;
 mod notes;
 mod output;
+mod paged;
 mod source;
 mod sql;
 

@@ -223,6 +223,51 @@ fn the_test_and_the_record_are_named() {
     assert!(printed.starts_with("not valid\nnext_ok: 2 of the half-edges, the first is 3\n"), "{printed}");
 }
 
+/// One page of each column is in memory at one time.
+#[test]
+fn with_little_memory_a_certificate_is_judged_the_same() {
+    let folder = scratch_folder("paged");
+    let map = format!("{}/../tests/data/world-110m-crossing.geojson", env!("CARGO_MANIFEST_DIR"));
+    let output = twinedge(&["certify", &map, "--snap", "auto", "-o", folder.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let paged = || {
+        let output = twinedge(&["check", folder.to_str().unwrap(), "--memory", "0"]);
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    assert_eq!(paged(), (Some(0), "valid: a plane subdivision, drawn without crossings\n".to_owned()));
+    let columns = ["half_edge_next.u32", "half_edge_rank.u32", "dart_twin.u32", "dart_rank.u32", "dart_point.u32"];
+    for file in columns.map(|name| folder.join(name)) {
+        let right = fs::read(&file).unwrap();
+        // More than one page.
+        assert!(right.len() > 2 * 4 * 4096, "{}", file.display());
+        let place = right.len() / 8 * 7 / 8 * 8;
+        let mut wrong = right.clone();
+        wrong[place..place + 4].fill(0);
+        fs::write(&file, &wrong).unwrap();
+        let (status, printed) = paged();
+        assert_eq!(status, Some(1), "{}", file.display());
+        assert_eq!((status, printed), check(&folder), "{}", file.display());
+        fs::write(&file, &right).unwrap();
+    }
+    for memory in ["", "a lot", "20000000000G"] {
+        assert_eq!(twinedge(&["check", folder.to_str().unwrap(), "--memory", memory]).status.code(), Some(2));
+    }
+}
+
+/// A folder can be opened as a file, and cannot be read.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_cannot_be_read_while_it_is_checked_gives_no_verdict() {
+    let folder = certified("not_a_file", &["--topology-only"]);
+    let list = folder.join("face_inner.u32");
+    fs::remove_file(&list).unwrap();
+    fs::create_dir(&list).unwrap();
+    let output = twinedge(&["check", folder.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stdout));
+    assert!(complaint(&output).contains("face_inner.u32"));
+    assert!(output.stdout.is_empty());
+}
+
 #[test]
 fn what_is_unreadable_is_said_in_one_line() {
     let unreadable = |change: &dyn Fn(&Path)| {

@@ -1,13 +1,14 @@
 //! The structure as the tests read it: each link from the structure if it stores it, and from the labels if not.
 
 use super::columns::{Column, Labels, MOST_SLOTS};
+use super::storage::{Columns, Entries as _, Numbers as _};
 use crate::validate::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
 use core::ops::Range;
 
 /// A structure together with labels. What is asked of a slot that is vacant, or not there, is nil.
-pub(super) struct Answers<'a, V: ?Sized> {
+pub(super) struct Answers<'a, V: ?Sized, C = Labels> {
     pub(super) view: &'a V,
-    pub(super) labels: &'a Labels,
+    pub(super) labels: &'a C,
     parts: Parts,
     /// The numbers of slots, asked for once.
     pub(super) vertices: usize,
@@ -18,11 +19,11 @@ pub(super) struct Answers<'a, V: ?Sized> {
     part: (usize, usize),
 }
 
-impl<'a, V: View + ?Sized> Answers<'a, V> {
-    pub(super) fn new(view: &'a V, labels: &'a Labels) -> Self {
+impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
+    pub(super) fn new(view: &'a V, labels: &'a C) -> Self {
         let parts = view.parts();
         let by_record = parts.has(Part::BoundaryComponents);
-        let length = |column| labels.column(column).len();
+        let length = |column| labels.column(column).count();
         Self {
             view,
             labels,
@@ -51,7 +52,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
     /// Each half-edge has a rank, and numbers fit into columns.
     pub(super) fn readable(&self) -> bool {
         let slots = [self.vertices, self.half_edges, self.boundaries, self.faces];
-        self.labels.column(Column::HalfEdgeRank).len() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
+        self.labels.column(Column::HalfEdgeRank).count() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
     }
 
     /// True if the structure has records for boundary components.
@@ -236,7 +237,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
     #[inline(always)]
     pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
         let rank = self.labels.column(Column::HalfEdgeRank);
-        link.and_then(|l| rank.get(l)).zip(rank.get(h)).is_some_and(|(l, h)| l < h)
+        link.and_then(|l| rank.at(l)).zip(rank.at(h)).is_some_and(|(l, h)| l < h)
     }
 }
 

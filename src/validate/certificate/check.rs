@@ -4,7 +4,7 @@
 //! is no walk, no set, no order, and nothing of the rules.
 
 use super::answers::Answers;
-use super::columns::Labels;
+use super::storage::Columns;
 use super::sums::Sums;
 use super::test::{Failure, Failures, Test};
 use crate::validate::structure::{BoundaryPlace, Link, Start, View};
@@ -29,7 +29,7 @@ use alloc::vec::Vec;
 /// assert_eq!(failures[0].test(), Test::RankOk);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn check<V: View + ?Sized>(view: &V, labels: &Labels) -> Result<(), Vec<Failure>> {
+pub fn check<V: View + ?Sized, C: Columns>(view: &V, labels: &C) -> Result<(), Vec<Failure>> {
     let s = Answers::new(view, labels);
     let mut failures = Failures::new();
     failures.note(Test::Readable, 0, s.readable());
@@ -41,7 +41,7 @@ pub fn check<V: View + ?Sized>(view: &V, labels: &Labels) -> Result<(), Vec<Fail
 
 /// Runs every test of single records.
 #[inline(always)]
-pub(super) fn scan<V: View + ?Sized>(s: &Answers<'_, V>, failures: &mut Failures) -> Sums {
+pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, failures: &mut Failures) -> Sums {
     let mut sums = Sums::default();
     for h in s.share(s.half_edges).filter(|h| s.is_half_edge(*h)) {
         sums.half_edges += 1;
@@ -68,7 +68,7 @@ pub(super) fn scan<V: View + ?Sized>(s: &Answers<'_, V>, failures: &mut Failures
     sums
 }
 
-impl<V: View + ?Sized> Answers<'_, V> {
+impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
     /// The links of a half-edge, its neighbours and its origin fit together. Further tests follow while `passes` returns true.
     #[inline(always)]
     pub(super) fn links_ok(

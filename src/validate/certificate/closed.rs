@@ -12,6 +12,7 @@ use super::answers::Answers;
 use super::columns::{Column, Labels, LabelsError, MOST_SLOTS, VACANT};
 use super::labels::nils;
 use super::saved::number;
+use super::storage::Entries as _;
 use super::surface::Surface;
 use crate::slots::NIL;
 use crate::validate::structure::{BoundaryPlace, Link, Part, View};

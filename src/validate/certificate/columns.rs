@@ -1,6 +1,5 @@
 //! The columns of a certificate.
 
-use crate::slots::NIL;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -149,23 +148,6 @@ impl Labels {
     /// The column, to be set to anything.
     pub fn column_mut(&mut self, column: Column) -> &mut Vec<u32> {
         &mut self.columns[column as usize]
-    }
-
-    /// The entry as it is stored, nil beyond the end.
-    pub(super) fn number(&self, column: Column, i: usize) -> u32 {
-        self.column(column).get(i).copied().unwrap_or(NIL)
-    }
-
-    /// The entry as a link.
-    pub(super) fn link(&self, column: Column, i: usize) -> Option<usize> {
-        let number = self.number(column, i);
-        (number != NIL).then_some(number as usize)
-    }
-
-    /// The places in the column of inner boundary components where the list of the face begins and ends.
-    pub(super) fn list(&self, face: usize) -> (usize, usize) {
-        let before = face.checked_sub(1).map_or(0, |before| self.number(Column::FaceEnd, before));
-        (before as usize, self.number(Column::FaceEnd, face) as usize)
     }
 }
 

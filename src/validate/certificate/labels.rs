@@ -5,6 +5,7 @@
 
 use super::answers::Answers;
 use super::columns::{Column, Labels, LabelsError, MOST_SLOTS};
+use super::storage::Entries as _;
 use crate::slots::{NIL, column};
 use crate::validate::structure::{BoundaryPlace, Part, Start, View};
 use alloc::vec::Vec;

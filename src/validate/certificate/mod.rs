@@ -56,6 +56,7 @@
 
 mod answers;
 mod check;
+mod check_drawing;
 mod closed;
 mod columns;
 mod drawing;
@@ -63,6 +64,7 @@ mod labels;
 #[cfg(feature = "rayon")]
 mod parts;
 mod saved;
+mod storage;
 mod sums;
 mod surface;
 mod surface_counts;
@@ -71,11 +73,13 @@ mod surface_saved;
 mod test;
 
 pub use check::check;
+pub use check_drawing::check_drawing;
 pub use columns::{Column, Labels, LabelsError, VACANT};
-pub use drawing::{Drawing, check_drawing};
+pub use drawing::Drawing;
 #[cfg(feature = "rayon")]
 pub use parts::{check_parallel, check_surface_parallel};
 pub use saved::Certificate;
+pub use storage::{Columns, Numbers};
 pub use surface::check_surface;
 pub use surface_counts::SurfaceCounts;
 pub use surface_saved::SurfaceCertificate;

@@ -2,7 +2,7 @@
 
 use super::answers::Answers;
 use super::check::{check, scan};
-use super::columns::Labels;
+use super::storage::Columns;
 use super::sums::Sums;
 use super::surface::{Surface, check_surface};
 use super::test::{Failure, Failures, Test};
@@ -23,7 +23,11 @@ use rayon::prelude::*;
 /// assert_eq!(check_parallel(&edge, &labels), check(&edge, &labels));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn check_parallel<V: View + Sync + ?Sized>(view: &V, labels: &Labels) -> Result<(), Vec<Failure>> {
+pub fn check_parallel<V, C>(view: &V, labels: &C) -> Result<(), Vec<Failure>>
+where
+    V: View + Sync + ?Sized,
+    C: Columns + Sync,
+{
     let whole = Answers::new(view, labels);
     if !whole.readable() {
         return check(view, labels);
@@ -37,11 +41,11 @@ pub fn check_parallel<V: View + Sync + ?Sized>(view: &V, labels: &Labels) -> Res
 ///
 /// # Errors
 /// The tests that fail.
-pub fn check_surface_parallel<V: View + Sync + ?Sized>(
-    view: &V,
-    labels: &Labels,
-    genus: usize,
-) -> Result<(), Vec<Failure>> {
+pub fn check_surface_parallel<V, C>(view: &V, labels: &C, genus: usize) -> Result<(), Vec<Failure>>
+where
+    V: View + Sync + ?Sized,
+    C: Columns + Sync,
+{
     let whole = Answers::new(view, labels);
     if !whole.readable() {
         return check_surface(view, labels, genus);
@@ -52,10 +56,14 @@ pub fn check_surface_parallel<V: View + Sync + ?Sized>(
 }
 
 /// Scans each part, and adds up what they found.
-fn in_parts<'a, V: View + Sync + ?Sized>(
-    whole: &Answers<'a, V>,
-    scan: impl Fn(Answers<'a, V>, &mut Failures) -> Sums + Sync,
-) -> (Sums, Failures) {
+fn in_parts<'a, V, C>(
+    whole: &Answers<'a, V, C>,
+    scan: impl Fn(Answers<'a, V, C>, &mut Failures) -> Sums + Sync,
+) -> (Sums, Failures)
+where
+    V: View + Sync + ?Sized,
+    C: Columns + Sync,
+{
     let parts = rayon::current_num_threads();
     let found = (0..parts).into_par_iter().map(|part| {
         let mut failures = Failures::new();

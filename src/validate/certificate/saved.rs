@@ -2,6 +2,7 @@
 
 use super::answers::Answers;
 use super::columns::{Column, DEAD, Labels, LabelsError, VACANT};
+use super::storage::{Columns, Entries as _, Numbers as _};
 use super::test::Failure;
 use crate::slots::NIL;
 use crate::validate::structure::{BoundaryPlace, Link, Parts, Start, View};
@@ -23,8 +24,8 @@ use alloc::vec::Vec;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Certificate {
-    pub(super) columns: Labels,
+pub struct Certificate<C = Labels> {
+    pub(super) columns: C,
 }
 
 impl Certificate {
@@ -81,7 +82,9 @@ impl Certificate {
         }
         Ok(Self { columns })
     }
+}
 
+impl<C: Columns> Certificate<C> {
     /// The certificate that has these columns. `None` if columns of one kind of record have different lengths.
     ///
     /// ```
@@ -92,7 +95,7 @@ impl Certificate {
     /// assert!(Certificate::from_columns(columns).is_none());
     /// ```
     #[must_use]
-    pub fn from_columns(columns: Labels) -> Option<Self> {
+    pub fn from_columns(columns: C) -> Option<Self> {
         let kinds = [
             &[
                 Column::HalfEdgeOrigin,
@@ -112,7 +115,7 @@ impl Certificate {
 
     /// The columns.
     #[must_use]
-    pub const fn columns(&self) -> &Labels {
+    pub const fn columns(&self) -> &C {
         &self.columns
     }
 
@@ -126,12 +129,12 @@ impl Certificate {
 
     /// True if the slot is there and not vacant, for the first column of the kind of record.
     fn is_live(&self, column: Column, i: usize) -> bool {
-        self.columns.column(column).get(i).is_some_and(|number| *number != VACANT)
+        self.columns.column(column).at(i).is_some_and(|number| number != VACANT)
     }
 }
 
-pub(super) fn have_one_length(columns: &Labels, kind: &[Column]) -> bool {
-    kind.windows(2).all(|pair| columns.column(pair[0]).len() == columns.column(pair[1]).len())
+pub(super) fn have_one_length<C: Columns>(columns: &C, kind: &[Column]) -> bool {
+    kind.windows(2).all(|pair| columns.column(pair[0]).count() == columns.column(pair[1]).count())
 }
 
 /// A link as a number.
@@ -142,21 +145,21 @@ pub(super) fn number(link: Link) -> u32 {
     }
 }
 
-impl View for Certificate {
+impl<C: Columns> View for Certificate<C> {
     fn parts(&self) -> Parts {
         Parts::ALL
     }
     fn vertex_slots(&self) -> usize {
-        self.columns.column(Column::VertexLeaving).len()
+        self.columns.column(Column::VertexLeaving).count()
     }
     fn half_edge_slots(&self) -> usize {
-        self.columns.column(Column::HalfEdgeOrigin).len()
+        self.columns.column(Column::HalfEdgeOrigin).count()
     }
     fn boundary_slots(&self) -> usize {
-        self.columns.column(Column::BoundaryFace).len()
+        self.columns.column(Column::BoundaryFace).count()
     }
     fn face_slots(&self) -> usize {
-        self.columns.column(Column::FaceOuter).len()
+        self.columns.column(Column::FaceOuter).count()
     }
     fn is_vertex(&self, vertex: usize) -> bool {
         self.is_live(Column::VertexLeaving, vertex)

@@ -5,6 +5,7 @@
 
 use super::answers::Answers;
 use super::columns::{Column, Labels};
+use super::storage::{Columns, Entries as _, Numbers as _};
 use super::sums::Sums;
 use super::test::{Failure, Failures, Test};
 use crate::slots::NIL;
@@ -30,7 +31,7 @@ use alloc::vec::Vec;
 /// assert_eq!(failures[0].test(), Test::GenusOk);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn check_surface<V: View + ?Sized>(view: &V, labels: &Labels, genus: usize) -> Result<(), Vec<Failure>> {
+pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> Result<(), Vec<Failure>> {
     let s = Surface(Answers::new(view, labels));
     let mut failures = Failures::new();
     failures.note(Test::Readable, 0, s.0.readable());
@@ -42,9 +43,9 @@ pub fn check_surface<V: View + ?Sized>(view: &V, labels: &Labels, genus: usize) 
 }
 
 /// A structure whose faces are taken for boundary components, if it has no records for these.
-pub(super) struct Surface<'a, V: ?Sized>(pub(super) Answers<'a, V>);
+pub(super) struct Surface<'a, V: ?Sized, C = Labels>(pub(super) Answers<'a, V, C>);
 
-impl<V: View + ?Sized> Surface<'_, V> {
+impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     /// Runs every test but that of the genus. An open surface may have holes: boundary components without face.
     #[inline(always)]
     pub(super) fn scan(&self, open: bool, failures: &mut Failures) -> Sums {
@@ -122,15 +123,15 @@ impl<V: View + ?Sized> Surface<'_, V> {
     #[inline(always)]
     fn component(&self, h: usize) -> Link {
         let component = self.0.labels.column(Column::HalfEdgeComponent);
-        let last = || component.last().filter(|_| h < self.0.half_edges);
-        component.get(h).or_else(last).filter(|root| **root != NIL).map(|root| *root as usize)
+        let last = || component.at(component.count().checked_sub(1)?).filter(|_| h < self.0.half_edges);
+        component.at(h).or_else(last).filter(|root| *root != NIL).map(|root| root as usize)
     }
 
     /// A label of the second half-edge is greater.
     #[inline(always)]
     fn grows(&self, column: Column, h: usize, to: usize) -> bool {
         let labels = self.0.labels.column(column);
-        labels.get(h).zip(labels.get(to)).is_some_and(|(before, after)| before < after)
+        labels.at(h).zip(labels.at(to)).is_some_and(|(before, after)| before < after)
     }
 
     /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
@@ -142,7 +143,6 @@ impl<V: View + ?Sized> Surface<'_, V> {
     }
 
     #[cold]
-    #[inline(never)]
     fn note_half_edge(&self, h: usize, open: bool, failures: &mut Failures) {
         self.half_edge_ok(h, self.star(h), open, |test, passes| {
             failures.note(test, h, passes);
@@ -181,10 +181,9 @@ impl<V: View + ?Sized> Surface<'_, V> {
             && passes(Test::TurnOk, turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g)))
             // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
             && passes(Test::StepOk, next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n)))
-            // Neighbours have the same component, and one of them a lower rank, but for the root.
             && passes(Test::ComponentOk, {
-                let is_root = component == Some(h);
-                component.is_some() && is_same(next) && is_same(twin) && (is_root || lower(next) || lower(prev) || lower(twin))
+                let ranked = component == Some(h) || lower(next) || lower(prev) || lower(twin);
+                component.is_some() && is_same(next) && is_same(twin) && ranked
             })
             && passes(Test::BorderOk, !open || self.border_ok(h))
     }

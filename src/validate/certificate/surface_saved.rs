@@ -4,6 +4,7 @@ use super::answers::Answers;
 use super::closed::closed;
 use super::columns::{Column, Labels, LabelsError};
 use super::saved::{Certificate, have_one_length};
+use super::storage::Columns;
 use super::sums::Sums;
 use super::surface::Surface;
 use super::surface_counts::SurfaceCounts;
@@ -33,8 +34,8 @@ use alloc::vec::Vec;
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct SurfaceCertificate {
-    certificate: Certificate,
+pub struct SurfaceCertificate<C = Labels> {
+    certificate: Certificate<C>,
 }
 
 impl SurfaceCertificate {
@@ -63,17 +64,19 @@ impl SurfaceCertificate {
         }
         Ok(Self { certificate })
     }
+}
 
+impl<C: Columns> SurfaceCertificate<C> {
     /// The certificate that has these columns. `None` if columns of one kind of record have different lengths.
     #[must_use]
-    pub fn from_columns(columns: Labels) -> Option<Self> {
+    pub fn from_columns(columns: C) -> Option<Self> {
         let kinds = KINDS.iter().all(|kind| have_one_length(&columns, kind));
         kinds.then_some(Self { certificate: Certificate { columns } })
     }
 
     /// The columns. Those that are not [of surfaces](Column::of_surface) are empty.
     #[must_use]
-    pub const fn columns(&self) -> &Labels {
+    pub const fn columns(&self) -> &C {
         self.certificate.columns()
     }
 
