@@ -4,7 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
+From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop SplitEdge AnyInner Operate Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
@@ -73,6 +73,10 @@ Check labels_sound : forall t rank, accepts t rank -> rules t.
 Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
 
 Check labels_mean_subdivision : forall t, (exists rank, accepts t rank) <-> exists s, represents t s.
+
+(** Where vertices and half-edges are all that is stored, the rules of closed surfaces mean rotation systems. *)
+
+Check surface_rules_mean_rotations : forall t, surface_rules t <-> exists s, represents_rotations t s.
 
 (** Surfaces, whose genera add up to [genus]; some of their faces may be holes, which are their border. *)
 

@@ -147,7 +147,8 @@ let connect t t' from into side inner h =
         operation "connect a vertex to itself" t (LoopAtIsolated (v, h, k, f, g, ba, made, made_left, new_left, moves))
     | _ -> fail "one corner of a boundary component is isolated, and another is not"
 
-(* A vertex at the end of a new edge, from one that was isolated. *)
+(* A vertex at the end of a new edge, from one that was isolated. One that has edges is passed over, though the new edge may be
+   one to a vertex of degree 1: `Dcel` lets the old vertex keep the new half-edge, and attach_vertex leaves it what it had. *)
 let attach_to_isolated t t' o h =
   let k = said "the twin of a half-edge" (twin t' h) in
   operation "split_vertex of no degree" t (AttachToIsolated (o, only_vertex t' t, boundary_at t (Isolated o), h, k))
