@@ -256,8 +256,8 @@ impl MapFile {
 
     /// The SHA-256 of the file as it is, or of the built-in map, in hexadecimal digits; none of what can be read but once.
     ///
-    /// The file is read once more for it: Shapefiles and GeoPackages are read by their path and not from the start to the end, and of
-    /// others what follows the last record may be left unread.
+    /// The file is read once more for it: some formats are read by their path and not from the start to the end, and of others what
+    /// follows the last record may be left unread.
     pub(crate) fn sha256(&self) -> Result<Option<String>, Failure> {
         match &self.file {
             None => sha256(EMBEDDED).map(Some),
