@@ -1,0 +1,509 @@
+(** * Core: what a table cannot do without, and the rest, which follows
+
+    An operator decides what is live, the origin, twin and next of each half-edge, the boundary component on each side, the
+    face of each boundary component, and which of these are inner ones: that is the *core* of a table. The rest says the same
+    once more, so that it can be found fast: [prev], the half-edges that vertices and boundary components keep, the places
+    and the lists. If the core is right, and the rest says the same, all rules hold. [tidy] makes the rest anew.
+
+<<
+      core     origin, twin, next, boundary_of; isolated; boundary_face, inner or outer
+      rest     prev; leaving; boundary_start; boundary_place; outer, inner lists
+>>
+
+    So whoever proves that an operator keeps the rules has to look at the core only. Whichever half-edge is kept, and in
+    whichever order lists are, it is right: [alike_keeps]. *)
+
+From mathcomp Require Import all_ssreflect all_fingroup.
+From twinedge Require Import Arith View Rules Loops LoopsProof Map Counting Lists TopologyProof.
+From twinedge Require Import Drawing Euler Numbered Genus WholeEuler Verdict FastPathComponents NewEdge ConnectCorners.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+(** The same edges, counted by their half-edges. *)
+Lemma edges_twice t es hs : is_map t -> lists_one_of_each es (same_edge t) (half_edge t) -> lists hs (half_edge t) -> size hs = (size es).*2.
+Proof.
+move=> map [u live one all] [uh H]; pose tw i := odflt 0 (twin t i).
+have twE i : half_edge t i -> twin t i = Some (tw i) /\ half_edge t (tw i).
+  by move=> /(twin_total map)[g G lg]; rewrite /tw G.
+have twK i : half_edge t i -> tw (tw i) = i /\ tw i <> i.
+  move=> li; have [E _] := twE i li; have [_ l1 _ _] := map; have [+ n] := l1 i li; rewrite E /= => T.
+  by split; [rewrite /tw T|move=> F; apply: n; rewrite E F].
+have -> : size hs = size (es ++ [seq tw i | i <- es]); last by rewrite size_cat size_map addnn.
+apply: perm_size; apply: uniq_perm => //.
+  rewrite cat_uniq u /= map_inj_in_uniq => [|i j /live li /live lj E].
+    rewrite u andbT; apply/hasPn=> j /mapP[i ei ->]; apply/negP=> ej; have li := live i ei.
+    have [E n] := twK i li; apply: n; apply: one => //; right; have [-> _] := twE _ (live _ ej).
+    by rewrite E.
+  by have [<- _] := twK i li; have [<- _] := twK j lj; rewrite E.
+move=> i; rewrite mem_cat; apply/idP/orP => [/H li|[/live/H|/mapP[j /live lj ->]]] //; last first.
+  by apply/H; have [] := twE j lj.
+have [j ej [<-|T]] := all i li; [by left|right].
+by apply/mapP; exists j => //; rewrite /tw T.
+Qed.
+
+(** ** The core *)
+
+Section Core.
+Variables (t : view) (inn : pred nat).
+
+(** The boundary component [b] passes the vertex [v], or is the isolated vertex [v]. *)
+Definition passes b v := (exists2 h, boundary_of t h = Some b & origin t h = Some v) \/ isolated t v = Some b.
+
+(** No outer boundary component is of the face [f]. *)
+Definition no_outer f := forall b, boundary_face t b = Some f -> inn b.
+
+(** From the face one steps out to the unbounded one: [rooted], of the core. *)
+Inductive steps_out f : Prop :=
+  | out_here of face t f & no_outer f
+  | out_through b v c w g of boundary_face t b = Some f & ~~ inn b & passes b v & inn c & passes c w & connected t v w
+      & boundary_face t c = Some g & steps_out g.
+
+(** Vertices, faces, inner boundary components and edges: V + F = 1 + I + E. *)
+Definition core_count := exists vs hs fs bs,
+  [/\ lists vs (vertex t), lists hs (half_edge t), lists fs (face t), lists bs (fun b => boundary t b /\ inn b)
+    & (size vs + size fs).*2 = 2 + (size bs).*2 + size hs].
+
+Record core : Prop := Core {
+  core_live : forall h, half_edge t h -> [/\ leads_to (vertex t) (origin t h), leads_to (half_edge t) (twin t h),
+    leads_to (half_edge t) (next t h) & leads_to (boundary t) (boundary_of t h)];
+  core_twin : l1_twin t;
+  core_next : forall g h, half_edge t g -> half_edge t h -> next t g = next t h -> g = h;
+  core_target : l3_target t;
+  core_rotation : forall g h, half_edge t g -> half_edge t h -> origin t g = origin t h -> on_orbit (turn t) g h;
+  core_side : forall h, half_edge t h -> next t h >>= boundary_of t = boundary_of t h;
+  core_cycle : forall g h, half_edge t g -> half_edge t h -> boundary_of t g = boundary_of t h -> on_cycle t g h;
+  core_bare : forall v, vertex t v -> bare t v -> leads_to (boundary t) (isolated t v);
+  core_isolated : forall v b, isolated t v = Some b -> [/\ bare t v, inn b & forall h, boundary_of t h <> Some b];
+  core_one : forall v w b, isolated t v = Some b -> isolated t w = Some b -> v = w;
+  core_used : forall b, boundary t b -> exists v, passes b v;
+  core_face : forall b, boundary t b -> leads_to (face t) (boundary_face t b);
+  core_outer : forall b c, ~~ inn b -> ~~ inn c -> boundary_face t b = boundary_face t c -> boundary t b -> b = c;
+  core_unbounded : exists! f, face t f /\ no_outer f;
+  core_inside : forall v, vertex t v -> exists b w, [/\ boundary t b, inn b, passes b w & connected t v w];
+  core_out : forall f, face t f -> steps_out f;
+  core_counts : core_count
+}.
+
+(** ** The rest *)
+
+Record rest : Prop := Rest {
+  rest_prev : forall h, half_edge t h -> leads_to (half_edge t) (prev t h) /\ prev t h >>= next t = Some h;
+  rest_leaving : forall v, vertex t v ->
+    (exists2 h, leaving t v = Some h & origin t h = Some v) \/ leaving t v = None /\ bare t v;
+  rest_start : forall b, boundary t b ->
+    (exists2 h, boundary_start t b = Some (AtHalfEdge h) & boundary_of t h = Some b) \/
+    exists2 v, boundary_start t b = Some (AtVertex v) & isolated t v = Some b;
+  rest_place : forall b, boundary t b -> exists f p, [/\ boundary_face t b = Some f, boundary_place t b = Some p,
+    listed t f p = Some b & inn b <-> p <> Outer];
+  rest_listed : forall f p b, listed t f p = Some b -> boundary_face t b = Some f /\ boundary_place t b = Some p;
+  rest_lists : forall f i, i < inner_count t f -> inner t f i <> None
+}.
+
+Hypothesis c : core.
+Hypothesis r : rest.
+
+Lemma core_links : links_live t.
+Proof.
+split.
+- move=> h lh; have [O T N B] := core_live c lh; split=> //; by have [] := rest_prev r lh.
+- move=> v lv; split.
+    case: (rest_leaving r lv) => [[h L O]|]; [left|by right].
+    by exists h; rewrite ?(heard_live O).
+  case I: (isolated t v) => [b|]; [right|by left]; have [B _ _] := core_isolated c I.
+  by rewrite -I; apply: core_bare.
+- move=> b lb; split; first exact: core_face.
+  by case: (rest_start r lb) => [[h -> B]|[v -> I]] /=; [apply: heard_live B|apply: heard_live I].
+move=> f lf; split=> [|i lt].
+  case O: (outer t f) => [b|]; [right|by left]; exists b => //.
+  by have [E _] := @rest_listed r f Outer b O; apply: heard_live E.
+case I: (inner t f i) => [b|]; last by case: (rest_lists r lt).
+by exists b => //; have [E _] := @rest_listed r f (Inner i) b I; apply: heard_live E.
+Qed.
+
+Lemma next_prev_core : l2_next_prev t.
+Proof.
+move=> h lh; have [_ P] := rest_prev r lh; split=> //.
+have [_ _ [g N lg] _] := core_live c lh; rewrite N /=; have [[g' P' lg'] Q] := rest_prev r lg.
+by rewrite P'; congr Some; apply: (core_next c) => //; move: Q; rewrite P' N.
+Qed.
+
+Lemma placed b : boundary t b -> inn b <-> is_inner t b.
+Proof.
+move=> lb; have [f [p [_ P _ I]]] := rest_place r lb; rewrite I /is_inner P.
+by case: p {P I} => [|i]; split=> //; [case|exists i].
+Qed.
+
+Lemma outer_core f b : outer t f = Some b <-> boundary_face t b = Some f /\ ~~ inn b.
+Proof.
+split=> [O|[F I]].
+  have [F P] := @rest_listed r f Outer b O; split=> //; apply/negP=> /(placed (heard_live F))[i].
+  by rewrite P.
+have [g [p [F' _ L PI]]] := rest_place r (heard_live F); move: F' L; rewrite F => -[<-].
+by case: p PI => [//|i] PI; case/negP: I; apply/PI.
+Qed.
+
+Lemma unbounded_core f : unbounded t f <-> face t f /\ no_outer f.
+Proof.
+split=> -[lf H]; split=> //.
+  move=> b F; apply/negPn/negP=> I; have/outer_core : boundary_face t b = Some f /\ ~~ inn b by [].
+  by rewrite H.
+by case O: (outer t f) => [b|] //; have [F] := (outer_core f b).1 O; rewrite H.
+Qed.
+
+Lemma core_low : lower t.
+Proof.
+have l3 := core_target c; have l1 := core_twin c; have links := core_links.
+have f2 : f2_listed t.
+  apply: f2_if => [b lb|f p b]; last exact: rest_listed.
+  by have [f [p [F P L _]]] := rest_place r lb; exists f, p.
+case=> // _.
+- by split=> //; apply: lists_short_listed.
+- exact: next_prev_core.
+- move=> v h lv L; case: (rest_leaving r lv) => [[g]|[]]; rewrite L //.
+  by case=> <-.
+- move=> g h lg lh; split=> [/(on_rotation_origin l1 l3) -> //|]; exact: core_rotation.
+- split=> [|b h lb lh]; first exact: core_side.
+  case: (rest_start r lb) => [[g S Bg]|[v S I]].
+    split=> [B|[g' + C]]; first by exists g => //; apply: core_cycle; rewrite ?(heard_live Bg) // B.
+    by rewrite S => -[gg]; rewrite -gg in C; rewrite (constant_on_cycle (core_side c) C).
+  by split=> [B|[g']]; [have [_ _ /(_ h)] := core_isolated c I|rewrite S].
+- have at_v v b : starts_at_vertex t v b <-> isolated t v = Some b.
+    split=> [S|I].
+      have lb := heard_live S; move: S; rewrite /starts_at_vertex.
+      by case: (rest_start r lb) => [[g -> _ //]|[w -> I] [<-]].
+    have [B _ no] := core_isolated c I; have [b' Ib lb] := core_bare c (heard_live I) B.
+    move: Ib; rewrite I => -[bb]; rewrite -bb in lb.
+    case: (rest_start r lb) => [[g _ /no //]|[w S J]]; by rewrite /starts_at_vertex S (core_one c I J).
+  move=> v lv; split=> [B|nB].
+    have [b I _] := core_bare c lv B; exists b; split=> // d; split=> [/at_v|->]; last exact/at_v.
+    by rewrite I => -[].
+  case I: (isolated t v) => [b|]; first by have [/nB] := core_isolated c I.
+  by split=> // b /at_v; rewrite I.
+split=> [|f b v /outer_core[F I] S].
+  have [f [U one]] := core_unbounded c; exists f; split; first exact/unbounded_core.
+  by move=> g /unbounded_core; apply: one.
+have : isolated t v = Some b.
+  move: S; rewrite /starts_at_vertex; case: (rest_start r (heard_live F)) => [[g -> _ //]|[w -> J] [<-]] //.
+by move/(core_isolated c)=> [_ Ib _]; rewrite Ib in I.
+Qed.
+
+Let low := core_low.
+Let map := low_map low.
+Let sym := connected_sym map.
+Let trans := @connected_trans t.
+
+Lemma passes_at b v : boundary t b -> passes b v -> exists2 w, vertex_at t b = Some w & connected t w v.
+Proof.
+move=> lb [[h B O]|I]; first by have [_] := on_side low B O.
+have [_ _ no] := core_isolated c I; exists v; last exact: connected_self.
+rewrite /vertex_at; case: (rest_start r lb) => [[g _ /no //]|[w -> J]]; by rewrite (core_one c I J).
+Qed.
+
+Lemma passes_outside u v b : boundary t b -> inn b -> passes b v -> connected t u v -> outside_of t u b.
+Proof.
+move=> lb I P C; split; first exact/placed.
+by have [w W D] := passes_at lb P; exists w => //; apply: trans C (sym D).
+Qed.
+
+Lemma inner_lists (bs : seq nat) : lists bs (fun b => boundary t b /\ inn b) -> lists bs (is_inner t).
+Proof.
+apply: lists_iff => b; split=> [[lb]|I]; first by move/(placed lb).
+have lb : boundary t b by case: I => i P; apply: heard_live P.
+by split=> //; apply/placed.
+Qed.
+
+Lemma core_t1 : t1_outside t.
+Proof.
+have [es He] := edges_each low; have [vs [hs [fs [bs [Hv Hh Hf Hb eq]]]]] := core_counts c.
+have two := edges_twice map He Hh; have Hi := inner_lists Hb.
+have out v : vertex t v -> exists b, outside_of t v b.
+  by move=> lv; have [b [w [lb I P C]]] := core_inside c lv; exists b; apply: passes_outside P C.
+have [cs Hc] : exists cs, lists_one_of_each cs (connected t) (vertex t).
+  exact: (components_exist low).
+have [edges every] := every_edge_exists (twK map) (tw_neq map).
+have whole := whole_euler low every (rotations_each low) (cycles_each low) He (pieces_each low).
+have Vs := vertices_size Hv; have Fs := faces_size low Hf; have Bs := boundaries_sides low.
+have Cs := components_size low Hc.
+have Is : size bs = size (inner_ones t).
+  by apply: lists_size Hi _; split=> [|b]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
+have split : size (boundaries t) = size (outer_ones t) + size (inner_ones t) by exact: size_split.
+have R : size (rotations t) = size (with_edges t) by exact: size_map.
+have [ub inb] := Hi; have [uc cl co ca] := Hc.
+have enough : size bs <= size cs by move: whole Vs Fs Bs Cs split R; arith.
+move=> v lv; have [b O] := out v lv; exists b; split=> // d D; apply/eqP; case: eqP => // bd; exfalso.
+have db : d \in bs by apply/inb; case: D.
+suff: size cs <= size (rem d bs).
+  by rewrite size_rem //; move: enough db; case: (bs) => [//|x s] /=; arith.
+apply: (@rel_size_le _ _ (fun w b => outside_of t w b)) => // [w wc|w w' x wc w'c [_ [y Y C]] [_ [z]]]; last first.
+  by rewrite Y => -[<-] C'; apply: co => //; apply: trans C (sym C').
+have [x X] := out w (cl w wc); case: (x =P d) => [xd|xd]; last first.
+  by exists x; rewrite // mem_rem_uniq // inE; apply/andP; split; [apply/eqP|apply/inb; case: X].
+exists b; first by rewrite mem_rem_uniq // inE; apply/andP; split; [apply/eqP|apply/inb; case: O].
+case: O => I [y Y C]; split=> //; exists y => //; move: X D => [_ [z Z Cz]] [_ [z']]; rewrite -xd Z => -[<-] Cd.
+exact: trans Cz (trans (sym Cd) C).
+Qed.
+
+Lemma core_rooted f : steps_out f -> rooted t f.
+Proof.
+elim=> {f} [f lf U|f b v d w g Fb Ib Pb Id Pd C Fd _ IH]; first exact/rooted_here/unbounded_core.
+have [x W D] := passes_at (heard_live Fb) Pb.
+apply: (@rooted_out t f b x d g) => //; first exact/outer_core.
+exact: passes_outside (heard_live Fd) Id Pd (trans D C).
+Qed.
+
+Theorem core_rules : rules t.
+Proof.
+have t1 := core_t1; have t2 : t2_nesting t.
+  move=> v b f _ _ F; apply/core_rooted/(core_out c).
+  by have [g G lg] := core_face c (heard_live F); move: G; rewrite F => -[->].
+have t3 : t3_euler t.
+  have [es He] := edges_each low; have [vs [hs [fs [bs [Hv Hh Hf Hb eq]]]]] := core_counts c.
+  apply/(t3_counts low t1 Hv He Hf (inner_lists Hb)); have := edges_twice map He Hh.
+  by move: eq; arith.
+have H q : index q < index T4 -> holds t q.
+  by case: (ltnP (index q) (index T1)) => [lt _|le lt]; [apply: low|case: q le lt].
+by move=> q; case: (ltnP (index q) (index T4)) => [/H //|]; case: q => // _; apply: t4_follows => q; apply: H.
+Qed.
+
+End Core.
+
+(** ** Where all rules hold, the core is right *)
+
+Definition inn_of t : pred nat := fun b => if boundary_place t b is Some Outer then false else true.
+
+Section OfRules.
+Variable t : view.
+Hypothesis keeps : rules t.
+
+Let low : lower t. Proof. by move=> q _; apply: keeps. Qed.
+Let map : is_map t := low_map low.
+Notation inn := (inn_of t).
+
+Lemma inn_inner b : boundary t b -> inn b <-> is_inner t b.
+Proof.
+move=> lb; have [f [p [_ _ P _]]] := placeP low lb; rewrite /inn_of /is_inner P.
+by case: p {P} => [|i]; split=> //; [case|exists i].
+Qed.
+
+Lemma inn_outer f b : outer t f = Some b <-> boundary_face t b = Some f /\ ~~ inn b.
+Proof.
+split=> [O|[F I]]; first by have [F P] := @listed_names _ low f Outer b O; rewrite /inn_of P.
+have [g [p [_ F' P L]]] := placeP low (heard_live F); move: F' L; rewrite F => -[<-].
+by move: I; rewrite /inn_of P; case: p {P}.
+Qed.
+
+Lemma at_passes b w : vertex_at t b = Some w -> passes t b w.
+Proof.
+rewrite /vertex_at; case S: (boundary_start t b) => [[h|v]|] //.
+  by left; exists h => //; apply: (start_on_cycle keeps).
+by case=> <-; right; case: (boundaryP low (heard_live S)) => [x|u]; rewrite S // => -[<-].
+Qed.
+
+Lemma isolated_start v b : isolated t v = Some b -> boundary_start t b = Some (AtVertex v) /\ bare t v.
+Proof.
+move=> I; case: (vertexP low (heard_live I)) => [x _ xv|d _ B J S]; last by move: J; rewrite I => -[->].
+have [_ N] := keeps B2 v (heard_live I); have [|E _] := N; first by rewrite -xv; apply: not_bare.
+by move: E; rewrite I.
+Qed.
+
+Lemma steps_of_rooted f : rooted t f -> face t f -> steps_out t inn f.
+Proof.
+elim=> {f} [f [lf U] _|f b w b' g O W [[i P] [w' W' C]] F _ IH lf].
+  apply: out_here => // b F; apply/negPn/negP=> I.
+  by have/inn_outer : boundary_face t b = Some f /\ ~~ inn b by []; rewrite U.
+have [Fb Ib] := (inn_outer f b).1 O; have [[_ _ B _] _] := keeps R1.
+have [[g' + lg] _] := B b' (heard_live F); rewrite F => -[gg]; rewrite -gg in lg.
+apply: (out_through (b := b) (v := w) (c := b') (w := w') (g := g)) => //; try exact: at_passes; last exact: IH.
+by apply/(inn_inner (heard_live P)); exists i.
+Qed.
+
+Theorem core_of_rules : core t inn.
+Proof.
+have [[H V B F] _] := keeps R1; split.
+- by move=> h /H[].
+- exact: (keeps L1).
+- move=> g h lg lh; have [+ _] := keeps L2 g lg; have [+ _] := keeps L2 h lh => + + E; rewrite E.
+  by case: (next t h) => [n|] //= -> [].
+- exact: (keeps L3).
+- by move=> g h lg lh E; apply/(keeps V2).
+- by have [] := keeps B1.
+- move=> g h lg lh; have [_ _ _ _ [b E _]] := H g lg; rewrite E => E'.
+  exact: (cycle_of keeps E (esym E')).
+- move=> v lv bv; have [A _] := keeps B2 v lv; have [b [I _]] := A bv; exists b => //.
+  by have [S _] := isolated_start I; apply: heard_live S.
+- move=> v b I; have [S bv] := isolated_start I; split=> //; first exact/(inn_inner (heard_live S))/(vertex_inner low S).
+  by move=> h Bh; have [g + _] := start_of_cycle keeps Bh; rewrite S.
+- by move=> v w b /isolated_start[+ _] /isolated_start[+ _] => -> [].
+- move=> b lb; case: (boundaryP low lb) => [x _ xb|v _ _ _ I]; last by exists v; right.
+  by exists (org x); left; exists (num x); [rewrite (Map.boundaryE map) xb|apply: (Map.originE map)].
+- by move=> b /B[].
+- move=> b c Ib Ic Fbc lb; have [[f E _] _] := B b lb.
+  have/inn_outer O : boundary_face t b = Some f /\ ~~ inn b by [].
+  have/inn_outer : boundary_face t c = Some f /\ ~~ inn c by rewrite -Fbc.
+  by rewrite O => -[].
+- have unb f : unbounded t f <-> face t f /\ no_outer t inn f.
+    split=> -[lf U]; split=> //.
+      move=> b Fb; apply/negPn/negP=> I; have/inn_outer : boundary_face t b = Some f /\ ~~ inn b by [].
+      by rewrite U.
+    by case O: (outer t f) => [b|] //; have [/U-> ] := (inn_outer f b).1 O.
+  have [[f [U one]] _] := keeps F1; exists f; split; first exact/unb.
+  by move=> g /unb; apply: one.
+- move=> v lv; have [b [[[i P] [w W C]] _]] := keeps T1 v lv; exists b, w; split=> //; first exact: heard_live P.
+    by apply/(inn_inner (heard_live P)); exists i.
+  exact: at_passes.
+- by move=> f lf; apply: steps_of_rooted => //; apply: (face_rooted low (keeps T1) (keeps T2)).
+have [es He] := edges_each low.
+have Hv := lists_filter (@vertex_below t) (fun v => iff_refl (vertex t v)).
+have Hh := lists_filter (@half_edge_below t) (fun h => iff_refl (half_edge t h)).
+have Hf := lists_filter (@face_below t) (fun f => iff_refl (face t f)).
+have Hb : lists (inner_ones t) (is_inner t).
+  by split=> [|b]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
+have Hb' : lists (inner_ones t) (fun b => boundary t b /\ inn b).
+  apply: lists_iff Hb => b; split=> [I|[lb I]]; last exact/(inn_inner lb).
+  have lb : boundary t b by case: I => i P; apply: heard_live P.
+  by split=> //; apply/inn_inner.
+exists [seq v <- iota 0 (vertex_slots t) | vertex t v], [seq h <- iota 0 (half_edge_slots t) | half_edge t h].
+exists [seq f <- iota 0 (face_slots t) | face t f], (inner_ones t); split=> //.
+have := (t3_counts low (keeps T1) Hv He Hf Hb).1 (keeps T3).
+by rewrite (edges_twice map He Hh); arith.
+Qed.
+
+End OfRules.
+
+(** ** The rest, made anew *)
+
+(** The first of so many numbers for which [p] holds. *)
+Definition first n (p : pred nat) : link := ohead [seq i <- iota 0 n | p i].
+
+Lemma first_some n p i : first n p = Some i -> p i.
+Proof.
+rewrite /first; case E: [seq i <- iota 0 n | p i] => [|j s] //= -[<-].
+suff : j \in [seq i <- iota 0 n | p i] by rewrite mem_filter => /andP[].
+by rewrite E mem_head.
+Qed.
+
+Lemma first_none n (p : pred nat) i : first n p = None -> i < n -> ~~ p i.
+Proof.
+rewrite /first; case E: [seq i <- iota 0 n | p i] => [|//] _ lt; apply/negP=> pi.
+by have : i \in [seq i <- iota 0 n | p i]; [rewrite mem_filter mem_iota pi lt|rewrite E].
+Qed.
+
+(** The inner boundary components of a face, in the order of their numbers. *)
+Definition inner_of n (inn : pred nat) f :=
+  [seq b <- iota 0 (boundary_slots n) | [&& boundary n b, inn b & boundary_face n b == Some f]].
+
+(** The core of [n], with the rest made anew: of two that would do, the one with the lower number is kept or listed first. *)
+Definition tidy n (inn : pred nat) : view := {|
+  vertex_slots := vertex_slots n;
+  half_edge_slots := half_edge_slots n;
+  boundary_slots := boundary_slots n;
+  face_slots := face_slots n;
+  is_vertex := is_vertex n;
+  is_half_edge := is_half_edge n;
+  is_boundary := is_boundary n;
+  is_face := is_face n;
+  says_origin := says_origin n;
+  says_twin := says_twin n;
+  says_next := says_next n;
+  says_prev := fun h => first (half_edge_slots n) (fun g => next n g == Some h);
+  says_boundary := says_boundary n;
+  says_leaving := fun v => first (half_edge_slots n) (fun h => origin n h == Some v);
+  says_isolated := says_isolated n;
+  says_boundary_face := says_boundary_face n;
+  says_boundary_start := fun b =>
+    if first (half_edge_slots n) (fun h => boundary_of n h == Some b) is Some h then Some (AtHalfEdge h) else
+    if first (vertex_slots n) (fun v => isolated n v == Some b) is Some v then Some (AtVertex v) else None;
+  says_boundary_place := fun b => if inn b then
+    if boundary_face n b is Some f then Some (Inner (seq.index b (inner_of n inn f))) else None else Some Outer;
+  says_outer := fun f => first (boundary_slots n) (fun b => ~~ inn b && (boundary_face n b == Some f));
+  says_inner_count := fun f => size (inner_of n inn f);
+  says_inner := fun f i => nth None [seq Some b | b <- inner_of n inn f] i
+|}.
+
+Section Tidy.
+Variables (n : view) (inn : pred nat).
+Hypothesis c : core n inn.
+
+Notation t := (tidy n inn).
+
+(** The core is the same. *)
+Lemma tidy_connected u v : connected n u v -> connected t u v.
+Proof. by elim=> [|h x y _ IH O T]; [apply: connected_self|apply: (@connected_edge t u h x y IH)]. Qed.
+
+Lemma tidy_steps f : steps_out n inn f -> steps_out t inn f.
+Proof.
+elim=> {f} [f lf no|f b v d w g F I P J Q C G _ IH]; first exact: (@out_here t).
+exact: (@out_through t inn f b v d w g) (tidy_connected C) G IH.
+Qed.
+
+Lemma tidy_core : core t inn.
+Proof.
+case: c => live l1 inj l3 rot side cyc bare iso one used fc out unb inside steps counts; split=> //.
+  by move=> v /inside[b [w [lb I P C]]]; exists b, w; split=> //; apply: tidy_connected.
+by move=> f /steps; apply: tidy_steps.
+Qed.
+
+Lemma inner_ofP f b : b \in inner_of n inn f <-> inn b /\ boundary_face n b = Some f.
+Proof.
+rewrite mem_filter mem_iota add0n; split=> [/andP[/and3P[_ I /eqP F] _] //|[I F]].
+by rewrite (heard_live F) I F eqxx /= boundary_below ?(heard_live F).
+Qed.
+
+Lemma next_onto h : half_edge n h -> exists2 g, half_edge n g & next n g = Some h.
+Proof.
+pose dart := [finType of slot (half_edge_slots n) (half_edge n)]; move=> lh.
+have total g : half_edge n g -> exists2 g', next n g = Some g' & half_edge n g' by move/(core_live c)=> [].
+have E x : next n (num x) = Some (num (step (next n) x : dart)) := says_step (@half_edge_below n) total x.
+have inj : injective (step (next n) : dart -> dart).
+  by move=> x y xy; apply: num_inj; apply: (core_next c); rewrite ?num_live // !E xy.
+have [x xh] : exists x : dart, num x = h := slotP (@half_edge_below n) lh.
+exists (num (invF inj x)); first exact: num_live.
+by rewrite E f_invF xh.
+Qed.
+
+Lemma tidy_rest : rest t inn.
+Proof.
+have placeE b f : boundary_face n b = Some f -> boundary_place t b =
+    Some (if inn b then Inner (seq.index b (inner_of n inn f)) else Outer).
+  by move=> F; rewrite /boundary_place /heard -[boundary t b]/(boundary n b) (heard_live F) /= F; case: (inn b).
+have uniq_of f : uniq (inner_of n inn f) by rewrite filter_uniq ?iota_uniq.
+have innerE f i b : face n f -> inner t f i = Some b <-> b \in inner_of n inn f /\ seq.index b (inner_of n inn f) = i.
+  move=> lf; rewrite /inner /inner_count -[face t f]/(face n f) lf /=; exact: listed_at.
+have outerE f b : face n f -> outer t f = Some b <-> ~~ inn b /\ boundary_face n b = Some f.
+  move=> lf; rewrite /outer /heard -[face t f]/(face n f) lf /=; split=> [/first_some/andP[I /eqP F] //|[I F]].
+  case E: (first _ _) => [d|].
+    have/andP[Id /eqP Fd] := first_some E; congr Some; apply: (core_outer c) => //; rewrite ?Fd //; exact: heard_live Fd.
+  by have := first_none E (boundary_below (heard_live F)); rewrite I F eqxx.
+split.
+- move=> h lh; have [g lg N] := next_onto lh.
+  have P : prev t h = first (half_edge_slots n) (fun g => next n g == Some h).
+    by rewrite /prev /heard lh.
+  rewrite P; case E: (first _ _) => [g'|]; first by have/eqP N' := first_some E; split=> //; exists g' => //; apply: heard_live N'.
+  by have := first_none E (half_edge_below lg); rewrite N eqxx.
+- move=> v lv; have L : leaving t v = first (half_edge_slots n) (fun h => origin n h == Some v).
+    by rewrite /leaving /heard lv.
+  rewrite L; case E: (first _ _) => [h|]; first by left; exists h => //; apply/eqP/(first_some E).
+  by right; split=> // h lh O; have := first_none E (half_edge_below lh); rewrite -[origin n h]/(origin t h) O eqxx.
+- move=> b lb; have S : boundary_start t b = says_boundary_start t b.
+    by rewrite /boundary_start /heard lb.
+  rewrite S /=; case E: (first _ _) => [h|]; first by left; exists h => //; apply/eqP/(first_some E).
+  right; case D: (first _ _) => [v|]; first by exists v => //; apply/eqP/(first_some D).
+  have [v [[h B _]|I]] := core_used c lb.
+    by have := first_none E (half_edge_below (heard_live B)); rewrite B eqxx.
+  by have := first_none D (vertex_below (heard_live I)); rewrite I eqxx.
+- move=> b lb; have [f F lf] := core_face c lb; exists f, (if inn b then Inner (seq.index b (inner_of n inn f)) else Outer).
+  rewrite (placeE b f F); split=> //; last by case: (inn b).
+  case I: (inn b); first by apply/innerE => //; split=> //; apply/inner_ofP.
+  by apply/outerE; rewrite ?I.
+- move=> f p b L; have lf : face n f.
+    by case: p L => [|i] L; [exact: heard_live L|move: L; rewrite /= /inner /inner_count -[face t f]/(face n f); case: (face n f)].
+  case: p L => [/(outerE f b lf)[I F]|i /(innerE f i b lf)[/inner_ofP[I F] <-]]; by rewrite (placeE b f F) ?I ?(negPf I).
+move=> f i; rewrite /inner => lt; rewrite lt /=; move: lt; rewrite /inner_count -[face t f]/(face n f); case: (face n f) => //= lt.
+by rewrite (nth_map 0).
+Qed.
+
+(** If the core is right, and the rest is made anew, all rules hold. *)
+Theorem tidy_rules : rules t. Proof. exact: core_rules tidy_core tidy_rest. Qed.
+
+End Tidy.
