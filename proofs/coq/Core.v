@@ -10,8 +10,8 @@
       rest     prev; leaving; boundary_start; boundary_place; outer, inner lists
 >>
 
-    So whoever proves that an operator keeps the rules has to look at the core only. Whichever half-edge is kept, and in
-    whichever order lists are, it is right: [alike_keeps]. *)
+    So whoever proves that an operator keeps the rules has to look at the core only, and may have the rest made anew:
+    [core_rules], [core_of_rules], [tidy_rules]. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Arith View Rules Loops LoopsProof Map Counting Lists TopologyProof.

@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge AnyInner Operate Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop SplitEdge AnyInner Operate Core Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -133,6 +133,15 @@ Check move_inner_keeps_rules : forall t b f g, rules t -> boundary_face t b = So
 Check move_any_inner_keeps_rules : forall t b f i g, rules t -> boundary_face t b = Some f ->
   boundary_place t b = Some (Inner i) -> face t g -> g != f ->
   rules (move_inner (exchange t f i (inner_count t f).-1) b f g) <-> ~ inside t b g.
+
+(** The core of a table is what an operator decides; the rest says the same once more. If the core is right and the rest says so,
+    or is made anew, all rules hold; and where all rules hold, the core is right. *)
+
+Check core_rules : forall t inn, Core.core t inn -> Core.rest t inn -> rules t.
+
+Check core_of_rules : forall t, rules t -> Core.core t (Core.inn_of t).
+
+Check tidy_rules : forall n inn, Core.core n inn -> rules (Core.tidy n inn).
 
 (** What keeps the rules keeps them under other numbers. *)
 
