@@ -6,6 +6,7 @@
 use crate::slots::NIL;
 use crate::validate::certificate::{Column, Drawing, Labels};
 use crate::validate::{Embedding, Part};
+use core::iter;
 use core::mem::replace;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 
@@ -167,8 +168,8 @@ impl Darts {
         let mut is_numbered = vec![false; cdt.num_all_faces()];
         let mut of_edge = vec![NIL; count];
         let mut sides = Vec::with_capacity(count);
-        let outer = cdt.outer_face().adjacent_edge();
-        for first in outer.into_iter().chain(cdt.vertices().flat_map(|v| v.out_edges())) {
+        let outer = cdt.outer_face().adjacent_edge().ok_or(DrawingError::NotPlane)?;
+        for first in iter::once(outer).chain(cdt.vertices().flat_map(|v| v.out_edges())) {
             if !replace(&mut is_numbered[first.face().fix().index()], true) {
                 for side in [first, first.next(), first.prev()] {
                     of_edge[side.fix().index()] = sides.len() as u32;

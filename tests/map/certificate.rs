@@ -1,11 +1,12 @@
 //! Certificates of drawings: what is drawn without crossings has one that passes, and nothing else has.
 
 use crate::support::erased::validate_embedding;
+use std::cell::Cell;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::certificate::{DrawingError, draw};
 use twinedge::map::{Builder, Noding, PlanarMap};
-use twinedge::validate::certificate::{Column, Drawing, Labels, Test, check_drawing};
+use twinedge::validate::certificate::{Column, Columns, Drawing, Labels, Test, check_drawing};
 use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, HalfEdgeRow, Link, Parts, Table, View};
 
 const PLANE: Expectation = Expectation::plane();
@@ -474,4 +475,102 @@ fn a_structure_that_lies_about_its_slots_is_not_drawn() {
     let mut map = PlanarMap::new();
     map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]).unwrap();
     assert_eq!(draw(&Liar(map)).err(), Some(DrawingError::NotPlane));
+}
+
+/// A drawing whose points go far away after so many questions.
+struct Restless<'a> {
+    drawing: &'a Drawing,
+    asked: Cell<usize>,
+    patience: usize,
+}
+
+impl Columns for Restless<'_> {
+    type Numbers<'a>
+        = &'a [u32]
+    where
+        Self: 'a;
+
+    fn column(&self, column: Column) -> &[u32] {
+        self.drawing.columns.column(column)
+    }
+    fn points(&self) -> usize {
+        self.drawing.points.len()
+    }
+    fn point(&self, point: usize) -> Option<[i64; 2]> {
+        self.asked.set(self.asked.get() + 1);
+        let far = [[i64::MIN, i64::MIN], [i64::MAX, i64::MIN], [i64::MIN, i64::MAX]];
+        if self.asked.get() > self.patience { Some(far[point % 3]) } else { self.drawing.points.get(point).copied() }
+    }
+}
+
+#[test]
+fn points_that_move_while_they_are_checked_do_not_pass() {
+    let mut map = PlanarMap::new();
+    map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]).unwrap();
+    map.insert_point([1.0, 2.0]).unwrap();
+    let (labels, drawing) = (Labels::new(&map).unwrap(), draw(&map).unwrap());
+    let failed = |patience| {
+        let restless = Restless { drawing: &drawing, asked: Cell::new(0), patience };
+        let failures = check_drawing(&map, &labels, &restless).err().unwrap_or_default();
+        (failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), restless.asked.get())
+    };
+    let (failures, questions) = failed(usize::MAX);
+    assert!(failures.is_empty());
+    let points = drawing.points.len();
+    assert!((0..points).all(|patience| failed(patience).0 == [Test::Readable]));
+    // Once all were in range.
+    assert_eq!(failed(points).0, [Test::TriangleOk]);
+    assert!((points..questions).all(|patience| failed(patience).1 == questions));
+}
+
+/// So many zeros.
+#[derive(Clone, Copy)]
+struct Zeros(usize);
+
+impl twinedge::validate::certificate::Numbers for Zeros {
+    fn count(self) -> usize {
+        self.0
+    }
+    fn at(self, _i: usize) -> Option<u32> {
+        Some(0)
+    }
+}
+
+/// A drawing of a map that says that it has so many darts and points.
+struct Endless {
+    map: PlanarMap,
+    darts: usize,
+    points: usize,
+}
+
+impl Columns for Endless {
+    type Numbers<'a> = Zeros;
+
+    fn column(&self, column: Column) -> Zeros {
+        Zeros(match column {
+            Column::HalfEdgeDart => self.map.half_edge_slots(),
+            Column::VertexDart => self.map.vertex_slots(),
+            Column::FaceDart => self.map.face_slots(),
+            _ => self.darts,
+        })
+    }
+    fn points(&self) -> usize {
+        self.points
+    }
+    fn point(&self, _point: usize) -> Option<[i64; 2]> {
+        Some([0, 0])
+    }
+}
+
+#[test]
+fn more_darts_or_points_than_can_be_numbered_are_not_looked_at() {
+    let failed = |darts, points| {
+        let drawing = Endless { map: PlanarMap::new(), darts, points };
+        let labels = Labels::new(&drawing.map).unwrap();
+        let failures = check_drawing(&drawing.map, &labels, &drawing).err().unwrap_or_default();
+        failures.iter().map(|failure| failure.test()).collect::<Vec<_>>()
+    };
+    assert!(!failed(0, 3).contains(&Test::Readable));
+    assert_eq!(failed(usize::MAX, 3), [Test::Readable]);
+    assert_eq!(failed(0, usize::MAX), [Test::Readable]);
 }

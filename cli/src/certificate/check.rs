@@ -30,13 +30,9 @@ pub(crate) struct Check {
 
 /// A number of bytes, as `4096`, `64K`, `256M` or `2G`.
 fn size(text: &str) -> Result<u64, String> {
-    let (number, shift) =
-        match text.trim_end_matches('B').split_at_checked(text.trim_end_matches('B').len().saturating_sub(1)) {
-            Some((number, "K")) => (number, 10),
-            Some((number, "M")) => (number, 20),
-            Some((number, "G")) => (number, 30),
-            _ => (text, 0),
-        };
+    let in_units =
+        [("K", 10), ("M", 20), ("G", 30)].into_iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, shift)));
+    let (number, shift) = in_units.unwrap_or((text, 0));
     let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
     bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
 }
@@ -51,7 +47,7 @@ impl Check {
             Err(failures) if failures.iter().any(|failure| failure.test() == Test::Readable) => {
                 let name = self.folder.display();
                 Err(Failure(format!(
-                    "{name}: the length of a column is wrong, a point is not there, or a coordinate is out of range"
+                    "{name}: the length of a column is wrong or too large, a point is not there, or a coordinate is out of range"
                 )))
             }
             Err(failures) => {

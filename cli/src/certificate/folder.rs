@@ -15,7 +15,7 @@ pub(super) const FIRST_LINE: &str = "twinedge certificate 1\n";
 const PLANE: &str = "plane\n";
 const DRAWING: &str = "drawing\n";
 const SURFACE: &str = "surface\n";
-/// More than the first two lines of it have bytes.
+/// More bytes than the first two lines of a claim have.
 const LINES: u64 = 64;
 pub(super) const CLAIM_FILE: &str = "claim.txt";
 
@@ -69,7 +69,7 @@ impl Claim {
 
 /// Checks a folder, and gives its claim in words, or the tests that fail. What is not readable, as the specification says, is a failure.
 ///
-/// Links lead anywhere, so pages of all columns are kept, which take at most about so many bytes, and others are read again.
+/// Links lead anywhere, so pages of all columns are kept in so much memory, and others are read again where they are needed.
 pub(super) fn check(folder: &Path, memory: u64) -> Result<Result<String, Vec<FailedTest>>, Failure> {
     let file = folder.join(CLAIM_FILE);
     let mut lines = Vec::new();

@@ -1,7 +1,7 @@
 //! The columns of a certificate, read from its folder page by page.
 
 use crate::status::Failure;
-use std::cell::{Cell, RefCell};
+use std::cell::{OnceCell, RefCell};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -54,7 +54,7 @@ struct Numbered<const BYTES: usize> {
     file: File,
     count: usize,
     frames: RefCell<Vec<Frame<BYTES>>>,
-    error: Cell<Option<io::Error>>,
+    error: OnceCell<io::Error>,
 }
 
 /// Room for one page: each page has its frame, which it shares with others if there are more pages than frames.
@@ -75,7 +75,7 @@ impl<const BYTES: usize> Numbered<BYTES> {
         let room = usize::try_from(memory / (PAGE * BYTES) as u64).unwrap_or(usize::MAX);
         let frames = count.div_ceil(PAGE).min(room).max(1);
         let frames = RefCell::new((0..frames).map(|_| Frame { page: None, numbers: Vec::new() }).collect());
-        Ok(Self { path, file, count, frames, error: Cell::new(None) })
+        Ok(Self { path, file, count, frames, error: OnceCell::new() })
     }
 
     #[inline]
@@ -83,7 +83,7 @@ impl<const BYTES: usize> Numbered<BYTES> {
         let (page, place) = (i / PAGE, i % PAGE);
         let mut frames = self.frames.borrow_mut();
         let room = frames.len();
-        let frame = frames.get_mut(if page < room { page } else { page % room })?;
+        let frame = frames.get_mut(page % room)?;
         if frame.page != Some(page) {
             self.load(page, frame)?;
         }
@@ -93,19 +93,15 @@ impl<const BYTES: usize> Numbered<BYTES> {
     /// Reads a page. After an error nothing is read any more, so that the check comes to its end.
     #[cold]
     fn load(&self, page: usize, frame: &mut Frame<BYTES>) -> Option<()> {
-        let error = self.error.take();
-        let has_failed = error.is_some();
-        self.error.set(error);
-        if has_failed || page >= self.count.div_ceil(PAGE) {
+        if self.error.get().is_some() || page >= self.count.div_ceil(PAGE) {
             return None;
         }
         frame.page = None;
         frame.numbers.resize(PAGE.min(self.count - page * PAGE), [0; BYTES]);
-        match self.read(page, &mut frame.numbers) {
-            Ok(()) => frame.page = Some(page),
-            Err(error) => self.error.set(Some(error)),
-        }
-        frame.page.map(|_| ())
+        let read = self.read(page, &mut frame.numbers);
+        read.map_err(|error| self.error.set(error)).ok()?;
+        frame.page = Some(page);
+        Some(())
     }
 
     fn read(&self, page: usize, numbers: &mut [[u8; BYTES]]) -> io::Result<()> {

@@ -5,7 +5,7 @@
 
 use super::answers::Answers;
 use super::check::scan;
-use super::columns::Column;
+use super::columns::{Column, MOST_SLOTS};
 use super::storage::{Columns, Numbers};
 use super::test::{Failure, Failures, Test};
 use crate::slots::NIL;
@@ -43,6 +43,9 @@ pub fn check_drawing<V: View + ?Sized, C: Columns, D: Columns>(
 struct Darts<'a, V: ?Sized, C, D: Columns> {
     s: &'a Answers<'a, V, C>,
     drawing: &'a D,
+    /// The numbers of darts and of points, asked for once.
+    count: usize,
+    points: usize,
     twin: D::Numbers<'a>,
     point: D::Numbers<'a>,
     half_edge: D::Numbers<'a>,
@@ -71,6 +74,8 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
         Self {
             s,
             drawing,
+            count: column(Column::DartTwin).count(),
+            points: drawing.points(),
             twin: column(Column::DartTwin),
             point: column(Column::DartPoint),
             half_edge: column(Column::DartHalfEdge),
@@ -81,25 +86,22 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
         }
     }
 
-    fn count(&self) -> usize {
-        self.twin.count()
-    }
-
     /// Columns have the right lengths, points of darts are there, and coordinates are in range.
     fn readable(&self) -> bool {
         let per_dart = [self.point, self.half_edge, self.ahead, self.face, self.rank];
-        self.count() % 3 == 0
-            && per_dart.iter().all(|column| column.count() == self.count())
+        [self.count, self.points].iter().all(|n| *n <= MOST_SLOTS)
+            && self.count % 3 == 0
+            && per_dart.iter().all(|column| column.count() == self.count)
             && self.of_half_edge.count() == self.s.half_edges
             && self.drawing.column(Column::VertexDart).count() == self.s.vertices
             && self.drawing.column(Column::FaceDart).count() == self.s.faces
-            && self.s.vertices <= self.drawing.points()
-            && (0..self.count()).all(|d| at(self.point, d) < self.drawing.points())
-            && (0..self.drawing.points()).all(|p| self.corner(p).iter().all(|x| (-REACH..REACH).contains(x)))
+            && self.s.vertices <= self.points
+            && (0..self.count).all(|d| at(self.point, d) < self.points)
+            && (0..self.points).all(|p| self.drawing.point(p).iter().flatten().all(|x| (-REACH..REACH).contains(x)))
     }
 
     fn scan(&self, failures: &mut Failures) {
-        for first in (0..self.count()).step_by(3) {
+        for first in (0..self.count).step_by(3) {
             let [second, third] = [first + 1, first + 2];
             for [number, next, before] in [[first, second, third], [second, third, first], [third, first, second]] {
                 let [twin, turn] = [number, before].map(|d| at(self.twin, d));
@@ -127,7 +129,7 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
     }
 
     fn twin_ok(&self, d: Dart) -> bool {
-        d.twin < self.count() && at(self.twin, d.twin) == d.number
+        d.twin < self.count && at(self.twin, d.twin) == d.number
     }
 
     fn half_edge_ok(&self, d: Dart) -> bool {
@@ -157,21 +159,19 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
             || at(self.drawing.column(Column::FaceDart), at(self.face, d.number)) == d.number
     }
 
-    fn corner(&self, point: usize) -> [i64; 2] {
-        self.drawing.point(point).unwrap_or([0, 0])
-    }
-
-    /// Differences of coordinates fit into 64 bits, since these are in range.
+    /// Differences of coordinates in range fit into 64 bits. (They are out of range only if they change from call to call.)
     fn triangle_ok(&self, first: usize) -> bool {
-        let [[ax, ay], [bx, by], [cx, cy]] = [first, first + 1, first + 2].map(|d| self.corner(at(self.point, d)));
+        let [[ax, ay], [bx, by], [cx, cy]] =
+            [first, first + 1, first + 2].map(|d| self.drawing.point(at(self.point, d)).unwrap_or([0, 0]));
         let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
-        let turn = product(ax - cx, by - cy) - product(bx - cx, ay - cy);
+        let turn =
+            product(ax.wrapping_sub(cx), by.wrapping_sub(cy)) - product(bx.wrapping_sub(cx), ay.wrapping_sub(cy));
         if first == 0 { turn < 0 } else { turn > 0 }
     }
 
     fn half_edge_dart_ok(&self, h: usize) -> bool {
         let d = at(self.of_half_edge, h);
-        d < self.count()
+        d < self.count
             && self.half_edge(d) == Some(h)
             && self.s.origin(h) == Some(at(self.point, d))
             && self.s.twin(h).is_some_and(|twin| at(self.of_half_edge, twin) == at(self.twin, d))
@@ -185,7 +185,7 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
     fn vertex_dart_ok(&self, v: usize) -> bool {
         let d = at(self.drawing.column(Column::VertexDart), v);
         let in_its_face = |b| self.s.boundary_face(b) == Some(at(self.face, d));
-        d < self.count() && at(self.point, d) == v && self.s.isolated(v).is_none_or(in_its_face)
+        d < self.count && at(self.point, d) == v && self.s.isolated(v).is_none_or(in_its_face)
     }
 }
 

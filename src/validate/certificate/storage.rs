@@ -7,6 +7,40 @@ use crate::slots::NIL;
 /// from files that are larger than that.
 ///
 /// Nothing is assumed of the answers. The checkers return even if they change from call to call.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge::validate::certificate::{Certificate, Column, Columns, Labels, Numbers};
+///
+/// /// The columns of a small certificate, in 16 bits.
+/// struct Narrow(Vec<Vec<u16>>);
+/// #[derive(Clone, Copy)]
+/// struct NarrowColumn<'a>(&'a [u16]);
+///
+/// impl Columns for Narrow {
+///     type Numbers<'a> = NarrowColumn<'a>;
+///     fn column(&self, column: Column) -> NarrowColumn<'_> {
+///         NarrowColumn(&self.0[column as usize])
+///     }
+/// }
+/// impl Numbers for NarrowColumn<'_> {
+///     fn count(self) -> usize {
+///         self.0.len()
+///     }
+///     fn at(self, i: usize) -> Option<u32> {
+///         let number = *self.0.get(i)?;
+///         Some(if number == u16::MAX { u32::MAX } else { number.into() })
+///     }
+/// }
+///
+/// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// let certificate = Certificate::new(&edge, &Labels::new(&edge)?)?;
+/// let narrow = |column: Column| certificate.columns().column(column).iter().map(|number| *number as u16).collect();
+/// let narrow = Narrow(Column::ALL.into_iter().map(narrow).collect());
+/// let certificate = Certificate::from_columns(narrow).expect("its columns fit together");
+/// assert_eq!(certificate.check(), Ok(()));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Columns {
     /// One column.
     type Numbers<'a>: Numbers
@@ -22,15 +56,14 @@ pub trait Columns {
     }
 
     /// The coordinates of a point of a drawing; `None` beyond the last.
-    fn point(&self, i: usize) -> Option<[i64; 2]> {
-        let _ = i;
+    fn point(&self, _point: usize) -> Option<[i64; 2]> {
         None
     }
 }
 
 /// The numbers of one column of a certificate.
 pub trait Numbers: Copy {
-    /// How many there are.
+    /// The length of the column.
     fn count(self) -> usize;
 
     /// The number of a record; `None` beyond the last.
