@@ -35,7 +35,7 @@ use twinedge_trials::{Outcome, tables};
 /// With --lazy every field of tables of one size is free, dangling links included. A run of the validator stands for all tables
 /// that agree in the fields that it has read, and so does one of the reference. Each table that one of both accepts is judged by the other. The runs
 /// stand for all tables, and the number of accepted ones is that of a recount, where there is one: on closed surfaces and in the plane
-/// without holes, if nothing is asked for.
+/// without holes, whatever is asked for. A mesh is asked for in words: `surface asking simple sides 3 genus 0`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge tables                         up to 4 half-edges: seconds
@@ -43,6 +43,7 @@ use twinedge_trials::{Outcome, tables};
   twinedge tables --half-edges 8 --force  an hour or more
   twinedge tables --half-edges 8 --shard 0/16 --format json > part-0.json
   twinedge tables --lazy --expect plane --parts prev,leaving --half-edges 4
+  twinedge tables --lazy --expect 'surface asking simple sides 3' --vertices 3 --half-edges 6
   twinedge tables --lazy --parts places --half-edges 4 --boundaries 2 --faces 2 --vacant
   twinedge tables --half-edges 2 --print  each table, with the verdict of the validator
 

@@ -15,7 +15,7 @@
 //!
 //! Each run counts the tables for which it stands: the product of the numbers of values of the cells that it has not read. They must add up to
 //! the number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes, the
-//! number of right tables is known by a recount of the maps, and as many must be accepted.
+//! number of right tables is known by a recount of the maps, whatever of M1 … M8 is asked for, and as many must be accepted.
 
 mod many;
 mod open_table;

@@ -4,13 +4,12 @@ use super::work::LazyWork;
 use crate::published::{binomial, factorial};
 use crate::rows::narrow;
 use crate::tables::formulas::pairings;
-use twinedge::validate::{Expectation, Part, Surface};
+use twinedge::validate::{Expectation, Part, Rule, Surface};
 
-/// The number of right tables of this work: none for open structures, for claims that are asked for, and for lists of holes.
+/// The number of right tables of this work: none for open structures and for lists of holes.
 pub(super) fn right(work: &LazyWork) -> Option<u64> {
-    let plain = [Expectation::plane(), Expectation::surface()].contains(&work.expectation);
     let parts = work.expectation.looks_at(work.parts);
-    if !plain || parts.has(Part::Holes) {
+    if work.expectation.is_open() || parts.has(Part::Holes) {
         return None;
     }
     let has_boundaries = parts.has(Part::BoundaryComponents);
@@ -44,6 +43,7 @@ struct Map {
     cycles: Vec<u128>,
     rotations: Vec<u128>,
     components: usize,
+    simple: bool,
 }
 
 impl Map {
@@ -82,7 +82,21 @@ impl Map {
                 seen.extend(component);
             }
         }
-        Self { half_edges: next.len(), cycles: orbits(next), rotations: orbits(&around), components }
+        let simple = is_simple(&around);
+        Self { half_edges: next.len(), cycles: orbits(next), rotations: orbits(&around), components, simple }
+    }
+
+    /// True if it is what is asked for, on so many vertices. It is closed, so M4 and M8 ask for nothing more.
+    fn is_asked_for(&self, expectation: &Expectation, vertices: usize) -> bool {
+        let is_count = |rule, found| expectation.expected_count(rule).is_none_or(|expected| found == expected);
+        let handles = self.half_edges / 2 + 2 * self.components - self.rotations.len() - self.cycles.len();
+        let sides = expectation.expected_count(Rule::M3);
+        (!expectation.asks_for(Rule::M1) || self.rotations.len() == vertices)
+            && (!expectation.asks_for(Rule::M2) || self.simple)
+            && sides.is_none_or(|sides| self.cycles.iter().all(|length| *length == sides as u128))
+            && is_count(Rule::M5, self.components)
+            && is_count(Rule::M6, 0)
+            && is_count(Rule::M7, handles / 2)
     }
 
     /// The number of tables that keep it with so many vertices, faces and boundary components.
@@ -90,7 +104,8 @@ impl Map {
         let parts = work.expectation.looks_at(work.parts);
         let (rotations, cycles) = (self.rotations.len(), self.cycles.len());
         let is_plane = rotations + cycles == self.half_edges / 2 + 2 * self.components;
-        if work.expectation.surface_kind() == Surface::Plane && !is_plane || rotations > vertices {
+        if work.expectation.surface_kind() == Surface::Plane && !is_plane || rotations > vertices
+            || !self.is_asked_for(&work.expectation, vertices) {
             return 0;
         }
         // Every other pairing of twins is this one, renamed. The other vertices are isolated.
@@ -108,6 +123,21 @@ impl Map {
         }
         tables
     }
+}
+
+/// True if no edge is a loop and no two join the same vertices, where these are the half-edges that follow around them.
+fn is_simple(around: &[usize]) -> bool {
+    let origin = |h: usize| {
+        let mut least = h;
+        let mut at = around[h];
+        while at != h {
+            least = least.min(at);
+            at = around[at];
+        }
+        least
+    };
+    let ends: Vec<_> = (0..around.len()).map(|h| (origin(h), origin(h ^ 1))).collect();
+    ends.iter().enumerate().all(|(h, (from, to))| from != to && !ends[..h].contains(&(*from, *to)))
 }
 
 /// The lengths of the orbits of a permutation.
@@ -163,5 +193,23 @@ mod tests {
         }
         assert_eq!(right(&work(Expectation::surface(), leaving, [2, 6])), Some(75_600));
         assert_eq!(right(&work(Expectation::plane(), leaving, [2, 6])), Some(44_640));
+    }
+
+    #[test]
+    fn two_triangles_are_glued_in_as_many_ways_as_there_are_cubic_maps() {
+        // Two cycles of three half-edges in 40 ways, and 15 pairings. By duality these are the rooted cubic maps with two vertices, with
+        // 5! numberings of the other half-edges each: 4 in the plane (A002005), of which one is the theta graph, and 1 on the torus.
+        let triangles = Expectation::surface().triangles().no_unused_vertices().closed();
+        let count = |expectation, vertices| right(&work(expectation, Parts::NONE, [vertices, 6])).unwrap();
+        let (sphere, torus) = (count(triangles, 3), count(triangles, 1));
+        assert_eq!((sphere, torus), (4 * 120 * 6, 120));
+        assert_eq!(sphere / 6 + torus, 40 * 15);
+        assert_eq!(count(triangles.simple(), 3), 120 * 6);
+        assert_eq!(count(triangles.genus(1), 1), 120);
+        assert_eq!(
+            [count(triangles.genus(1), 3), count(triangles.components(2), 3), count(triangles.borders(1), 3)],
+            [0; 3]
+        );
+        assert_eq!(count(Expectation::plane().triangles(), 4), 4 * 120 * 24);
     }
 }

@@ -59,6 +59,34 @@ fn vacant_slots_open_borders_and_claims_are_judged_alike() {
     assert_eq!(accepted(work(surface.simple().no_unused_vertices(), MAP, [2, 2, 0, 0])), 2);
 }
 
+/// A validator that does not count the sides of faces.
+struct AnySides;
+
+impl Acceptor for AnySides {
+    fn accepts(&self, view: &dyn View, _: &Expectation) -> bool {
+        accepts(view, &Expectation::surface().simple())
+    }
+}
+
+#[test]
+fn what_is_asked_for_is_judged_and_counted() {
+    let surface = Expectation::surface();
+    // Of the maps of two edges, a torus with one face of four sides: one rooted map, with 3! numberings of the other half-edges.
+    assert_eq!(accepted(work(surface.sides(4).genus(1), MAP, [1, 4, 0, 0])), 6 * 4);
+    // An edge between two vertices is simple, a loop is not, and two loops are not connected.
+    assert_eq!(accepted(work(surface.simple().components(1), MAP, [2, 2, 0, 0])), 2);
+    assert_eq!(accepted(work(surface.components(2), MAP, [2, 4, 0, 0])), 3 * 2 * 4);
+    assert_eq!(accepted(work(surface.borders(0).border_kept(), MAP, [2, 2, 0, 0])), 6);
+    assert_eq!(accepted(work(surface.borders(1), MAP, [2, 2, 0, 0])), 0);
+}
+
+#[test]
+fn a_validator_that_counts_no_sides_differs() {
+    let outcome = differences(&AnySides, work(Expectation::surface().simple().triangles(), MAP, [2, 2, 0, 0]));
+    assert_eq!((outcome.accepted, outcome.differences), (2, 2));
+    assert!(outcome.reasons().contains(&"validator: accepted 2 instead of 0".to_owned()), "{:?}", outcome.reasons());
+}
+
 fn differences(acceptor: &dyn Acceptor, work: LazyWork) -> LazyOutcome {
     lazy(work, acceptor, &Run::default()).unwrap()
 }
