@@ -5,7 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
-From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface AddVertex.
+From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop SplitEdge AnyInner Operate Core Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
@@ -93,6 +93,15 @@ Check surface_border_sound : forall t position step component rank border genus,
       forall b f, boundary_face t b = Some f -> outer t f = Some b,
       forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
     & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
+
+(** A view is a surface if and only if it has a certificate; where nothing but vertices and half-edges is stored, if and only if it
+    has one when its cycles have got faces. *)
+
+Check surface_certificate : forall t,
+  surface t <-> exists position step component rank border genus, surface_accepts t position step component rank border genus.
+
+Check rotations_certificate : forall t,
+  surface_rules t <-> exists position step component rank border genus, surface_accepts (with_faces t) position step component rank border genus.
 
 (** The same of what is in a folder with the verdict "valid", and the genus, components and holes that are printed. *)
 
