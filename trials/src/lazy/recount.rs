@@ -104,8 +104,10 @@ impl Map {
         let parts = work.expectation.looks_at(work.parts);
         let (rotations, cycles) = (self.rotations.len(), self.cycles.len());
         let is_plane = rotations + cycles == self.half_edges / 2 + 2 * self.components;
-        if work.expectation.surface_kind() == Surface::Plane && !is_plane || rotations > vertices
-            || !self.is_asked_for(&work.expectation, vertices) {
+        if work.expectation.surface_kind() == Surface::Plane && !is_plane
+            || rotations > vertices
+            || !self.is_asked_for(&work.expectation, vertices)
+        {
             return 0;
         }
         // Every other pairing of twins is this one, renamed. The other vertices are isolated.
