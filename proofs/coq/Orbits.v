@@ -187,6 +187,29 @@ Proof. exact: starts_live cyclic_start. Qed.
 Lemma rotations_half_edge h : h \in rotations t -> half_edge t h.
 Proof. by move=> /mapP[v /kept_dart[x -> _] ->]; apply: dart_live. Qed.
 
+(** If what each vertex keeps, or each boundary component starts with, is on every such orbit, they are one of each. *)
+Lemma rotations_each :
+  (forall x : dart t, exists2 y : dart t, leaving t (org x) = Some (num y) & fconnect (@tn t) x y) ->
+  lists_one_of_each (rotations t) (on_orbit (turn t)) (half_edge t).
+Proof.
+move=> kept_on; split; [exact: rotations_uniq|exact: rotations_half_edge|exact: rotations_differ|].
+move=> h /dartP[x <-]; have [y E xy] := kept_on x; exists (num y).
+  apply/mapP; exists (org x); last by rewrite /kept E.
+  by rewrite mem_filter E mem_iota add0n vertex_below ?org_live.
+by apply/(on_rotationE map); rewrite fconnect_sym //; apply: tn_inj.
+Qed.
+
+Lemma cycles_each :
+  (forall x : dart t, exists2 y : dart t, boundary_start t (bnd x) = Some (AtHalfEdge (num y)) & fconnect (@nx t) x y) ->
+  lists_one_of_each (cycles t) (on_cycle t) (half_edge t).
+Proof.
+move=> started_on; split; [exact: starts_uniq cyclic_start|exact: starts_half_edge|exact: cycles_differ|].
+move=> h /dartP[x <-]; have [y E xy] := started_on x; exists (num y).
+  apply/mapP; exists (bnd x); last by rewrite /start_of E.
+  by rewrite mem_filter /cyclic E mem_iota add0n boundary_below ?bnd_live.
+by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
+Qed.
+
 Lemma orbit_decided says (f : dart t -> dart t) : (forall x y : dart t, on_orbit says (num x) (num y) <-> fconnect f x y) ->
   forall g h, half_edge t g -> half_edge t h -> on_orbit says g h \/ ~ on_orbit says g h.
 Proof.

@@ -197,22 +197,10 @@ by rewrite mem_filter dart_live Ey eqxx mem_iota add0n half_edge_below ?dart_liv
 Qed.
 
 Lemma surface_rotations : lists_one_of_each (rotations t) (on_orbit (turn t)) (half_edge t).
-Proof.
-split; [exact: rotations_uniq basic|exact: rotations_half_edge basic|exact: rotations_differ basic|].
-move=> h /dartP[x <-]; have [y E xy] := surface_kept x; exists (num y).
-  apply/mapP; exists (org x); last by rewrite /kept E.
-  by rewrite mem_filter E mem_iota add0n vertex_below ?org_live.
-by apply/(on_rotationE map); rewrite fconnect_sym //; apply: tn_inj.
-Qed.
+Proof. exact: rotations_each basic surface_kept. Qed.
 
 Lemma surface_cycles : lists_one_of_each (cycles t) (on_cycle t) (half_edge t).
-Proof.
-split; [exact: starts_uniq basic _ (@cyclic_start t)|exact: starts_half_edge basic|exact: cycles_differ basic|].
-move=> h /dartP[x <-]; have [y E xy] := surface_started x; exists (num y).
-  apply/mapP; exists (bnd x); last by rewrite /start_of E.
-  by rewrite mem_filter /cyclic E mem_iota add0n boundary_below ?bnd_live.
-by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
-Qed.
+Proof. exact: cycles_each basic surface_started. Qed.
 
 Lemma surface_formula : exists es, lists_one_of_each es (same_edge t) (half_edge t) /\
   size component_roots = component_count /\ size (rotations t) + size (cycles t) + genus.*2 = size es + component_count.*2.

@@ -15,7 +15,7 @@ Unset Printing Implicit Defensive.
     R1, L1, L2, L3, V1, V2 and B1, as for the plane. Each boundary component is a cycle. A face has one of them, which names it; a
     boundary component without a face is a hole. No vertex is passed twice by holes, and beside each edge of a hole is a face. *)
 
-Record surface t : Prop := IsSurface {
+Record is_surface t : Prop := IsSurface {
   surface_half_edges : is_map t;
   surface_kept_leaves : v1_leaving t;
   surface_bare : forall v, vertex t v -> leaving t v = None -> bare t v;
@@ -30,7 +30,7 @@ Record surface t : Prop := IsSurface {
 
 Section Complete.
 Variable t : view.
-Hypothesis s : surface t.
+Hypothesis s : is_surface t.
 
 Let map := surface_half_edges s.
 
@@ -199,21 +199,15 @@ Lemma complete_formula : exists genus, 2 * (rotation_count t + cycle_count t) + 
 Proof.
 have basic := surface_is_basic; have [vs [cs [es [g [Hv Hc _ E F]]]]] := orbit_formula basic; exists g.
 have V : size (rotations t) = size vs.
-  apply: (one_of_each_size (same := on_orbit (turn t)) (P := half_edge t)) (Hv) => //.
-  - by move=> g' h'; apply: (turn_sym map).
-  - by move=> i j k; apply: orbit_trans.
-  split; [exact: rotations_uniq basic|exact: rotations_half_edge basic|exact: rotations_differ basic|].
-  move=> h /dartP[x <-]; have [K xy] := first_aroundE x; exists (num (first_around x)); last exact/(on_rotationE map).
-  apply/mapP; exists (org x); last by rewrite /kept K.
-  by rewrite mem_filter K mem_iota add0n vertex_below ?org_live.
+  apply: (one_of_each_size (same := on_orbit (turn t)) (P := half_edge t)) (Hv) => [g' h'|i j k|].
+  - exact: (turn_sym map).
+  - exact: orbit_trans.
+  by apply: (rotations_each basic) => x; have [K yx] := first_aroundE x; exists (first_around x); rewrite // fconnect_sym //; apply: tn_inj.
 have C : size (cycles t) = size cs.
-  apply: (one_of_each_size (same := on_cycle t) (P := half_edge t)) (Hc) => //.
-  - by move=> g' h'; apply: (cycle_sym map).
-  - by move=> i j k; apply: orbit_trans.
-  split; [exact: starts_uniq basic _ (@cyclic_start t)|exact: starts_half_edge basic|exact: cycles_differ basic|].
-  move=> h /dartP[x <-]; have [K xy] := first_alongE x; exists (num (first_along x)); last exact/(on_cycleE map).
-  apply/mapP; exists (bnd x); last by rewrite /start_of K.
-  by rewrite mem_filter /cyclic K mem_iota add0n boundary_below ?bnd_live.
+  apply: (one_of_each_size (same := on_cycle t) (P := half_edge t)) (Hc) => [g' h'|i j k|].
+  - exact: (cycle_sym map).
+  - exact: orbit_trans.
+  by apply: (cycles_each basic) => x; have [K yx] := first_alongE x; exists (first_along x); rewrite // fconnect_sym //; apply: nx_inj.
 by rewrite rotations_count cycles_count complete_components V C E; move: F; arith.
 Qed.
 
@@ -235,7 +229,7 @@ End Complete.
 (** ** Sound and complete *)
 
 Theorem surface_certificate t :
-  surface t <-> exists position step component rank border genus, surface_accepts t position step component rank border genus.
+  is_surface t <-> exists position step component rank border genus, surface_accepts t position step component rank border genus.
 Proof.
 split=> [s|[position [step [component [rank [border [genus ok]]]]]]].
   have [rank ranks] := component_ranks s; have [genus ok] := complete_surface s ranks.
@@ -333,7 +327,7 @@ Proof.
 by move=> lh; have [x <-] := dartP (t := t) lh; rewrite /in_hole added_boundary /boundary_face /heard added_cycle.
 Qed.
 
-Lemma rules_surface : surface u.
+Lemma rules_surface : is_surface u.
 Proof.
 have [[_ V] _ v1 v2] := keeps; split=> //.
 - by move=> v lv; case: (V v lv) => [[h E _]|[_ no _]]; [rewrite -[leaving u v]/(leaving t v) E|exact: no].
@@ -349,7 +343,7 @@ Qed.
 
 End WithFaces.
 
-Lemma surface_rules_hold t : surface (with_faces t) -> surface_rules t.
+Lemma surface_rules_hold t : is_surface (with_faces t) -> surface_rules t.
 Proof.
 move=> s; have [H l1 l2 l3] := surface_half_edges s; split=> //; [split=> [h lh|v lv]| |].
 - by have [O T N P _] := H h lh.

@@ -98,7 +98,7 @@ Check surface_border_sound : forall t position step component rank border genus,
     has one when its cycles have got faces. *)
 
 Check surface_certificate : forall t,
-  surface t <-> exists position step component rank border genus, surface_accepts t position step component rank border genus.
+  is_surface t <-> exists position step component rank border genus, surface_accepts t position step component rank border genus.
 
 Check rotations_certificate : forall t,
   surface_rules t <-> exists position step component rank border genus, surface_accepts (with_faces t) position step component rank border genus.
