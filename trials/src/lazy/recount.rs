@@ -86,25 +86,28 @@ impl Map {
         Self { half_edges: next.len(), cycles: orbits(next), rotations: orbits(&around), components, simple }
     }
 
-    /// True if it is what is asked for, on so many vertices. It is closed, so M4 and M8 ask for nothing more.
+    /// The sum of the genera of its components, by Euler's formula.
+    fn genus(&self) -> usize {
+        (self.half_edges / 2 + 2 * self.components - self.rotations.len() - self.cycles.len()) / 2
+    }
+
+    /// True if it is what is asked for, on so many vertices. M4 and M8 ask nothing of it, since it is closed.
     fn is_asked_for(&self, expectation: &Expectation, vertices: usize) -> bool {
         let is_count = |rule, found| expectation.expected_count(rule).is_none_or(|expected| found == expected);
-        let handles = self.half_edges / 2 + 2 * self.components - self.rotations.len() - self.cycles.len();
         let sides = expectation.expected_count(Rule::M3);
         (!expectation.asks_for(Rule::M1) || self.rotations.len() == vertices)
             && (!expectation.asks_for(Rule::M2) || self.simple)
             && sides.is_none_or(|sides| self.cycles.iter().all(|length| *length == sides as u128))
             && is_count(Rule::M5, self.components)
             && is_count(Rule::M6, 0)
-            && is_count(Rule::M7, handles / 2)
+            && is_count(Rule::M7, self.genus())
     }
 
     /// The number of tables that keep it with so many vertices, faces and boundary components.
     fn tables(&self, work: &LazyWork, [vertices, faces, boundaries]: [usize; 3]) -> u128 {
         let parts = work.expectation.looks_at(work.parts);
         let (rotations, cycles) = (self.rotations.len(), self.cycles.len());
-        let is_plane = rotations + cycles == self.half_edges / 2 + 2 * self.components;
-        if work.expectation.surface_kind() == Surface::Plane && !is_plane
+        if work.expectation.surface_kind() == Surface::Plane && self.genus() > 0
             || rotations > vertices
             || !self.is_asked_for(&work.expectation, vertices)
         {
@@ -127,7 +130,7 @@ impl Map {
     }
 }
 
-/// True if no edge is a loop and no two join the same vertices, where these are the half-edges that follow around them.
+/// True if no edge is a loop and no two join the same vertices. After half-edge `h`, `around[h]` leaves the same vertex.
 fn is_simple(around: &[usize]) -> bool {
     let origin = |h: usize| {
         let mut least = h;
@@ -139,7 +142,8 @@ fn is_simple(around: &[usize]) -> bool {
         least
     };
     let ends: Vec<_> = (0..around.len()).map(|h| (origin(h), origin(h ^ 1))).collect();
-    ends.iter().enumerate().all(|(h, (from, to))| from != to && !ends[..h].contains(&(*from, *to)))
+    // The two half-edges of a loop have the same ends, too.
+    (0..ends.len()).all(|h| !ends[..h].contains(&ends[h]))
 }
 
 /// The lengths of the orbits of a permutation.
