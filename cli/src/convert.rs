@@ -33,7 +33,7 @@ pub(crate) struct Convert {
 /// The file of a layer that is written, and its format.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerOutput {
-    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg, .fgb. `-` is standard output.
+    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg, .fgb, .parquet. `-` is standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -60,6 +60,7 @@ enum Target {
     Shapefile,
     Geopackage,
     Flatgeobuf,
+    Geoparquet,
 }
 
 impl From<Target> for Format {
@@ -72,6 +73,7 @@ impl From<Target> for Format {
             Target::Shapefile => Self::Shapefile,
             Target::Geopackage => Self::GeoPackage,
             Target::Flatgeobuf => Self::FlatGeobuf,
+            Target::Geoparquet => Self::GeoParquet,
         }
     }
 }

@@ -188,7 +188,7 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage or FlatGeobuf,
+    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage, GeoParquet or FlatGeobuf,
     /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL. Default: the
     /// built-in map of the world.
     file: Option<PathBuf>,
@@ -214,7 +214,7 @@ pub(crate) struct MapFile {
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerFile {
     /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a
-    /// Shapefile, a GeoPackage or FlatGeobuf; also in a zip archive or as gzip data.
+    /// Shapefile, a GeoPackage, GeoParquet or FlatGeobuf; also in a zip archive or as gzip data.
     file: PathBuf,
 
     /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON, the file of a zip archive.

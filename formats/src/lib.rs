@@ -34,7 +34,7 @@
 //! | --- | --- | --- |
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
 //! | `ply` (default) | the reader for PLY | ply-rs-bw |
-//! | `flatgeobuf`, `geojson`, `geopackage`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, codepage with `encoding_rs` and `oem_cp`, none, wkt |
+//! | `flatgeobuf`, `geojson`, `geopackage`, `geoparquet`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, parquet with chrono, codepage with `encoding_rs` and `oem_cp`, none, wkt |
 //! | `topojson` (default) | a reader | serde |
 //! | `archive` (default) | layers in zip archives and in gzip data | zip, tempfile |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |

@@ -9,8 +9,6 @@ use core::fmt;
 pub enum ForeignFormat {
     /// A database of `SQLite`, perhaps with `SpatiaLite`.
     Sqlite,
-    /// Apache Parquet, perhaps `GeoParquet`.
-    Parquet,
     /// Apache Arrow or Feather.
     Arrow,
     /// `OpenStreetMap` data as protocol buffers.
@@ -50,14 +48,13 @@ impl ForeignFormat {
     /// ```
     /// use twinedge::io::ForeignFormat;
     ///
-    /// assert_eq!(ForeignFormat::of_content(b"PAR1"), Some(ForeignFormat::Parquet));
+    /// assert_eq!(ForeignFormat::of_content(b"ARROW1"), Some(ForeignFormat::Arrow));
     /// assert_eq!(ForeignFormat::of_content(br#"{"type": "Feature"}"#), None);
     /// ```
     #[must_use]
     pub fn of_content(head: &[u8]) -> Option<Self> {
         const SQLITE: &[u8] = b"SQLite format 3\0";
-        const MAGIC: [(&[u8], ForeignFormat); 10] = [
-            (b"PAR1", ForeignFormat::Parquet),
+        const MAGIC: [(&[u8], ForeignFormat); 9] = [
             (b"ARROW1", ForeignFormat::Arrow),
             (b"PK\x03\x04", ForeignFormat::Zip),
             (b"PK\x05\x06", ForeignFormat::Zip),
@@ -124,7 +121,6 @@ impl fmt::Display for ForeignFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Sqlite => "a SQLite database",
-            Self::Parquet => "Parquet",
             Self::Arrow => "Arrow",
             Self::OsmPbf => "OpenStreetMap data (PBF)",
             Self::EsriJson => "Esri JSON",

@@ -25,6 +25,8 @@ pub enum Format {
     TopoJson,
     /// `FlatGeobuf`.
     FlatGeobuf,
+    /// `GeoParquet`, and Parquet with its own type of geometries.
+    GeoParquet,
 }
 
 /// A row of the registry.
@@ -55,11 +57,12 @@ const ROWS: [Row; Format::ALL.len()] = [
     row(Format::GeoPackage, "GeoPackage", &["gpkg"], "geopackage"),
     row(Format::TopoJson, "TopoJSON", &["topojson"], "topojson"),
     row(Format::FlatGeobuf, "FlatGeobuf", &["fgb"], "flatgeobuf"),
+    row(Format::GeoParquet, "GeoParquet", &["parquet", "geoparquet"], "geoparquet"),
 ];
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::GeoJson,
         Self::GeoJsonSeq,
         Self::Wkt,
@@ -68,6 +71,7 @@ impl Format {
         Self::GeoPackage,
         Self::TopoJson,
         Self::FlatGeobuf,
+        Self::GeoParquet,
     ];
 
     const fn row(self) -> &'static Row {
@@ -115,6 +119,9 @@ impl Format {
         if head.starts_with(b"fgb") && head.get(4..7) == Some(b"fgb") {
             return Some(Self::FlatGeobuf);
         }
+        if head.starts_with(b"PAR1") {
+            return Some(Self::GeoParquet);
+        }
         if is_wkb(head) {
             return Some(Self::Wkb);
         }
@@ -160,12 +167,12 @@ impl Format {
     /// Returns true if it is read from and written to files only, as it is made of several or is no stream.
     #[must_use]
     pub const fn needs_file(self) -> bool {
-        matches!(self, Self::Shapefile | Self::GeoPackage)
+        matches!(self, Self::Shapefile | Self::GeoPackage | Self::GeoParquet)
     }
 
     /// Returns true if it says which way rings turn. RFC 7946 does, and so does Esri's description of Shapefiles, whose rings are
     /// turned when they are read. "Simple feature access" (OGC 06-103r4 and 06-104r4), on which well-known text, well-known binary
-    /// and `GeoPackage` rest, leaves it open, and so do `FlatGeobuf` and `TopoJSON`.
+    /// and `GeoPackage` rest, leaves it open, and so do `FlatGeobuf`, `GeoParquet` and `TopoJSON`.
     ///
     /// ```
     /// use twinedge::io::Format;

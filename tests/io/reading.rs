@@ -39,7 +39,7 @@ fn the_extension_tells_the_format() {
     }
     // The registry has its rows in the order of the variants.
     for (format, extension) in
-        Format::ALL.into_iter().zip(["geojson", "geojsonl", "wkt", "wkb", "shp", "gpkg", "topojson", "fgb"])
+        Format::ALL.into_iter().zip(["geojson", "geojsonl", "wkt", "wkb", "shp", "gpkg", "topojson", "fgb", "parquet"])
     {
         assert_eq!(Format::of_path(format!("a.{extension}")), Some(format));
         assert!(!format.to_string().is_empty() && !format.feature().is_empty());
@@ -160,7 +160,6 @@ fn other_formats_are_named() {
     let kml = br#"<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document>"#;
     let samples: Vec<(Vec<u8>, ForeignFormat)> = vec![
         (sqlite(b"\0\0\0\0"), ForeignFormat::Sqlite),
-        (b"PAR1\x15\x04".to_vec(), ForeignFormat::Parquet),
         (b"ARROW1\x00\x00".to_vec(), ForeignFormat::Arrow),
         (osm.to_vec(), ForeignFormat::OsmPbf),
         (esri.to_vec(), ForeignFormat::EsriJson),
@@ -192,19 +191,20 @@ fn other_formats_are_named() {
         (b"\x00\x00\x27\x0A\x00\x00\x00\x00", Format::Shapefile),
         (&sqlite(b"GPKG"), Format::GeoPackage),
         (b"fgb\x03fgb\x00", Format::FlatGeobuf),
+        (b"PAR1\x15\x04", Format::GeoParquet),
         (b"\x01\x03\x00\x00\x00\x01", Format::Wkb),
         (b"\x00\x00\x00\x03\xEB\x00", Format::Wkb),
         (b"0103000020E6100000", Format::Wkb),
         (topology, Format::TopoJson),
-    ] as [(&[u8], Format); 7]
+    ] as [(&[u8], Format); 8]
     {
         for format in [None, Some(Format::GeoJson), Some(Format::Wkt), Some(expected)] {
             let error = all(head, format).unwrap_err();
             assert!(matches!(error.cause, ReadCause::Elsewhere(found) if found == expected), "{error:?}");
         }
     }
-    let says = all(b"PAR1", None).unwrap_err().to_string();
-    let expected = "this looks like Parquet, which is not read here: \
+    let says = all(b"ARROW1", None).unwrap_err().to_string();
+    let expected = "this looks like Arrow or Feather, which is not read here: \
         convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`";
     assert_eq!(says, expected);
 }

@@ -8,7 +8,7 @@ use crate::units::Measured;
 use std::time::Instant;
 use twinedge::validate::Collect;
 
-/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
+/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
 /// Of a map the planar subdivision is built, and every rule is checked on it.
 ///

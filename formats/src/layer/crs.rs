@@ -12,6 +12,8 @@ pub struct Crs {
     pub wkt: Option<String>,
     /// The member `crs` of a GeoJSON object.
     pub member: Option<Json>,
+    /// Its definition in PROJJSON, if its number does not lead to one.
+    pub projjson: Option<Json>,
 }
 
 /// The name under which Esri writes longitude and latitude on WGS 84.
@@ -73,7 +75,7 @@ impl Crs {
                 let is_named = wkt.contains(ESRI_WGS_84) || wkt.contains("\"WGS 84\"");
                 !(wkt.trim_start().starts_with("GEOG") && is_named)
             }
-            (None, None) => false,
+            (None, None) => self.projjson.is_some(),
         }
     }
 
@@ -100,6 +102,7 @@ impl Crs {
         }
         let of_wkt = self.wkt.as_deref().and_then(|wkt| wkt.split('"').nth(1));
         let of_member = self.member.as_ref().and_then(|m| m.pointer("/properties/name")).and_then(|name| name.as_str());
-        of_member.or(of_wkt).unwrap_or("without name").to_owned()
+        let of_projjson = self.projjson.as_ref().and_then(|json| json.get("name")).and_then(|name| name.as_str());
+        of_member.or(of_wkt).or(of_projjson).unwrap_or("without name").to_owned()
     }
 }

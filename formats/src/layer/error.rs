@@ -51,7 +51,7 @@ pub enum ReadError {
     Foreign(ForeignFormat),
     /// The content is of no known format.
     #[error(
-        "the format is not recognised: GeoJSON, TopoJSON, well-known text and binary, Shapefiles, GeoPackages and FlatGeobuf are read; \
+        "the format is not recognised: GeoJSON, TopoJSON, well-known text and binary, Shapefiles, GeoPackages, GeoParquet and FlatGeobuf are read; \
          convert others with `ogr2ogr -f GPKG map.gpkg FILE`"
     )]
     Unrecognised,

@@ -1,7 +1,7 @@
 //! Finding what a format cannot hold of a layer.
 
 use super::loss::{Loss, absent};
-use super::model::{Dimensions, FieldKind, Geometry, Layer, Shape, Value};
+use super::model::{Dimensions, EDGES, FieldKind, Geometry, Layer, Shape, Value};
 use std::collections::BTreeSet;
 use twinedge::io::Format;
 
@@ -35,8 +35,11 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         found.extend(some_if(layer.features.iter().filter(|f| f.id.is_some()).count(), Loss::Ids));
     }
     members(layer, format, &mut found);
-    if let Some(name) =
-        layer.header.name.as_ref().filter(|_| matches!(format, Format::GeoJsonSeq | Format::Wkt | Format::Wkb))
+    if let Some(name) = layer
+        .header
+        .name
+        .as_ref()
+        .filter(|_| matches!(format, Format::GeoJsonSeq | Format::Wkt | Format::Wkb | Format::GeoParquet))
     {
         found.push(Loss::Name(name.clone()));
     }
@@ -50,6 +53,10 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
                 let has_code = crs.code.as_ref().is_some_and(|(_, code)| (1..=i32::MAX.into()).contains(code));
                 crs.wkt.is_some() || has_code || !crs.is_other()
             }
+            #[cfg(feature = "geoparquet")]
+            Format::GeoParquet => super::geoparquet::is_held(crs),
+            #[cfg(not(feature = "geoparquet"))]
+            Format::GeoParquet => !crs.is_other(),
             Format::GeoPackage => crs.wkt.is_some() || crs.code.is_some() || !crs.is_other(),
         };
         if !is_held {
@@ -70,6 +77,8 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         Format::Shapefile => super::shapefile::losses(layer, &fields, &mut found),
         #[cfg(feature = "flatgeobuf")]
         Format::FlatGeobuf => super::flatgeobuf::losses(layer, &mut found),
+        #[cfg(feature = "geoparquet")]
+        Format::GeoParquet => super::geoparquet::losses(layer, &mut found),
         Format::GeoPackage => {
             let mut taken = BTreeSet::new();
             let repeated = fields.iter().filter(|field| !taken.insert(field.name.to_lowercase()));
@@ -114,7 +123,8 @@ fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
         _ => layer.header.members.keys().collect(),
     };
     // A box follows from the geometry.
-    let names = of_layer.into_iter().chain(of_features).filter(|name| *name != "bbox");
+    let is_lost = |name: &&String| *name != "bbox" && !(format == Format::GeoParquet && *name == EDGES);
+    let names = of_layer.into_iter().chain(of_features).filter(is_lost);
     let names: Vec<String> = names.cloned().collect();
     if !names.is_empty() {
         found.push(Loss::Members(names));
@@ -154,7 +164,9 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
             found.extend(some_if(null, Loss::NullGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
-        Format::GeoPackage | Format::FlatGeobuf => found.extend(some_if(mixed, Loss::MixedDimensions)),
+        Format::GeoPackage | Format::GeoParquet | Format::FlatGeobuf => {
+            found.extend(some_if(mixed, Loss::MixedDimensions))
+        }
         Format::Shapefile => {
             found.extend(some_if(empty, Loss::EmptyGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));

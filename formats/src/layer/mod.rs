@@ -14,6 +14,7 @@
 //! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
 //! | `FlatGeobuf` | feature by feature | yes, without an index | ids that are not the numbers of features, other types of values in a column |
+//! | `GeoParquet` | row by row | yes | ids, names of layers, definitions of reference systems in well-known text |
 //! | `GeoPackage` | row by row | yes | ids that are not whole numbers, lists, names that differ by case |
 //!
 //! [`losses`] says what a format cannot hold of a layer. Numbers are those of 64 bits. A GeoJSON file without `crs` whose coordinates can be longitudes and latitudes is
@@ -37,6 +38,8 @@ mod flatgeobuf;
 mod geojson;
 #[cfg(feature = "geopackage")]
 mod geopackage;
+#[cfg(feature = "geoparquet")]
+mod geoparquet;
 #[cfg(any(feature = "geojson", feature = "topojson"))]
 mod json;
 mod loss;
@@ -50,6 +53,8 @@ mod shapefile;
 mod to_map;
 #[cfg(feature = "topojson")]
 pub mod topojson;
+#[cfg(any(feature = "geopackage", feature = "geoparquet"))]
+mod unique;
 #[cfg(feature = "wkb")]
 mod wkb;
 #[cfg(feature = "wkt")]

@@ -327,6 +327,9 @@ pub struct Header {
     pub charset: Option<String>,
 }
 
+/// The member of a header that says that edges are not straight in the plane of the coordinates, in the words of `GeoParquet`.
+pub(super) const EDGES: &str = "edges";
+
 /// Features, and what a file says beside them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {

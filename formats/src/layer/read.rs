@@ -78,6 +78,8 @@ pub fn read(
             let path = path.ok_or(ReadError::NeedsFile(format))?;
             super::geopackage::read(path, options.layer.as_deref(), each)
         }
+        #[cfg(feature = "geoparquet")]
+        Format::GeoParquet => super::geoparquet::read(path.ok_or(ReadError::NeedsFile(format))?, each),
         #[allow(unreachable_patterns, reason = "with all features on, nothing is left")]
         off => {
             let _ = (&mut all, each);

@@ -43,6 +43,8 @@ pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), Writ
         Format::Shapefile => super::shapefile::write(layer, path),
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => super::geopackage::write(layer, path),
+        #[cfg(feature = "geoparquet")]
+        Format::GeoParquet => super::geoparquet::write(layer, path),
         format => {
             let mut out = BufWriter::new(File::create(path)?);
             write(layer, &mut out, format)?;

@@ -39,13 +39,13 @@ fn binary_content_is_what_it_is_whatever_the_name() {
 fn what_is_not_read_is_named_with_what_to_do() {
     assert!(matches!(from_bytes(b" \n"), Err(ReadError::Empty)));
     assert!(matches!(from_bytes(b"id,name\n1,a"), Err(ReadError::Unrecognised)));
-    let error = from_bytes(b"PAR1....").unwrap_err().to_string();
-    assert!(error.contains("Parquet") && error.contains("ogr2ogr"), "{error}");
+    let error = from_bytes(b"ARROW1..").unwrap_err().to_string();
+    assert!(error.contains("Arrow") && error.contains("ogr2ogr"), "{error}");
 }
 
 #[test]
 fn formats_of_files_are_refused_as_streams() {
-    for head in [&b"\0\0\x27\x0A"[..], &[b"SQLite format 3\0".as_slice(), &[0; 52], b"GPKG"].concat()] {
+    for head in [&b"\0\0\x27\x0A"[..], b"PAR1", &[b"SQLite format 3\0".as_slice(), &[0; 52], b"GPKG"].concat()] {
         let mut bytes = head;
         let outcome = read(&mut bytes, None, &ReadOptions::default(), &mut |_| Ok(()));
         assert!(matches!(outcome, Err(ReadError::NeedsFile(format)) if format.needs_file()));

@@ -6,6 +6,7 @@ mod arcs;
 mod cleaning;
 mod detection;
 mod flatgeobuf;
+mod geoparquet;
 mod hostile;
 mod losses;
 mod random;

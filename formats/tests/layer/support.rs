@@ -39,6 +39,7 @@ pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
         Format::Shapefile => "layer.shp",
         Format::GeoPackage => "layer.gpkg",
         Format::FlatGeobuf => "layer.fgb",
+        Format::GeoParquet => "layer.parquet",
         other @ Format::TopoJson => unreachable!("{other} is not written"),
     };
     let (_folder, path) = scratch(name);

@@ -151,7 +151,7 @@ fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
     let crs = header.crs().map(|crs| Crs {
         code: (crs.code() != 0).then(|| (text(crs.org()).unwrap_or_else(|| "EPSG".to_owned()), crs.code().into())),
         wkt: text(crs.wkt()),
-        member: None,
+        ..Crs::default()
     });
     let texts = [header.title(), header.description(), header.metadata()];
     let members = TEXTS.into_iter().zip(texts).filter_map(|(name, value)| Some((name.to_owned(), text(value)?.into())));

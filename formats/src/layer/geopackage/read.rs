@@ -137,7 +137,7 @@ fn crs(database: &Connection, srs: i64) -> Result<Option<Crs>, ReadError> {
     Ok(found.map(|(authority, code, wkt)| Crs {
         code: Some((authority.to_ascii_uppercase(), code)),
         wkt: Some(wkt).filter(|wkt| !wkt.is_empty() && wkt != "undefined"),
-        member: None,
+        ..Crs::default()
     }))
 }
 

@@ -3,6 +3,7 @@
 use super::super::crs::Crs;
 use super::super::error::WriteError;
 use super::super::model::{Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
+use super::super::unique::unique;
 use super::super::wkb;
 use super::{MAGIC, quoted};
 use rusqlite::types::Value as Sql;
@@ -110,18 +111,6 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
     }
     transaction.commit()?;
     database.close().map_err(|(_, error)| error.into())
-}
-
-/// A name that no other column has, whatever the case.
-fn unique(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut free = if name.is_empty() { "field".to_owned() } else { name.to_owned() };
-    for number in 1.. {
-        if taken.insert(free.to_lowercase()) {
-            break;
-        }
-        free = format!("{name}_{number}");
-    }
-    free
 }
 
 fn write_crs(database: &Connection, crs: Option<&Crs>) -> Result<i64, WriteError> {

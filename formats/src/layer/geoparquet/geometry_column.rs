@@ -1,0 +1,73 @@
+//! The column of the geometries, as the metadata of a file describe it.
+
+use super::super::crs::Crs;
+use super::super::error::Cause;
+use super::super::model::EDGES;
+use super::{GEO, crs};
+use parquet::basic::LogicalType;
+use parquet::file::metadata::FileMetaData;
+use parquet::schema::types::Type;
+use serde_json::Value as Json;
+
+/// The column of the geometries.
+pub(super) struct GeometryColumn {
+    pub(super) name: String,
+    /// The column of the boxes of the geometries.
+    pub(super) covering: Option<String>,
+    pub(super) crs: Option<Crs>,
+    /// The kind of edges, if they are not straight in the plane of the coordinates.
+    pub(super) edges: Option<String>,
+}
+
+impl GeometryColumn {
+    /// The primary column of geometries; without metadata of `GeoParquet`, the first one of Parquet's own type.
+    pub(super) fn of_file(metadata: &FileMetaData) -> Result<Self, Cause> {
+        let value = |key: &str| {
+            let all = metadata.key_value_metadata().into_iter().flatten();
+            all.into_iter().find(|entry| entry.key == key).and_then(|entry| entry.value.clone())
+        };
+        let Some(text) = value(GEO) else {
+            let columns = metadata.schema().get_fields().iter();
+            let native = columns.into_iter().find_map(|column| Self::native(column, value));
+            let nothing =
+                "it has no column of geometries: neither metadata of GeoParquet nor a type GEOMETRY of Parquet";
+            return native.ok_or_else(|| Cause::Invalid(nothing.to_owned()));
+        };
+        let geo: Json = serde_json::from_str(&text)
+            .map_err(|error| Cause::Invalid(format!("the metadata \"{GEO}\" are not JSON: {error}")))?;
+        let name = geo.get("primary_column").and_then(Json::as_str);
+        let name = name.ok_or_else(|| Cause::Invalid(format!("the metadata \"{GEO}\" name no primary_column")))?;
+        let column = geo.get("columns").and_then(|columns| columns.get(name));
+        let column = column.ok_or_else(|| Cause::Invalid(format!("the metadata \"{GEO}\" do not describe {name}")))?;
+        let text = |key: &str| column.get(key).and_then(Json::as_str);
+        let encoding = text("encoding").unwrap_or_default();
+        if !encoding.eq_ignore_ascii_case("WKB") {
+            return Err(Cause::Invalid(format!(
+                "the geometries are encoded as \"{encoding}\", and only WKB is read here"
+            )));
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            covering: column.pointer("/covering/bbox/xmin/0").and_then(Json::as_str).map(str::to_owned),
+            crs: match column.get("crs") {
+                None => crs::of_native(None, |_| None),
+                Some(Json::Null) => None,
+                Some(json) => Some(crs::of_projjson(json)),
+            },
+            edges: text(EDGES).filter(|edges| *edges != "planar").map(str::to_owned),
+        })
+    }
+
+    fn native(column: &Type, metadata: impl Fn(&str) -> Option<String>) -> Option<Self> {
+        let (text, edges) = match column.get_basic_info().logical_type_ref()? {
+            LogicalType::Geometry(geometry) => (&geometry.crs, None),
+            LogicalType::Geography(geography) => {
+                let algorithm = geography.algorithm.map_or_else(|| "spherical".to_owned(), |one| one.to_string());
+                (&geography.crs, Some(algorithm.to_lowercase()))
+            }
+            _ => return None,
+        };
+        let name = column.name().to_owned();
+        Some(Self { name, covering: None, crs: crs::of_native(text.as_deref(), metadata), edges })
+    }
+}

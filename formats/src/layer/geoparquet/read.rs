@@ -1,0 +1,113 @@
+//! Reading `GeoParquet`, row by row.
+//!
+//! The crate `parquet` panics at some files that are damaged. These panics are caught, and become errors.
+
+use super::super::each::Each;
+use super::super::error::{Cause, Place, ReadError};
+use super::super::model::{EDGES, Feature, Field, Geometry, Header};
+use super::super::wkb;
+use super::geometry_column::GeometryColumn;
+use super::value;
+use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field as Cell;
+use parquet::record::reader::RowIter;
+use parquet::schema::types::{Type, TypePtr};
+use std::fs::File;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+use std::sync::Arc;
+use twinedge::io::Format;
+
+fn content(place: Place, cause: Cause) -> ReadError {
+    ReadError::Content { format: Format::GeoParquet, place, cause }
+}
+
+/// Asks the crate for something, at a place.
+fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ReadError> {
+    let answer = catch_unwind(AssertUnwindSafe(question));
+    let answer = answer.unwrap_or_else(|_| Err(ParquetError::General("the file is damaged".to_owned())));
+    answer.map_err(|error| content(place, Cause::Invalid(error.to_string())))
+}
+
+/// A column that is read.
+struct Column {
+    of_file: TypePtr,
+    /// None for the geometries.
+    name: Option<Arc<str>>,
+}
+
+/// Reads the features, each handed to `each`. Memory O(pages of a row group).
+pub(in crate::layer) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
+    let in_header = |cause| content(Place::Header, cause);
+    let file = File::open(path)?;
+    let reader = ask(Place::Header, || SerializedFileReader::new(file))?;
+    let metadata = reader.metadata().file_metadata();
+    let geometries = GeometryColumn::of_file(metadata).map_err(in_header)?;
+    let schema = metadata.schema();
+    let columns = columns(schema, &geometries).map_err(in_header)?;
+    let fields = columns.iter().filter_map(|column| {
+        let name = column.name.clone()?;
+        Some(Field { name, kind: value::kind(&column.of_file), width: None, decimals: None })
+    });
+    let mut header = Header { crs: geometries.crs, fields: fields.collect(), ..Header::default() };
+    if let Some(edges) = geometries.edges {
+        header.members.insert(EDGES.to_owned(), edges.into());
+    }
+    let of_file = columns.iter().map(|column| column.of_file.clone()).collect();
+    let wanted = Type::group_type_builder(schema.name()).with_fields(of_file).build();
+    let wanted = wanted.map_err(|error| in_header(Cause::Invalid(error.to_string())))?;
+    let mut number = 0;
+    for group in 0..reader.num_row_groups() {
+        let place = Place::Feature(number);
+        let group = ask(place, || reader.get_row_group(group))?;
+        let mut rows = ask(place, || RowIter::from_row_group(Some(wanted.clone()), &*group))?;
+        loop {
+            let place = Place::Feature(number);
+            let Some(row) = ask(place, || rows.next().transpose())? else { break };
+            each(feature(row.into_columns(), &columns).map_err(|cause| content(place, cause))?)?;
+            number += 1;
+        }
+    }
+    Ok(header)
+}
+
+/// The columns that are read: all but that of the boxes.
+fn columns(schema: &Type, geometries: &GeometryColumn) -> Result<Vec<Column>, Cause> {
+    let mut columns = Vec::new();
+    for of_file in schema.get_fields() {
+        let name = of_file.name();
+        if geometries.covering.as_deref() == Some(name) {
+            continue;
+        }
+        if value::is_interval(of_file) {
+            return Err(Cause::Invalid(format!("the column {name} has intervals of time, which are not read here")));
+        }
+        let name = (name != geometries.name).then(|| name.into());
+        columns.push(Column { of_file: of_file.clone(), name });
+    }
+    if columns.iter().all(|column| column.name.is_some()) {
+        return Err(Cause::Invalid(format!("it has no column {}, where the geometries should be", geometries.name)));
+    }
+    Ok(columns)
+}
+
+fn feature(row: Vec<(String, Cell)>, columns: &[Column]) -> Result<Feature, Cause> {
+    let mut feature = Feature::default();
+    for ((_, cell), column) in row.into_iter().zip(columns) {
+        match &column.name {
+            Some(name) => feature.attributes.push((name.clone(), value::value(cell, &column.of_file)?)),
+            None => feature.geometry = geometry(cell)?,
+        }
+    }
+    feature.attributes.shrink_to_fit();
+    Ok(feature)
+}
+
+fn geometry(cell: Cell) -> Result<Option<Geometry>, Cause> {
+    match cell {
+        Cell::Null => Ok(None),
+        Cell::Bytes(bytes) => Ok(Some(wkb::parse(bytes.data())?.0)),
+        _ => Err(Cause::Invalid("a geometry that is not made of bytes".to_owned())),
+    }
+}

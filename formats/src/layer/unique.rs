@@ -1,0 +1,15 @@
+//! Names of columns that differ.
+
+use std::collections::HashSet;
+
+/// A name that no other column has, whatever the case.
+pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut free = if name.is_empty() { "field".to_owned() } else { name.to_owned() };
+    for number in 1.. {
+        if taken.insert(free.to_lowercase()) {
+            break;
+        }
+        free = format!("{name}_{number}");
+    }
+    free
+}
