@@ -204,7 +204,7 @@ fn other_formats_are_named() {
         }
     }
     let says = all(b"ARROW1", None).unwrap_err().to_string();
-    let expected = "this looks like Arrow or Feather, which is not read here: \
+    let expected = "this looks like Arrow, which is not read here: \
         convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`";
     assert_eq!(says, expected);
 }

@@ -165,7 +165,7 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
         Format::GeoPackage | Format::GeoParquet | Format::FlatGeobuf => {
-            found.extend(some_if(mixed, Loss::MixedDimensions))
+            found.extend(some_if(mixed, Loss::MixedDimensions));
         }
         Format::Shapefile => {
             found.extend(some_if(empty, Loss::EmptyGeometries));

@@ -61,9 +61,10 @@ fn refused(path: &Path) -> String {
 
 #[test]
 fn what_geopandas_wrote_is_read() {
+    use FieldKind::{Bool, Bytes, Date, DateTime, Integer, Json as List, Real, Text};
+
     let layer = read(Path::new(PARCELS)).unwrap();
     assert_eq!(layer.header.crs, Some(Crs::epsg(2056)));
-    use FieldKind::{Bool, Bytes, Date, DateTime, Integer, Json as List, Real, Text};
     let kinds: Vec<(&str, FieldKind)> = layer.header.fields.iter().map(|field| (&*field.name, field.kind)).collect();
     assert_eq!(
         kinds,
