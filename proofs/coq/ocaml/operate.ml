@@ -172,6 +172,11 @@ let proved t t' = function
   | [ "split_edge"; e; "="; h ] ->
       let h = tail h in
       operation "split_edge" t (SplitEdge (tail e, only_vertex t' t, h, said "the twin of a half-edge" (twin t' h)))
+  | [ "join_edges"; e ] ->
+      let e = tail e in
+      let h = said "the half-edge after another" (next t e) in
+      let k = said "the twin of a half-edge" (twin t h) and v = said "the origin of a half-edge" (origin t h) in
+      operation "join_edges" t (JoinEdges (e, v, h, k))
   | [ "split_vertex"; from; _; "="; h ] when from.[0] = 'v' -> attach_to_isolated t t' (tail from) (tail h)
   | "connect" :: from :: into :: side :: rest ->
       let inner, h =
