@@ -384,4 +384,23 @@ move=> f i lt; have lf : face t f by move: lt; rewrite /inner_count; case: ifP.
 by have [_ /(_ i lt)[b -> _]] := F f lf.
 Qed.
 
+(** What one boundary component passes is connected. *)
+Lemma passes_connected b u w : boundary t b -> passes t b u -> passes t b w -> connected t u w.
+Proof.
+move=> lb P Q; have [c r] := (core_of_rules, rest_of_rules).
+have [x X Cu] := passes_at c r lb P; have [y + Cw] := passes_at c r lb Q; rewrite X => -[xy].
+by rewrite -xy in Cw; apply: connected_trans (connected_sym map Cu) Cw.
+Qed.
+
+(** T1: the inner boundary components of one component are one. *)
+Lemma one_inner b d u w : inn b -> inn d -> passes t b u -> passes t d w -> connected t u w -> boundary t b -> boundary t d -> b = d.
+Proof.
+move=> Ib Id P Q C lb ld; have [c r] := (core_of_rules, rest_of_rules); have lu : vertex t u.
+  case: P => [[i _ O]|I]; last exact: heard_live I.
+  by have [[x X lx] _ _ _] := core_live c (heard_live O); move: X lx; rewrite O => -[->].
+have [x [_ one]] := keeps T1 u lu.
+have := one b (passes_outside c r lb Ib P (connected_self t u)).
+by rewrite (one d (passes_outside c r ld Id Q C)).
+Qed.
+
 End OfRules.

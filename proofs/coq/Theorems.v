@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge JoinEdges AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop SplitEdge JoinEdges RemoveMerge AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -209,6 +209,11 @@ Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
 (** So does joining two edges at a vertex that has no other. *)
 
 Check join_edges_keeps_rules : forall t e v h k, is_joint t e v h k -> rules t -> rules (join_edges t e v h k).
+
+(** So does removing an edge with different boundary components on both sides: the two faces become one. *)
+
+Check merge_faces_keeps_rules : forall t n m f g kept dropped, is_seam t n m f g kept dropped ->
+  rules t -> rules (merge_faces t n m f g kept dropped).
 
 (** So does a program of these operators, whatever their arguments and their order; it makes subdivisions of subdivisions. *)
 
