@@ -3,7 +3,7 @@
     An operator decides what is live, the origin, twin and next of each half-edge, the boundary component on each side, the
     face of each boundary component, and which of these are inner ones: that is the *core* of a table. The rest says the same
     once more, so that it can be found fast: [prev], the half-edges that vertices and boundary components keep, the places
-    and the lists. If the core is right, and the rest says the same, all rules hold. [tidy] makes the rest anew.
+    and the lists. If the core is right, and the rest says the same, all rules hold. Tidy.v makes the rest anew.
 
 <<
       core     origin, twin, next, boundary_of; isolated; boundary_face, inner or outer
@@ -11,7 +11,7 @@
 >>
 
     So whoever proves that an operator keeps the rules has to look at the core only, and may have the rest made anew:
-    [core_rules], [core_of_rules], [tidy_rules]. *)
+    [core_rules], [core_of_rules], and [tidy_rules] of Tidy.v. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Arith View Rules Loops LoopsProof Map Counting Lists TopologyProof.
@@ -369,141 +369,38 @@ have := (t3_counts low (keeps T1) Hv He Hf Hb).1 (keeps T3).
 by rewrite (edges_twice map He Hh); arith.
 Qed.
 
+Lemma rest_of_rules : rest t inn.
+Proof.
+have [[H V B F] _] := keeps R1; split.
+- move=> h lh; have [_ _ _ P _] := H h lh; split=> //; by have [] := keeps L2 h lh.
+- move=> v lv; have [[[h L lh]|N] _] := V v lv; [left|by right].
+  by exists h => //; apply: (keeps V1).
+- move=> b lb; case: (boundaryP low lb) => [x S xb|v S lv bv I]; [left|by right; exists v].
+  by exists (num x) => //; rewrite (Map.boundaryE map) xb.
+- move=> b lb; have [f [p [_ F' P L]]] := placeP low lb; exists f, p; split=> //.
+  by rewrite /inn_of P; case: p {P L} => [|i]; split=> //; case.
+- by move=> f p b L; apply: listed_names.
+move=> f i lt; have lf : face t f by move: lt; rewrite /inner_count; case: ifP.
+by have [_ /(_ i lt)[b -> _]] := F f lf.
+Qed.
+
+(** What one boundary component passes is connected. *)
+Lemma passes_connected b u w : boundary t b -> passes t b u -> passes t b w -> connected t u w.
+Proof.
+move=> lb P Q; have [c r] := (core_of_rules, rest_of_rules).
+have [x X Cu] := passes_at c r lb P; have [y + Cw] := passes_at c r lb Q; rewrite X => -[xy].
+by rewrite -xy in Cw; apply: connected_trans (connected_sym map Cu) Cw.
+Qed.
+
+(** T1: the inner boundary components of one component are one. *)
+Lemma one_inner b d u w : inn b -> inn d -> passes t b u -> passes t d w -> connected t u w -> boundary t b -> boundary t d -> b = d.
+Proof.
+move=> Ib Id P Q C lb ld; have [c r] := (core_of_rules, rest_of_rules); have lu : vertex t u.
+  case: P => [[i _ O]|I]; last exact: heard_live I.
+  by have [[x X lx] _ _ _] := core_live c (heard_live O); move: X lx; rewrite O => -[->].
+have [x [_ one]] := keeps T1 u lu.
+have := one b (passes_outside c r lb Ib P (connected_self t u)).
+by rewrite (one d (passes_outside c r ld Id Q C)).
+Qed.
+
 End OfRules.
-
-(** ** The rest, made anew *)
-
-(** The first of so many numbers for which [p] holds. *)
-Definition first n (p : pred nat) : link := ohead [seq i <- iota 0 n | p i].
-
-Lemma first_some n p i : first n p = Some i -> p i.
-Proof.
-rewrite /first; case E: [seq i <- iota 0 n | p i] => [|j s] //= -[<-].
-suff : j \in [seq i <- iota 0 n | p i] by rewrite mem_filter => /andP[].
-by rewrite E mem_head.
-Qed.
-
-Lemma first_none n (p : pred nat) i : first n p = None -> i < n -> ~~ p i.
-Proof.
-rewrite /first; case E: [seq i <- iota 0 n | p i] => [|//] _ lt; apply/negP=> pi.
-by have : i \in [seq i <- iota 0 n | p i]; [rewrite mem_filter mem_iota pi lt|rewrite E].
-Qed.
-
-(** The inner boundary components of a face, in the order of their numbers. *)
-Definition inner_of n (inn : pred nat) f :=
-  [seq b <- iota 0 (boundary_slots n) | [&& boundary n b, inn b & boundary_face n b == Some f]].
-
-(** The core of [n], with the rest made anew: of two that would do, the one with the lower number is kept or listed first. *)
-Definition tidy n (inn : pred nat) : view := {|
-  vertex_slots := vertex_slots n;
-  half_edge_slots := half_edge_slots n;
-  boundary_slots := boundary_slots n;
-  face_slots := face_slots n;
-  is_vertex := is_vertex n;
-  is_half_edge := is_half_edge n;
-  is_boundary := is_boundary n;
-  is_face := is_face n;
-  says_origin := says_origin n;
-  says_twin := says_twin n;
-  says_next := says_next n;
-  says_prev := fun h => first (half_edge_slots n) (fun g => next n g == Some h);
-  says_boundary := says_boundary n;
-  says_leaving := fun v => first (half_edge_slots n) (fun h => origin n h == Some v);
-  says_isolated := says_isolated n;
-  says_boundary_face := says_boundary_face n;
-  says_boundary_start := fun b =>
-    if first (half_edge_slots n) (fun h => boundary_of n h == Some b) is Some h then Some (AtHalfEdge h) else
-    if first (vertex_slots n) (fun v => isolated n v == Some b) is Some v then Some (AtVertex v) else None;
-  says_boundary_place := fun b => if inn b then
-    if boundary_face n b is Some f then Some (Inner (seq.index b (inner_of n inn f))) else None else Some Outer;
-  says_outer := fun f => first (boundary_slots n) (fun b => ~~ inn b && (boundary_face n b == Some f));
-  says_inner_count := fun f => size (inner_of n inn f);
-  says_inner := fun f i => nth None [seq Some b | b <- inner_of n inn f] i
-|}.
-
-Section Tidy.
-Variables (n : view) (inn : pred nat).
-Hypothesis c : core n inn.
-
-Notation t := (tidy n inn).
-
-(** The core is the same. *)
-Lemma tidy_connected u v : connected n u v -> connected t u v.
-Proof. by elim=> [|h x y _ IH O T]; [apply: connected_self|apply: (@connected_edge t u h x y IH)]. Qed.
-
-Lemma tidy_steps f : steps_out n inn f -> steps_out t inn f.
-Proof.
-elim=> {f} [f lf no|f b v d w g F I P J Q C G _ IH]; first exact: (@out_here t).
-exact: (@out_through t inn f b v d w g) (tidy_connected C) G IH.
-Qed.
-
-Lemma tidy_core : core t inn.
-Proof.
-case: c => live l1 inj l3 rot side cyc bare iso one used fc out unb inside steps counts; split=> //.
-  by move=> v /inside[b [w [lb I P C]]]; exists b, w; split=> //; apply: tidy_connected.
-by move=> f /steps; apply: tidy_steps.
-Qed.
-
-Lemma inner_ofP f b : b \in inner_of n inn f <-> inn b /\ boundary_face n b = Some f.
-Proof.
-rewrite mem_filter mem_iota add0n; split=> [/andP[/and3P[_ I /eqP F] _] //|[I F]].
-by rewrite (heard_live F) I F eqxx /= boundary_below ?(heard_live F).
-Qed.
-
-Lemma next_onto h : half_edge n h -> exists2 g, half_edge n g & next n g = Some h.
-Proof.
-pose dart := [finType of slot (half_edge_slots n) (half_edge n)]; move=> lh.
-have total g : half_edge n g -> exists2 g', next n g = Some g' & half_edge n g' by move/(core_live c)=> [].
-have E x : next n (num x) = Some (num (step (next n) x : dart)) := says_step (@half_edge_below n) total x.
-have inj : injective (step (next n) : dart -> dart).
-  by move=> x y xy; apply: num_inj; apply: (core_next c); rewrite ?num_live // !E xy.
-have [x xh] : exists x : dart, num x = h := slotP (@half_edge_below n) lh.
-exists (num (invF inj x)); first exact: num_live.
-by rewrite E f_invF xh.
-Qed.
-
-Lemma tidy_rest : rest t inn.
-Proof.
-have placeE b f : boundary_face n b = Some f -> boundary_place t b =
-    Some (if inn b then Inner (seq.index b (inner_of n inn f)) else Outer).
-  by move=> F; rewrite /boundary_place /heard -[boundary t b]/(boundary n b) (heard_live F) /= F; case: (inn b).
-have uniq_of f : uniq (inner_of n inn f) by rewrite filter_uniq ?iota_uniq.
-have innerE f i b : face n f -> inner t f i = Some b <-> b \in inner_of n inn f /\ seq.index b (inner_of n inn f) = i.
-  move=> lf; rewrite /inner /inner_count -[face t f]/(face n f) lf /=; exact: listed_at.
-have outerE f b : face n f -> outer t f = Some b <-> ~~ inn b /\ boundary_face n b = Some f.
-  move=> lf; rewrite /outer /heard -[face t f]/(face n f) lf /=; split=> [/first_some/andP[I /eqP F] //|[I F]].
-  case E: (first _ _) => [d|].
-    have/andP[Id /eqP Fd] := first_some E; congr Some; apply: (core_outer c) => //; rewrite ?Fd //; exact: heard_live Fd.
-  by have := first_none E (boundary_below (heard_live F)); rewrite I F eqxx.
-split.
-- move=> h lh; have [g lg N] := next_onto lh.
-  have P : prev t h = first (half_edge_slots n) (fun g => next n g == Some h).
-    by rewrite /prev /heard lh.
-  rewrite P; case E: (first _ _) => [g'|]; first by have/eqP N' := first_some E; split=> //; exists g' => //; apply: heard_live N'.
-  by have := first_none E (half_edge_below lg); rewrite N eqxx.
-- move=> v lv; have L : leaving t v = first (half_edge_slots n) (fun h => origin n h == Some v).
-    by rewrite /leaving /heard lv.
-  rewrite L; case E: (first _ _) => [h|]; first by left; exists h => //; apply/eqP/(first_some E).
-  by right; split=> // h lh O; have := first_none E (half_edge_below lh); rewrite -[origin n h]/(origin t h) O eqxx.
-- move=> b lb; have S : boundary_start t b = says_boundary_start t b.
-    by rewrite /boundary_start /heard lb.
-  rewrite S /=; case E: (first _ _) => [h|]; first by left; exists h => //; apply/eqP/(first_some E).
-  right; case D: (first _ _) => [v|]; first by exists v => //; apply/eqP/(first_some D).
-  have [v [[h B _]|I]] := core_used c lb.
-    by have := first_none E (half_edge_below (heard_live B)); rewrite B eqxx.
-  by have := first_none D (vertex_below (heard_live I)); rewrite I eqxx.
-- move=> b lb; have [f F lf] := core_face c lb; exists f, (if inn b then Inner (seq.index b (inner_of n inn f)) else Outer).
-  rewrite (placeE b f F); split=> //; last by case: (inn b).
-  case I: (inn b); first by apply/innerE => //; split=> //; apply/inner_ofP.
-  by apply/outerE; rewrite ?I.
-- move=> f p b L; have lf : face n f.
-    by case: p L => [|i] L; [exact: heard_live L|move: L; rewrite /= /inner /inner_count -[face t f]/(face n f); case: (face n f)].
-  case: p L => [/(outerE f b lf)[I F]|i /(innerE f i b lf)[/inner_ofP[I F] <-]]; by rewrite (placeE b f F) ?I ?(negPf I).
-move=> f i; rewrite /inner => lt; rewrite lt /=; move: lt; rewrite /inner_count -[face t f]/(face n f); case: (face n f) => //= lt.
-by rewrite (nth_map 0).
-Qed.
-
-(** If the core is right, and the rest is made anew, all rules hold. *)
-Theorem tidy_rules : rules t. Proof. exact: core_rules tidy_core tidy_rest. Qed.
-
-End Tidy.

@@ -15,6 +15,22 @@ Qed.
 Lemma lists_iff (s : seq nat) (P Q : nat -> Prop) : (forall x, P x <-> Q x) -> lists s P -> lists s Q.
 Proof. by move=> PQ [u H]; split=> // x; rewrite H. Qed.
 
+(** One less, and one more. *)
+Lemma lists_rem (s : seq nat) (P : nat -> Prop) x : lists s P -> lists (rem x s) (fun y => y <> x /\ P y).
+Proof.
+case=> u H; split=> [|y]; first exact: rem_uniq.
+by rewrite mem_rem_uniq // !inE; split=> [/andP[/eqP yx /H]|[/eqP-> /H]].
+Qed.
+
+Lemma lists_cons (s : seq nat) (P : nat -> Prop) x : ~ P x -> lists s P -> lists (x :: s) (fun y => y = x \/ P y).
+Proof.
+move=> no [u H]; split=> [|y]; first by rewrite /= u andbT; apply/negP=> /H.
+by rewrite inE; split=> [/orP[/eqP|/H]|[->|/H ->]]; rewrite ?eqxx ?orbT; auto.
+Qed.
+
+Lemma size_lists_rem (s : seq nat) (P : nat -> Prop) x : lists s P -> P x -> size s = (@size nat (rem x s)).+1.
+Proof. by case=> _ H /H xs; rewrite size_rem //; case: s xs {H}. Qed.
+
 Lemma lists_filter n (p : pred nat) (P : nat -> Prop) : (forall x, p x -> x < n) -> (forall x, p x <-> P x) ->
   lists [seq x <- iota 0 n | p x] P.
 Proof.

@@ -5,7 +5,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
-From twinedge Require Import ConnectSplit ConnectLoop SplitEdge FastPath Programs.
+From twinedge Require Import ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge FastPath Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -245,3 +245,41 @@ Example vertex_on_edge_rows : let t := split_edge edge_and_point 0 3 2 3 in
   [/\ [seq next t i | i <- iota 0 4] = [:: #2; #0; #3; #1], [seq origin t i | i <- iota 0 4] = [:: #0; #3; #3; #1],
       [seq leaving t i | i <- iota 0 4] = [:: #0; #3; 'nil; #2] & first_broken t = None].
 Proof. by split; vm_compute. Qed.
+
+(** ** … and without it again: all is as it was *)
+
+Example vertex_off_edge : rules (join_edges (split_edge edge_and_point 0 3 2 3) 0 3 2 3).
+Proof. by apply: join_edges_keeps_rules vertex_on_edge. Qed.
+
+Example vertex_off_edge_rows : let t := join_edges (split_edge edge_and_point 0 3 2 3) 0 3 2 3 in
+  [/\ [seq half_edge t i | i <- iota 0 4] = [:: true; true; false; false], [seq next t i | i <- iota 0 2] = [:: #1; #0],
+      [seq origin t i | i <- iota 0 2] = [:: #0; #1], [seq leaving t i | i <- iota 0 4] = [:: #0; #1; 'nil; 'nil]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** A loop with one vertex is not joined with itself, and a vertex at the end of one edge is not taken away. *)
+
+Example no_joints : ~~ is_joint point_in_loop 1 0 1 3 /\ ~~ is_joint edge_and_point 0 1 1 0.
+Proof. by split; vm_compute. Qed.
+
+(** ** The loop is removed: its vertex is isolated, and the one inside lies in the unbounded face
+
+<<
+          ┌──────────┐
+          │  f2  · 2 │           · 0    · 2
+          └── 0 ─────┘
+>>
+*)
+
+Example loop_removed : rules (merge_faces point_in_loop 1 3 0 2 1 0).
+Proof. by apply: merge_faces_keeps_rules point_in_loop_keeps_all. Qed.
+
+Example loop_removed_rows : let t := merge_faces point_in_loop 1 3 0 2 1 0 in
+  [/\ [seq half_edge t i | i <- iota 0 4] = [:: false; false; false; false], [seq isolated t i | i <- iota 0 3] = [:: #1; 'nil; #2],
+      [seq face t i | i <- iota 0 3] = [:: true; false; false], inner_list t 0 = [:: 1; 2] & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** The face that surrounds the other is not the one that is dropped. *)
+
+Example no_seam : ~~ is_seam point_in_loop 1 3 2 0 0 1.
+Proof. by vm_compute. Qed.

@@ -9,7 +9,8 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
-From twinedge Require Import Connect ConnectIsolated ConnectCorners ConnectBridge ConnectSplit ConnectLoop SplitEdge Programs.
+From twinedge Require Import Connect ConnectIsolated ConnectCorners ConnectBridge ConnectSplit ConnectLoop SplitEdge JoinEdges.
+From twinedge Require Import RemoveMerge Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -26,7 +27,9 @@ Inductive operation :=
   | Bridge of nat & nat & nat & nat & nat & nat & nat
   | SplitFace of nat & nat & nat & nat & nat & nat & nat & nat & bool & bool & pred nat
   | LoopAtIsolated of nat & nat & nat & nat & nat & nat & nat & bool & bool & pred nat
-  | SplitEdge of nat & nat & nat & nat.
+  | SplitEdge of nat & nat & nat & nat
+  | JoinEdges of nat & nat & nat & nat
+  | MergeFaces of nat & nat & nat & nat & nat & nat.
 
 Definition before t o : view :=
   match o with
@@ -47,6 +50,8 @@ Definition after t o : view :=
   | LoopAtIsolated v h k f g kept made made_left new_left moved =>
       loop_at_isolated t v h k f g kept made made_left new_left moved
   | SplitEdge e v h k => split_edge t e v h k
+  | JoinEdges e v h k => join_edges t e v h k
+  | MergeFaces n m f g kept dropped => merge_faces t n m f g kept dropped
   end.
 
 Definition is_free_edge t h k := [&& ~~ half_edge t h, ~~ half_edge t k & h != k].
@@ -73,6 +78,8 @@ Definition is_right t o : bool :=
   | LoopAtIsolated v h k f g kept made _ _ _ =>
       [&& isolated t v == Some kept, boundary_face t kept == Some f, is_free_edge t h k, ~~ boundary t made & ~~ face t g]
   | SplitEdge e v h k => [&& half_edge t e, ~~ vertex t v & is_free_edge t h k]
+  | JoinEdges e v h k => is_joint t e v h k
+  | MergeFaces n m f g kept dropped => is_seam t n m f g kept dropped
   end.
 
 Lemma free_edgeP t h k : is_free_edge t h k -> free_edge t h k.
@@ -82,7 +89,8 @@ Proof. by case/and3P. Qed.
 Theorem operation_is_step t o : rules (before t o) -> is_right t o -> step (before t o) (after t o).
 Proof.
 case: o => /= [v b f|v b f|b f i g|a v h k|a v b f h k|o v b h k|o v b c f h k|a b h k f kept dropped|
-  a b h k f g kept made ml nl moved|v h k f g kept made ml nl moved|e v h k] keeps.
+  a b h k f g kept made ml nl moved|v h k f g kept made ml nl moved|e v h k|e v h k|
+  n m f g kept dropped] keeps.
 - by case/and3P=> *; apply: step_add.
 - by case/and3P=> *; apply: step_remove.
 - case/and5P=> /eqP E I lg gf B.
@@ -98,7 +106,9 @@ case: o => /= [v b f|v b f|b f i g|a v h k|a v b f h k|o v b h k|o v b c f h k|a
   by case/orP: ab => /andP[/eqP A /eqP B]; [left | right].
 - by case/and5P=> /eqP A /eqP B /eqP kf /free_edgeP fe /andP[fm fg]; exact: (step_split_face _ _ _ A B kf fe fm fg).
 - by case/and5P=> /eqP I /eqP kf /free_edgeP fe fm fg; exact: (step_loop _ _ _ I kf fe fm fg).
-by case/and3P=> le fv /free_edgeP fe; apply: step_split_edge.
+- by case/and3P=> le fv /free_edgeP fe; apply: step_split_edge.
+- exact: step_join_edges.
+exact: step_merge_faces.
 Qed.
 
 Corollary operation_keeps_rules t o : rules (before t o) -> is_right t o -> rules (after t o).

@@ -7,12 +7,11 @@
       nothing ──add──► · v ──attach──► ·────· ──split──► ·──·──· ──bridge──► …        each represents a planar subdivision
 >>
 
-    Not among the steps, as nothing is proved of them: removing edges, joining and contracting edges, splitting vertices, and
-    flipping edges. *)
+    Not among the steps, as nothing is proved of them: removing a bridge, contracting edges, splitting vertices, and flipping edges. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Subdivision Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
-From twinedge Require Import Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop SplitEdge.
+From twinedge Require Import Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -44,7 +43,9 @@ Inductive step : view -> view -> Prop :=
   | step_loop t v h k f g kept made made_left new_left moved :
       isolated t v = Some kept -> boundary_face t kept = Some f -> free_edge t h k -> ~~ boundary t made -> ~~ face t g ->
       step t (loop_at_isolated t v h k f g kept made made_left new_left moved)
-  | step_split_edge t e v h k : half_edge t e -> ~~ vertex t v -> free_edge t h k -> step t (split_edge t e v h k).
+  | step_split_edge t e v h k : half_edge t e -> ~~ vertex t v -> free_edge t h k -> step t (split_edge t e v h k)
+  | step_join_edges t e v h k : is_joint t e v h k -> step t (join_edges t e v h k)
+  | step_merge_faces t n m f g kept dropped : is_seam t n m f g kept dropped -> step t (merge_faces t n m f g kept dropped).
 
 Theorem step_keeps_rules t t' : step t t' -> rules t -> rules t'.
 Proof.
@@ -52,7 +53,8 @@ case=> {t t'} => [t t' rv rd rb rf rp same|t v b f fv fb lf|t v b f fv fb lf|t b
   t a v h k la fv [fh fk hk]|t a v b f h k la lf fv fb [fh fk hk]|t o v b h k I fv [fh fk hk]|
   t o v b c f h k I lf fv fc [fh fk hk]|t a b h k f kept dropped ab kd kf df [fh fk hk]|
   t a b h k f g kept made ml nl moved ak bk kf [fh fk hk] fm fg|t v h k f g kept made ml nl moved I kf [fh fk hk] fm fg|
-  t e v h k le fv [fh fk hk]].
+  t e v h k le fv [fh fk hk]|t e v h k joint|
+  t n m f g kept dropped seam].
 - exact: renaming_keeps same.
 - exact: add_isolated_vertex_keeps_rules.
 - exact: remove_isolated_vertex_keeps_rules.
@@ -64,7 +66,9 @@ case=> {t t'} => [t t' rv rd rb rf rp same|t v b f fv fb lf|t v b f fv fb lf|t b
 - exact: bridge_keeps_rules.
 - exact: split_face_keeps_rules.
 - exact: loop_at_isolated_keeps_rules.
-exact: split_edge_keeps_rules.
+- exact: split_edge_keeps_rules.
+- exact: join_edges_keeps_rules.
+exact: merge_faces_keeps_rules.
 Qed.
 
 Inductive program t : view -> Prop :=

@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge AnyInner Operate Core Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop SplitEdge JoinEdges RemoveMerge AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -150,7 +150,7 @@ Check core_rules : forall t inn, Core.core t inn -> Core.rest t inn -> rules t.
 
 Check core_of_rules : forall t, rules t -> Core.core t (Core.inn_of t).
 
-Check tidy_rules : forall n inn, Core.core n inn -> rules (Core.tidy n inn).
+Check tidy_rules : forall n inn, Core.core n inn -> rules (Tidy.tidy n inn).
 
 (** What keeps the rules keeps them under other numbers. *)
 
@@ -205,6 +205,15 @@ Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_
 Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (split_edge t e v h k).
+
+(** So does joining two edges at a vertex that has no other. *)
+
+Check join_edges_keeps_rules : forall t e v h k, is_joint t e v h k -> rules t -> rules (join_edges t e v h k).
+
+(** So does removing an edge with different boundary components on both sides: the two faces become one. *)
+
+Check merge_faces_keeps_rules : forall t n m f g kept dropped, is_seam t n m f g kept dropped ->
+  rules t -> rules (merge_faces t n m f g kept dropped).
 
 (** So does a program of these operators, whatever their arguments and their order; it makes subdivisions of subdivisions. *)
 

@@ -153,6 +153,16 @@ let attach_to_isolated t t' o h =
   let k = said "the twin of a half-edge" (twin t' h) in
   operation "split_vertex of no degree" t (AttachToIsolated (o, only_vertex t' t, boundary_at t (Isolated o), h, k))
 
+let remove t t' n =
+  let m = said "the twin of a half-edge" (twin t n) in
+  let bn = boundary_at t (At n) and bm = boundary_at t (At m) in
+  if bn = bm then Nothing
+  else
+    let dropped = only_boundary t t' and g = only_face t t' in
+    let kept = if dropped = bn then bm else bn in
+    let f = match List.filter (( <> ) g) (List.map (face_at t) [ bn; bm ]) with [ f ] -> f | _ -> fail "one face is merged with itself" in
+    operation "remove an edge of two faces" t (MergeFaces (n, m, f, g, kept, dropped))
+
 let move t corner g =
   let b = boundary_at t corner in
   let f = face_at t b in
@@ -172,6 +182,12 @@ let proved t t' = function
   | [ "split_edge"; e; "="; h ] ->
       let h = tail h in
       operation "split_edge" t (SplitEdge (tail e, only_vertex t' t, h, said "the twin of a half-edge" (twin t' h)))
+  | [ "join_edges"; e ] ->
+      let e = tail e in
+      let h = said "the half-edge after another" (next t e) in
+      let k = said "the twin of a half-edge" (twin t h) and v = said "the origin of a half-edge" (origin t h) in
+      operation "join_edges" t (JoinEdges (e, v, h, k))
+  | [ "remove_edge"; n ] -> remove t t' (tail n)
   | [ "split_vertex"; from; _; "="; h ] when from.[0] = 'v' -> attach_to_isolated t t' (tail from) (tail h)
   | "connect" :: from :: into :: side :: rest ->
       let inner, h =
