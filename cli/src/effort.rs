@@ -46,21 +46,31 @@ impl Effort {
     /// Refuses work that takes too long, unless it is forced. More threads than cores do not make it faster. With JSON the
     /// refusal is printed as well, so that scripts can tell it from misuse.
     pub(crate) fn refuse_too_much(&self, estimate: Estimate, format: Format) -> Result<(), Failure> {
-        let seconds = estimate.seconds(self.threads().clamp(1, cores()), self.shard);
-        if self.force || seconds <= Self::MOST_SECONDS {
+        if self.force || self.seconds(estimate) <= Self::MOST_SECONDS {
             return Ok(());
         }
-        let amount = estimate.amount / u128::from(self.shard.count());
-        let amount = u64::try_from(amount).map_or_else(|_| format!("{:.1e}", amount as f64), grouped);
-        let refused = format!(
-            "the job is {amount} {}, {} by the usual speed of a core; --force runs it all the same",
-            estimate.unit,
-            about(seconds)
-        );
+        let refused =
+            format!("the job is {} by the usual speed of a core; --force runs it all the same", self.said(estimate));
         if format == Format::Json {
             print_json(&Refusal { ok: false, refused: &refused })?;
         }
         Err(Failure(refused))
+    }
+
+    /// Says the estimate on standard error.
+    pub(crate) fn say(&self, estimate: Estimate) {
+        eprintln!("estimated: {}", self.said(estimate));
+    }
+
+    /// The amount and the time of this part.
+    fn said(&self, estimate: Estimate) -> String {
+        let amount = estimate.amount / u128::from(self.shard.count());
+        let amount = u64::try_from(amount).map_or_else(|_| format!("{:.1e}", amount as f64), grouped);
+        format!("{amount} {}, {}", estimate.unit, about(self.seconds(estimate)))
+    }
+
+    fn seconds(&self, estimate: Estimate) -> u128 {
+        estimate.seconds(self.threads().clamp(1, cores()), self.shard)
     }
 
     /// Refuses parts of work with a random seed: each part would have another one.
@@ -82,7 +92,8 @@ fn cores() -> usize {
 /// A time in words.
 fn about(seconds: u128) -> String {
     match seconds {
-        0..=7_200 => format!("about {} minutes", seconds.div_ceil(60)),
+        0..=119 => format!("about {seconds} seconds"),
+        120..=7_200 => format!("about {} minutes", seconds.div_ceil(60)),
         7_201..=172_800 => format!("about {} hours", seconds / 3_600),
         172_801..=63_072_000 => format!("about {} days", seconds / 86_400),
         _ => {
@@ -102,6 +113,8 @@ mod tests {
 
     #[test]
     fn times_are_told_in_a_fitting_unit() {
+        assert_eq!(about(119), "about 119 seconds");
+        assert_eq!(about(120), "about 2 minutes");
         assert_eq!(about(1_801), "about 31 minutes");
         assert_eq!(about(7_201), "about 2 hours");
         assert_eq!(about(172_801), "about 2 days");

@@ -5,6 +5,7 @@ use crate::effort::Effort;
 use crate::output::Format;
 use crate::output::style::{BAD, GOOD};
 use crate::print_rows::table;
+use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use std::fmt;
 use std::time::Instant;
@@ -71,8 +72,11 @@ impl Size {
             vacant: self.vacant,
         };
         let run = effort.start()?;
+        let estimate = busy("estimating", || work.estimate(&Validator))?;
+        effort.refuse_too_much(estimate, format)?;
+        effort.say(estimate);
         let start = Instant::now();
-        let outcome = lazy(work, &Validator, &run).map_err(|error| Failure(error.to_string()))?;
+        let outcome = lazy(work, &Validator, &run)?;
         let document = Document::new(outcome, start);
         document.print(format)?;
         Ok(document.verdict())

@@ -118,7 +118,7 @@ pub struct Estimate {
     pub amount: u128,
     /// The unit, in the plural.
     pub unit: &'static str,
-    /// The number of of them one thread does in a second, on a machine of 2024.
+    /// The number of them that one thread does in a second: on a machine of 2024, or on this one where the work measures it.
     pub per_second: u64,
 }
 

@@ -35,3 +35,20 @@ fn what_would_not_finish_is_refused() {
     assert!(complaint.contains("tables") && complaint.contains("--force"), "{complaint}");
     assert_eq!(twinedge(&["tables", "--half-edges", "-1"]).status.code(), Some(2));
 }
+
+#[test]
+fn lazy_runs_are_estimated_and_refused_if_they_would_not_finish() {
+    let small = ["tables", "--lazy", "--parts", "prev,leaving", "--half-edges", "2"];
+    let output = twinedge(&small);
+    assert_eq!(output.status.code(), Some(0));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.starts_with("estimated: ") && said.ends_with(" runs, about 0 seconds\n"), "{said}");
+    let large =
+        ["tables", "--lazy", "--expect", "surface open", "--vertices", "4", "--half-edges", "8", "--format", "json"];
+    let output = twinedge(&large);
+    assert_eq!(output.status.code(), Some(2));
+    let complaint = complaint(&output);
+    assert!(complaint.contains(" runs, about ") && complaint.contains("--force"), "{complaint}");
+    let refused: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(refused["ok"], false);
+}

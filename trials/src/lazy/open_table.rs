@@ -217,6 +217,19 @@ impl OpenTable {
         branches
     }
 
+    /// The branches with one choice more than this one, for the next cell that the reader reads; none if it reads no other cell.
+    pub(super) fn longer(&self, branch: &Branch, read: impl FnOnce(&Self)) -> Vec<Branch> {
+        self.enter(branch);
+        read(self);
+        let next = self.choices.borrow().get(branch.len()).map(|choice| choice.cell);
+        self.retract(branch.len());
+        let values = |cell: usize| (0..self.domains[cell].ways.len() as u8).map(move |value| (cell, value));
+        let choices = next.into_iter().flat_map(values).filter(|(cell, value)| self.stands_for(*cell, *value) > 0);
+        let longer = choices.map(|choice| branch.iter().copied().chain([choice]).collect()).collect();
+        self.retract(0);
+        longer
+    }
+
     /// Makes the choices of a branch.
     pub(super) fn enter(&self, branch: &[(usize, u8)]) {
         for (cell, value) in branch {

@@ -123,5 +123,42 @@ fn tables_that_cannot_be_counted_are_an_error() {
     for (size, parts) in sizes {
         let outcome = lazy(work(Expectation::plane(), parts, size), &Validator, &Run::default());
         assert_eq!(outcome.err(), Some(TooManyTables), "{size:?}");
+        let estimate = work(Expectation::plane(), parts, size).estimate(&Validator);
+        assert_eq!(estimate.err(), Some(TooManyTables), "{size:?}");
+    }
+}
+
+fn estimated(work: LazyWork) -> u128 {
+    work.estimate(&Validator).unwrap().amount
+}
+
+#[test]
+fn where_all_branches_are_followed_the_estimate_is_the_number_of_runs() {
+    let (plane, surface) = (Expectation::plane(), Expectation::surface());
+    for work in
+        [work(surface, MAP, [2, 2, 0, 0]), work(plane, Parts::ALL, [1, 0, 1, 1]), work(plane, MAP, [1, 2, 0, 0])]
+    {
+        let outcome = lazy(work, &Validator, &Run::default()).unwrap();
+        let runs: u64 = outcome.judges.iter().map(|row| row.runs).sum();
+        assert_eq!(estimated(work), u128::from(runs), "{work:?}");
+    }
+}
+
+#[test]
+fn the_estimate_is_less_than_a_factor_of_two_from_the_runs_that_were_done() {
+    let (plane, surface) = (Expectation::plane(), Expectation::surface());
+    // Runs of the validator and of the reference, on 2026-11-24.
+    let done = [
+        (work(surface, MAP, [2, 4, 0, 0]), 64_269 + 9_335),
+        (work(surface, RECORDS, [2, 4, 2, 2]), 195_165 + 407_153),
+        (work(plane, Parts::ALL, [2, 4, 2, 2]), 1_638_861 + 1_884_450),
+        (work(surface.open(), MAP, [3, 4, 0, 0]), 1_201_606 + 76_980),
+        (work(surface, MAP, [2, 6, 0, 0]), 30_400_589 + 707_702),
+        (work(surface, MAP, [3, 6, 0, 0]), 106_646_258 + 1_721_009),
+    ];
+    for (work, runs) in done {
+        let found = estimated(work);
+        assert!(found < 2 * runs && runs < 2 * found, "{work:?}: {found} instead of {runs}");
+        assert_eq!(estimated(work), found);
     }
 }

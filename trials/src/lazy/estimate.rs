@@ -1,0 +1,72 @@
+//! About how many runs there are, and how long they take: by random ones.
+
+use super::acceptor::Acceptor;
+use super::open_table::Branch;
+use super::side::Side;
+use super::work::{LazyWork, TooManyTables};
+use crate::random::Random;
+use crate::run::Estimate;
+use std::time::Instant;
+
+/// The number of branches of one length that are followed.
+const BRANCHES: usize = 4096;
+
+/// The seed of the choice of branches: the same work always has the same number of runs.
+const SEED: u64 = 1975;
+
+impl LazyWork {
+    /// Returns about how many runs both judges make, and how many of them a core of this machine does in a second.
+    ///
+    /// Random branches of the tree of all runs are followed, all in step. Of those that are one choice longer 4,096 are kept, drawn at random, and
+    /// each stands for as many as there are for each one kept. A run that ends there is counted as often. The mean of the counts is the number of all runs;
+    /// where no more branches are that long, it is exact. It varies less than that of single random ways (D. Knuth, *Estimating the efficiency
+    /// of backtrack programs*, 1975), since short runs are counted and not drawn: R. Vaisman and D. Kroese, *Stochastic enumeration method
+    /// for counting trees*, 2017.
+    ///
+    /// It takes some seconds, and the numbers of runs that were estimated and done so far differ by less than a factor of two.
+    ///
+    /// # Errors
+    /// [`TooManyTables`] if the tables cannot be counted.
+    ///
+    /// # Panics
+    /// If the validator panics.
+    #[allow(clippy::cast_sign_loss, reason = "no number of runs or seconds is negative")]
+    pub fn estimate(&self, validator: &dyn Acceptor) -> Result<Estimate, TooManyTables> {
+        let mut random = Random::new(SEED, 0);
+        let (mut runs, mut seconds) = (0.0, 0.0);
+        for side in Side::both(self, validator) {
+            let table = side.table()?;
+            let mut branches = vec![Branch::new()];
+            // The number of branches for which each of them stands.
+            let mut each = 1.0;
+            while !branches.is_empty() {
+                let mut longer = Vec::new();
+                for branch in &branches {
+                    let start = Instant::now();
+                    let more = table.longer(branch, |table| {
+                        side.accepts(0, table);
+                    });
+                    if more.is_empty() {
+                        runs += each;
+                        seconds += each * start.elapsed().as_secs_f64();
+                    }
+                    longer.extend(more);
+                }
+                let all = longer.len();
+                draw(&mut longer, &mut random);
+                each *= all as f64 / longer.len().max(1) as f64;
+                branches = longer;
+            }
+        }
+        Ok(Estimate { amount: runs.round() as u128, unit: "runs", per_second: (runs / seconds) as u64 })
+    }
+}
+
+/// Keeps so many of the branches.
+fn draw(branches: &mut Vec<Branch>, random: &mut Random) {
+    for kept in 0..branches.len().min(BRANCHES) {
+        let drawn = kept + random.below(branches.len() - kept);
+        branches.swap(kept, drawn);
+    }
+    branches.truncate(BRANCHES);
+}
