@@ -4,6 +4,7 @@ use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, tor
 use std::collections::BTreeSet;
 use twinedge::validate::certificate::{
     Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
+    passes,
 };
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{BoundaryPlace, Expectation, Part, Parts, Rule, Table, View};
@@ -58,14 +59,15 @@ fn a_corruption_passes_only_if_the_rules_hold() {
             for_each_corruption(&mut projection, form.parts, |corrupt, cell, value| {
                 let found = check(corrupt, &labels);
                 assert_eq!(check_parallel(corrupt, &labels), found, "{cell:?} = {value:?}: {corrupt}");
-                let passes = found.is_ok();
+                let is_certified = found.is_ok();
+                assert_eq!(passes(corrupt, &labels), is_certified, "{cell:?} = {value:?}: {corrupt}");
                 let broken = first_broken_rule(corrupt, &PLANE);
                 let own = Labels::new(corrupt).unwrap();
                 assert_eq!(check(corrupt, &own).is_ok(), broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
-                assert!(!passes || broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
+                assert!(!is_certified || broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
                 wrong += usize::from(broken.is_some());
-                right += usize::from(passes);
-                other_maps += usize::from(broken.is_none() && !passes);
+                right += usize::from(is_certified);
+                other_maps += usize::from(broken.is_none() && !is_certified);
             });
         }
     }
@@ -86,12 +88,13 @@ fn a_changed_label_is_found_or_certifies_as_well() {
                     let most = labels.column(Column::HalfEdgeRank).len().max(labels.column(column).len()) as u32;
                     for value in (0..=most).chain([u32::MAX - 1, u32::MAX]).filter(|value| *value != before) {
                         labels.column_mut(column)[i] = value;
-                        let passes = check(&projection, &labels).is_ok();
-                        if passes {
+                        let is_certified = check(&projection, &labels).is_ok();
+                        assert_eq!(passes(&projection, &labels), is_certified, "{projection}");
+                        if is_certified {
                             let certificate = Certificate::new(&projection, &labels).unwrap();
                             assert_eq!(first_broken_rule(&certificate, &PLANE), None, "{projection}");
                         }
-                        *if passes { &mut as_good } else { &mut found } += 1;
+                        *if is_certified { &mut as_good } else { &mut found } += 1;
                     }
                     labels.column_mut(column)[i] = before;
                 }
@@ -238,6 +241,7 @@ fn labels_of_another_length_are_refused() {
         let mut labels = Labels::new(&table).unwrap();
         labels.column_mut(Column::HalfEdgeRank).push(0);
         assert_eq!(check(&table, &labels).unwrap_err()[0].test(), Test::Readable);
+        assert!(!passes(&table, &labels));
         labels.column_mut(Column::HalfEdgeRank).pop();
         if labels.column_mut(Column::HalfEdgeRank).pop().is_some() {
             assert_eq!(check(&table, &labels).unwrap_err()[0].test(), Test::Readable);

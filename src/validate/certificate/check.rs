@@ -6,7 +6,7 @@
 use super::answers::Answers;
 use super::storage::Columns;
 use super::sums::Sums;
-use super::test::{Failure, Failures, Test};
+use super::test::{Failure, Failures, Noted, Test, UntilFailure};
 use crate::validate::structure::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
 
@@ -30,42 +30,67 @@ use alloc::vec::Vec;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn check<V: View + ?Sized, C: Columns>(view: &V, labels: &C) -> Result<(), Vec<Failure>> {
-    let s = Answers::new(view, labels);
     let mut failures = Failures::new();
-    failures.note(Test::Readable, 0, s.readable());
-    if s.readable() {
-        scan(&s, &mut failures).note(&mut failures);
-    }
+    run(view, labels, &mut failures);
     failures.into_result()
 }
 
-/// Runs every test of single records.
+/// Tells whether all tests pass: the same as [`check`] without failures. It ends with the first test that fails, and reads no record after that.
+///
+/// Cost: O(n) for n slots and list entries. No memory is allocated.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge::validate::certificate::{Column, Labels, passes};
+/// // An edge between two vertices.
+/// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// let mut labels = Labels::new(&edge)?;
+/// assert!(passes(&edge, &labels));
+/// // Half-edge 1 lies on the way from the start, and so not before it.
+/// labels.column_mut(Column::HalfEdgeRank).swap(0, 1);
+/// assert!(!passes(&edge, &labels));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn passes<V: View + ?Sized, C: Columns>(view: &V, labels: &C) -> bool {
+    run(view, labels, &mut UntilFailure).is_some()
+}
+
+/// Runs every test. None if the check ended before the last one.
 #[inline(always)]
-pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, failures: &mut Failures) -> Sums {
+fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, noted: &mut impl Noted) -> Option<()> {
+    let s = Answers::new(view, labels);
+    let readable = s.readable();
+    noted.note(Test::Readable, 0, readable)?;
+    if readable { scan(&s, noted)?.note(noted) } else { None }
+}
+
+/// Runs every test of single records. None if the check ended before the last one.
+#[inline(always)]
+pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &mut impl Noted) -> Option<Sums> {
     let mut sums = Sums::default();
     for h in s.share(s.half_edges).filter(|h| s.is_half_edge(*h)) {
         sums.half_edges += 1;
-        s.half_edge(h, failures);
+        s.half_edge(h, noted)?;
     }
     for v in s.share(s.vertices).filter(|v| s.is_vertex(*v)) {
         sums.rotations += usize::from(s.leaving(v).is_some());
-        failures.note(Test::VertexOk, v, s.vertex_ok(v));
+        noted.note(Test::VertexOk, v, s.vertex_ok(v))?;
     }
     for b in s.share(s.boundaries).filter(|b| s.is_boundary(*b)) {
         let is_cycle = s.cycle_start(b).is_some();
         sums.cycles += usize::from(is_cycle);
         sums.roots += usize::from(is_cycle && s.is_inner(b));
-        failures.note(Test::StartOk, b, s.start_ok(b));
-        failures.note(Test::PlaceOk, b, s.place_ok(b));
+        noted.note(Test::StartOk, b, s.start_ok(b))?;
+        noted.note(Test::PlaceOk, b, s.place_ok(b))?;
     }
     // A boundary component is at one place. More entries can only be right if answers change.
     let mut entries = s.boundaries;
     for f in s.share(s.faces).filter(|f| s.is_face(*f)) {
         sums.unbounded += usize::from(s.outer(f).is_none());
-        failures.note(Test::FaceOk, f, s.face_ok(f, &mut entries));
-        failures.note(Test::FaceStartsOk, f, !s.by_name() || s.face_starts_ok(f));
+        noted.note(Test::FaceOk, f, s.face_ok(f, &mut entries))?;
+        noted.note(Test::FaceStartsOk, f, !s.by_name() || s.face_starts_ok(f))?;
     }
-    sums
+    Some(sums)
 }
 
 impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
@@ -88,22 +113,23 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
 
     /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
     #[inline(always)]
-    fn half_edge(&self, h: usize, failures: &mut Failures) {
+    fn half_edge(&self, h: usize, noted: &mut impl Noted) -> Option<()> {
         let whole_star = || {
             let ([t, n, p], kept, b) = (self.live_links(h)?, self.kept(h)?, self.boundary(h)?);
             Some(([Some(t), Some(n), Some(p)], Some(kept), Some(b)))
         };
-        if !whole_star().is_some_and(|(links, kept, b)| self.half_edge_ok(h, links, kept, b, |_, passes| passes)) {
-            self.note_half_edge(h, failures);
+        if whole_star().is_some_and(|(links, kept, b)| self.half_edge_ok(h, links, kept, b, |_, passes| passes)) {
+            Some(())
+        } else {
+            noted.note_each(|noted| self.note_half_edge(h, noted))
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn note_half_edge(&self, h: usize, failures: &mut Failures) {
+    fn note_half_edge(&self, h: usize, noted: &mut impl Noted) {
         self.half_edge_ok(h, self.links(h), self.kept(h), self.boundary(h), |test, passes| {
-            failures.note(test, h, passes);
-            true
+            noted.note(test, h, passes).is_some()
         });
     }
 

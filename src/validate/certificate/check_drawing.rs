@@ -7,7 +7,7 @@ use super::answers::Answers;
 use super::check::scan;
 use super::columns::{Column, MOST_SLOTS};
 use super::storage::{Columns, Numbers};
-use super::test::{Failure, Failures, Test};
+use super::test::{Failure, Failures, Noted as _, Test};
 use crate::slots::NIL;
 use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
@@ -33,7 +33,7 @@ pub fn check_drawing<V: View + ?Sized, C: Columns, D: Columns>(
     let is_readable = s.readable() && darts.readable();
     failures.note(Test::Readable, 0, is_readable);
     if is_readable {
-        scan(&s, &mut failures).note(&mut failures);
+        scan(&s, &mut failures).and_then(|sums| sums.note(&mut failures));
         darts.scan(&mut failures);
     }
     failures.into_result()

@@ -72,7 +72,7 @@ mod surface_labels;
 mod surface_saved;
 mod test;
 
-pub use check::check;
+pub use check::{check, passes};
 pub use check_drawing::check_drawing;
 pub use columns::{Column, Labels, LabelsError, VACANT};
 pub use drawing::Drawing;

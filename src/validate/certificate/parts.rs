@@ -5,7 +5,7 @@ use super::check::{check, scan};
 use super::storage::Columns;
 use super::sums::Sums;
 use super::surface::{Surface, check_surface};
-use super::test::{Failure, Failures, Test};
+use super::test::{Failure, Failures, Noted as _, Test};
 use crate::validate::structure::View;
 use alloc::vec::Vec;
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ where
     if !whole.readable() {
         return check(view, labels);
     }
-    let (sums, mut failures) = in_parts(&whole, |part, failures| scan(&part, failures));
+    let (sums, mut failures) = in_parts(&whole, |part, failures| scan(&part, failures).unwrap_or_default());
     sums.note(&mut failures);
     failures.into_result()
 }

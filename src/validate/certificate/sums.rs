@@ -1,7 +1,7 @@
 //! The numbers of live records by which components and the genus are counted.
 
 use super::surface_counts::SurfaceCounts;
-use super::test::{Failures, Test};
+use super::test::{Noted, Test};
 
 /// The sums of a scan.
 #[derive(Clone, Copy, Debug, Default)]
@@ -25,9 +25,9 @@ impl Sums {
     }
 
     /// Notes the results of the tests of a whole subdivision.
-    pub(super) fn note(self, failures: &mut Failures) {
-        failures.note(Test::OneUnbounded, 0, self.unbounded == 1);
-        failures.note(Test::EulerOk, 0, self.fit(0));
+    pub(super) fn note(self, noted: &mut impl Noted) -> Option<()> {
+        noted.note(Test::OneUnbounded, 0, self.unbounded == 1)?;
+        noted.note(Test::EulerOk, 0, self.fit(0))
     }
 
     /// The genus is the one that fits, if there is one.

@@ -7,7 +7,7 @@ use super::answers::Answers;
 use super::columns::{Column, Labels};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use super::sums::Sums;
-use super::test::{Failure, Failures, Test};
+use super::test::{Failure, Failures, Noted as _, Test};
 use crate::slots::NIL;
 use crate::validate::structure::{BoundaryPlace, Link, View};
 use alloc::vec::Vec;

@@ -8,7 +8,7 @@ use super::storage::Columns;
 use super::sums::Sums;
 use super::surface::Surface;
 use super::surface_counts::SurfaceCounts;
-use super::test::{Failure, Failures, Test};
+use super::test::{Failure, Failures, Noted as _, Test};
 use crate::slots::NIL;
 use crate::validate::structure::View;
 use alloc::vec::Vec;

@@ -138,20 +138,36 @@ impl fmt::Display for Failure {
     }
 }
 
+/// Results of tests are noted, as a checker has use for them.
+pub(super) trait Noted {
+    /// Notes the result of a test of record `i`. None if the check ends here.
+    fn note(&mut self, test: Test, i: usize, passes: bool) -> Option<()>;
+
+    /// Notes that a test of a record fails; `each` notes the results of all its tests. None if the check ends here.
+    fn note_each(&mut self, each: impl FnOnce(&mut Self)) -> Option<()>;
+}
+
+/// The first failure ends the check.
+pub(super) struct UntilFailure;
+
+impl Noted for UntilFailure {
+    #[inline(always)]
+    fn note(&mut self, _: Test, _: usize, passes: bool) -> Option<()> {
+        passes.then_some(())
+    }
+
+    #[inline(always)]
+    fn note_each(&mut self, _: impl FnOnce(&mut Self)) -> Option<()> {
+        None
+    }
+}
+
 /// The failures of each test so far.
 pub(super) struct Failures([Option<Failure>; Test::ALL.len()]);
 
 impl Failures {
     pub(super) const fn new() -> Self {
         Self([None; Test::ALL.len()])
-    }
-
-    /// Notes the result of a test of record `i`.
-    #[inline]
-    pub(super) fn note(&mut self, test: Test, i: usize, passes: bool) {
-        if !passes {
-            self.add(test, i);
-        }
     }
 
     #[cold]
@@ -175,5 +191,21 @@ impl Failures {
     pub(super) fn into_result(self) -> Result<(), alloc::vec::Vec<Failure>> {
         let failures: alloc::vec::Vec<Failure> = self.0.into_iter().flatten().collect();
         if failures.is_empty() { Ok(()) } else { Err(failures) }
+    }
+}
+
+impl Noted for Failures {
+    #[inline]
+    fn note(&mut self, test: Test, i: usize, passes: bool) -> Option<()> {
+        if !passes {
+            self.add(test, i);
+        }
+        Some(())
+    }
+
+    #[inline(always)]
+    fn note_each(&mut self, each: impl FnOnce(&mut Self)) -> Option<()> {
+        each(self);
+        Some(())
     }
 }
