@@ -7,7 +7,8 @@
       nothing ──add──► · v ──attach──► ·────· ──split──► ·──·──· ──bridge──► …        each represents a planar subdivision
 >>
 
-    Not among the steps, as nothing is proved of them: removing a bridge, contracting edges, splitting vertices, and flipping edges. *)
+    Not among the steps: removing a bridge (RemovePart.v); contracting edges, splitting vertices, and flipping edges, of which nothing is
+    proved. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Subdivision Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.

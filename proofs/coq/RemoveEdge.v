@@ -28,6 +28,10 @@ Definition past (step : nat -> link) n m x : link :=
 Definition corner t n m x : link :=
   let l := past (next t) n m x in if (l == Some n) || (l == Some m) then None else l.
 
+(** Where what is left around the end of [x] starts: at a half-edge that leaves it, or at the vertex. *)
+Definition start_left t n m x : option start :=
+  if corner t n m x is Some y then Some (AtHalfEdge y) else omap AtVertex (origin t x).
+
 Definition begins_at t x u := origin t x == Some u.
 
 (** The view [t] without the edge of [n] and [m]. An end that becomes isolated is the boundary component [at_n], where [n]

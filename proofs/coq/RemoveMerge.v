@@ -18,10 +18,6 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** Where what is left around the end of [x] starts: at a half-edge that leaves it, or at the vertex. *)
-Definition start_left t n m x : option start :=
-  if corner t n m x is Some y then Some (AtHalfEdge y) else omap AtVertex (origin t x).
-
 (** The view [t] without the edge of [n] and [m], the boundary component [dropped] and the face [g]; places and lists are as
     they were. *)
 Definition merged t n m f g kept dropped : view := let o := take_out t n m kept kept in {|

@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge JoinEdges RemoveMerge AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop SplitEdge JoinEdges RemoveMerge RemovePart AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -214,6 +214,12 @@ Check join_edges_keeps_rules : forall t e v h k, is_joint t e v h k -> rules t -
 
 Check merge_faces_keeps_rules : forall t n m f g kept dropped, is_seam t n m f g kept dropped ->
   rules t -> rules (merge_faces t n m f g kept dropped).
+
+(** So does removing an edge with the same one on both sides: the component falls into two. *)
+
+Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo way,
+  is_bridge t n m f kept made at_n at_m stays bo way ->
+  rules t -> rules (part_component t n m f kept made at_n at_m stays).
 
 (** So does a program of these operators, whatever their arguments and their order; it makes subdivisions of subdivisions. *)
 
