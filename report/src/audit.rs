@@ -61,7 +61,7 @@ pub struct Audited(Outcome);
 
 #[derive(Debug)]
 enum Outcome {
-    Report(AuditReport, Subject),
+    Report(Box<AuditReport>, Subject),
     Tables(TablesReport),
 }
 
@@ -110,7 +110,8 @@ pub fn audit(
             return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
         }
     };
-    Ok(Audited(Outcome::Report(if options.explain { report } else { report.unexplained() }, subject)))
+    let report = if options.explain { report } else { report.unexplained() };
+    Ok(Audited(Outcome::Report(Box::new(report), subject)))
 }
 
 impl Audited {

@@ -15,7 +15,7 @@
 //! let kind = InputKind::of(false, false, &mut input)?;
 //! let audited = audit(input, kind, &Options::default(), &mut |_| {})?;
 //! assert!(audited.is_valid());
-//! assert!(audited.text()?.contains("valid: every rule that applies holds"));
+//! assert!(audited.text()?.contains("every rule that applies holds"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
