@@ -1,13 +1,16 @@
 //! Diagnoses as text for people.
 
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, measure, place, plain};
+use crate::words::style::{BAD, GOOD, QUIET};
+use crate::words::{counted, grouped, measure, place, plain};
 use std::collections::HashSet;
 use std::fmt::{Result, Write as _};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Measures, Records, RuleLine};
 
 /// Writes what was found, and where. Places of a coverage have so many decimal places at most.
-pub(crate) fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
+///
+/// # Errors
+/// None that happens: writing to a string does not fail.
+pub fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
     let rule = one.rule.unwrap_or(one.kind.name());
     if let (Records::None {}, Some(at)) = (&one.records, one.look) {
         let labels: Vec<&str> = one.features.iter().flatten().map(|feature| &*feature.label).collect();
