@@ -5,7 +5,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
-From twinedge Require Import ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge FastPath Programs.
+From twinedge Require Import ConnectSplit ConnectLoop Connect SplitEdge JoinEdges RemoveMerge RemovePart FastPath Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -283,3 +283,24 @@ Proof. by split; vm_compute. Qed.
 
 Example no_seam : ~~ is_seam point_in_loop 1 3 2 0 0 1.
 Proof. by vm_compute. Qed.
+
+(** ** The edge is removed: its ends are two isolated vertices, one of which has the new boundary component
+
+<<
+        0 ─────h0────► 1        · 2            · 0            · 1        · 2
+>>
+*)
+
+Example bridge_removed : rules (part_component edge_and_point 0 1 0 0 2 0 2 0).
+Proof. by apply: (@part_component_keeps_rules _ 0 1 0 0 2 0 2 0 0 [::]) edge_and_point_keeps_all. Qed.
+
+Example bridge_removed_rows : let t := part_component edge_and_point 0 1 0 0 2 0 2 0 in
+  [/\ [seq half_edge t i | i <- iota 0 2] = [:: false; false], [seq isolated t i | i <- iota 0 3] = [:: #0; #2; #1],
+      inner_list t 0 = [:: 0; 1; 2] & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** A bridge inside a face that its own component bounds: the part with the outside stays the outer one, and no other does. *)
+
+Example hair_removed : let t := attach_vertex point_in_loop 1 3 4 5 in
+  is_bridge t 4 5 2 0 3 0 3 0 1 [::] /\ ~~ is_bridge t 4 5 2 0 3 0 3 3 1 [::].
+Proof. by split; vm_compute. Qed.

@@ -10,7 +10,7 @@
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
 From twinedge Require Import Connect ConnectIsolated ConnectCorners ConnectBridge ConnectSplit ConnectLoop SplitEdge JoinEdges.
-From twinedge Require Import RemoveMerge Programs.
+From twinedge Require Import RemoveMerge RemovePart Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -29,7 +29,8 @@ Inductive operation :=
   | LoopAtIsolated of nat & nat & nat & nat & nat & nat & nat & bool & bool & pred nat
   | SplitEdge of nat & nat & nat & nat
   | JoinEdges of nat & nat & nat & nat
-  | MergeFaces of nat & nat & nat & nat & nat & nat.
+  | MergeFaces of nat & nat & nat & nat & nat & nat
+  | PartComponent of nat & nat & nat & nat & nat & nat & nat & nat & nat & seq nat.
 
 Definition before t o : view :=
   match o with
@@ -52,6 +53,7 @@ Definition after t o : view :=
   | SplitEdge e v h k => split_edge t e v h k
   | JoinEdges e v h k => join_edges t e v h k
   | MergeFaces n m f g kept dropped => merge_faces t n m f g kept dropped
+  | PartComponent n m f kept made at_n at_m stays _ _ => part_component t n m f kept made at_n at_m stays
   end.
 
 Definition is_free_edge t h k := [&& ~~ half_edge t h, ~~ half_edge t k & h != k].
@@ -80,6 +82,7 @@ Definition is_right t o : bool :=
   | SplitEdge e v h k => [&& half_edge t e, ~~ vertex t v & is_free_edge t h k]
   | JoinEdges e v h k => is_joint t e v h k
   | MergeFaces n m f g kept dropped => is_seam t n m f g kept dropped
+  | PartComponent n m f kept made at_n at_m stays bo way => is_bridge t n m f kept made at_n at_m stays bo way
   end.
 
 Lemma free_edgeP t h k : is_free_edge t h k -> free_edge t h k.
@@ -90,7 +93,7 @@ Theorem operation_is_step t o : rules (before t o) -> is_right t o -> step (befo
 Proof.
 case: o => /= [v b f|v b f|b f i g|a v h k|a v b f h k|o v b h k|o v b c f h k|a b h k f kept dropped|
   a b h k f g kept made ml nl moved|v h k f g kept made ml nl moved|e v h k|e v h k|
-  n m f g kept dropped] keeps.
+  n m f g kept dropped|n m f kept made at_n at_m stays bo way] keeps.
 - by case/and3P=> *; apply: step_add.
 - by case/and3P=> *; apply: step_remove.
 - case/and5P=> /eqP E I lg gf B.
@@ -108,7 +111,8 @@ case: o => /= [v b f|v b f|b f i g|a v h k|a v b f h k|o v b h k|o v b c f h k|a
 - by case/and5P=> /eqP I /eqP kf /free_edgeP fe fm fg; exact: (step_loop _ _ _ I kf fe fm fg).
 - by case/and3P=> le fv /free_edgeP fe; apply: step_split_edge.
 - exact: step_join_edges.
-exact: step_merge_faces.
+- exact: step_merge_faces.
+exact: step_part_component.
 Qed.
 
 Corollary operation_keeps_rules t o : rules (before t o) -> is_right t o -> rules (after t o).

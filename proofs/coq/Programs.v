@@ -7,12 +7,11 @@
       nothing ──add──► · v ──attach──► ·────· ──split──► ·──·──· ──bridge──► …        each represents a planar subdivision
 >>
 
-    Not among the steps: removing a bridge (RemovePart.v); contracting edges, splitting vertices, and flipping edges, of which nothing is
-    proved. *)
+    Not among the steps: contracting edges, splitting vertices, and flipping edges, of which nothing is proved. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Subdivision Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
-From twinedge Require Import Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge.
+From twinedge Require Import Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge RemovePart.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -46,7 +45,9 @@ Inductive step : view -> view -> Prop :=
       step t (loop_at_isolated t v h k f g kept made made_left new_left moved)
   | step_split_edge t e v h k : half_edge t e -> ~~ vertex t v -> free_edge t h k -> step t (split_edge t e v h k)
   | step_join_edges t e v h k : is_joint t e v h k -> step t (join_edges t e v h k)
-  | step_merge_faces t n m f g kept dropped : is_seam t n m f g kept dropped -> step t (merge_faces t n m f g kept dropped).
+  | step_merge_faces t n m f g kept dropped : is_seam t n m f g kept dropped -> step t (merge_faces t n m f g kept dropped)
+  | step_part_component t n m f kept made at_n at_m stays bo way : is_bridge t n m f kept made at_n at_m stays bo way ->
+      step t (part_component t n m f kept made at_n at_m stays).
 
 Theorem step_keeps_rules t t' : step t t' -> rules t -> rules t'.
 Proof.
@@ -55,7 +56,7 @@ case=> {t t'} => [t t' rv rd rb rf rp same|t v b f fv fb lf|t v b f fv fb lf|t b
   t o v b c f h k I lf fv fc [fh fk hk]|t a b h k f kept dropped ab kd kf df [fh fk hk]|
   t a b h k f g kept made ml nl moved ak bk kf [fh fk hk] fm fg|t v h k f g kept made ml nl moved I kf [fh fk hk] fm fg|
   t e v h k le fv [fh fk hk]|t e v h k joint|
-  t n m f g kept dropped seam].
+  t n m f g kept dropped seam|t n m f kept made at_n at_m stays bo way bridge].
 - exact: renaming_keeps same.
 - exact: add_isolated_vertex_keeps_rules.
 - exact: remove_isolated_vertex_keeps_rules.
@@ -69,7 +70,8 @@ case=> {t t'} => [t t' rv rd rb rf rp same|t v b f fv fb lf|t v b f fv fb lf|t b
 - exact: loop_at_isolated_keeps_rules.
 - exact: split_edge_keeps_rules.
 - exact: join_edges_keeps_rules.
-exact: merge_faces_keeps_rules.
+- exact: merge_faces_keeps_rules.
+exact: part_component_keeps_rules bridge.
 Qed.
 
 Inductive program t : view -> Prop :=

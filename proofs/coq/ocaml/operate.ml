@@ -153,10 +153,53 @@ let attach_to_isolated t t' o h =
   let k = said "the twin of a half-edge" (twin t' h) in
   operation "split_vertex of no degree" t (AttachToIsolated (o, only_vertex t' t, boundary_at t (Isolated o), h, k))
 
+(* An inner boundary component that starts at a vertex to which half-edges lead from u, but those of the edge of n and m; and
+   these half-edges. *)
+let way_out t n m u =
+  let live is slots = List.filter (is t) (List.init (slots t) Fun.id) in
+  let outsides =
+    List.filter_map
+      (fun b ->
+        match (boundary_place t b, boundary_start t b) with
+        | Some (Inner _), Some (AtVertex w) -> Some (w, b)
+        | Some (Inner _), Some (AtHalfEdge i) -> Some (said "an origin" (origin t i), b)
+        | _ -> None)
+      (live boundary (fun t -> t.boundary_slots))
+  in
+  let edges = List.filter (fun i -> i <> n && i <> m) (live half_edge (fun t -> t.half_edge_slots)) in
+  let rec search met = function
+    | [] -> fail "no way leads to the outside of a part"
+    | (w, way) :: waiting -> (
+        match List.assoc_opt w outsides with
+        | Some b -> (b, List.rev way)
+        | None ->
+            let leaving = List.filter (fun i -> origin t i = Some w) edges in
+            let reached = List.map (fun i -> (said "a target" (Stdlib.Option.bind (twin t i) (origin t)), i :: way)) leaving in
+            let reached = List.filter (fun (x, _) -> not (List.mem x met)) reached in
+            search (List.map fst reached @ met) (waiting @ reached))
+  in
+  search [ u ] [ (u, []) ]
+
+let part t t' n m kept =
+  let made = only_boundary t' t in
+  (* What the boundary component of an end is afterwards. *)
+  let at_end n m =
+    match next t m with
+    | Some i when i <> n -> boundary_at t' (At i)
+    | _ -> boundary_at t' (Isolated (said "an origin" (origin t n)))
+  in
+  let at_n = at_end n m and at_m = at_end m n in
+  let stays = if boundary_place t' at_m = Some Outer then at_m else at_n in
+  let outside, way =
+    if boundary_place t kept = Some Outer then way_out t n m (said "an origin" (origin t (if stays = at_n then n else m)))
+    else (kept, [])
+  in
+  operation "remove a bridge" t (PartComponent (n, m, face_at t kept, kept, made, at_n, at_m, stays, outside, way))
+
 let remove t t' n =
   let m = said "the twin of a half-edge" (twin t n) in
   let bn = boundary_at t (At n) and bm = boundary_at t (At m) in
-  if bn = bm then Nothing
+  if bn = bm then part t t' n m bn
   else
     let dropped = only_boundary t t' and g = only_face t t' in
     let kept = if dropped = bn then bm else bn in
