@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge JoinEdges RemoveMerge RemovePart AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop RemoveMerge RemovePart Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -128,8 +128,8 @@ Check add_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boun
 
 (** So does removing one. *)
 
-Check remove_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boundary t b -> face t f ->
-  rules (add_isolated_vertex t v b f) -> rules t.
+Check remove_isolated_vertex_keeps_rules : forall t v b, isolated t v = Some b ->
+  rules t -> rules (remove_isolated_vertex t v b).
 
 (** Moving an inner boundary component keeps all rules exactly if its new face is not inside its component. *)
 
@@ -156,25 +156,21 @@ Check tidy_rules : forall n inn, Core.core n inn -> rules (Tidy.tidy n inn).
 
 Check renaming_keeps : forall t t' rv rd rb rf rp, renaming t t' rv rd rb rf rp -> rules t -> rules t'.
 
-(** Connecting a corner to an isolated vertex keeps all rules; so does attaching a new vertex to a corner. *)
+(** Which half-edge a vertex or a boundary component keeps does not matter. *)
 
-Check attach_vertex_keeps_rules : forall t a v h k, half_edge t a ->
-  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules t -> rules (attach_vertex t a v h k).
+Check keep_others_keeps_rules : forall t leaves starts, rules t -> rules (keep_others t leaves starts).
 
-Check bridge_to_isolated_vertex_keeps_rules : forall t a v b f h k, half_edge t a -> face t f ->
-  ~~ vertex t v -> ~~ boundary t b -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules (add_isolated_vertex t v b f) -> rules (attach_vertex t a v h k).
-
-(** Connecting two isolated vertices keeps all rules; so does attaching a new vertex to an isolated one. *)
+(** Attaching a new vertex to an isolated one keeps all rules; so does connecting two isolated vertices, or a corner to one. *)
 
 Check attach_to_isolated_keeps_rules : forall t o v b h k, isolated t o = Some b ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (attach_to_isolated t o v b h k).
 
-Check bridge_between_isolated_vertices_keeps_rules : forall t o v b c f h k, isolated t o = Some b -> face t f ->
-  ~~ vertex t v -> ~~ boundary t c -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules (add_isolated_vertex t v c f) -> rules (attach_to_isolated t o v b h k).
+Check connect_two_isolated_keeps_rules : forall t o v b d h k, isolated t o = Some b -> isolated t v = Some d -> o != v ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> rules t -> rules (connect_two_isolated t o v b d h k).
+
+Check connect_isolated_keeps_rules : forall t a v b h k, half_edge t a -> isolated t v = Some b ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> rules t -> rules (connect_isolated t a v b h k).
 
 (** Connecting two cycles of a face keeps all rules, whichever of the two boundary components is kept. *)
 
@@ -200,15 +196,12 @@ Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_
   ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
   rules t -> rules (loop_at_isolated t v h k f g kept made made_left new_left moved).
 
-(** Splitting an edge keeps all rules. *)
+(** Splitting a vertex keeps all rules, and so does contracting an edge that is no loop. *)
 
-Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
-  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules t -> rules (split_edge t e v h k).
+Check split_vertex_keeps_rules : forall t a b v h k, is_splittable t a b v h k -> rules t -> rules (split_vertex t a b v h k).
 
-(** So does joining two edges at a vertex that has no other. *)
-
-Check join_edges_keeps_rules : forall t e v h k, is_joint t e v h k -> rules t -> rules (join_edges t e v h k).
+Check contract_edge_keeps_rules : forall t n m kept dropped, is_contractible t n m kept dropped ->
+  rules t -> rules (contract_edge t n m kept dropped).
 
 (** So does removing an edge with different boundary components on both sides: the two faces become one. *)
 
@@ -221,19 +214,27 @@ Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo w
   is_bridge t n m f kept made at_n at_m stays bo way ->
   rules t -> rules (part_component t n m f kept made at_n at_m stays).
 
+(** So does flipping an edge, and putting it anywhere between the corners of its two cycles. *)
+
+Check flip_edge_keeps_rules : forall t n m f g kept dropped a b new_left moved, is_flip t n m f g kept dropped a b ->
+  rules t -> rules (flip_edge t n m f g kept dropped a b new_left moved).
+
 (** So does a program of these operators, whatever their arguments and their order; it makes subdivisions of subdivisions. *)
 
 Check step_keeps_rules : forall t t', Programs.step t t' -> rules t -> rules t'.
 
 Check program_keeps_rules : forall t t', program t t' -> rules t -> rules t'.
 
-(** An operation, an operator with its arguments as data, is such a step if its arguments pass a test: [Operate.v] is run beside
-    the Rust code. *)
+(** An operation, an operator with its arguments as data, is such a step if its arguments pass a test, and is refused otherwise.
+    Whatever the operations and their arguments: all rules hold after them. [Operate.v] is run beside the Rust code. *)
 
-Check operation_is_step : forall t o, rules (Operate.before t o) -> Operate.is_right t o ->
-  Programs.step (Operate.before t o) (Operate.after t o).
+Check operation_is_step : forall t o, rules t -> Operate.is_right t o -> Programs.step t (Operate.after t o).
 
-Check operation_keeps_rules : forall t o, rules (Operate.before t o) -> Operate.is_right t o -> rules (Operate.after t o).
+Check operate_keeps_rules : forall t o, rules t -> rules (Operate.operate t o).
+
+Check operate_all_keeps_rules : forall t os, rules t -> rules (foldl Operate.operate t os).
+
+(** A program makes subdivisions of subdivisions. *)
 
 Check program_makes_subdivision : forall t t', program t t' -> (exists s, represents t s) -> exists s, represents t' s.
 
