@@ -134,19 +134,17 @@ Definition decide_f2 :=
 Definition is_at (vs : seq nat) (l : link) := if l is Some w then member w vs else false.
 Definition component_list vs := [seq h <- half_edge_list | is_at vs (origin t h)].
 Definition is_inner_place (p : place) := if p is Inner _ then true else false.
-Definition outside_list vs :=
-  [seq entry <- entry_list | is_inner_place entry.2 && is_at vs (vertex_of e s (entry_start e s entry.1 entry.2))].
+Definition is_outside vs (entry : nat * place) :=
+  is_inner_place entry.2 && is_at vs (vertex_of e s (entry_start e s entry.1 entry.2)).
 
 Definition decide_t1 := ~~ has_holes e s || all (fun v =>
     let vs := linked_list v in
-    match outside_list vs with
-    | [::] => ~~ has_unbounded e s || has (fun h => on_border e s h || lacks_face e s h) (component_list vs)
-    | [:: _] => true
-    | _ => false
-    end)
+    one_or_none_in (is_outside vs) entry_list
+      (~~ has_unbounded e s || has (fun h => on_border e s h || lacks_face e s h) (component_list vs)))
   vertex_list.
 
-Definition containers v := pmap (fun entry : nat * place => vertex_of e s (entry_start e s entry.1 Outer)) (outside_list (linked_list v)).
+Definition containers v := let vs := linked_list v in
+  pmap (fun entry : nat * place => vertex_of e s (entry_start e s entry.1 Outer)) [seq entry <- entry_list | is_outside vs entry].
 Definition container_list v := close (size entry_list).+1 containers (containers v).
 Definition decide_t2 := ~~ has_holes e s || all (fun v =>
   ~~ has (fun w => member v (linked_list w)) (container_list v)) vertex_list.
