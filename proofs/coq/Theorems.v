@@ -4,6 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -18,6 +19,25 @@ Check first_broken_some : forall t r,
   first_broken t = Some r <-> ~ holds t r /\ forall q, index q < index r -> holds t q.
 
 Check first_broken_none : forall t, first_broken t = None <-> rules t.
+
+(** So does the checker of all expectations, whatever parts are stored, M1 to M8 included: it decides each rule. *)
+
+Check decideP : forall e s r, reflect (holds_of e s r) (decide e s r).
+
+Check first_broken_of_some : forall e s r, first_broken_of e s = Some r <->
+  ~ holds_of e s r /\ forall q, Expectations.position q < Expectations.position r -> holds_of e s q.
+
+Check first_broken_of_none : forall e s, first_broken_of e s = None <-> rules_of e s.
+
+(** Of the closed plane, where every part is stored, these rules are those of Rules.v. *)
+
+Check plane_rule : forall t sf so si r, holds_before t r ->
+  holds_of Expectations.plane (Structure t all_parts sf so si) (Basic r) <-> holds t r.
+
+Check plane_rules : forall t sf so si, rules_of Expectations.plane (Structure t all_parts sf so si) <-> rules t.
+
+Check plane_first_broken : forall t sf so si,
+  first_broken_of Expectations.plane (Structure t all_parts sf so si) = omap Basic (first_broken t).
 
 (** The rules mean planar subdivisions. *)
 

@@ -75,7 +75,7 @@ let () =
   | [ "--expectations" ] -> print_all broken_of_expectation
   | [ "--compare" ] -> compare_all broken_first (rules @ [ "ok" ])
   | [ "--fast-path"; "--compare" ] -> compare_all fast_path_says [ "accepted"; "refused" ]
-  | [ "--expectations"; "--compare" ] -> compare_all broken_of_expectation (rules @ mesh_rules @ [ "ok" ])
+  | [ "--expectations"; "--compare" ] -> compare_all broken_of_expectation (rules @ [ basic T4 ] @ mesh_rules @ [ "ok" ])
   | _ ->
       prerr_endline "usage: judge [--fast-path | --expectations] [--compare] < tables";
       exit 2
