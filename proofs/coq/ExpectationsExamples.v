@@ -1,7 +1,7 @@
 (** * ExpectationsExamples: what the rules say of some tables under other expectations than the closed plane *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Table Expectations ExpectationsCheck ExpectationsVerdict.
+From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict ExpectationsFaceless.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -43,6 +43,16 @@ Proof. by split; [apply/first_broken_of_none|]; vm_compute. Qed.
 Example torus_genus : rules_of (Expectation false false true false (Some 4) true (Some 1) (Some 0) (Some 1) false) torus_of_darts /\
   first_broken_of (Expectation false false false false None false None None (Some 0) false) torus_of_darts = Some (Mesh M7).
 Proof. by split; [apply/first_broken_of_none|]; vm_compute. Qed.
+
+(** So it is a rotation system, and cannot be drawn in the plane. *)
+Example torus_is_rotations : exists r, represents_rotations (answers torus_of_darts) r.
+Proof. by apply/(faceless_surface _ false false false false)/torus_on_surface.1. Qed.
+
+Example torus_cannot_be_drawn : ~ exists r, represents_rotations (answers torus_of_darts) r /\ plane_system r.
+Proof.
+move=> R; have [_ E] := torus_on_surface; suff: first_broken_of plane torus_of_darts = None by rewrite E.
+apply/first_broken_of_none; exact: (faceless_plane _ false false false false _ _ _).2 R.
+Qed.
 
 (** ** A triangle of three half-edges that have a face and no twin: right where open boundaries are legal
 

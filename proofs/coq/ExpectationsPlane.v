@@ -327,14 +327,21 @@ split=> H v lv; have [V [E [C [N]]]] := H v lv.
 by move=> eq; exists V, E, C; split; [apply/same_counts | exists 0; rewrite ?addn0].
 Qed.
 
+Lemma same_simple : simple_of plane s -> simple t.
+Proof.
+move=> sim g h u w Eu Ew; have [ne same] := sim g u w Eu Ew; split=> // Hu Hw.
+case: (same h) => [|//|]; first by left.
+by rewrite -[twin _ g]/(twin t g) => gh; move: Ew; rewrite /target gh /= Hu => -[].
+Qed.
+
+Lemma least_edges_each es : lists es (fun h => half_edge t h /\ least (same_edge t) h) ->
+  lists_one_of_each es (same_edge t) (half_edge t).
+Proof. by apply: (least_one_of_each same_edge_dec) live_edge_sym same_edge_trans; left. Qed.
+
 Lemma same_t4 : t4_bounds t -> t4 plane s.
 Proof.
-move=> H _ sim vs es fs Hv He Hf; apply: H => //; last first.
-  move=> g h u w Eu Ew; have [ne same] := sim g u w Eu Ew; split=> // Hu Hw.
-  case: (same h) => [|//|]; first by left.
-  by rewrite -[twin _ g]/(twin t g) => gh; move: Ew; rewrite /target gh /= Hu => -[].
-exists vs, es, fs; split=> //.
-by apply: (least_one_of_each same_edge_dec) live_edge_sym same_edge_trans He; left.
+move=> H _ sim vs es fs Hv He Hf; apply: H; last exact: same_simple.
+by exists vs, es, fs; split=> //; apply: least_edges_each.
 Qed.
 
 End Lower.

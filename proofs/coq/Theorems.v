@@ -4,7 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -38,6 +38,16 @@ Check plane_rules : forall t sf so si, rules_of Expectations.plane (Structure t 
 
 Check plane_first_broken : forall t sf so si,
   first_broken_of Expectations.plane (Structure t all_parts sf so si) = omap Basic (first_broken t).
+
+(** Where no faces are stored, they mean rotation systems on closed surfaces, and in the plane those that can be drawn edge by edge. *)
+
+Check faceless_surface : forall t records places holes unbounded sf so si,
+  rules_of surface (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  exists r, represents_rotations t r.
+
+Check faceless_plane : forall t records places holes unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  exists r, represents_rotations t r /\ plane_system r.
 
 (** The rules mean planar subdivisions. *)
 
