@@ -1,13 +1,10 @@
 (** * ExpectationsExamples: what the rules say of some tables under other expectations than the closed plane *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict ExpectationsFaceless.
+From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict ExpectationsFaceless ExpectationsParts.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-Notation "'nil" := (None : link) (at level 0).
-Notation "# i" := (Some i) (at level 0, i at level 0).
 
 (** Vertices with a half-edge that they keep, half-edges with `prev`, and the faces that they name. *)
 Definition mesh (vertices : seq nat) (half_edges : seq half_edge_row) (faces : seq link) (face_starts : seq nat) := {|
@@ -52,6 +49,15 @@ Example torus_cannot_be_drawn : ~ exists r, represents_rotations (answers torus_
 Proof.
 move=> R; have [_ E] := torus_on_surface; suff: first_broken_of plane torus_of_darts = None by rewrite E.
 apply/first_broken_of_none; exact: (faceless_plane _ false false false false _ _ _).2 R.
+Qed.
+
+(** Nor does it matter that `prev` and the half-edges kept by vertices are stored. *)
+Definition torus_of_next := let: Structure v _ sf so si := torus_of_darts in Structure v (Parts false false false false false false false) sf so si.
+
+Example torus_of_next_is_rotations : rules_of surface torus_of_next /\ exists r, represents_rotations (answers (filled surface torus_of_next)) r.
+Proof.
+have H : rules_of surface torus_of_next by apply/first_broken_of_none; vm_compute.
+by split=> //; apply/filled_faceless_surface.
 Qed.
 
 (** ** A triangle of three half-edges that have a face and no twin: right where open boundaries are legal

@@ -4,7 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts Near.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -42,12 +42,62 @@ Check plane_first_broken : forall t sf so si,
 (** Where no faces are stored, they mean rotation systems on closed surfaces, and in the plane those that can be drawn edge by edge. *)
 
 Check faceless_surface : forall t records places holes unbounded sf so si,
-  rules_of surface (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  rules_of Expectations.surface (Structure t (Parts true true false records places holes unbounded) sf so si) <->
   exists r, represents_rotations t r.
 
 Check faceless_plane : forall t records places holes unbounded sf so si,
   rules_of Expectations.plane (Structure t (Parts true true false records places holes unbounded) sf so si) <->
   exists r, represents_rotations t r /\ plane_system r.
+
+(** `prev`, the half-edges that vertices keep, and places need not be stored: they are filled in. *)
+
+Check filled_rules : forall e s, ~~ border_kept e -> rules_of e s <-> rules_of e (filled e s).
+
+Check filled_plane : forall v prev_stored leaving_stored places_stored sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places_stored true true) sf so si in
+  rules_of Expectations.plane s <-> exists u, represents (answers (filled Expectations.plane s)) u.
+
+Check filled_faceless_surface : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
+  rules_of Expectations.surface s <-> exists r, represents_rotations (answers (filled Expectations.surface s)) r.
+
+Check filled_faceless_plane : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
+  rules_of Expectations.plane s <-> exists r, represents_rotations (answers (filled Expectations.plane s)) r /\ plane_system r.
+
+(** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
+
+Check near_half_edges : forall t t' (changed : pred nat),
+  (forall h, half_edge t h -> Near.fine t h) -> (forall h, ~~ changed h -> Near.same_half_edge t t' h) ->
+  (forall h, half_edge t' h -> changed h -> Near.fine t' h) ->
+  (forall g h, changed h -> half_edge t g -> ~~ changed g -> twin t g = Some h \/ next t g = Some h -> Near.fine t' g) ->
+  (forall v, vertex t v -> ~~ vertex t' v -> bare t' v) ->
+  (forall b h, boundary t b -> ~~ boundary t' b -> half_edge t' h -> boundary_of t' h <> Some b) ->
+  Map.is_map t' /\ forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h.
+
+(** V2 holds if those that are new around a vertex, or are followed by another one, are on one orbit, and one of them was there
+    before if any is left of those before; and so it is with B1 along cycles. *)
+
+Check near_rotations : forall t t', Map.is_map t' ->
+  let member := Near.member (half_edge t) (half_edge t') (turn t) (turn t') (origin t) (origin t') in
+  let was_here := was_here (half_edge t) (origin t) (origin t') in
+  v2_rotation t ->
+  (forall g h, member g -> member h -> origin t' g = origin t' h -> on_orbit (turn t') g h) ->
+  (forall h m, half_edge t' h -> was_here h -> member m -> origin t' m = origin t' h ->
+     exists m', [/\ member m', was_here m' & origin t' m' = origin t' h]) -> v2_rotation t'.
+
+Check near_cycles : forall t t', Map.is_map t' ->
+  let member := Near.member (half_edge t) (half_edge t') (next t) (next t') (boundary_of t) (boundary_of t') in
+  let was_here := was_here (half_edge t) (boundary_of t) (boundary_of t') in
+  one_cycle_each t -> (forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h) ->
+  (forall g h, member g -> member h -> boundary_of t' g = boundary_of t' h -> on_cycle t' g h) ->
+  (forall h m, half_edge t' h -> was_here h -> member m -> boundary_of t' m = boundary_of t' h ->
+     exists m', [/\ member m', was_here m' & boundary_of t' m' = boundary_of t' h]) -> one_cycle_each t'.
+
+Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next t h >>= boundary_of t = boundary_of t h) ->
+  b1_cycle t <-> one_cycle_each t /\ forall b, boundary t b ->
+    (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
+    forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
 
 (** The rules mean planar subdivisions. *)
 
