@@ -79,10 +79,10 @@ Check near_half_edges : forall t t' (changed : pred nat),
     before if any is left of those before; and so it is with B1 along cycles. *)
 
 Check near_rotations : forall t t', Map.is_map t' ->
-  let member := Near.member (half_edge t) (half_edge t') (turn t) (turn t') (origin t) (origin t') in
+  let member := Near.member (half_edge t) (half_edge t') (View.turn t) (View.turn t') (origin t) (origin t') in
   let was_here := was_here (half_edge t) (origin t) (origin t') in
   v2_rotation t ->
-  (forall g h, member g -> member h -> origin t' g = origin t' h -> on_orbit (turn t') g h) ->
+  (forall g h, member g -> member h -> origin t' g = origin t' h -> on_orbit (View.turn t') g h) ->
   (forall h m, half_edge t' h -> was_here h -> member m -> origin t' m = origin t' h ->
      exists m', [/\ member m', was_here m' & origin t' m' = origin t' h]) -> v2_rotation t'.
 
