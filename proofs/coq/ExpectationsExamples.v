@@ -1,7 +1,7 @@
 (** * ExpectationsExamples: what the rules say of some tables under other expectations than the closed plane *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict ExpectationsFaceless ExpectationsParts.
+From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict ExpectationsFaceless ExpectationsParts ExpectationsFaces.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -91,3 +91,17 @@ Definition triangle_with_twins := mesh [:: 0; 3; 4]
 Example triangle_keeps_inside : rules_of with_border triangle_with_twins /\
   first_broken_of (Expectation false true false false None false None (Some 1) None true) triangle_with_twins = Some (Mesh M8).
 Proof. by split; [apply/first_broken_of_none|]; vm_compute. Qed.
+
+(** ** The same with a face there, too: two triangles make a sphere, and each face is one cycle *)
+
+Definition two_triangles := mesh [:: 0; 3; 4]
+  [:: HalfEdgeRow #0 #3 #1 #2 'nil; HalfEdgeRow #1 #4 #2 #0 'nil; HalfEdgeRow #2 #5 #0 #1 'nil;
+      HalfEdgeRow #1 #0 #5 #4 'nil; HalfEdgeRow #2 #1 #3 #5 'nil; HalfEdgeRow #0 #2 #4 #3 'nil]
+  [:: #0; #0; #0; #1; #1; #1] [:: 0; 3].
+
+Example two_triangles_closed : rules_of surface two_triangles /\
+  faces_are_cycles (answers two_triangles) (says_face two_triangles) (says_outer_half_edge two_triangles).
+Proof.
+have H : rules_of surface two_triangles by apply/first_broken_of_none; vm_compute.
+split=> //; exact: ((named_faces _ false false false _ _ _).1 H).2.
+Qed.

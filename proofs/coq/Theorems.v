@@ -4,7 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts Near.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -64,6 +64,26 @@ Check filled_faceless_surface : forall v prev_stored leaving_stored records plac
 Check filled_faceless_plane : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
   let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
   rules_of Expectations.plane s <-> exists r, represents_rotations (answers (filled Expectations.plane s)) r /\ plane_system r.
+
+(** Where faces are stored, the rules of closed surfaces mean that each face is one cycle of the rotation system, without records for
+    boundary components and with them. *)
+
+Check named_faces : forall t places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  surface_rules t /\ faces_are_cycles t sf so.
+
+Check recorded_faces : forall t places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true true true places holes unbounded) sf so si) <->
+  surface_with_faces t places.
+
+Check filled_named : forall v prev_stored leaving_stored places holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places holes unbounded) sf so si in
+  rules_of Expectations.surface s <->
+  (exists r, represents_rotations (answers (filled Expectations.surface s)) r) /\ faces_are_cycles v sf so.
+
+Check filled_recorded : forall v prev_stored leaving_stored places holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
+  rules_of Expectations.surface s <-> surface_with_faces (answers (filled Expectations.surface s)) true.
 
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
