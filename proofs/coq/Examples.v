@@ -10,9 +10,6 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Notation "'nil" := (None : link) (at level 0).
-Notation "# i" := (Some i) (at level 0, i at level 0).
-
 (** ** One edge, and an isolated vertex, in the unbounded face: a subdivision
 
 <<

@@ -4,6 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -18,6 +19,105 @@ Check first_broken_some : forall t r,
   first_broken t = Some r <-> ~ holds t r /\ forall q, index q < index r -> holds t q.
 
 Check first_broken_none : forall t, first_broken t = None <-> rules t.
+
+(** So does the checker of all expectations, whatever parts are stored, M1 to M8 included: it decides each rule. *)
+
+Check decideP : forall e s r, reflect (holds_of e s r) (decide e s r).
+
+Check first_broken_of_some : forall e s r, first_broken_of e s = Some r <->
+  ~ holds_of e s r /\ forall q, Expectations.position q < Expectations.position r -> holds_of e s q.
+
+Check first_broken_of_none : forall e s, first_broken_of e s = None <-> rules_of e s.
+
+(** Of the closed plane, where every part is stored, these rules are those of Rules.v. *)
+
+Check plane_rule : forall t sf so si r, holds_before t r ->
+  holds_of Expectations.plane (Structure t all_parts sf so si) (Basic r) <-> holds t r.
+
+Check plane_rules : forall t sf so si, rules_of Expectations.plane (Structure t all_parts sf so si) <-> rules t.
+
+Check plane_first_broken : forall t sf so si,
+  first_broken_of Expectations.plane (Structure t all_parts sf so si) = omap Basic (first_broken t).
+
+(** Where no faces are stored, they mean rotation systems on closed surfaces, and in the plane those that can be drawn edge by edge. *)
+
+Check faceless_surface : forall t records places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  exists r, represents_rotations t r.
+
+Check faceless_plane : forall t records places holes unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  exists r, represents_rotations t r /\ plane_system r.
+
+(** `prev`, the half-edges that vertices keep, and places need not be stored: they are filled in. *)
+
+Check filled_rules : forall e s, ~~ border_kept e -> rules_of e s <-> rules_of e (filled e s).
+
+Check filled_plane : forall v prev_stored leaving_stored places_stored sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places_stored true true) sf so si in
+  rules_of Expectations.plane s <-> exists u, represents (answers (filled Expectations.plane s)) u.
+
+Check filled_faceless_surface : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
+  rules_of Expectations.surface s <-> exists r, represents_rotations (answers (filled Expectations.surface s)) r.
+
+Check filled_faceless_plane : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
+  rules_of Expectations.plane s <-> exists r, represents_rotations (answers (filled Expectations.plane s)) r /\ plane_system r.
+
+(** Where faces are stored, the rules of closed surfaces mean that each face is one cycle of the rotation system, without records for
+    boundary components and with them. *)
+
+Check named_faces : forall t places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  surface_rules t /\ faces_are_cycles t sf so.
+
+Check recorded_faces : forall t places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true true true places holes unbounded) sf so si) <->
+  surface_with_faces t places.
+
+Check filled_named : forall v prev_stored leaving_stored places holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places holes unbounded) sf so si in
+  rules_of Expectations.surface s <->
+  (exists r, represents_rotations (answers (filled Expectations.surface s)) r) /\ faces_are_cycles v sf so.
+
+Check filled_recorded : forall v prev_stored leaving_stored places holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
+  rules_of Expectations.surface s <-> surface_with_faces (answers (filled Expectations.surface s)) true.
+
+(** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
+
+Check near_half_edges : forall t t' (changed : pred nat),
+  (forall h, half_edge t h -> Near.fine t h) -> (forall h, ~~ changed h -> Near.same_half_edge t t' h) ->
+  (forall h, half_edge t' h -> changed h -> Near.fine t' h) ->
+  (forall g h, changed h -> half_edge t g -> ~~ changed g -> twin t g = Some h \/ next t g = Some h -> Near.fine t' g) ->
+  (forall v, vertex t v -> ~~ vertex t' v -> bare t' v) ->
+  (forall b h, boundary t b -> ~~ boundary t' b -> half_edge t' h -> boundary_of t' h <> Some b) ->
+  Map.is_map t' /\ forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h.
+
+(** V2 holds if those that are new around a vertex, or are followed by another one, are on one orbit, and one of them was there
+    before if any is left of those before; and so it is with B1 along cycles. *)
+
+Check near_rotations : forall t t', Map.is_map t' ->
+  let member := Near.member (half_edge t) (half_edge t') (View.turn t) (View.turn t') (origin t) (origin t') in
+  let was_here := was_here (half_edge t) (origin t) (origin t') in
+  v2_rotation t ->
+  (forall g h, member g -> member h -> origin t' g = origin t' h -> on_orbit (View.turn t') g h) ->
+  (forall h m, half_edge t' h -> was_here h -> member m -> origin t' m = origin t' h ->
+     exists m', [/\ member m', was_here m' & origin t' m' = origin t' h]) -> v2_rotation t'.
+
+Check near_cycles : forall t t', Map.is_map t' ->
+  let member := Near.member (half_edge t) (half_edge t') (next t) (next t') (boundary_of t) (boundary_of t') in
+  let was_here := was_here (half_edge t) (boundary_of t) (boundary_of t') in
+  one_cycle_each t -> (forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h) ->
+  (forall g h, member g -> member h -> boundary_of t' g = boundary_of t' h -> on_cycle t' g h) ->
+  (forall h m, half_edge t' h -> was_here h -> member m -> boundary_of t' m = boundary_of t' h ->
+     exists m', [/\ member m', was_here m' & boundary_of t' m' = boundary_of t' h]) -> one_cycle_each t'.
+
+Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next t h >>= boundary_of t = boundary_of t h) ->
+  b1_cycle t <-> one_cycle_each t /\ forall b, boundary t b ->
+    (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
+    forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
 
 (** The rules mean planar subdivisions. *)
 
