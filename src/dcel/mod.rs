@@ -87,10 +87,16 @@ mod circulators;
 mod elements;
 mod equality;
 mod error;
+#[cfg(feature = "near")]
+mod history;
 mod import;
 mod operators;
 mod structure;
+#[cfg(feature = "near")]
+mod timeline;
 mod view;
+#[cfg(feature = "near")]
+mod watched;
 
 pub use access::ElementKey;
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
@@ -101,12 +107,18 @@ pub use bulk::{MergedFace, Renamed, Retained};
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};
+#[cfg(feature = "near")]
+pub use history::{History, Recorded};
 pub use import::{FacesError, ImportError, Keys, Outside, Placement, RotationsError};
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
 };
 pub use structure::Dcel;
+#[cfg(feature = "near")]
+pub use timeline::Mark;
+#[cfg(feature = "near")]
+pub use watched::Watched;
 
 pub use crate::store::links::RecordKind;
 pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};

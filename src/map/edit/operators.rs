@@ -15,7 +15,7 @@ macro_rules! operate {
         #[cfg(feature = "near")]
         let outcome = match &mut $map.notes.0 {
             None => $map.dcel.$operator($($argument),*),
-            Some(notes) => $map.dcel.watched(notes, |dcel| dcel.$operator($($argument),*)),
+            Some(notes) => $map.dcel.watched(&mut **notes, |dcel| dcel.$operator($($argument),*)),
         };
         #[cfg(not(feature = "near"))]
         let outcome = $map.dcel.$operator($($argument),*);

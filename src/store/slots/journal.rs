@@ -1,0 +1,447 @@
+//! A journal of what is written, by which it is taken back and done again.
+//!
+//! An [`Entry`] has a number that was overwritten. To take it back, the two are exchanged, so that the entry then has the
+//! number by which it is done again. Entries are taken back in the opposite order in which they were made.
+//!
+//! # Keys that live again
+//!
+//! An entry of a key that was issued or retired has the generation of its slot before. So when a removed record comes back, its
+//! key names it again, and the stack of vacant slots is what it was. A slotmap cannot do this: its generations only grow.
+//!
+//! ```text
+//!   generation of a slot    2 ── issue ──► 3 ── retire ──► 4
+//!                           2 ◄── undo ─── 3 ◄─── undo ─── 4 ◄── and the key of generation 3 is live, then stale again
+//!                           2 ── issue, for another record ──► 5: 3 was issued, so it never names anything else
+//! ```
+//!
+//! What is issued after something was taken back must not have a key that was issued before, or a key that somebody still
+//! holds would name another record. So the journal keeps, for each slot of a key that was issued in a change that can no longer be
+//! done again, the generation from which the next ones are issued. That is the only thing in it that is never taken back.
+//!
+//! # What is not logged
+//!
+//! The links that a record has when it is added. Once that is taken back nobody reads them, and until it is done again nobody
+//! writes there: they are still there then. The links of a record that is removed are logged, since the slot may be used again. So is what
+//! is in vacant slots, if a change is made while others can be done again: it may fail, and they still can.
+
+use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, VACANT, VertexSlot};
+use super::store::SlotStore;
+use crate::store::issuer::{Issuer, structure_offset};
+use crate::store::links::Links;
+use crate::store::place::{MOST, OUTER};
+use crate::store::watch::Watch;
+use crate::validate::near::WriteSet;
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+
+/// A column of links.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Column {
+    Origin,
+    Next,
+    Prev,
+    Boundary,
+    VertexLink,
+    BoundaryFace,
+    Start,
+    Place,
+    Outer,
+}
+
+/// A kind of slot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Vertex,
+    Edge,
+    Boundary,
+    Face,
+}
+
+const KINDS: [Kind; 4] = [Kind::Vertex, Kind::Edge, Kind::Boundary, Kind::Face];
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Written {
+    /// A link. The number is that which is not there.
+    Link(Column),
+    /// A slot that was never used before. The number is the generation in which it is issued.
+    New(Kind),
+    /// A slot that was issued again. The number is the generation that it does not have.
+    Issued(Kind),
+    /// A slot that was retired, likewise.
+    Retired(Kind),
+    /// A list that became longer, by the face. The number is the boundary component.
+    Listed,
+    /// A list that became shorter, likewise. The place is still, or again, that of the boundary component.
+    Unlisted,
+}
+
+/// Something that was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Entry {
+    written: Written,
+    slot: u32,
+    number: u32,
+}
+
+/// The entries of the change that is being made, and the keys that must not be issued again.
+#[derive(Debug, Default)]
+pub struct Journal {
+    pub(crate) entries: Vec<Entry>,
+    /// By kind of slot its number of slots.
+    ends: [usize; 4],
+    /// By kind, for slots of keys that cannot be issued again: the even generation from which the next ones are.
+    floors: [BTreeMap<u32, u32>; 4],
+    /// True if there are changes that can be done again.
+    saves_vacant: bool,
+    /// Tells it from all other journals.
+    token: Option<u32>,
+}
+
+/// A clone is another journal.
+impl Clone for Journal {
+    fn clone(&self) -> Self {
+        let Self { entries, ends, floors, saves_vacant, .. } = self;
+        let (entries, floors) = (entries.clone(), floors.clone());
+        Self { entries, ends: *ends, floors, saves_vacant: *saves_vacant, token: Some(structure_offset()) }
+    }
+}
+
+impl Journal {
+    /// Returns a number that no other journal has.
+    pub(crate) const fn token(&self) -> Option<u32> {
+        self.token
+    }
+
+    /// Starts anew with the store as it is, as another journal. The keys stay those that must not be issued again.
+    pub(crate) fn begin(&mut self, store: &SlotStore) {
+        self.entries.clear();
+        self.token = Some(structure_offset());
+        self.follow(store);
+    }
+
+    /// Starts with the store as it is.
+    pub(crate) fn follow(&mut self, store: &SlotStore) {
+        self.ends = KINDS.map(|kind| store.issuer(kind).end());
+    }
+
+    /// Saves what is in the slots that are issued from now on, or not.
+    pub(crate) const fn save_vacant(&mut self, saves: bool) {
+        self.saves_vacant = saves;
+    }
+
+    /// Takes back the entries, and keeps the keys from being issued again.
+    pub(crate) fn take_back(&mut self, store: &mut SlotStore) {
+        let mut entries = core::mem::take(&mut self.entries);
+        store.undo(&mut entries);
+        self.keep_from(&entries);
+        entries.clear();
+        self.entries = entries;
+        self.follow(store);
+    }
+
+    /// Keeps the keys that some entries, which were taken back, issue, from being issued for anything else.
+    pub(crate) fn keep_from(&mut self, undone: &[Entry]) {
+        for entry in undone {
+            if let Written::New(kind) | Written::Issued(kind) = entry.written {
+                let after = entry.number.wrapping_add(1);
+                let floor = self.floors[kind as usize].entry(entry.slot).or_insert(after);
+                if is_later(after, *floor) {
+                    *floor = after;
+                }
+            }
+        }
+    }
+
+    fn log(&mut self, written: Written, slot: u32, number: u32) {
+        self.entries.push(Entry { written, slot, number });
+    }
+
+    fn link(&mut self, column: Column, slot: u32, number: u32) {
+        self.log(Written::Link(column), slot, number);
+    }
+
+    /// Logs what is in the slot that is issued next, if it has ever been used.
+    fn save(&mut self, columns: &[Column], slot: u32, store: &SlotStore) {
+        for column in columns {
+            if let Some(number) = store.link_at(*column, slot) {
+                self.link(*column, slot, number);
+            }
+        }
+    }
+
+    fn issued(&mut self, issuer: &mut Issuer, kind: Kind, slot: u32) {
+        let before = issuer.generation(slot).wrapping_sub(1);
+        let floors = &self.floors[kind as usize];
+        if let Some(floor) = floors.get(&slot).filter(|floor| is_later(**floor, before)) {
+            issuer.set_generation(slot, *floor | 1);
+        }
+        let end = &mut self.ends[kind as usize];
+        if slot as usize == *end {
+            *end += 1;
+            self.log(Written::New(kind), slot, issuer.generation(slot));
+        } else {
+            self.log(Written::Issued(kind), slot, before);
+        }
+    }
+
+    fn retired(&mut self, issuer: &Issuer, kind: Kind, slot: u32) {
+        self.log(Written::Retired(kind), slot, issuer.generation(slot));
+    }
+}
+
+/// Returns true if a generation comes after another one.
+const fn is_later(generation: u32, other: u32) -> bool {
+    generation.wrapping_sub(other).cast_signed() > 0
+}
+
+impl Watch<SlotStore> for Journal {
+    fn add_vertex(&mut self, store: &SlotStore) {
+        if self.saves_vacant {
+            self.save(&[Column::VertexLink], store.vertices.next(), store);
+        }
+    }
+
+    fn add_isolated(&mut self, store: &SlotStore) {
+        self.add_vertex(store);
+        self.add_boundary(store);
+    }
+
+    fn add_edge(&mut self, store: &SlotStore) {
+        if self.saves_vacant {
+            for h in [0, 1].map(|side| 2 * store.edges.next() + side) {
+                self.save(&[Column::Origin, Column::Next, Column::Prev, Column::Boundary], h, store);
+            }
+        }
+    }
+
+    fn add_boundary(&mut self, store: &SlotStore) {
+        if self.saves_vacant {
+            self.save(&[Column::BoundaryFace, Column::Start, Column::Place], store.boundaries.next(), store);
+        }
+    }
+
+    fn added_vertex(&mut self, store: &mut SlotStore, v: VertexSlot) {
+        self.issued(&mut store.vertices, Kind::Vertex, v.0);
+    }
+
+    fn added_isolated(&mut self, store: &mut SlotStore, v: VertexSlot, b: BoundarySlot) {
+        self.issued(&mut store.vertices, Kind::Vertex, v.0);
+        self.issued(&mut store.boundaries, Kind::Boundary, b.0);
+        self.log(Written::Listed, store.face(b).0, b.0);
+    }
+
+    fn added_edge(&mut self, store: &mut SlotStore, h: HalfEdgeSlot) {
+        self.issued(&mut store.edges, Kind::Edge, h.0 >> 1);
+    }
+
+    fn added_boundary(&mut self, store: &mut SlotStore, b: BoundarySlot) {
+        self.issued(&mut store.boundaries, Kind::Boundary, b.0);
+    }
+
+    fn added_face(&mut self, store: &mut SlotStore, f: FaceSlot) {
+        self.issued(&mut store.faces, Kind::Face, f.0);
+        self.link(Column::Outer, f.0, VACANT);
+    }
+
+    fn remove_vertex(&mut self, store: &SlotStore, v: VertexSlot) {
+        self.set_vertex_link(store, v);
+        self.retired(&store.vertices, Kind::Vertex, v.0);
+    }
+
+    fn remove_edge(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
+        for h in [h, store.twin(h)] {
+            self.set_origin(store, h);
+            self.join(store, h, h);
+            self.set_boundary(store, h);
+        }
+        self.retired(&store.edges, Kind::Edge, h.0 >> 1);
+    }
+
+    fn remove_boundary(&mut self, store: &SlotStore, b: BoundarySlot) {
+        self.link(Column::Start, b.0, store.start[b.0 as usize]);
+        self.link(Column::BoundaryFace, b.0, store.face(b).0);
+        self.set_place(store, b);
+        self.retired(&store.boundaries, Kind::Boundary, b.0);
+    }
+
+    fn remove_face(&mut self, store: &SlotStore, f: FaceSlot) {
+        self.link(Column::Outer, f.0, store.outer[f.0 as usize]);
+        self.retired(&store.faces, Kind::Face, f.0);
+    }
+
+    fn set_origin(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
+        self.link(Column::Origin, h.0, store.origin(h).0);
+    }
+
+    fn join(&mut self, store: &SlotStore, h: HalfEdgeSlot, n: HalfEdgeSlot) {
+        self.link(Column::Next, h.0, store.next(h).0);
+        self.link(Column::Prev, n.0, store.prev(n).0);
+    }
+
+    fn set_boundary(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
+        self.link(Column::Boundary, h.0, store.boundary(h).0);
+    }
+
+    fn set_vertex_link(&mut self, store: &SlotStore, v: VertexSlot) {
+        self.link(Column::VertexLink, v.0, store.vertex_link[v.0 as usize]);
+    }
+
+    fn set_start(&mut self, store: &SlotStore, b: BoundarySlot) {
+        self.link(Column::Start, b.0, store.start[b.0 as usize]);
+        if store.place(b) == OUTER {
+            let f = store.face(b).0;
+            self.link(Column::Outer, f, store.outer[f as usize]);
+        }
+    }
+
+    fn set_place(&mut self, store: &SlotStore, b: BoundarySlot) {
+        self.link(Column::Place, b.0, store.place(b));
+    }
+
+    fn list_outer(&mut self, store: &SlotStore, f: FaceSlot, b: BoundarySlot) {
+        self.link(Column::Outer, f.0, store.outer[f.0 as usize]);
+        self.link(Column::BoundaryFace, b.0, store.face(b).0);
+        self.set_place(store, b);
+    }
+
+    fn list_inner(&mut self, store: &SlotStore, f: FaceSlot, b: BoundarySlot) {
+        self.link(Column::BoundaryFace, b.0, store.face(b).0);
+        self.set_place(store, b);
+        self.log(Written::Listed, f.0, b.0);
+    }
+
+    fn unlist(&mut self, store: &SlotStore, b: BoundarySlot) {
+        let f = store.face(b);
+        if store.place(b) == OUTER {
+            self.link(Column::Outer, f.0, store.outer[f.0 as usize]);
+        } else {
+            self.log(Written::Unlisted, f.0, b.0);
+            // The last of the list moves to its place.
+            if let Some(last) = store.inner.of(f.0).last() {
+                self.set_place(store, *last);
+            }
+        }
+        self.set_place(store, b);
+    }
+}
+
+impl SlotStore {
+    const fn issuer(&self, kind: Kind) -> &Issuer {
+        match kind {
+            Kind::Vertex => &self.vertices,
+            Kind::Edge => &self.edges,
+            Kind::Boundary => &self.boundaries,
+            Kind::Face => &self.faces,
+        }
+    }
+
+    const fn issuer_mut(&mut self, kind: Kind) -> &mut Issuer {
+        match kind {
+            Kind::Vertex => &mut self.vertices,
+            Kind::Edge => &mut self.edges,
+            Kind::Boundary => &mut self.boundaries,
+            Kind::Face => &mut self.faces,
+        }
+    }
+
+    fn link_mut(&mut self, column: Column, slot: u32) -> &mut u32 {
+        let i = slot as usize;
+        match column {
+            Column::Origin => &mut self.origin[i].0,
+            Column::Next => &mut self.next[i].0,
+            Column::Prev => &mut self.prev[i].0,
+            Column::Boundary => &mut self.boundary[i].0,
+            Column::VertexLink => &mut self.vertex_link[i],
+            Column::BoundaryFace => &mut self.boundary_face[i].0,
+            Column::Start => &mut self.start[i],
+            Column::Place => &mut self.place[i],
+            Column::Outer => &mut self.outer[i],
+        }
+    }
+
+    /// The link in a slot, live or vacant; none if it was never used.
+    fn link_at(&self, column: Column, slot: u32) -> Option<u32> {
+        let i = slot as usize;
+        match column {
+            Column::Origin => self.origin.get(i).map(|v| v.0),
+            Column::Next => self.next.get(i).map(|h| h.0),
+            Column::Prev => self.prev.get(i).map(|h| h.0),
+            Column::Boundary => self.boundary.get(i).map(|b| b.0),
+            Column::VertexLink => self.vertex_link.get(i).copied(),
+            Column::BoundaryFace => self.boundary_face.get(i).map(|f| f.0),
+            Column::Start => self.start.get(i).copied(),
+            Column::Place => self.place.get(i).copied(),
+            Column::Outer => self.outer.get(i).copied(),
+        }
+    }
+
+    /// Takes back what was written last, from the end. O(entries).
+    pub(crate) fn undo(&mut self, entries: &mut [Entry]) {
+        for Entry { written, slot, number } in entries.iter_mut().rev() {
+            match written {
+                Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
+                Written::New(kind) => self.issuer_mut(*kind).forget_last(),
+                Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
+                Written::Listed => self.inner.pop(*slot),
+                Written::Unlisted => {
+                    let place = self.place[*number as usize];
+                    self.inner.put_back(*slot, place, BoundarySlot(*number));
+                }
+            }
+        }
+    }
+
+    /// Writes again what was taken back last. O(entries).
+    pub(crate) fn redo(&mut self, entries: &mut [Entry]) {
+        for Entry { written, slot, number } in entries {
+            match written {
+                Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
+                Written::New(kind) => self.issuer_mut(*kind).issue_last(*number),
+                Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
+                Written::Listed => self.inner.push(*slot, BoundarySlot(*number)),
+                Written::Unlisted => {
+                    self.inner.swap_remove(*slot, self.place[*number as usize]);
+                }
+            }
+        }
+    }
+
+    /// The records that some entries wrote, or took back. O(entries).
+    pub(crate) fn written(&self, entries: &[Entry]) -> WriteSet {
+        let mut written = WriteSet::default();
+        for entry in entries {
+            let slot = entry.slot as usize;
+            match entry.written {
+                Written::Link(Column::Origin | Column::Next | Column::Prev | Column::Boundary) => {
+                    written.half_edges.push(slot);
+                }
+                Written::Link(Column::VertexLink) => written.vertices.push(slot),
+                Written::Link(Column::BoundaryFace | Column::Start) => written.boundaries.push(slot),
+                Written::Link(Column::Place) => {
+                    written.boundaries.push(slot);
+                    // Each entry of a list that is another one now is one of a boundary component with another place.
+                    if self.boundaries.is_live(entry.slot) && self.place[slot] < MOST {
+                        written.listed.push((self.boundary_face[slot].0 as usize, self.place[slot] as usize));
+                    }
+                }
+                Written::Link(Column::Outer) => written.faces.push(slot),
+                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
+                    Kind::Vertex => written.vertices.push(slot),
+                    Kind::Edge => written.half_edges.extend([2 * slot, 2 * slot + 1]),
+                    Kind::Boundary => written.boundaries.push(slot),
+                    Kind::Face => written.faces.push(slot),
+                },
+                Written::Listed | Written::Unlisted => {
+                    written.faces.push(slot);
+                    let b = entry.number as usize;
+                    written.boundaries.push(b);
+                    if entry.written == Written::Listed && self.boundaries.is_live(entry.number) && self.place[b] < MOST
+                    {
+                        written.listed.push((self.boundary_face[b].0 as usize, self.place[b] as usize));
+                    }
+                }
+            }
+        }
+        written
+    }
+}
