@@ -1,13 +1,14 @@
 //! A structure whose changes can be taken back.
 
+use super::past::{Past, Recorder};
 use super::structure::Dcel;
-use super::timeline::{Mark, Timeline};
+use super::timeline::Mark;
 use super::watched::Watched;
-use crate::store::{Entry, Journal, SlotStore};
+use crate::store::{Entry, Journal, SlotStore, Way};
 use crate::validate::near::WriteSet;
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
-use core::ops::Range;
+use core::convert::Infallible;
 
 /// A [`Dcel`] whose changes can be taken back and done again: the core of an editor.
 ///
@@ -77,54 +78,32 @@ use core::ops::Range;
 /// validate_near(&mut baseline, history.get(), &history.written())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug)]
+/// A clone has the same changes, and its own from then on.
+#[derive(Clone, Debug)]
 pub struct History {
-    dcel: Dcel<Recorded>,
-    /// That of the journal, unless the closure of a change puts another structure in place.
-    token: Option<u32>,
-    log: Vec<Entry>,
-    /// Each change ends at a place of the log.
-    timeline: Timeline<usize>,
-    /// From this place of the log on, the keys that were issued are kept from being issued again.
-    kept_from: usize,
-    /// The part of the log that the last call did or took back.
-    last: Range<usize>,
+    past: Past<Dcel<Recorded>>,
 }
 
 /// The store of the structure that the closures of [`History::change`] are given.
 pub type Recorded = Watched<SlotStore, Journal>;
 
-/// A clone has the same changes, and its own from then on. O(n).
-impl Clone for History {
-    fn clone(&self) -> Self {
-        let Self { dcel, log, timeline, kept_from, last, .. } = self;
-        let dcel = dcel.clone();
-        let token = dcel.store.watch.token();
-        Self { dcel, token, log: log.clone(), timeline: timeline.clone(), kept_from: *kept_from, last: last.clone() }
-    }
-}
-
 impl History {
     /// Starts with a structure, and no changes. O(1). The keys stay the same.
     #[must_use]
     pub fn new(dcel: Dcel) -> Self {
-        let mut journal = Journal::default();
-        journal.begin(&dcel.store);
-        let token = journal.token();
-        let dcel = Dcel::watched_by(dcel, journal);
-        Self { dcel, token, log: Vec::new(), timeline: Timeline::new(0), kept_from: 0, last: 0..0 }
+        Self { past: Past::new(Dcel::watched_by(dcel, Journal::default())) }
     }
 
     /// The structure. O(1).
     #[must_use]
     pub const fn get(&self) -> &Dcel {
-        &self.dcel.store.dcel
+        &self.past.recorder.store.dcel
     }
 
     /// The structure, for good. O(1).
     #[must_use]
     pub fn into_dcel(self) -> Dcel {
-        self.dcel.store.dcel
+        self.past.recorder.store.dcel
     }
 
     /// Changes the structure by one operator or more, which are undone and redone together.
@@ -141,35 +120,17 @@ impl History {
         name: impl Into<Cow<'static, str>>,
         change: impl FnOnce(&mut Dcel<Recorded>) -> Result<T, E>,
     ) -> Result<T, E> {
-        let end = self.timeline.now();
-        let undone = self.log.get(end..self.kept_from).unwrap_or_default();
-        let journal = &mut self.dcel.store.watch;
-        journal.keep_from(undone);
-        journal.save_vacant(self.timeline.redo_name().is_some());
-        self.kept_from = self.kept_from.min(end);
-        let mut running = Running { history: self, name: None };
-        let outcome = change(&mut running.history.dcel);
-        if outcome.is_ok() {
-            running.name = Some(name.into());
-        }
-        outcome
+        self.past.change(name, change)
     }
 
     /// Takes the last change back; false if there is none. At most the time that the change took, and no memory.
     pub fn undo(&mut self) -> bool {
-        let end = self.timeline.now();
-        self.timeline.back().is_some_and(|start| self.take_back(start..end))
+        self.past.undo()
     }
 
     /// Does the last change that was undone again; false if there is none. At most the time that the change took.
     pub fn redo(&mut self) -> bool {
-        let start = self.timeline.now();
-        let Some(end) = self.timeline.forth() else { return false };
-        let Watched { dcel, watch } = &mut self.dcel.store;
-        dcel.store.redo(&mut self.log[start..end]);
-        watch.follow(&dcel.store);
-        self.last = start..end;
-        true
+        self.past.redo()
     }
 
     /// Takes back all changes since a mark was set; false, and nothing is done, if none of the states before is the one that was marked.
@@ -188,86 +149,59 @@ impl History {
     /// # Ok::<(), twinedge::dcel::OperatorError>(())
     /// ```
     pub fn undo_to(&mut self, mark: Mark) -> bool {
-        let end = self.timeline.now();
-        self.timeline.back_to(mark, self.token).is_some_and(|start| self.take_back(start..end))
+        self.past.undo_to(mark)
     }
 
     /// Marks the state, so that [`undo_to`](Self::undo_to) finds back to it. O(1).
     #[must_use]
     pub fn mark(&self) -> Mark {
-        self.timeline.mark(self.token)
+        self.past.mark()
     }
 
     /// Returns the name of the change that [`undo`](Self::undo) takes back. O(1).
     #[must_use]
     pub fn undo_name(&self) -> Option<&str> {
-        self.timeline.undo_name()
+        self.past.undo_name()
     }
 
     /// Returns the name of the change that [`redo`](Self::redo) does again. O(1).
     #[must_use]
     pub fn redo_name(&self) -> Option<&str> {
-        self.timeline.redo_name()
+        self.past.redo_name()
     }
 
     /// Returns the records that the last change, `undo`, `undo_to` or `redo` wrote, some of them several times. O(k) for k links.
     #[must_use]
     pub fn written(&self) -> WriteSet {
-        self.get().store.written(&self.log[self.last.clone()])
+        self.get().store.written(self.past.last().0)
     }
 
     /// Forgets the changes that were undone, and of the others all but the last `keep`, to save memory. O(size of the journal).
     pub fn forget(&mut self, keep: usize) {
-        let end = self.timeline.now();
-        self.dcel.store.watch.keep_from(&self.log[end..]);
-        let (from, to) = self.timeline.forget(keep, |a, b| a - b);
-        self.log.truncate(to);
-        self.log.drain(..from);
-        self.log.shrink_to_fit();
-        self.kept_from = self.log.len();
-        self.last = 0..0;
-    }
-
-    /// Takes back what a part of the log says that was done last.
-    fn take_back(&mut self, part: Range<usize>) -> bool {
-        let Watched { dcel, watch } = &mut self.dcel.store;
-        dcel.store.undo(&mut self.log[part.clone()]);
-        watch.follow(&dcel.store);
-        self.last = part;
-        true
+        self.past.forget(keep);
     }
 }
 
-/// A change that is being made. It is taken back when this is dropped, unless it has got its name.
-struct Running<'a> {
-    history: &'a mut History,
-    name: Option<Cow<'static, str>>,
-}
+impl Recorder for Dcel<Recorded> {
+    type Other = Infallible;
 
-impl Drop for Running<'_> {
-    fn drop(&mut self) {
-        let History { dcel, token, log, timeline, kept_from, last } = &mut *self.history;
-        let Watched { dcel, watch } = &mut dcel.store;
-        if watch.token() != *token {
-            watch.begin(&dcel.store);
-            (*token, *timeline) = (watch.token(), Timeline::new(0));
-            log.clear();
-            (*kept_from, *last) = (0, 0..0);
-            return;
-        }
-        let end = timeline.now();
-        let Some(name) = self.name.take() else {
-            watch.take_back(&mut dcel.store);
-            *last = end..end;
-            return;
-        };
-        if watch.entries.is_empty() {
-            *last = end..end;
-            return;
-        }
-        log.truncate(end);
-        log.append(&mut watch.entries);
-        timeline.add(name, log.len());
-        (*kept_from, *last) = (log.len(), end..log.len());
+    fn journal(&mut self) -> Option<&mut Journal> {
+        Some(&mut self.store.watch)
+    }
+
+    fn take_others(&mut self) -> Vec<Infallible> {
+        Vec::new()
+    }
+
+    fn replay(&mut self, links: &mut [Entry], _: &mut [Infallible], way: Way) {
+        self.store.watch.replay(&mut self.store.dcel.store, links, way);
+    }
+
+    fn copied(&self) -> Self {
+        self.clone()
+    }
+
+    fn begin(&mut self) {
+        self.store.watch.begin(&self.store.dcel.store);
     }
 }

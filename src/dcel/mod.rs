@@ -91,6 +91,8 @@ mod error;
 mod history;
 mod import;
 mod operators;
+#[cfg(feature = "near")]
+mod past;
 mod structure;
 #[cfg(feature = "near")]
 mod timeline;
@@ -114,6 +116,8 @@ pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
 };
+#[cfg(all(feature = "near", feature = "map"))]
+pub(crate) use past::{Past, Recorder};
 pub use structure::Dcel;
 #[cfg(feature = "near")]
 pub use timeline::Mark;

@@ -96,18 +96,17 @@ impl<E: Copy> Timeline<E> {
         Some(self.now())
     }
 
-    /// Forgets the steps that are undone, and all others but the last `keep`. Returns the places in the log between which theirs are.
-    pub(crate) fn forget(&mut self, keep: usize, less: impl Fn(E, E) -> E) -> (E, E) {
+    /// Forgets the steps that are undone, and of the others all but the last `keep`. Returns the place in the log where these begin; it
+    /// is taken off all other places.
+    pub(crate) fn forget(&mut self, keep: usize, less: impl Fn(E, E) -> E) -> E {
         self.steps.truncate(self.done);
         let gone = self.done.saturating_sub(keep);
-        let (from, to) = (self.end_of(gone), self.now());
-        self.start = (less(from, from), self.serial_of(gone));
+        let start = self.end_of(gone);
+        self.start = (less(start, start), self.serial_of(gone));
         self.steps.drain(..gone);
-        for step in &mut self.steps {
-            step.end = less(step.end, from);
-        }
+        self.steps.iter_mut().for_each(|step| step.end = less(step.end, start));
         self.steps.shrink_to_fit();
         self.done = self.steps.len();
-        (from, to)
+        start
     }
 }

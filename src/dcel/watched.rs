@@ -1,9 +1,9 @@
 //! A structure that is watched while operators change it.
 
 use super::structure::Dcel;
-use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink};
 #[cfg(feature = "map")]
 use crate::store::SlotStore;
+use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, Watch};
 use crate::validate::near::WriteSet;
 

@@ -48,6 +48,8 @@ mod construct;
 mod feature;
 mod feature_sets;
 mod feature_tries;
+#[cfg(feature = "near")]
+mod history;
 mod import;
 mod index;
 mod not_plane;
@@ -62,6 +64,8 @@ mod summary;
 pub use audited::Audited;
 pub use construct::{BuildError, Builder, Noding};
 pub use feature::{Feature, FeatureId, Shape};
+#[cfg(feature = "near")]
+pub use history::History;
 pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use not_plane::NotPlane;

@@ -52,6 +52,6 @@ pub use links::Store;
 pub use pointers::PointerStore;
 pub use slots::SlotStore;
 #[cfg(feature = "near")]
-pub(crate) use slots::{Entry, Journal};
+pub(crate) use slots::{Entry, Journal, Way};
 #[cfg(feature = "near")]
 pub(crate) use watch::Watch;

@@ -97,10 +97,7 @@ impl Rewound {
         self.check(back, "after a change that failed");
     }
 
-    fn run<T>(
-        &mut self,
-        operator: impl FnOnce(&mut Dcel<Recorded>) -> Result<T, Refusal>,
-    ) -> Result<T, Refusal> {
+    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel<Recorded>) -> Result<T, Refusal>) -> Result<T, Refusal> {
         let answer = self.history.change("operator", operator);
         let written = self.history.written();
         if answer.is_err() || written.is_empty() {

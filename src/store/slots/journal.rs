@@ -83,6 +83,15 @@ pub(crate) struct Entry {
     number: u32,
 }
 
+/// A direction in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Way {
+    /// To take back.
+    Back,
+    /// To do again.
+    Forth,
+}
+
 /// The entries of the change that is being made, and the keys that must not be issued again.
 #[derive(Debug, Default)]
 pub struct Journal {
@@ -119,8 +128,8 @@ impl Journal {
         self.follow(store);
     }
 
-    /// Starts with the store as it is.
-    pub(crate) fn follow(&mut self, store: &SlotStore) {
+    /// Notes how many slots there are.
+    fn follow(&mut self, store: &SlotStore) {
         self.ends = KINDS.map(|kind| store.issuer(kind).end());
     }
 
@@ -129,13 +138,12 @@ impl Journal {
         self.saves_vacant = saves;
     }
 
-    /// Takes back the entries, and keeps the keys from being issued again.
-    pub(crate) fn take_back(&mut self, store: &mut SlotStore) {
-        let mut entries = core::mem::take(&mut self.entries);
-        store.undo(&mut entries);
-        self.keep_from(&entries);
-        entries.clear();
-        self.entries = entries;
+    /// Takes back what was written last, from the end, or writes again what was taken back last. O(entries).
+    pub(crate) fn replay(&mut self, store: &mut SlotStore, entries: &mut [Entry], way: Way) {
+        match way {
+            Way::Back => entries.iter_mut().rev().for_each(|entry| store.undo(entry)),
+            Way::Forth => entries.iter_mut().for_each(|entry| store.redo(entry)),
+        }
         self.follow(store);
     }
 
@@ -375,35 +383,46 @@ impl SlotStore {
         }
     }
 
-    /// Takes back what was written last, from the end. O(entries).
-    pub(crate) fn undo(&mut self, entries: &mut [Entry]) {
-        for Entry { written, slot, number } in entries.iter_mut().rev() {
-            match written {
-                Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
-                Written::New(kind) => self.issuer_mut(*kind).forget_last(),
-                Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
-                Written::Listed => self.inner.pop(*slot),
-                Written::Unlisted => {
-                    let place = self.place[*number as usize];
-                    self.inner.put_back(*slot, place, BoundarySlot(*number));
-                }
+    fn undo(&mut self, Entry { written, slot, number }: &mut Entry) {
+        match written {
+            Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
+            Written::New(kind) => self.issuer_mut(*kind).forget_last(),
+            Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
+            Written::Listed => self.inner.pop(*slot),
+            Written::Unlisted => self.inner.put_back(*slot, self.place[*number as usize], BoundarySlot(*number)),
+        }
+    }
+
+    fn redo(&mut self, Entry { written, slot, number }: &mut Entry) {
+        match written {
+            Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
+            Written::New(kind) => self.issuer_mut(*kind).issue_last(*number),
+            Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
+            Written::Listed => self.inner.push(*slot, BoundarySlot(*number)),
+            Written::Unlisted => {
+                self.inner.swap_remove(*slot, self.place[*number as usize]);
             }
         }
     }
 
-    /// Writes again what was taken back last. O(entries).
-    pub(crate) fn redo(&mut self, entries: &mut [Entry]) {
-        for Entry { written, slot, number } in entries {
+    /// The half-edges, one of each edge, and the vertices whose drawing some entries may have changed, each perhaps several times: edges
+    /// that came, went or have another end, and vertices that came, went or may be isolated or not.
+    #[cfg(feature = "map")]
+    pub(crate) fn redrawn(entries: &[Entry]) -> (Vec<usize>, Vec<usize>) {
+        let (mut edges, mut vertices) = (Vec::new(), Vec::new());
+        for Entry { written, slot, .. } in entries {
             match written {
-                Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
-                Written::New(kind) => self.issuer_mut(*kind).issue_last(*number),
-                Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
-                Written::Listed => self.inner.push(*slot, BoundarySlot(*number)),
-                Written::Unlisted => {
-                    self.inner.swap_remove(*slot, self.place[*number as usize]);
-                }
+                Written::Link(Column::Origin) => edges.push((slot & !1) as usize),
+                Written::Link(Column::VertexLink) => vertices.push(*slot as usize),
+                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
+                    Kind::Edge => edges.push(2 * *slot as usize),
+                    Kind::Vertex => vertices.push(*slot as usize),
+                    Kind::Boundary | Kind::Face => {}
+                },
+                _ => {}
             }
         }
+        (edges, vertices)
     }
 
     /// The records that some entries wrote, or took back. O(entries).

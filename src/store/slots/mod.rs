@@ -24,7 +24,7 @@ mod restore;
 mod store;
 
 #[cfg(feature = "near")]
-pub(crate) use journal::{Entry, Journal};
+pub(crate) use journal::{Entry, Journal, Way};
 pub(crate) use records::{InOrder, Numbered};
 #[cfg(feature = "serde")]
 pub(crate) use restore::{Generations, Live};
