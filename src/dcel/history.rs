@@ -4,11 +4,12 @@ use super::past::{Past, Recorder};
 use super::structure::Dcel;
 use super::timeline::Mark;
 use super::watched::Watched;
-use crate::store::{Entry, Journal, SlotStore, Way};
+use crate::store::{Journal, SlotStore, Way};
 use crate::validate::near::WriteSet;
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use core::convert::Infallible;
+use core::ops::Range;
 
 /// A [`Dcel`] whose changes can be taken back and done again: the core of an editor.
 ///
@@ -57,7 +58,8 @@ use core::convert::Infallible;
 ///
 /// Nothing is copied: the journal has 12 bytes for each link that was overwritten, and 40 for each change. So a change takes what
 /// its operators take, and a part of that for the journal; `undo` and `redo` take less than the operators took, whatever the size of
-/// the structure. [`forget`](Self::forget) gives the memory back.
+/// the structure. [`forget`](Self::forget)
+/// sets an end to the memory.
 ///
 /// # Validation
 ///
@@ -173,10 +175,11 @@ impl History {
     /// Returns the records that the last change, `undo`, `undo_to` or `redo` wrote, some of them several times. O(k) for k links.
     #[must_use]
     pub fn written(&self) -> WriteSet {
-        self.get().store.written(self.past.last().0)
+        self.past.recorder.store.watch.written(&self.get().store, self.past.last().0)
     }
 
-    /// Forgets the changes that were undone, and of the others all but the last `keep`, to save memory. O(size of the journal).
+    /// Forgets the changes that were undone, and of the others all but the last `keep`. Their memory is used for those that follow.
+    /// O(size of the journal).
     pub fn forget(&mut self, keep: usize) {
         self.past.forget(keep);
     }
@@ -193,7 +196,7 @@ impl Recorder for Dcel<Recorded> {
         Vec::new()
     }
 
-    fn replay(&mut self, links: &mut [Entry], _: &mut [Infallible], way: Way) {
+    fn replay(&mut self, links: Range<usize>, _: &mut [Infallible], way: Way) {
         self.store.watch.replay(&mut self.store.dcel.store, links, way);
     }
 

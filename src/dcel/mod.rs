@@ -49,6 +49,9 @@
 //! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes what a condition does not hold for, as the
 //! operators would one by one, and [`compact`](Dcel::compact) closes the gaps that removed records leave.
 //!
+//! What was changed can be taken back: with the feature `near`, `History` has changes of one or more operators that are undone and redone,
+//! keys included.
+//!
 //! # Data of your own
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept

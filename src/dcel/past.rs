@@ -4,6 +4,7 @@ use super::timeline::{Mark, Timeline};
 use crate::store::{Entry, Journal, Way};
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// A structure that writes a journal while it changes.
 pub(crate) trait Recorder {
@@ -14,8 +15,8 @@ pub(crate) trait Recorder {
     fn journal(&mut self) -> Option<&mut Journal>;
     /// What the change that is being made has written beside links, for good.
     fn take_others(&mut self) -> Vec<Self::Other>;
-    /// Takes back what was written last, from the end, or writes again what was taken back last.
-    fn replay(&mut self, links: &mut [Entry], others: &mut [Self::Other], way: Way);
+    /// Takes back what a part of the journal and others say that was written last, from the end, or writes it again.
+    fn replay(&mut self, links: Range<usize>, others: &mut [Self::Other], way: Way);
     /// Starts a new journal.
     fn begin(&mut self);
     /// A clone that writes a journal of its own.
@@ -29,9 +30,8 @@ type Place = [usize; 2];
 #[derive(Debug)]
 pub(crate) struct Past<R: Recorder> {
     pub(crate) recorder: R,
-    /// That of the journal, unless the closure of a change puts another structure in place.
+    /// That of the journal, unless the closure of a change puts another structure in place. The entries of the journal are the log of links.
     token: Option<u32>,
-    links: Vec<Entry>,
     others: Vec<R::Other>,
     /// Each change ends at a place of the logs.
     timeline: Timeline<Place>,
@@ -39,15 +39,17 @@ pub(crate) struct Past<R: Recorder> {
     kept_from: usize,
     /// The parts of the logs that the last call did or took back.
     last: [Place; 2],
+    /// The links that are undone, while another change is being made that may drop them.
+    undone: Vec<Entry>,
 }
 
 impl<R: Recorder<Other: Clone>> Clone for Past<R> {
     fn clone(&self) -> Self {
         let mut recorder = self.recorder.copied();
         let token = recorder.journal().and_then(|journal| journal.token());
-        let Self { links, others, timeline, kept_from, last, .. } = self;
-        let (links, others, timeline) = (links.clone(), others.clone(), timeline.clone());
-        Self { recorder, token, links, others, timeline, kept_from: *kept_from, last: *last }
+        let Self { others, timeline, kept_from, last, .. } = self;
+        let (others, timeline) = (others.clone(), timeline.clone());
+        Self { recorder, token, others, timeline, kept_from: *kept_from, last: *last, undone: Vec::new() }
     }
 }
 
@@ -55,8 +57,16 @@ impl<R: Recorder> Past<R> {
     pub(crate) fn new(mut recorder: R) -> Self {
         recorder.begin();
         let token = recorder.journal().and_then(|journal| journal.token());
-        let (links, others, timeline) = (Vec::new(), Vec::new(), Timeline::new([0; 2]));
-        Self { recorder, token, links, others, timeline, kept_from: 0, last: [[0; 2]; 2] }
+        let timeline = Timeline::new([0; 2]);
+        Self {
+            recorder,
+            token,
+            others: Vec::new(),
+            timeline,
+            kept_from: usize::MAX,
+            last: [[0; 2]; 2],
+            undone: Vec::new(),
+        }
     }
 
     pub(crate) fn change<T, E>(
@@ -64,18 +74,27 @@ impl<R: Recorder> Past<R> {
         name: impl Into<Cow<'static, str>>,
         change: impl FnOnce(&mut R) -> Result<T, E>,
     ) -> Result<T, E> {
-        let [end, _] = self.timeline.now();
-        if let Some(journal) = self.recorder.journal() {
-            journal.keep_from(self.links.get(end..self.kept_from).unwrap_or_default());
-            journal.save_vacant(self.timeline.redo_name().is_some());
+        if self.timeline.redo_name().is_some() {
+            self.set_aside();
         }
-        self.kept_from = self.kept_from.min(end);
         let mut running = Running { past: self, name: None };
         let outcome = change(&mut running.past.recorder);
         if outcome.is_ok() {
             running.name = Some(name.into());
         }
         outcome
+    }
+
+    /// Takes what is undone off the log, to put it back if the change fails.
+    #[cold]
+    fn set_aside(&mut self) {
+        let [end, _] = self.timeline.now();
+        let Some(journal) = self.recorder.journal() else { return };
+        self.undone = journal.entries.split_off(end);
+        let kept = self.kept_from.saturating_sub(end);
+        journal.keep_from(&self.undone[..kept.min(self.undone.len())]);
+        journal.save_vacant(true);
+        self.kept_from = self.kept_from.min(end);
     }
 
     pub(crate) fn undo(&mut self) -> bool {
@@ -94,7 +113,7 @@ impl<R: Recorder> Past<R> {
     }
 
     fn replay(&mut self, start: Place, end: Place, way: Way) -> bool {
-        self.recorder.replay(&mut self.links[start[0]..end[0]], &mut self.others[start[1]..end[1]], way);
+        self.recorder.replay(start[0]..end[0], &mut self.others[start[1]..end[1]], way);
         self.last = [start, end];
         true
     }
@@ -111,60 +130,57 @@ impl<R: Recorder> Past<R> {
         self.timeline.redo_name()
     }
 
-    /// What the last call did or took back.
-    pub(crate) fn last(&self) -> (&[Entry], &[R::Other]) {
+    /// What the last call did or took back: a part of the links, and others.
+    pub(crate) fn last(&self) -> (Range<usize>, &[R::Other]) {
         let [start, end] = self.last;
-        (&self.links[start[0]..end[0]], &self.others[start[1]..end[1]])
+        (start[0]..end[0], &self.others[start[1]..end[1]])
     }
 
     pub(crate) fn forget(&mut self, keep: usize) {
         let end = self.timeline.now();
-        if let Some(journal) = self.recorder.journal() {
-            journal.keep_from(&self.links[end[0]..]);
-        }
         let start = self.timeline.forget(keep, |a, b| [a[0] - b[0], a[1] - b[1]]);
-        self.links.truncate(end[0]);
-        self.links.drain(..start[0]);
-        self.links.shrink_to_fit();
+        if let Some(journal) = self.recorder.journal() {
+            let undone = journal.entries.split_off(end[0]);
+            journal.keep_from(&undone);
+            journal.entries.drain(..start[0]);
+        }
         self.others.truncate(end[1]);
         self.others.drain(..start[1]);
-        self.others.shrink_to_fit();
-        self.kept_from = self.links.len();
+        self.kept_from = usize::MAX;
         self.last = [self.timeline.now(); 2];
     }
 
     /// Ends a change that has this name, or failed.
     fn end(&mut self, name: Option<Cow<'static, str>>) {
+        let start = self.timeline.now();
         let Some(journal) = self.recorder.journal().filter(|journal| journal.token() == self.token) else {
             return self.begin();
         };
-        let start = self.timeline.now();
-        self.last = [start; 2];
-        let mut links = core::mem::take(&mut journal.entries);
+        let links = journal.entries.len();
         let mut others = self.recorder.take_others();
+        self.last = [start; 2];
         match name {
-            None => {
-                self.recorder.replay(&mut links, &mut others, Way::Back);
-                if let Some(journal) = self.recorder.journal() {
-                    journal.keep_from(&links);
-                }
-                links.clear();
-            }
-            // What can be redone stays if there is nothing to undo.
-            Some(_) if links.is_empty() && others.is_empty() => {}
-            Some(name) => {
-                self.links.truncate(start[0]);
-                self.links.append(&mut links);
+            Some(name) if links > start[0] || !others.is_empty() => {
                 self.others.truncate(start[1]);
                 self.others.append(&mut others);
-                let end = [self.links.len(), self.others.len()];
+                let end = [links, self.others.len()];
                 self.timeline.add(name, end);
-                (self.kept_from, self.last) = (end[0], [start, end]);
+                (self.kept_from, self.last) = (usize::MAX, [start, end]);
+                self.undone.clear();
+            }
+            name => {
+                if name.is_none() {
+                    self.recorder.replay(start[0]..links, &mut others, Way::Back);
+                }
+                if let Some(journal) = self.recorder.journal() {
+                    let failed = journal.entries.split_off(start[0]);
+                    journal.keep_from(&failed);
+                    journal.entries.append(&mut self.undone);
+                }
             }
         }
-        // The memory is used again.
         if let Some(journal) = self.recorder.journal() {
-            journal.entries = links;
+            journal.save_vacant(false);
         }
     }
 
@@ -172,10 +188,10 @@ impl<R: Recorder> Past<R> {
     fn begin(&mut self) {
         self.recorder.begin();
         self.token = self.recorder.journal().and_then(|journal| journal.token());
-        self.links.clear();
         self.others.clear();
+        self.undone.clear();
         self.timeline = Timeline::new([0; 2]);
-        (self.kept_from, self.last) = (0, [[0; 2]; 2]);
+        (self.kept_from, self.last) = (usize::MAX, [[0; 2]; 2]);
     }
 }
 

@@ -105,7 +105,6 @@ impl<E: Copy> Timeline<E> {
         self.start = (less(start, start), self.serial_of(gone));
         self.steps.drain(..gone);
         self.steps.iter_mut().for_each(|step| step.end = less(step.end, start));
-        self.steps.shrink_to_fit();
         self.done = self.steps.len();
         start
     }

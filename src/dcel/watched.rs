@@ -38,7 +38,7 @@ macro_rules! questions {
 macro_rules! additions {
     ($($name:ident($($argument:ident: $type:ty),*) -> $record:ty, $tell:ident;)*) => {
         $(fn $name(&mut self, $($argument: $type),*) -> $record {
-            self.watch.$name(&self.dcel.store);
+            self.watch.$name(&mut self.dcel.store);
             let record = self.dcel.store.$name($($argument),*);
             self.watch.$tell(&mut self.dcel.store, record);
             record
@@ -125,7 +125,7 @@ impl<S: Store, W: Watch<S>> Links for Watched<S, W> {
     }
 
     fn add_isolated(&mut self, f: S::Face) -> (S::Vertex, S::Boundary) {
-        self.watch.add_isolated(&self.dcel.store);
+        self.watch.add_isolated(&mut self.dcel.store);
         let (v, b) = self.dcel.store.add_isolated(f);
         self.watch.added_isolated(&mut self.dcel.store, v, b);
         (v, b)

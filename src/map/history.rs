@@ -4,10 +4,11 @@ use super::index::IndexedEdge;
 use super::notes::{MapEntry, MapJournal, Notes};
 use super::planar_map::PlanarMap;
 use crate::dcel::{Dcel, HalfEdge, Mark, Past, Recorder, Vertex};
-use crate::store::{Entry, Journal, SlotStore, Way};
+use crate::store::{Journal, Way};
 use crate::validate::near::WriteSet;
 use std::borrow::Cow;
 use std::mem;
+use std::ops::Range;
 
 /// A [`PlanarMap`] whose edits can be taken back and done again: the core of an editor.
 ///
@@ -130,12 +131,15 @@ impl History {
     #[must_use]
     pub fn written(&self) -> WriteSet {
         let (links, others) = self.past.last();
-        let mut written = self.get().dcel.store().written(links);
+        let map = self.get();
+        let journal = map.notes.journal.as_ref().map(|journal| journal.links.written(map.dcel.store(), links));
+        let mut written = journal.unwrap_or_default();
         written.vertices.extend(others.iter().filter_map(MapEntry::vertex));
         written
     }
 
-    /// Forgets the changes that were undone, and of the others all but the last `keep`, to save memory. O(size of the journal).
+    /// Forgets the changes that were undone, and of the others all but the last `keep`. Their memory is used for those that follow.
+    /// O(size of the journal).
     pub fn forget(&mut self, keep: usize) {
         self.past.forget(keep);
     }
@@ -159,8 +163,8 @@ impl Recorder for PlanarMap {
         self.notes.journal.as_deref_mut().map(|journal| mem::take(&mut journal.entries)).unwrap_or_default()
     }
 
-    fn replay(&mut self, links: &mut [Entry], others: &mut [MapEntry], way: Way) {
-        let redrawn = self.index.if_built().is_some().then(|| Redrawn::new(self, links, others));
+    fn replay(&mut self, links: Range<usize>, others: &mut [MapEntry], way: Way) {
+        let redrawn = self.index.if_built().is_some().then(|| Redrawn::new(self, links.clone(), others));
         if let (Some(redrawn), Some(index)) = (&redrawn, self.index.if_built()) {
             redrawn.edges_of(&self.dcel).for_each(|h| index.remove_edge(&IndexedEdge::new(h, &self.points)));
             redrawn.isolated_of(&self.dcel).for_each(|v| index.remove_vertex(v.index(), self.points[v.index()]));
@@ -222,8 +226,9 @@ struct Redrawn {
 
 impl Redrawn {
     /// Of a change that is about to be taken back or done again.
-    fn new(map: &PlanarMap, links: &[Entry], others: &[MapEntry]) -> Self {
-        let (mut edges, mut vertices) = SlotStore::redrawn(links);
+    fn new(map: &PlanarMap, links: Range<usize>, others: &[MapEntry]) -> Self {
+        let journal = map.notes.journal.as_ref().map(|journal| journal.links.redrawn(links));
+        let (mut edges, mut vertices) = journal.unwrap_or_default();
         for v in others.iter().filter_map(MapEntry::vertex) {
             vertices.push(v);
             // Those of its edges that come or go are among them already.

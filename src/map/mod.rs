@@ -24,6 +24,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! With the feature `near`, `History` has edits that are undone and redone, and `Audited` validates after each.
+//!
 //! | module | purpose |
 //! | --- | --- |
 //! | `certificate` (feature `spade`) | a triangulation by which anyone can check that a map is drawn in the plane |

@@ -8,10 +8,10 @@ use crate::validate::near::WriteSet;
 /// Public in name only, as [`Links`] is.
 #[allow(missing_docs, reason = "one method for each that writes to a store, by its name")]
 pub trait Watch<S: Links>: Default {
-    fn add_vertex(&mut self, _store: &S) {}
-    fn add_isolated(&mut self, _store: &S) {}
-    fn add_edge(&mut self, _store: &S) {}
-    fn add_boundary(&mut self, _store: &S) {}
+    fn add_vertex(&mut self, _store: &mut S) {}
+    fn add_isolated(&mut self, _store: &mut S) {}
+    fn add_edge(&mut self, _store: &mut S) {}
+    fn add_boundary(&mut self, _store: &mut S) {}
     fn added_vertex(&mut self, store: &mut S, v: S::Vertex);
     fn added_isolated(&mut self, store: &mut S, v: S::Vertex, b: S::Boundary);
     /// One of the two half-edges is named, here and below.

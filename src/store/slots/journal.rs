@@ -33,20 +33,7 @@ use crate::store::watch::Watch;
 use crate::validate::near::WriteSet;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
-
-/// A column of links.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Column {
-    Origin,
-    Next,
-    Prev,
-    Boundary,
-    VertexLink,
-    BoundaryFace,
-    Start,
-    Place,
-    Outer,
-}
+use core::ops::Range;
 
 /// A kind of slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,8 +48,16 @@ const KINDS: [Kind; 4] = [Kind::Vertex, Kind::Edge, Kind::Boundary, Kind::Face];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Written {
-    /// A link. The number is that which is not there.
-    Link(Column),
+    // A link, by its column. The number is that which is not there.
+    Origin,
+    Next,
+    Prev,
+    Boundary,
+    VertexLink,
+    BoundaryFace,
+    Start,
+    Place,
+    Outer,
     /// A slot that was never used before. The number is the generation in which it is issued.
     New(Kind),
     /// A slot that was issued again. The number is the generation that it does not have.
@@ -92,7 +87,7 @@ pub(crate) enum Way {
     Forth,
 }
 
-/// The entries of the change that is being made, and the keys that must not be issued again.
+/// What was written, and the keys that must not be issued again.
 #[derive(Debug, Default)]
 pub struct Journal {
     pub(crate) entries: Vec<Entry>,
@@ -139,7 +134,8 @@ impl Journal {
     }
 
     /// Takes back what was written last, from the end, or writes again what was taken back last. O(entries).
-    pub(crate) fn replay(&mut self, store: &mut SlotStore, entries: &mut [Entry], way: Way) {
+    pub(crate) fn replay(&mut self, store: &mut SlotStore, part: Range<usize>, way: Way) {
+        let entries = &mut self.entries[part];
         match way {
             Way::Back => entries.iter_mut().rev().for_each(|entry| store.undo(entry)),
             Way::Forth => entries.iter_mut().for_each(|entry| store.redo(entry)),
@@ -160,19 +156,77 @@ impl Journal {
         }
     }
 
+    /// The half-edges, one of each edge, and the vertices whose drawing some entries may have changed, each perhaps several times: edges
+    /// that came, went or have another end, and vertices that came, went or may be isolated or not.
+    #[cfg(feature = "map")]
+    pub(crate) fn redrawn(&self, part: Range<usize>) -> (Vec<usize>, Vec<usize>) {
+        let (mut edges, mut vertices) = (Vec::new(), Vec::new());
+        for Entry { written, slot, .. } in &self.entries[part] {
+            match written {
+                Written::Origin => edges.push((slot & !1) as usize),
+                Written::VertexLink => vertices.push(*slot as usize),
+                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
+                    Kind::Edge => edges.push(2 * *slot as usize),
+                    Kind::Vertex => vertices.push(*slot as usize),
+                    Kind::Boundary | Kind::Face => {}
+                },
+                _ => {}
+            }
+        }
+        (edges, vertices)
+    }
+
+    /// The records that some entries wrote, or took back. O(entries).
+    pub(crate) fn written(&self, store: &SlotStore, part: Range<usize>) -> WriteSet {
+        let mut written = WriteSet::default();
+        for entry in &self.entries[part] {
+            let slot = entry.slot as usize;
+            match entry.written {
+                Written::Origin | Written::Next | Written::Prev | Written::Boundary => {
+                    written.half_edges.push(slot);
+                }
+                Written::VertexLink => written.vertices.push(slot),
+                Written::BoundaryFace | Written::Start => written.boundaries.push(slot),
+                Written::Place => {
+                    written.boundaries.push(slot);
+                    // Each entry of a list that is another one now is one of a boundary component with another place.
+                    if store.boundaries.is_live(entry.slot) && store.place[slot] < MOST {
+                        written.listed.push((store.boundary_face[slot].0 as usize, store.place[slot] as usize));
+                    }
+                }
+                Written::Outer => written.faces.push(slot),
+                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
+                    Kind::Vertex => written.vertices.push(slot),
+                    Kind::Edge => written.half_edges.extend([2 * slot, 2 * slot + 1]),
+                    Kind::Boundary => written.boundaries.push(slot),
+                    Kind::Face => written.faces.push(slot),
+                },
+                Written::Listed | Written::Unlisted => {
+                    written.faces.push(slot);
+                    let b = entry.number as usize;
+                    written.boundaries.push(b);
+                    if entry.written == Written::Listed
+                        && store.boundaries.is_live(entry.number)
+                        && store.place[b] < MOST
+                    {
+                        written.listed.push((store.boundary_face[b].0 as usize, store.place[b] as usize));
+                    }
+                }
+            }
+        }
+        written
+    }
+
+    #[inline]
     fn log(&mut self, written: Written, slot: u32, number: u32) {
         self.entries.push(Entry { written, slot, number });
     }
 
-    fn link(&mut self, column: Column, slot: u32, number: u32) {
-        self.log(Written::Link(column), slot, number);
-    }
-
     /// Logs what is in the slot that is issued next, if it has ever been used.
-    fn save(&mut self, columns: &[Column], slot: u32, store: &SlotStore) {
+    fn save(&mut self, columns: &[Written], slot: u32, store: &mut SlotStore) {
         for column in columns {
-            if let Some(number) = store.link_at(*column, slot) {
-                self.link(*column, slot, number);
+            if let Some(number) = store.link_mut(*column, slot) {
+                self.log(*column, slot, *number);
             }
         }
     }
@@ -199,32 +253,33 @@ impl Journal {
 
 /// Returns true if a generation comes after another one.
 const fn is_later(generation: u32, other: u32) -> bool {
-    generation.wrapping_sub(other).cast_signed() > 0
+    let ahead = generation.wrapping_sub(other);
+    ahead != 0 && ahead < 1 << 31
 }
 
 impl Watch<SlotStore> for Journal {
-    fn add_vertex(&mut self, store: &SlotStore) {
+    fn add_vertex(&mut self, store: &mut SlotStore) {
         if self.saves_vacant {
-            self.save(&[Column::VertexLink], store.vertices.next(), store);
+            self.save(&[Written::VertexLink], store.vertices.next(), store);
         }
     }
 
-    fn add_isolated(&mut self, store: &SlotStore) {
+    fn add_isolated(&mut self, store: &mut SlotStore) {
         self.add_vertex(store);
         self.add_boundary(store);
     }
 
-    fn add_edge(&mut self, store: &SlotStore) {
+    fn add_edge(&mut self, store: &mut SlotStore) {
         if self.saves_vacant {
             for h in [0, 1].map(|side| 2 * store.edges.next() + side) {
-                self.save(&[Column::Origin, Column::Next, Column::Prev, Column::Boundary], h, store);
+                self.save(&[Written::Origin, Written::Next, Written::Prev, Written::Boundary], h, store);
             }
         }
     }
 
-    fn add_boundary(&mut self, store: &SlotStore) {
+    fn add_boundary(&mut self, store: &mut SlotStore) {
         if self.saves_vacant {
-            self.save(&[Column::BoundaryFace, Column::Start, Column::Place], store.boundaries.next(), store);
+            self.save(&[Written::BoundaryFace, Written::Start, Written::Place], store.boundaries.next(), store);
         }
     }
 
@@ -248,7 +303,7 @@ impl Watch<SlotStore> for Journal {
 
     fn added_face(&mut self, store: &mut SlotStore, f: FaceSlot) {
         self.issued(&mut store.faces, Kind::Face, f.0);
-        self.link(Column::Outer, f.0, VACANT);
+        self.log(Written::Outer, f.0, VACANT);
     }
 
     fn remove_vertex(&mut self, store: &SlotStore, v: VertexSlot) {
@@ -266,54 +321,54 @@ impl Watch<SlotStore> for Journal {
     }
 
     fn remove_boundary(&mut self, store: &SlotStore, b: BoundarySlot) {
-        self.link(Column::Start, b.0, store.start[b.0 as usize]);
-        self.link(Column::BoundaryFace, b.0, store.face(b).0);
+        self.log(Written::Start, b.0, store.start[b.0 as usize]);
+        self.log(Written::BoundaryFace, b.0, store.face(b).0);
         self.set_place(store, b);
         self.retired(&store.boundaries, Kind::Boundary, b.0);
     }
 
     fn remove_face(&mut self, store: &SlotStore, f: FaceSlot) {
-        self.link(Column::Outer, f.0, store.outer[f.0 as usize]);
+        self.log(Written::Outer, f.0, store.outer[f.0 as usize]);
         self.retired(&store.faces, Kind::Face, f.0);
     }
 
     fn set_origin(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
-        self.link(Column::Origin, h.0, store.origin(h).0);
+        self.log(Written::Origin, h.0, store.origin(h).0);
     }
 
     fn join(&mut self, store: &SlotStore, h: HalfEdgeSlot, n: HalfEdgeSlot) {
-        self.link(Column::Next, h.0, store.next(h).0);
-        self.link(Column::Prev, n.0, store.prev(n).0);
+        self.log(Written::Next, h.0, store.next(h).0);
+        self.log(Written::Prev, n.0, store.prev(n).0);
     }
 
     fn set_boundary(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
-        self.link(Column::Boundary, h.0, store.boundary(h).0);
+        self.log(Written::Boundary, h.0, store.boundary(h).0);
     }
 
     fn set_vertex_link(&mut self, store: &SlotStore, v: VertexSlot) {
-        self.link(Column::VertexLink, v.0, store.vertex_link[v.0 as usize]);
+        self.log(Written::VertexLink, v.0, store.vertex_link[v.0 as usize]);
     }
 
     fn set_start(&mut self, store: &SlotStore, b: BoundarySlot) {
-        self.link(Column::Start, b.0, store.start[b.0 as usize]);
+        self.log(Written::Start, b.0, store.start[b.0 as usize]);
         if store.place(b) == OUTER {
             let f = store.face(b).0;
-            self.link(Column::Outer, f, store.outer[f as usize]);
+            self.log(Written::Outer, f, store.outer[f as usize]);
         }
     }
 
     fn set_place(&mut self, store: &SlotStore, b: BoundarySlot) {
-        self.link(Column::Place, b.0, store.place(b));
+        self.log(Written::Place, b.0, store.place(b));
     }
 
     fn list_outer(&mut self, store: &SlotStore, f: FaceSlot, b: BoundarySlot) {
-        self.link(Column::Outer, f.0, store.outer[f.0 as usize]);
-        self.link(Column::BoundaryFace, b.0, store.face(b).0);
+        self.log(Written::Outer, f.0, store.outer[f.0 as usize]);
+        self.log(Written::BoundaryFace, b.0, store.face(b).0);
         self.set_place(store, b);
     }
 
     fn list_inner(&mut self, store: &SlotStore, f: FaceSlot, b: BoundarySlot) {
-        self.link(Column::BoundaryFace, b.0, store.face(b).0);
+        self.log(Written::BoundaryFace, b.0, store.face(b).0);
         self.set_place(store, b);
         self.log(Written::Listed, f.0, b.0);
     }
@@ -321,7 +376,7 @@ impl Watch<SlotStore> for Journal {
     fn unlist(&mut self, store: &SlotStore, b: BoundarySlot) {
         let f = store.face(b);
         if store.place(b) == OUTER {
-            self.link(Column::Outer, f.0, store.outer[f.0 as usize]);
+            self.log(Written::Outer, f.0, store.outer[f.0 as usize]);
         } else {
             self.log(Written::Unlisted, f.0, b.0);
             // The last of the list moves to its place.
@@ -352,115 +407,49 @@ impl SlotStore {
         }
     }
 
-    fn link_mut(&mut self, column: Column, slot: u32) -> &mut u32 {
+    /// The link that an entry is about, in a slot that was used once.
+    #[inline]
+    fn link_mut(&mut self, written: Written, slot: u32) -> Option<&mut u32> {
         let i = slot as usize;
-        match column {
-            Column::Origin => &mut self.origin[i].0,
-            Column::Next => &mut self.next[i].0,
-            Column::Prev => &mut self.prev[i].0,
-            Column::Boundary => &mut self.boundary[i].0,
-            Column::VertexLink => &mut self.vertex_link[i],
-            Column::BoundaryFace => &mut self.boundary_face[i].0,
-            Column::Start => &mut self.start[i],
-            Column::Place => &mut self.place[i],
-            Column::Outer => &mut self.outer[i],
-        }
-    }
-
-    /// The link in a slot, live or vacant; none if it was never used.
-    fn link_at(&self, column: Column, slot: u32) -> Option<u32> {
-        let i = slot as usize;
-        match column {
-            Column::Origin => self.origin.get(i).map(|v| v.0),
-            Column::Next => self.next.get(i).map(|h| h.0),
-            Column::Prev => self.prev.get(i).map(|h| h.0),
-            Column::Boundary => self.boundary.get(i).map(|b| b.0),
-            Column::VertexLink => self.vertex_link.get(i).copied(),
-            Column::BoundaryFace => self.boundary_face.get(i).map(|f| f.0),
-            Column::Start => self.start.get(i).copied(),
-            Column::Place => self.place.get(i).copied(),
-            Column::Outer => self.outer.get(i).copied(),
+        match written {
+            Written::Origin => self.origin.get_mut(i).map(|v| &mut v.0),
+            Written::Next => self.next.get_mut(i).map(|h| &mut h.0),
+            Written::Prev => self.prev.get_mut(i).map(|h| &mut h.0),
+            Written::Boundary => self.boundary.get_mut(i).map(|b| &mut b.0),
+            Written::VertexLink => self.vertex_link.get_mut(i),
+            Written::BoundaryFace => self.boundary_face.get_mut(i).map(|f| &mut f.0),
+            Written::Start => self.start.get_mut(i),
+            Written::Place => self.place.get_mut(i),
+            Written::Outer => self.outer.get_mut(i),
+            _ => None,
         }
     }
 
     fn undo(&mut self, Entry { written, slot, number }: &mut Entry) {
+        if let Some(link) = self.link_mut(*written, *slot) {
+            return core::mem::swap(link, number);
+        }
         match written {
-            Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
             Written::New(kind) => self.issuer_mut(*kind).forget_last(),
             Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
             Written::Listed => self.inner.pop(*slot),
             Written::Unlisted => self.inner.put_back(*slot, self.place[*number as usize], BoundarySlot(*number)),
+            _ => {}
         }
     }
 
     fn redo(&mut self, Entry { written, slot, number }: &mut Entry) {
+        if let Some(link) = self.link_mut(*written, *slot) {
+            return core::mem::swap(link, number);
+        }
         match written {
-            Written::Link(column) => core::mem::swap(self.link_mut(*column, *slot), number),
             Written::New(kind) => self.issuer_mut(*kind).issue_last(*number),
             Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
             Written::Listed => self.inner.push(*slot, BoundarySlot(*number)),
             Written::Unlisted => {
                 self.inner.swap_remove(*slot, self.place[*number as usize]);
             }
+            _ => {}
         }
-    }
-
-    /// The half-edges, one of each edge, and the vertices whose drawing some entries may have changed, each perhaps several times: edges
-    /// that came, went or have another end, and vertices that came, went or may be isolated or not.
-    #[cfg(feature = "map")]
-    pub(crate) fn redrawn(entries: &[Entry]) -> (Vec<usize>, Vec<usize>) {
-        let (mut edges, mut vertices) = (Vec::new(), Vec::new());
-        for Entry { written, slot, .. } in entries {
-            match written {
-                Written::Link(Column::Origin) => edges.push((slot & !1) as usize),
-                Written::Link(Column::VertexLink) => vertices.push(*slot as usize),
-                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
-                    Kind::Edge => edges.push(2 * *slot as usize),
-                    Kind::Vertex => vertices.push(*slot as usize),
-                    Kind::Boundary | Kind::Face => {}
-                },
-                _ => {}
-            }
-        }
-        (edges, vertices)
-    }
-
-    /// The records that some entries wrote, or took back. O(entries).
-    pub(crate) fn written(&self, entries: &[Entry]) -> WriteSet {
-        let mut written = WriteSet::default();
-        for entry in entries {
-            let slot = entry.slot as usize;
-            match entry.written {
-                Written::Link(Column::Origin | Column::Next | Column::Prev | Column::Boundary) => {
-                    written.half_edges.push(slot);
-                }
-                Written::Link(Column::VertexLink) => written.vertices.push(slot),
-                Written::Link(Column::BoundaryFace | Column::Start) => written.boundaries.push(slot),
-                Written::Link(Column::Place) => {
-                    written.boundaries.push(slot);
-                    // Each entry of a list that is another one now is one of a boundary component with another place.
-                    if self.boundaries.is_live(entry.slot) && self.place[slot] < MOST {
-                        written.listed.push((self.boundary_face[slot].0 as usize, self.place[slot] as usize));
-                    }
-                }
-                Written::Link(Column::Outer) => written.faces.push(slot),
-                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
-                    Kind::Vertex => written.vertices.push(slot),
-                    Kind::Edge => written.half_edges.extend([2 * slot, 2 * slot + 1]),
-                    Kind::Boundary => written.boundaries.push(slot),
-                    Kind::Face => written.faces.push(slot),
-                },
-                Written::Listed | Written::Unlisted => {
-                    written.faces.push(slot);
-                    let b = entry.number as usize;
-                    written.boundaries.push(b);
-                    if entry.written == Written::Listed && self.boundaries.is_live(entry.number) && self.place[b] < MOST
-                    {
-                        written.listed.push((self.boundary_face[b].0 as usize, self.place[b] as usize));
-                    }
-                }
-            }
-        }
-        written
     }
 }
