@@ -106,7 +106,11 @@ fn another_map_begins_another_history() {
     history.change("point", |map| map.insert_point([0.0, 0.0])).unwrap();
     let mut other = PlanarMap::new();
     other.insert_point([1.0, 1.0]).unwrap();
-    history.change("replace", |map| Ok::<_, ()>(*map = other)).unwrap();
+    let replaced: Result<(), ()> = history.change("replace", |map| {
+        *map = other;
+        Ok(())
+    });
+    assert!(replaced.is_ok());
     assert!(!history.undo());
     history.change("point", |map| map.insert_point([2.0, 2.0])).unwrap();
     assert!(history.undo() && !history.undo());

@@ -24,9 +24,9 @@ pub(crate) fn change(history: &mut History, op: &EditOp) -> EditOutcome {
         let mut runner = EditRunner::new(mem::take(map));
         let outcome = runner.step(op);
         *map = runner.into_map();
-        if matches!(outcome, EditOutcome::Applied(_)) { Ok(outcome) } else { Err(outcome) }
+        if matches!(outcome, EditOutcome::Applied(_)) { Ok(outcome) } else { Err(Box::new(outcome)) }
     });
-    outcome.unwrap_or_else(|outcome| outcome)
+    outcome.unwrap_or_else(|outcome| *outcome)
 }
 
 fn baseline(map: &PlanarMap) -> EmbeddingBaseline {
