@@ -40,6 +40,7 @@
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
 //! | [`RotationSystem`] | a second model of the operators, simple and slow |
 //! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
+//! | [`Rewound`] | a `Dcel` with a history, whose changes are undone and redone after each operator |
 //! | [`Erased`] | structures of several types as one: the engines are compiled once for them |
 //!
 //! # Long runs
@@ -67,6 +68,7 @@ mod progress;
 mod published;
 mod random;
 mod report_audit;
+mod rewound;
 mod rotation_system;
 mod rows;
 mod run;
@@ -99,6 +101,7 @@ pub use progress::{Progress, Silent};
 pub use prove::prove;
 pub use replay::replay;
 pub use report_audit::ReportAudit;
+pub use rewound::Rewound;
 pub use rotation_system::RotationSystem;
 pub use rows::{Cell, Column, Row};
 pub use run::{Estimate, Run};
