@@ -201,6 +201,11 @@ pub mod algorithm;
 #[cfg(feature = "map")]
 #[clippy::msrv = "1.90"]
 #[forbid(unsafe_code)]
+pub mod tile;
+
+#[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod io;
 
 /// The code in the README.

@@ -1,0 +1,94 @@
+//! What the summaries of all tiles say of the whole.
+
+use super::error::FinishError;
+use super::fault::{Crossing, SeamFault, Uneven};
+use super::grid::Tile;
+use super::summary::Summary;
+use crate::validate::Counts;
+
+/// The audit of a map by its tiles.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// The numbers of records.
+    pub counts: Counts,
+    /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
+    pub crossings: Vec<Crossing>,
+    /// The components for which `V − E + cycles` is not 2 (T3).
+    pub uneven: Vec<Uneven>,
+    /// The places where two tiles contradict each other (S1 … S3).
+    pub seams: Vec<SeamFault>,
+    /// False if `V − E + F = 1 + C` does not hold of the sums, or there is not one unbounded face (T3); none if faces are not known.
+    pub adds_up: Option<bool>,
+}
+
+impl Outcome {
+    /// Returns true if nothing is wrong: the whole map is a planar subdivision.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.crossings.is_empty() && self.uneven.is_empty() && self.seams.is_empty() && self.adds_up == Some(true)
+    }
+}
+
+impl Summary {
+    /// What is missing of the whole.
+    fn missing(&self) -> Result<(), FinishError> {
+        let [columns, rows] = self.grid.size().map(u64::from);
+        let count = (columns * rows).saturating_sub(self.tiles.len() as u64);
+        let mut all = (0..columns as u32).flat_map(|column| (0..rows as u32).map(move |row| Tile { column, row }));
+        match all.find(|tile| self.tiles.binary_search(tile).is_err()) {
+            Some(first) => Err(FinishError::Missing { first, count }),
+            None => Ok(()),
+        }
+    }
+
+    /// The audit of the whole, from the summary of all its tiles. O(tiles log tiles).
+    ///
+    /// ```
+    /// use twinedge::map::{Feature, Shape};
+    /// use twinedge::tile::{FinishError, Grid, Summary};
+    ///
+    /// let grid = Grid::new([0.0, 0.0], [4.0, 4.0], 2, 2)?;
+    /// let square = Shape::polygon([[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
+    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
+    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features));
+    /// let first = tiles.next().unwrap()?;
+    /// assert!(matches!(first.clone().finish(), Err(FinishError::Missing { count: 3, .. })));
+    /// let whole = tiles.try_fold(first, |sum, tile| Ok::<_, Box<dyn std::error::Error>>(sum.merge(tile?)?))?;
+    /// let outcome = whole.finish()?;
+    /// assert!(outcome.is_valid());
+    /// assert_eq!((outcome.counts.vertices, outcome.counts.edges, outcome.counts.faces), (4, 4, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FinishError::Missing`].
+    pub fn finish(self) -> Result<Outcome, FinishError> {
+        self.missing()?;
+        let totals = self.totals;
+        let number = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+        let with_edges = totals.components.saturating_sub(totals.isolated_vertices);
+        // Each component has one cycle outside, and each other cycle bounds a face.
+        let bounded = totals.cycles.saturating_sub(with_edges);
+        let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
+        let genus = |one: &Uneven| {
+            let twice = one.edges.saturating_add(2).checked_sub(one.vertices.saturating_add(one.cycles));
+            twice.filter(|twice| twice % 2 == 0).map(|twice| twice / 2)
+        };
+        let genus = self.uneven.iter().map(genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
+        let counts = Counts {
+            vertices: number(totals.vertices),
+            half_edges: number(totals.edges.saturating_mul(2)),
+            edges: number(totals.edges),
+            faces: number(if self.is_plane { totals.faces } else { bounded + 1 }),
+            outer_boundaries: number(bounded),
+            inner_boundaries: number(totals.components),
+            isolated_vertices: number(totals.isolated_vertices),
+            components: Some(number(totals.components)),
+            cycles: Some(number(totals.cycles)),
+            borders: Some(0),
+            genus: genus.map(number),
+        };
+        Ok(Outcome { counts, crossings: self.crossings, uneven: self.uneven, seams: self.seams, adds_up })
+    }
+}

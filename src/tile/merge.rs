@@ -1,0 +1,121 @@
+//! Merging summaries.
+
+use super::error::MergeError;
+use super::fault::{SeamFault, SeamRule};
+use super::grid::{Side, Tile};
+use super::summary::{Border, Contact, Joins, Summary, compare_edges};
+use core::cmp::Ordering;
+use std::collections::BTreeMap;
+
+/// Puts two summaries beside each other and joins them along the borders that both have.
+pub(super) fn merge(one: Summary, other: Summary) -> Result<Summary, MergeError> {
+    if one.grid != other.grid {
+        return Err(MergeError::Grids);
+    }
+    if let Some(tile) = one.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
+        return Err(MergeError::Twice(*tile));
+    }
+    let mut both = beside(one, other);
+    let mut joins = Joins::new(&both);
+    let mut borders: BTreeMap<(Tile, Side), Border> =
+        core::mem::take(&mut both.borders).into_iter().map(|border| ((border.tile, border.side), border)).collect();
+    let keys: Vec<(Tile, Side)> = borders.keys().copied().collect();
+    for (tile, side) in keys.into_iter().filter(|(_, side)| matches!(side, Side::Right | Side::Top)) {
+        let there = both.grid.neighbour(tile, side).map(|neighbour| (neighbour, side.opposite()));
+        let Some(there) = there.filter(|there| borders.contains_key(there)) else { continue };
+        if let (Some(here), Some(there)) = (borders.remove(&(tile, side)), borders.remove(&there)) {
+            both.join(&here, &there, &mut joins);
+        }
+    }
+    both.borders = borders.into_values().collect();
+    Ok(both.settled(&mut joins))
+}
+
+/// Both, with what the second lists numbered after what the first does.
+fn beside(mut one: Summary, mut other: Summary) -> Summary {
+    let [faces, components, cycles] =
+        [one.faces.len(), one.components.len(), one.cycles.len()].map(|count| count as u32);
+    for border in &mut other.borders {
+        border.faces.iter_mut().for_each(|face| *face += faces);
+        for contact in &mut border.contacts {
+            contact.component += components;
+            contact.cycles = contact.cycles.map(|cycle| cycle + cycles);
+        }
+    }
+    other.cycles.iter_mut().for_each(|component| *component += components);
+    one.tiles.append(&mut other.tiles);
+    one.borders.append(&mut other.borders);
+    one.faces.append(&mut other.faces);
+    one.components.append(&mut other.components);
+    one.cycles.append(&mut other.cycles);
+    one.crossings.append(&mut other.crossings);
+    one.uneven.append(&mut other.uneven);
+    one.seams.append(&mut other.seams);
+    one.totals.add(&other.totals);
+    one.is_plane &= other.is_plane;
+    one
+}
+
+impl Summary {
+    /// Joins what lies on both sides of a border.
+    fn join(&mut self, here: &Border, there: &Border, joins: &mut Joins) {
+        let fault = |rule, border: &Border, contact: Option<&&Contact>| SeamFault {
+            rule,
+            tile: border.tile,
+            side: border.side,
+            edge: contact.map(|contact| contact.edge),
+        };
+        let is_same = |a: &Contact, b: &Contact| compare_edges(&a.edge, &b.edge).is_eq();
+        let [these, those] = [here, there].map(sorted);
+        let (mut i, mut j) = (0, 0);
+        let mut is_matched = true;
+        loop {
+            let (a, b) = (these.get(i), those.get(j));
+            let order = match (a, b) {
+                (None, None) => break,
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (Some(a), Some(b)) => compare_edges(&a.edge, &b.edge),
+            };
+            match (order, a, b) {
+                (Ordering::Equal, Some(a), Some(b)) => {
+                    joins.components.join(a.component, b.component);
+                    for way in 0..2 {
+                        joins.cycles.join(a.cycles[way], b.cycles[way]);
+                    }
+                    if a.features != b.features {
+                        self.seams.push(fault(SeamRule::Features, here, Some(a)));
+                    }
+                }
+                (Ordering::Less, ..) => self.seams.push(fault(SeamRule::Contact, here, a)),
+                _ => self.seams.push(fault(SeamRule::Contact, there, b)),
+            }
+            is_matched &= order.is_eq();
+            i += usize::from(order.is_le());
+            j += usize::from(order.is_ge());
+        }
+        if !self.is_plane || !is_matched {
+            return;
+        }
+        let mut pairs = here.contacts.iter().zip(&there.contacts);
+        if let Some((a, _)) = pairs.find(|(a, b)| !is_same(a, b)) {
+            self.seams.push(fault(SeamRule::Order, here, Some(&a)));
+            return;
+        }
+        let before = [None].into_iter().chain(here.contacts.iter().map(Some));
+        for ((a, b), contact) in here.faces.iter().zip(&there.faces).zip(before) {
+            if self.faces[*a as usize].features == self.faces[*b as usize].features {
+                joins.faces.join(*a, *b);
+            } else {
+                self.seams.push(fault(SeamRule::Features, here, contact.as_ref()));
+            }
+        }
+    }
+}
+
+/// The contacts in order of their edges.
+fn sorted(border: &Border) -> Vec<&Contact> {
+    let mut contacts: Vec<&Contact> = border.contacts.iter().collect();
+    contacts.sort_by(|a, b| compare_edges(&a.edge, &b.edge));
+    contacts
+}

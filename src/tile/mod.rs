@@ -1,0 +1,18 @@
+//! Maps in tiles: each tile of a grid is judged alone, and the summaries add up to the audit of the whole map.
+pub use error::{FinishError, MergeError, TileError};
+pub use fault::{Crossing, CrossingKind, SeamFault, SeamRule, Uneven};
+pub use finish::Outcome;
+pub use grid::{Grid, GridError, Side, Tile};
+pub use summary::Summary;
+
+mod clip;
+mod error;
+mod fault;
+mod finish;
+mod grid;
+mod local;
+mod merge;
+mod pieces;
+#[cfg(feature = "serde")]
+mod saved;
+mod summary;
