@@ -26,6 +26,9 @@ pub enum MergeError {
     /// The summaries are of different grids.
     #[error("the summaries are of different grids")]
     Grids,
+    /// The summaries were made with different limits.
+    #[error("the summaries were made with different limits")]
+    Limits,
     /// Both summaries have a tile.
     #[error("both summaries have tile {0}")]
     Twice(Tile),

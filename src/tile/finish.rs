@@ -2,8 +2,10 @@
 
 use super::error::FinishError;
 use super::fault::{Crossing, SeamFault, Uneven};
+use super::findings::coverage;
 use super::grid::Tile;
 use super::summary::Summary;
+use crate::algorithm::coverage::{Coverage, Defect};
 use crate::validate::Counts;
 
 /// The audit of a map by its tiles.
@@ -18,6 +20,12 @@ pub struct Outcome {
     pub uneven: Vec<Uneven>,
     /// The places where two tiles contradict each other (S1 … S3).
     pub seams: Vec<SeamFault>,
+    /// The findings of C1 … C5; none if the map is not plane, as it is not known then what features cover.
+    pub coverage: Option<Coverage>,
+    /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
+    pub defects: Vec<(u32, Vec<Defect>)>,
+    /// The features that not every tile was given that the box around them meets, by number.
+    pub not_given: Vec<u32>,
     /// False if `V − E + F = 1 + C` does not hold of the sums, or there is not one unbounded face (T3); none if faces are not known.
     pub adds_up: Option<bool>,
 }
@@ -26,7 +34,7 @@ impl Outcome {
     /// Returns true if nothing is wrong: the whole map is a planar subdivision.
     #[must_use]
     pub fn is_valid(&self) -> bool {
-        self.crossings.is_empty() && self.uneven.is_empty() && self.seams.is_empty() && self.adds_up == Some(true)
+        self.crossings.is_empty() && self.uneven.is_empty() && self.seams.is_empty() && self.not_given.is_empty() && self.adds_up == Some(true)
     }
 }
 
@@ -45,13 +53,14 @@ impl Summary {
     /// The audit of the whole, from the summary of all its tiles. O(tiles log tiles).
     ///
     /// ```
+    /// use twinedge::algorithm::coverage::Limits;
     /// use twinedge::map::{Feature, Shape};
     /// use twinedge::tile::{FinishError, Grid, Summary};
     ///
     /// let grid = Grid::new([0.0, 0.0], [4.0, 4.0], 2, 2)?;
     /// let square = Shape::polygon([[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
     /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
-    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features));
+    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &Limits::default()));
     /// let first = tiles.next().unwrap()?;
     /// assert!(matches!(first.clone().finish(), Err(FinishError::Missing { count: 3, .. })));
     /// let whole = tiles.try_fold(first, |sum, tile| Ok::<_, Box<dyn std::error::Error>>(sum.merge(tile?)?))?;
@@ -89,6 +98,16 @@ impl Summary {
             borders: Some(0),
             genus: genus.map(number),
         };
-        Ok(Outcome { counts, crossings: self.crossings, uneven: self.uneven, seams: self.seams, adds_up })
+        let not_given = self.claimed.iter().filter(|one| one.seen != one.of).map(|one| one.feature);
+        Ok(Outcome {
+            counts,
+            coverage: self.is_plane.then(|| coverage(&self)),
+            not_given: not_given.collect(),
+            defects: self.defects,
+            crossings: self.crossings,
+            uneven: self.uneven,
+            seams: self.seams,
+            adds_up,
+        })
     }
 }

@@ -1,11 +1,15 @@
 //! The summary of one tile, from the map of the features that meet it.
 
+use super::claimed::Claimed;
 use super::clip::{Bounds, Ends, compare_along};
 use super::error::TileError;
 use super::fault::{Crossing, CrossingKind};
 use super::grid::{Grid, Side, Tile};
+use super::large::areas;
 use super::pieces::Pieces;
+use super::region::{Claim, Edge, Region};
 use super::summary::{Border, Component, Contact, Joins, Summary, compare_points};
+use crate::algorithm::coverage::{Limits, defects};
 use crate::dcel::{FaceKey, HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::geometry::crossing::{Clash, clashes};
@@ -47,6 +51,7 @@ impl Summary {
         grid: &Grid,
         tile: Tile,
         features: impl IntoIterator<Item = (u32, &'f Feature)>,
+        limits: &Limits,
     ) -> Result<Self, TileError> {
         if !grid.has(tile) {
             return Err(TileError::NoSuchTile(tile));
@@ -65,22 +70,43 @@ impl Summary {
         let map = builder.build()?;
         let numbers: Vec<u32> = features.iter().map(|(number, _)| *number).collect();
         let local = Local::new(&map, &numbers, bounds);
-        let mut summary = Self::empty(*grid);
+        let mut summary = Self::empty(*grid, limits.clone());
         summary.tiles.push(tile);
+        summary.note(tile, &features);
         summary.is_plane = map.is_plane();
         summary.crossings = local.crossings();
         Ok(local.summarize(tile, summary))
     }
 }
 
+impl Summary {
+    /// Notes which features the tile was given, and what is wrong with the shapes of those that begin in it.
+    fn note(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
+        for (number, feature) in features {
+            let Some((low, high)) = corners(feature) else { continue };
+            let of = self.grid.tiles_of(low, high).count() as u64;
+            self.claimed.push(Claimed { feature: *number, with: None, seen: 1, of });
+            let first = feature.shapes.iter().flat_map(points).next();
+            if first.is_some_and(|p| self.grid.tile_of(p) == tile) {
+                let found = defects(&feature.shapes);
+                self.defects.extend((!found.is_empty()).then_some((*number, found)));
+            }
+        }
+    }
+}
+
 /// Returns true if the box around a feature meets the tile.
 fn meets(bounds: &Bounds, feature: &Feature) -> bool {
+    corners(feature).is_some_and(|(low, high)| bounds.meets(low, high))
+}
+
+/// The corners of the box around a feature.
+fn corners(feature: &Feature) -> Option<(Point, Point)> {
     let mut points = feature.shapes.iter().flat_map(points);
-    let Some(first) = points.next() else { return false };
-    let (low, high) = points.fold((first, first), |(low, high), p| {
+    let first = points.next()?;
+    Some(points.fold((first, first), |(low, high), p| {
         (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-    });
-    bounds.meets(low, high)
+    }))
 }
 
 fn points(shape: &Shape) -> Box<dyn Iterator<Item = Point> + '_> {
@@ -286,9 +312,6 @@ impl<'a> Local<'a> {
         let mut component_of = |part: u32| number_of[sets.find(part) as usize];
         summary.cycles = self.contacts.iter().map(|(_, part, _)| component_of(*part)).collect();
         let pieces = self.map.is_plane().then(|| Pieces::new(self, &leaves, &closed));
-        for face in pieces.iter().flat_map(|pieces| pieces.closed()) {
-            summary.close_face(face.is_unbounded);
-        }
         let mut first = 0;
         for side in Side::ALL {
             let count = self.contacts[first..].iter().take_while(|contact| contact.0 == side).count();
@@ -322,8 +345,64 @@ impl<'a> Local<'a> {
             }
             summary.borders.push(border);
         }
-        summary.faces = pieces.map(Pieces::open).unwrap_or_default();
-        let mut joins = Joins::new(&summary);
+        let mut joins = match pieces {
+            Some(pieces) => self.claim(pieces, &mut summary),
+            None => Joins::new(&summary),
+        };
         summary.settled(&mut joins)
+    }
+
+    /// Finds the regions of the pieces, and which of them are the same.
+    fn claim(&self, pieces: Pieces, summary: &mut Summary) -> Joins {
+        let mut regions = Vec::new();
+        let mut faces = pieces.faces.clone();
+        for face in &mut faces {
+            for claim in Claim::all(&face.features) {
+                face.regions.push(regions.len() as u32);
+                regions.push(Region { is_unbounded: face.is_unbounded, ..Region::new(claim) });
+            }
+            for feature in &face.features {
+                if let Ok(place) = summary.claimed.binary_search_by_key(feature, |one| one.feature) {
+                    summary.claimed[place].meet(&face.features);
+                }
+            }
+        }
+        for part in &self.parts {
+            if !self.bounds.contains(part.ends[0]) {
+                continue;
+            }
+            let [left, right] = pieces.beside(part).map(|piece| &faces[piece as usize]);
+            let edge = Edge { ends: part.ends, sides: [left, right].map(|face| face.features.clone()) };
+            for region in left.regions.iter().chain(&right.regions) {
+                regions[*region as usize].edges.push(edge.clone());
+            }
+            if summary.limits.gap_width.is_none() {
+                let [a, b] = part.ends;
+                summary.lengths.push((b.x - a.x).hypot(b.y - a.y));
+            }
+        }
+        if let Some(limit) = summary.limits.sliver_area {
+            let areas = areas(self, &pieces);
+            // Twice as large, since these areas are rounded.
+            for (face, _) in faces.iter().zip(areas).filter(|(_, area)| *area > 2.0 * limit) {
+                for region in &face.regions {
+                    let region = &mut regions[*region as usize];
+                    region.is_large = matches!(region.claim, Claim::Part(_));
+                }
+            }
+        }
+        (summary.faces, summary.regions) = (faces, regions);
+        let mut joins = Joins::new(summary);
+        for part in &self.parts {
+            let [left, right] = pieces.beside(part).map(|piece| &summary.faces[piece as usize]);
+            for one in &left.regions {
+                let claim = &summary.regions[*one as usize].claim;
+                let is_same = |other: &&u32| summary.regions[**other as usize].claim == *claim;
+                if let Some(other) = right.regions.iter().find(is_same) {
+                    joins.regions.join(*one, *other);
+                }
+            }
+        }
+        joins
     }
 }

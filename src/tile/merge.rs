@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 
 /// Puts two summaries beside each other and joins them along the borders that both have.
 pub(super) fn merge(one: Summary, other: Summary) -> Result<Summary, MergeError> {
+    if one.limits != other.limits {
+        return Err(MergeError::Limits);
+    }
     if one.grid != other.grid {
         return Err(MergeError::Grids);
     }
@@ -33,8 +36,8 @@ pub(super) fn merge(one: Summary, other: Summary) -> Result<Summary, MergeError>
 
 /// Both, with what the second lists numbered after what the first does.
 fn beside(mut one: Summary, mut other: Summary) -> Summary {
-    let [faces, components, cycles] =
-        [one.faces.len(), one.components.len(), one.cycles.len()].map(|count| count as u32);
+    let [faces, components, cycles, regions] =
+        [one.faces.len(), one.components.len(), one.cycles.len(), one.regions.len()].map(|count| count as u32);
     for border in &mut other.borders {
         border.faces.iter_mut().for_each(|face| *face += faces);
         for contact in &mut border.contacts {
@@ -43,11 +46,19 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
         }
     }
     other.cycles.iter_mut().for_each(|component| *component += components);
+    other.faces.iter_mut().flat_map(|face| &mut face.regions).for_each(|region| *region += regions);
     one.tiles.append(&mut other.tiles);
     one.borders.append(&mut other.borders);
     one.faces.append(&mut other.faces);
     one.components.append(&mut other.components);
     one.cycles.append(&mut other.cycles);
+    one.regions.append(&mut other.regions);
+    one.closed.append(&mut other.closed);
+    one.slivers.append(&mut other.slivers);
+    one.lengths.append(&mut other.lengths);
+    one.areas.append(&mut other.areas);
+    one.claimed.append(&mut other.claimed);
+    one.defects.append(&mut other.defects);
     one.crossings.append(&mut other.crossings);
     one.uneven.append(&mut other.uneven);
     one.seams.append(&mut other.seams);
@@ -104,8 +115,12 @@ impl Summary {
         }
         let before = [None].into_iter().chain(here.contacts.iter().map(Some));
         for ((a, b), contact) in here.faces.iter().zip(&there.faces).zip(before) {
-            if self.faces[*a as usize].features == self.faces[*b as usize].features {
+            let [one, other] = [a, b].map(|face| &self.faces[*face as usize]);
+            if one.features == other.features {
                 joins.faces.join(*a, *b);
+                for (region, same) in one.regions.iter().zip(&other.regions) {
+                    joins.regions.join(*region, *same);
+                }
             } else {
                 self.seams.push(fault(SeamRule::Features, here, contact.as_ref()));
             }

@@ -5,14 +5,18 @@ pub use finish::Outcome;
 pub use grid::{Grid, GridError, Side, Tile};
 pub use summary::Summary;
 
+mod claimed;
 mod clip;
 mod error;
 mod fault;
+mod findings;
 mod finish;
 mod grid;
+mod large;
 mod local;
 mod merge;
 mod pieces;
+mod region;
 #[cfg(feature = "serde")]
 mod saved;
 mod summary;

@@ -14,7 +14,7 @@
 
 use super::clip::{is_below, is_left_of_ray};
 use super::grid::Side;
-use super::local::Local;
+use super::local::{Local, Part};
 use super::summary::{Face, compare_points};
 use crate::geometry::Point;
 use crate::geometry::sweep::sweep;
@@ -25,11 +25,9 @@ use core::ops::Range;
 
 /// The pieces of faces in a tile, those first that its border cuts.
 pub(super) struct Pieces {
-    faces: Vec<Face>,
-    /// The number of those that the border cuts.
-    cut: usize,
+    pub(super) faces: Vec<Face>,
     /// The piece between each contact and the next; if there is no contact, the only one.
-    after: Vec<u32>,
+    pub(super) after: Vec<u32>,
     /// The piece to the left of each half-edge, by index.
     of: Vec<u32>,
 }
@@ -48,7 +46,7 @@ impl Pieces {
         let number_of = sets.numbered().unwrap_or_default();
         let cut = number_of.iter().max().map_or(1, |most| *most as usize + 1);
         let after = if count == 0 { vec![0] } else { (0..count).map(|i| number_of[following(i)]).collect() };
-        let mut pieces = Self { faces: vec![Face::default(); cut], cut, after, of: vec![NIL; local.part_of.len()] };
+        let mut pieces = Self { faces: vec![Face::default(); cut], after, of: vec![NIL; local.part_of.len()] };
         for contact in 0..count as u32 {
             pieces.mark(local, local.entering(contact), number_of[contact as usize]);
         }
@@ -168,14 +166,8 @@ impl Pieces {
         (contacts.start..=contacts.end).map(|contact| self.before(contact)).collect()
     }
 
-    /// The pieces that lie inside.
-    pub(super) fn closed(&self) -> &[Face] {
-        &self.faces[self.cut..]
-    }
-
-    /// The pieces that the border cuts.
-    pub(super) fn open(mut self) -> Vec<Face> {
-        self.faces.truncate(self.cut);
-        self.faces
+    /// The pieces on both sides of an edge.
+    pub(super) fn beside(&self, part: &Part) -> [u32; 2] {
+        part.half_edges.map(|h| self.of[h])
     }
 }

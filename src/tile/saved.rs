@@ -1,20 +1,31 @@
 //! Summaries that were saved: what they name must be there.
 
+use super::claimed::Claimed;
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
+use super::region::{Claim, Region, Sliver};
 use super::summary::{Border, Component, Face, Summary, Totals};
+use crate::algorithm::coverage::{Defect, Limits};
 use thiserror::Error;
 
 /// A summary as it was read.
 #[derive(serde::Deserialize)]
 pub(super) struct Saved {
     grid: Grid,
+    limits: Limits,
     tiles: Vec<Tile>,
     totals: Totals,
     borders: Vec<Border>,
     faces: Vec<Face>,
     components: Vec<Component>,
     cycles: Vec<u32>,
+    regions: Vec<Region>,
+    closed: Vec<Region>,
+    slivers: Vec<Sliver>,
+    lengths: Vec<f64>,
+    areas: Vec<f64>,
+    claimed: Vec<Claimed>,
+    defects: Vec<(u32, Vec<Defect>)>,
     is_plane: bool,
     crossings: Vec<Crossing>,
     uneven: Vec<Uneven>,
@@ -34,7 +45,8 @@ impl TryFrom<Saved> for Summary {
     type Error = SavedError;
 
     fn try_from(saved: Saved) -> Result<Self, SavedError> {
-        let Saved { grid, tiles, totals, borders, faces, components, cycles, is_plane, crossings, uneven, seams } = saved;
+        let Saved { grid, limits, tiles, totals, borders, faces, components, cycles, regions, closed, .. } = saved;
+        let Saved { slivers, lengths, areas, claimed, defects, is_plane, crossings, uneven, seams, .. } = saved;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
         if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
             return Err(SavedError::Tiles);
@@ -62,6 +74,35 @@ impl TryFrom<Saved> for Summary {
         if !borders.iter().all(is_named) || !cycles.iter().all(|component| has(components.len(), *component)) {
             return Err(SavedError::Names);
         }
-        Ok(Self { grid, tiles, totals, borders, faces, components, cycles, is_plane, crossings, uneven, seams })
+        // Each face has the regions of its claims.
+        let is_claimed = |face: &Face| {
+            let claims = Claim::all(&face.features);
+            face.regions.len() == claims.len()
+                && face.regions.iter().zip(&claims).all(|(i, claim)| regions.get(*i as usize).is_some_and(|r| r.claim == *claim))
+        };
+        if !faces.iter().all(is_claimed) {
+            return Err(SavedError::Names);
+        }
+        Ok(Self {
+            grid,
+            limits,
+            tiles,
+            totals,
+            borders,
+            faces,
+            components,
+            cycles,
+            regions,
+            closed,
+            slivers,
+            lengths,
+            areas,
+            claimed,
+            defects,
+            is_plane,
+            crossings,
+            uneven,
+            seams,
+        })
     }
 }

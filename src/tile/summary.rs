@@ -1,9 +1,12 @@
 //! What is known of some tiles together.
 
+use super::claimed::{Claimed, add_up};
 use super::clip::Ends;
 use super::error::MergeError;
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Side, Tile};
+use super::region::{Claim, Region, Sliver, examined};
+use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::Point;
 use crate::slots::{NIL, Sets};
 use core::cmp::Ordering;
@@ -17,6 +20,7 @@ use core::cmp::Ordering;
 #[cfg_attr(feature = "serde", serde(try_from = "super::saved::Saved"))]
 pub struct Summary {
     pub(super) grid: Grid,
+    pub(super) limits: Limits,
     /// Sorted.
     pub(super) tiles: Vec<Tile>,
     pub(super) totals: Totals,
@@ -27,6 +31,18 @@ pub struct Summary {
     pub(super) components: Vec<Component>,
     /// Of each the component.
     pub(super) cycles: Vec<u32>,
+    /// The regions of these faces.
+    pub(super) regions: Vec<Region>,
+    /// The unclaimed regions and the overlaps that no border cuts.
+    pub(super) closed: Vec<Region>,
+    /// The parts of features that are thin, and small, if it is known how small slivers are.
+    pub(super) slivers: Vec<Sliver>,
+    /// The lengths of all edges, and the areas of all parts, in order: those by which limits are chosen that were not given.
+    pub(super) lengths: Vec<f64>,
+    pub(super) areas: Vec<f64>,
+    pub(super) claimed: Vec<Claimed>,
+    /// The features whose shapes are not valid by the rules of the OGC (C6).
+    pub(super) defects: Vec<(u32, Vec<Defect>)>,
     /// False if edges meet elsewhere than at shared endpoints, as far as was seen. Nothing is known of faces then.
     pub(super) is_plane: bool,
     /// The pairs of edges that do.
@@ -105,6 +121,8 @@ pub(super) struct Face {
     /// The features that cover it.
     pub(super) features: Vec<u32>,
     pub(super) is_unbounded: bool,
+    /// The regions that it is part of, in order of its [claims](Claim::all).
+    pub(super) regions: Vec<u32>,
 }
 
 /// A part of a component.
@@ -145,6 +163,7 @@ pub(super) struct Joins {
     pub(super) faces: Sets,
     pub(super) components: Sets,
     pub(super) cycles: Sets,
+    pub(super) regions: Sets,
 }
 
 impl Joins {
@@ -153,6 +172,7 @@ impl Joins {
             faces: Sets::new(summary.faces.len()),
             components: Sets::new(summary.components.len()),
             cycles: Sets::new(summary.cycles.len()),
+            regions: Sets::new(summary.regions.len()),
         }
     }
 }
@@ -185,15 +205,23 @@ impl Numbers {
 
 impl Summary {
     /// Nothing is known of any tile.
-    pub(super) const fn empty(grid: Grid) -> Self {
+    pub(super) const fn empty(grid: Grid, limits: Limits) -> Self {
         Self {
             grid,
+            limits,
             tiles: Vec::new(),
             totals: Totals::NOTHING,
             borders: Vec::new(),
             faces: Vec::new(),
             components: Vec::new(),
             cycles: Vec::new(),
+            regions: Vec::new(),
+            closed: Vec::new(),
+            slivers: Vec::new(),
+            lengths: Vec::new(),
+            areas: Vec::new(),
+            claimed: Vec::new(),
+            defects: Vec::new(),
             is_plane: true,
             crossings: Vec::new(),
             uneven: Vec::new(),
@@ -222,13 +250,15 @@ impl Summary {
     /// Merges two summaries of different tiles. The tiles need not be neighbours. O(n log n) for what both list, expected.
     ///
     /// ```
+    /// use twinedge::algorithm::coverage::Limits;
     /// use twinedge::map::{Feature, Shape};
     /// use twinedge::tile::{Grid, MergeError, Summary};
     ///
     /// let grid = Grid::new([0.0, 0.0], [2.0, 1.0], 2, 1)?;
     /// let square = Shape::polygon([[0.5, 0.0], [1.5, 0.0], [1.5, 1.0], [0.5, 1.0]]);
     /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
-    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, features).unwrap()).collect();
+    /// let limits = Limits::default();
+    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &limits).unwrap()).collect();
     /// assert_eq!(halves[0].contact_count(), 2);
     /// let whole = halves[0].clone().merge(halves[1].clone())?;
     /// assert_eq!(whole.contact_count(), 0);
@@ -246,7 +276,7 @@ impl Summary {
     pub(super) fn settled(mut self, joins: &mut Joins) -> Self {
         if !self.is_plane {
             self.forget_faces();
-            joins.faces = Sets::new(0);
+            (joins.faces, joins.regions) = (Sets::new(0), Sets::new(0));
         }
         self.borders.sort_by_key(|border| (border.tile, border.side));
         let mut faces = Numbers::new(self.faces.len());
@@ -291,14 +321,53 @@ impl Summary {
                 self.close_face(is_unbounded[i as usize]);
             }
         }
-        let open = |i: &u32| Face { features: all[*i as usize].features.clone(), is_unbounded: is_unbounded[*i as usize] };
+        let mut regions = Numbers::new(self.regions.len());
+        let open = |i: &u32| {
+            let Face { features, regions: of, .. } = &all[*i as usize];
+            let of = of.iter().map(|region| regions.get(&mut joins.regions, *region)).collect();
+            Face { features: features.clone(), is_unbounded: is_unbounded[*i as usize], regions: of }
+        };
         self.faces = faces.old.iter().map(open).collect();
+        self.settle_regions(&mut joins.regions, &regions);
+        self.lengths.sort_unstable_by(f64::total_cmp);
+        self.areas.sort_unstable_by(f64::total_cmp);
+        self.closed.sort_by(Region::compare);
+        self.slivers.sort_by(Sliver::compare);
+        add_up(&mut self.claimed);
+        self.defects.sort_by_key(|(feature, _)| *feature);
         self.tiles.sort_unstable();
         self.crossings.sort_by(Crossing::compare);
         self.crossings.dedup();
         self.uneven.sort_by(Uneven::compare);
         self.seams.sort_by(SeamFault::compare);
         self
+    }
+
+    /// Puts the parts of regions together, and examines those that no face names any more.
+    fn settle_regions(&mut self, sets: &mut Sets, open: &Numbers) {
+        let mut whole: Vec<Option<Region>> = Vec::new();
+        whole.resize_with(self.regions.len(), || None);
+        for (i, part) in (0..).zip(core::mem::take(&mut self.regions)) {
+            match &mut whole[sets.find(i) as usize] {
+                Some(region) => region.add(part),
+                none => *none = Some(part),
+            }
+        }
+        for region in whole.iter_mut().flatten() {
+            region.sort();
+        }
+        self.regions = open.old.iter().filter_map(|i| whole[*i as usize].take()).collect();
+        for region in whole.into_iter().flatten() {
+            if !matches!(region.claim, Claim::Part(_)) {
+                self.closed.push(region);
+            } else if !region.is_large {
+                let (area, sliver) = examined(&region, &self.limits);
+                self.slivers.extend(sliver);
+                if self.limits.sliver_area.is_none() {
+                    self.areas.push(area);
+                }
+            }
+        }
     }
 
     /// Counts a component that no border cuts.
@@ -325,6 +394,12 @@ impl Summary {
     /// Drops what is known of faces, and sorts contacts without them.
     fn forget_faces(&mut self) {
         self.faces.clear();
+        self.regions.clear();
+        self.closed.clear();
+        self.slivers.clear();
+        self.lengths.clear();
+        self.areas.clear();
+        self.claimed.iter_mut().for_each(|one| one.with = None);
         (self.totals.faces, self.totals.unbounded_faces) = (0, 0);
         for border in &mut self.borders {
             border.faces.clear();

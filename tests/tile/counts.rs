@@ -2,6 +2,7 @@
 
 use crate::maps::{Random, area, feature, lattice_edges, line, nested, point};
 use crate::whole::{compare, grid};
+use twinedge::algorithm::coverage::Limits;
 use twinedge::map::Feature;
 
 /// Places of lines: between the points of the lattice, through them, and beside all.
@@ -26,7 +27,7 @@ fn every_map_of_lattice_edges_adds_up() {
     for chosen in (0..1 << 16).step_by(7) {
         let features = features_of(&edges, chosen);
         let [upright, level] = [0; 2].map(|_| sets[random.below(sets.len())].clone());
-        compare(&features, &grid(&upright, &level), &mut random);
+        compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
     }
 }
 
@@ -39,7 +40,7 @@ fn some_maps_add_up_under_every_tiling() {
         features.push(feature([area([-0.5, 3.0], [2.0, 4.0])]));
         for upright in &sets {
             for level in &sets {
-                compare(&features, &grid(upright, level), &mut random);
+                compare(&features, &grid(upright, level), &Limits::default(), &mut random);
             }
         }
     }
@@ -57,6 +58,6 @@ fn nested_islands_add_up() {
             if at[0] == at[1] { vec![at[0]] } else { at.to_vec() }
         };
         let (upright, level) = (lines(&mut random), lines(&mut random));
-        compare(&features, &grid(&upright, &level), &mut random);
+        compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
     }
 }

@@ -3,5 +3,6 @@
 
 mod corrupted;
 mod counts;
+mod coverages;
 mod maps;
 mod whole;

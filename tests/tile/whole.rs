@@ -1,6 +1,7 @@
 //! A map as a whole and by its tiles.
 
 use crate::maps::Random;
+use twinedge::algorithm::coverage::{Finding, Limits, check, defects};
 use twinedge::map::{Builder, Feature, PlanarMap};
 use twinedge::tile::{Grid, Outcome, Summary};
 
@@ -26,9 +27,9 @@ pub(crate) fn grid(upright: &[f64], level: &[f64]) -> Grid {
 }
 
 /// The summary of each tile.
-pub(crate) fn summaries(features: &[Feature], grid: &Grid) -> Vec<Summary> {
+pub(crate) fn summaries(features: &[Feature], grid: &Grid, limits: &Limits) -> Vec<Summary> {
     let numbered = || (0..).zip(features);
-    grid.tiles().map(|tile| Summary::new(grid, tile, numbered()).expect("in range")).collect()
+    grid.tiles().map(|tile| Summary::new(grid, tile, numbered(), limits).expect("in range")).collect()
 }
 
 /// Merges in the order of a random tree.
@@ -42,15 +43,54 @@ pub(crate) fn merged(mut summaries: Vec<Summary>, random: &mut Random) -> Summar
 }
 
 /// The audit by tiles.
-pub(crate) fn by_tiles(features: &[Feature], grid: &Grid, random: &mut Random) -> Outcome {
-    merged(summaries(features, grid), random).finish().expect("no tile is missing")
+pub(crate) fn by_tiles(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) -> Outcome {
+    merged(summaries(features, grid, limits), random).finish().expect("no tile is missing")
 }
 
 /// The same, compared with the whole.
-pub(crate) fn compare(features: &[Feature], grid: &Grid, random: &mut Random) {
+pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) {
     let map = whole(features);
     let report = map.validate();
-    let outcome = by_tiles(features, grid, random);
+    let outcome = by_tiles(features, grid, limits, random);
     assert_eq!(outcome.is_valid(), report.is_valid(), "{grid:?} {features:?}\n{outcome:?}");
     assert_eq!(outcome.counts, *report.counts(), "{grid:?} {features:?}");
+    let (by_tiles, whole) = (outcome.coverage.expect("it is plane"), check(&map, limits).expect("it is plane"));
+    assert!(near(by_tiles.gap_width, whole.gap_width) && near(by_tiles.sliver_area, whole.sliver_area), "{grid:?} {features:?}");
+    for (these, those) in [
+        (by_tiles.findings, whole.findings),
+        (by_tiles.wider_gaps, whole.wider_gaps),
+        (by_tiles.accepted_gaps, whole.accepted_gaps),
+    ] {
+        same(these, those, &format!("{grid:?} {limits:?} {features:?}"));
+    }
+    let all = (0..).zip(features).map(|(number, feature)| (number, defects(&feature.shapes)));
+    assert_eq!(outcome.defects, all.filter(|(_, found)| !found.is_empty()).collect::<Vec<_>>());
+}
+
+/// Compares findings, in whatever order, up to rounding; places exactly.
+fn same(these: Vec<Finding>, those: Vec<Finding>, context: &str) {
+    let sorted = |mut findings: Vec<Finding>| {
+        findings.sort_by(|a, b| {
+            let key = |one: &Finding| (one.rule, one.features.clone());
+            key(a).cmp(&key(b)).then(a.at.partial_cmp(&b.at).expect("finite")).then(a.area.total_cmp(&b.area))
+        });
+        findings
+    };
+    let (these, those) = (sorted(these), sorted(those));
+    assert_eq!(these.len(), those.len(), "{context}\n{these:?}\n{those:?}");
+    for (a, b) in these.iter().zip(&those) {
+        let is_same = (a.rule, &a.features, a.at) == (b.rule, &b.features, b.at);
+        let is_near = near(a.area, b.area) && near(a.width, b.width) && near(a.length, b.length);
+        let stretches = |one: &Finding| {
+            let mut all: Vec<[[u64; 2]; 2]> =
+                one.stretches.iter().map(|ends| ends.map(|p| [p.x.to_bits(), p.y.to_bits()])).collect();
+            all.sort_unstable();
+            all
+        };
+        assert!(is_same && is_near && stretches(a) == stretches(b), "{context}\n{a:?}\n{b:?}");
+    }
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1.0)
 }
