@@ -48,9 +48,11 @@ pub(super) fn first_like(claimed: &[Claimed]) -> FxHashMap<u32, u32> {
     };
     let mut first = FxHashMap::default();
     for one in claimed {
-        let mut like = one.with.iter().flatten().filter(|other| {
-            with(**other).is_some_and(|theirs| theirs.binary_search(&one.feature).is_ok())
-        });
+        let mut like = one
+            .with
+            .iter()
+            .flatten()
+            .filter(|other| with(**other).is_some_and(|theirs| theirs.binary_search(&one.feature).is_ok()));
         let least = like.next().copied();
         let is_alone = least == Some(one.feature) && like.next().is_none();
         first.extend(least.filter(|_| !is_alone).map(|least| (one.feature, least)));

@@ -10,7 +10,8 @@
 //! Hence tiles are half-open, an edge along a line belongs to the tile on its right or above it, and an edge through a corner has the corner
 //! on a definite side.
 
-use super::grid::Side;
+use super::ends::Ends;
+use super::side::Side;
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use core::cmp::Ordering;
@@ -23,9 +24,6 @@ pub(super) struct Bounds {
     pub(super) bottom: Option<f64>,
     pub(super) top: Option<f64>,
 }
-
-/// An edge by its ends, the lexicographically smaller one first.
-pub(super) type Ends = [Point; 2];
 
 /// The sides where an edge enters and leaves a tile, on its way from the smaller end.
 #[derive(Clone, Copy, Debug, Default)]
@@ -92,8 +90,7 @@ fn is_left(p: Point, q: Point, corner: Point) -> bool {
     match orientation(p, q, corner) {
         Orientation::CounterClockwise => true,
         Orientation::Clockwise => false,
-        Orientation::Collinear if p.y == q.y => q.x < p.x,
-        Orientation::Collinear => p.y < q.y,
+        Orientation::Collinear => (p.y, -p.x) < (q.y, -q.x),
     }
 }
 

@@ -1,8 +1,8 @@
 //! What is wrong with a map that was seen by its tiles.
 
-use super::clip::Ends;
-use super::grid::{Side, Tile};
-use super::summary::{compare_edges, compare_points};
+use super::ends::{Ends, compare_edges, compare_points};
+use super::grid::Tile;
+use super::side::Side;
 use crate::geometry::Point;
 use core::cmp::Ordering;
 use core::fmt;

@@ -1,8 +1,9 @@
 //! The findings of C1 … C5, from the regions of a whole map.
 
 use super::claimed::first_like;
+use super::ends::compare_edges;
 use super::region::{Claim, Drawing, Edge, Region, sort_edges};
-use super::summary::{Summary, compare_edges};
+use super::summary::Summary;
 use crate::algorithm::coverage::check::Found;
 use crate::algorithm::coverage::gap::{Gaps, accepted_faces};
 use crate::algorithm::coverage::near_miss::{near_misses_beside, width_by};
@@ -100,7 +101,9 @@ fn duplicates(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Findin
         sets.entry(*first).or_default().push(*feature);
     }
     let mut sets: Vec<Vec<u32>> = sets.into_values().filter(|set| set.len() > 1).collect();
-    sets.iter_mut().for_each(|set| set.sort_unstable());
+    for set in &mut sets {
+        set.sort_unstable();
+    }
     sets.sort_unstable();
     let of = |set: Vec<u32>| {
         let is_of = |features: &[u32]| features.binary_search(&set[0]).is_ok();

@@ -6,7 +6,7 @@ use super::findings::coverage;
 use super::grid::Tile;
 use super::summary::Summary;
 use crate::algorithm::coverage::{Coverage, Defect};
-use crate::validate::Counts;
+use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
 
 /// The audit of a map by its tiles.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +34,53 @@ impl Outcome {
     /// Returns true if nothing is wrong: the whole map is a planar subdivision.
     #[must_use]
     pub fn is_valid(&self) -> bool {
-        self.crossings.is_empty() && self.uneven.is_empty() && self.seams.is_empty() && self.not_given.is_empty() && self.adds_up == Some(true)
+        self.crossings.is_empty()
+            && self.uneven.is_empty()
+            && self.seams.is_empty()
+            && self.not_given.is_empty()
+            && self.adds_up == Some(true)
+    }
+}
+
+impl Outcome {
+    /// The outcomes of R1 … G5, as the report of the whole map has them. The rules that every map keeps that is built of features were checked
+    /// when it was.
+    pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
+        let Counts { vertices, half_edges, edges, faces, outer_boundaries, inner_boundaries, .. } = self.counts;
+        let (isolated, boundaries) = (self.counts.isolated_vertices, outer_boundaries + inner_boundaries);
+        let (uneven, crossings) = (self.uneven.len(), self.crossings.len());
+        let broken = [(uneven, Rule::T3), (crossings, Rule::G4)].into_iter().find(|(count, _)| *count > 0);
+        let simple = vertices >= 3;
+        Rule::ALL.iter().copied().filter_map(move |rule| {
+            let (checked, violations) = match rule {
+                Rule::R1 => (5 * half_edges + vertices + 2 * boundaries + faces + inner_boundaries, 0),
+                Rule::L1 | Rule::L2 | Rule::L3 | Rule::B1 => (half_edges, 0),
+                Rule::V1 | Rule::V2 | Rule::G2 => (vertices - isolated, 0),
+                Rule::B2 | Rule::G1 => (vertices, 0),
+                Rule::F1 => (faces, 0),
+                Rule::F2 => (boundaries, 0),
+                Rule::T1 | Rule::T2 | Rule::G5 => (inner_boundaries, 0),
+                Rule::T3 => (inner_boundaries, uneven),
+                Rule::T4 => (usize::from(simple), 0),
+                Rule::G3 => (boundaries - isolated, 0),
+                Rule::G4 => (edges, crossings),
+                _ => return None,
+            };
+            let unchecked = match (rule, broken) {
+                (Rule::T4, _) if !simple => Some(Unchecked::NotSimple),
+                (Rule::G3 | Rule::G5, Some((_, broken))) => Some(Unchecked::Broken(broken)),
+                _ => None,
+            };
+            let checked = if unchecked.is_some() { 0 } else { checked as u64 };
+            Some((rule, RuleOutcome { checked, violations: violations as u64, unchecked }))
+        })
+    }
+
+    /// The greatest numbers of edges and faces by T4, if it applies.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        let vertices = self.counts.vertices;
+        (vertices >= 3).then(|| Bounds { most_edges: 3 * vertices - 6, most_faces: 2 * vertices - 4 })
     }
 }
 

@@ -1,6 +1,7 @@
 //! Grids and their tiles.
 
 use super::clip::Bounds;
+use super::side::Side;
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use core::fmt;
@@ -61,49 +62,12 @@ pub enum GridError {
     Lines,
 }
 
-/// A side of a tile, in counter-clockwise order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Side {
-    /// The lower side.
-    Bottom,
-    /// The right side.
-    Right,
-    /// The upper side.
-    Top,
-    /// The left side.
-    Left,
-}
-
-impl Side {
-    pub(super) const ALL: [Self; 4] = [Self::Bottom, Self::Right, Self::Top, Self::Left];
-
-    /// The side of the neighbour that lies along this one.
-    pub(super) const fn opposite(self) -> Self {
-        match self {
-            Self::Bottom => Self::Top,
-            Self::Right => Self::Left,
-            Self::Top => Self::Bottom,
-            Self::Left => Self::Right,
-        }
-    }
-
-    pub(super) const fn is_upright(self) -> bool {
-        matches!(self, Self::Left | Self::Right)
-    }
-}
-
 impl Grid {
     /// The grid of so many columns and rows whose lines divide the box between two corners. O(columns + rows).
     ///
     /// # Errors
     /// [`GridError`].
-    pub fn new(
-        low: impl Into<Point>,
-        high: impl Into<Point>,
-        columns: u32,
-        rows: u32,
-    ) -> Result<Self, GridError> {
+    pub fn new(low: impl Into<Point>, high: impl Into<Point>, columns: u32, rows: u32) -> Result<Self, GridError> {
         let grid = Self { low: low.into(), high: high.into(), columns, rows };
         if !(1..=MOST).contains(&columns) || !(1..=MOST).contains(&rows) {
             return Err(GridError::Size);

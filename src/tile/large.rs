@@ -1,9 +1,10 @@
 //! Pieces of features that are too large to be part of a sliver, so that nothing needs to be kept of their regions.
 
-use super::clip::{Bounds, Ends};
-use super::grid::Side;
+use super::clip::Bounds;
+use super::ends::Ends;
 use super::local::{Local, Part};
 use super::pieces::Pieces;
+use super::side::Side;
 use crate::geometry::Point;
 
 /// The area of each piece that does not extend to infinity, roughly: where edges pass the border is rounded. O(n).

@@ -1,37 +1,61 @@
 //! Merging summaries.
 
+use super::ends::compare_edges;
 use super::error::MergeError;
 use super::fault::{SeamFault, SeamRule};
-use super::grid::{Side, Tile};
-use super::summary::{Border, Contact, Joins, Summary, compare_edges};
+use super::grid::Tile;
+use super::side::Side;
+use super::summary::{Border, Contact, Joins, Summary};
 use core::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// Puts two summaries beside each other and joins them along the borders that both have.
-pub(super) fn merge(one: Summary, other: Summary) -> Result<Summary, MergeError> {
-    if one.limits != other.limits {
-        return Err(MergeError::Limits);
-    }
-    if one.grid != other.grid {
-        return Err(MergeError::Grids);
-    }
-    if let Some(tile) = one.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
-        return Err(MergeError::Twice(*tile));
-    }
-    let mut both = beside(one, other);
-    let mut joins = Joins::new(&both);
-    let mut borders: BTreeMap<(Tile, Side), Border> =
-        core::mem::take(&mut both.borders).into_iter().map(|border| ((border.tile, border.side), border)).collect();
-    let keys: Vec<(Tile, Side)> = borders.keys().copied().collect();
-    for (tile, side) in keys.into_iter().filter(|(_, side)| matches!(side, Side::Right | Side::Top)) {
-        let there = both.grid.neighbour(tile, side).map(|neighbour| (neighbour, side.opposite()));
-        let Some(there) = there.filter(|there| borders.contains_key(there)) else { continue };
-        if let (Some(here), Some(there)) = (borders.remove(&(tile, side)), borders.remove(&there)) {
-            both.join(&here, &there, &mut joins);
+impl Summary {
+    /// Merges two summaries of different tiles. The tiles need not be neighbours. O(n log n) for what both list, expected.
+    ///
+    /// ```
+    /// use twinedge::algorithm::coverage::Limits;
+    /// use twinedge::map::{Feature, Shape};
+    /// use twinedge::tile::{Grid, MergeError, Summary};
+    ///
+    /// let grid = Grid::new([0.0, 0.0], [2.0, 1.0], 2, 1)?;
+    /// let square = Shape::polygon([[0.5, 0.0], [1.5, 0.0], [1.5, 1.0], [0.5, 1.0]]);
+    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
+    /// let limits = Limits::default();
+    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &limits).unwrap()).collect();
+    /// assert_eq!(halves[0].contact_count(), 2);
+    /// let whole = halves[0].clone().merge(halves[1].clone())?;
+    /// assert_eq!(whole.contact_count(), 0);
+    /// assert!(matches!(whole.merge(halves[1].clone()), Err(MergeError::Twice(_))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MergeError::Grids`] and [`MergeError::Twice`].
+    pub fn merge(self, other: Self) -> Result<Self, MergeError> {
+        if self.limits != other.limits {
+            return Err(MergeError::Limits);
         }
+        if self.grid != other.grid {
+            return Err(MergeError::Grids);
+        }
+        if let Some(tile) = self.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
+            return Err(MergeError::Twice(*tile));
+        }
+        let mut both = beside(self, other);
+        let mut joins = Joins::new(&both);
+        let mut borders: BTreeMap<(Tile, Side), Border> =
+            core::mem::take(&mut both.borders).into_iter().map(|border| ((border.tile, border.side), border)).collect();
+        let keys: Vec<(Tile, Side)> = borders.keys().copied().collect();
+        for (tile, side) in keys.into_iter().filter(|(_, side)| matches!(side, Side::Right | Side::Top)) {
+            let there = both.grid.neighbour(tile, side).map(|neighbour| (neighbour, side.opposite()));
+            let Some(there) = there.filter(|there| borders.contains_key(there)) else { continue };
+            if let (Some(here), Some(there)) = (borders.remove(&(tile, side)), borders.remove(&there)) {
+                both.join(&here, &there, &mut joins);
+            }
+        }
+        both.borders = borders.into_values().collect();
+        Ok(both.settled(&mut joins))
     }
-    both.borders = borders.into_values().collect();
-    Ok(both.settled(&mut joins))
 }
 
 /// Both, with what the second lists numbered after what the first does.

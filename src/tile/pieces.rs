@@ -13,9 +13,10 @@
 //! ```
 
 use super::clip::{is_below, is_left_of_ray};
-use super::grid::Side;
+use super::ends::compare_points;
 use super::local::{Local, Part};
-use super::summary::{Face, compare_points};
+use super::side::Side;
+use super::summary::Face;
 use crate::geometry::Point;
 use crate::geometry::sweep::sweep;
 use crate::map::Located;
@@ -101,9 +102,8 @@ impl Pieces {
             return;
         }
         let least_of = |start: usize| {
-            let along = core::iter::successors(local.half_edge(start), |h| {
-                Some(h.next()).filter(|next| next.index() != start)
-            });
+            let along =
+                core::iter::successors(local.half_edge(start), |h| Some(h.next()).filter(|next| next.index() != start));
             let points = along.map(|h| local.map.point(h.origin().index()));
             points.min_by(|a, b| compare_points(*a, *b)).unwrap_or_default()
         };
@@ -121,15 +121,13 @@ impl Pieces {
             let part = below.map(|part| &local.parts[part as usize]);
             let bottom = local.bounds.bottom;
             let inside = part.filter(|part| bottom.is_none_or(|y| !is_below(part.ends, p.x, y)));
-            let piece = match inside {
-                Some(part) => self.of[part.half_edges[0]],
-                None => {
-                    let along = local.contacts.iter().take_while(|(side, ..)| *side == Side::Bottom);
-                    let is_passed = |part: u32| {
-                        bottom.is_some_and(|y| is_left_of_ray(local.parts[part as usize].ends, p.x, y))
-                    };
-                    self.before(along.take_while(|(_, part, _)| is_passed(*part)).count())
-                }
+            let piece = if let Some(part) = inside {
+                self.of[part.half_edges[0]]
+            } else {
+                let along = local.contacts.iter().take_while(|(side, ..)| *side == Side::Bottom);
+                let is_passed =
+                    |part: u32| bottom.is_some_and(|y| is_left_of_ray(local.parts[part as usize].ends, p.x, y));
+                self.before(along.take_while(|(_, part, _)| is_passed(*part)).count())
             };
             self.mark(local, start, piece);
         }

@@ -8,8 +8,7 @@
 //!
 //! What a finding says of its place is not a sum, so a region that may be one has all edges of its faces.
 
-use super::clip::Ends;
-use super::summary::{compare_edges, compare_points};
+use super::ends::{Ends, compare_edges, compare_points};
 use crate::algorithm::area::Sum;
 use crate::algorithm::coverage::region::finding;
 use crate::algorithm::coverage::sliver::is_thin;
@@ -100,7 +99,7 @@ impl Region {
     pub(super) fn around(&self) -> Vec<u32> {
         let beyond = |edge: &Edge| {
             let is_of = edge.sides.each_ref().map(|side| self.claim.is_of(side));
-            let side = if is_of[0] { 1 } else { 0 };
+            let side = usize::from(is_of[0]);
             if is_of[side] { Vec::new() } else { edge.sides[side].clone() }
         };
         let mut features: Vec<u32> = self.edges.iter().flat_map(beyond).collect();
@@ -183,7 +182,7 @@ impl<'a> Drawing<'a> {
         builder.feature(&Feature { shapes, ..Feature::default() }).ok()?;
         let map = builder.build().ok().filter(PlanarMap::is_plane)?;
         let mut found = Vec::new();
-        for h in map.dcel().half_edges().filter(|h| h.index() % 2 == 0) {
+        for h in map.dcel().half_edges().filter(|h| h.index().is_multiple_of(2)) {
             let mut ends = [h.origin(), h.target()].map(|v| map.point(v.index()));
             let is_forth = compare_points(ends[0], ends[1]).is_le();
             if !is_forth {
@@ -199,7 +198,7 @@ impl<'a> Drawing<'a> {
     /// The number of the edge of a half-edge, and the features that cover the face on its left.
     pub(super) fn left(&self, h: HalfEdge<'_>) -> Option<(usize, &'a [u32])> {
         let (edge, is_forth) = self.of.get(h.index() / 2).copied().flatten()?;
-        let is_left = (h.index() % 2 == 0) == is_forth;
+        let is_left = h.index().is_multiple_of(2) == is_forth;
         Some((edge, &self.edges[edge].sides[usize::from(!is_left)]))
     }
 

@@ -4,6 +4,7 @@ use super::claimed::Claimed;
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
 use super::region::{Claim, Region, Sliver};
+use super::side::Side;
 use super::summary::{Border, Component, Face, Summary, Totals};
 use crate::algorithm::coverage::{Defect, Limits};
 use thiserror::Error;
@@ -53,10 +54,9 @@ impl TryFrom<Saved> for Summary {
         }
         // A border is there if and only if the tile beyond it is not.
         let expected = tiles.iter().flat_map(|tile| {
-            let sides = super::grid::Side::ALL.into_iter();
-            let is_open = |side: &super::grid::Side| {
-                grid.neighbour(*tile, *side).is_some_and(|there| tiles.binary_search(&there).is_err())
-            };
+            let sides = Side::ALL.into_iter();
+            let is_open =
+                |side: &Side| grid.neighbour(*tile, *side).is_some_and(|there| tiles.binary_search(&there).is_err());
             sides.filter(is_open).map(|side| (*tile, side))
         });
         if !expected.eq(borders.iter().map(|border| (border.tile, border.side))) {
@@ -78,7 +78,11 @@ impl TryFrom<Saved> for Summary {
         let is_claimed = |face: &Face| {
             let claims = Claim::all(&face.features);
             face.regions.len() == claims.len()
-                && face.regions.iter().zip(&claims).all(|(i, claim)| regions.get(*i as usize).is_some_and(|r| r.claim == *claim))
+                && face
+                    .regions
+                    .iter()
+                    .zip(&claims)
+                    .all(|(i, claim)| regions.get(*i as usize).is_some_and(|r| r.claim == *claim))
         };
         if !faces.iter().all(is_claimed) {
             return Err(SavedError::Names);

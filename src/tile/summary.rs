@@ -1,15 +1,14 @@
 //! What is known of some tiles together.
 
 use super::claimed::{Claimed, add_up};
-use super::clip::Ends;
-use super::error::MergeError;
+use super::ends::{Ends, compare_edges, compare_points};
 use super::fault::{Crossing, SeamFault, Uneven};
-use super::grid::{Grid, Side, Tile};
+use super::grid::{Grid, Tile};
 use super::region::{Claim, Region, Sliver, examined};
+use super::side::Side;
 use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::Point;
 use crate::slots::{NIL, Sets};
-use core::cmp::Ordering;
 
 /// The summary of one tile, or of several that were merged: what lies wholly inside is counted, and what the border cuts is listed, so
 /// that it can be joined with what lies on the other side.
@@ -65,15 +64,8 @@ pub(super) struct Totals {
 }
 
 impl Totals {
-    const NOTHING: Self = Self {
-        vertices: 0,
-        edges: 0,
-        cycles: 0,
-        components: 0,
-        isolated_vertices: 0,
-        faces: 0,
-        unbounded_faces: 0,
-    };
+    const NOTHING: Self =
+        Self { vertices: 0, edges: 0, cycles: 0, components: 0, isolated_vertices: 0, faces: 0, unbounded_faces: 0 };
 
     /// Adds others. Sums that a file made up are too large stay at the largest number.
     pub(super) fn add(&mut self, other: &Self) {
@@ -146,16 +138,6 @@ impl Component {
             (a, b) => a.or(b),
         };
     }
-}
-
-/// A total order of points; of finite ones without −0 the lexicographical one.
-pub(super) fn compare_points(a: Point, b: Point) -> Ordering {
-    a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
-}
-
-/// The order of edges by their ends.
-pub(super) fn compare_edges(e: &Ends, f: &Ends) -> Ordering {
-    compare_points(e[0], f[0]).then_with(|| compare_points(e[1], f[1]))
 }
 
 /// Which faces, components and cycles of a summary are the same.
@@ -247,31 +229,6 @@ impl Summary {
         self.borders.iter().map(|border| border.contacts.len()).sum()
     }
 
-    /// Merges two summaries of different tiles. The tiles need not be neighbours. O(n log n) for what both list, expected.
-    ///
-    /// ```
-    /// use twinedge::algorithm::coverage::Limits;
-    /// use twinedge::map::{Feature, Shape};
-    /// use twinedge::tile::{Grid, MergeError, Summary};
-    ///
-    /// let grid = Grid::new([0.0, 0.0], [2.0, 1.0], 2, 1)?;
-    /// let square = Shape::polygon([[0.5, 0.0], [1.5, 0.0], [1.5, 1.0], [0.5, 1.0]]);
-    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
-    /// let limits = Limits::default();
-    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &limits).unwrap()).collect();
-    /// assert_eq!(halves[0].contact_count(), 2);
-    /// let whole = halves[0].clone().merge(halves[1].clone())?;
-    /// assert_eq!(whole.contact_count(), 0);
-    /// assert!(matches!(whole.merge(halves[1].clone()), Err(MergeError::Twice(_))));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`MergeError::Grids`] and [`MergeError::Twice`].
-    pub fn merge(self, other: Self) -> Result<Self, MergeError> {
-        super::merge::merge(self, other)
-    }
-
     /// Numbers what borders name, once it is known what is the same, and counts what none names any more.
     pub(super) fn settled(mut self, joins: &mut Joins) -> Self {
         if !self.is_plane {
@@ -290,6 +247,10 @@ impl Summary {
                 contact.component = components.get(&mut joins.components, contact.component);
                 contact.cycles = contact.cycles.map(|cycle| cycles.get(&mut joins.cycles, cycle));
             }
+        }
+        for cycle in &cycles.old {
+            // The contacts of a cycle name its component, too, unless the summary was made up.
+            components.get(&mut joins.components, self.cycles[*cycle as usize]);
         }
         // Everything is added to what stands for it.
         let all = core::mem::take(&mut self.components);

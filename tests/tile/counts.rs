@@ -52,12 +52,7 @@ fn nested_islands_add_up() {
     for _ in 0..300 {
         let mut features = Vec::new();
         nested([-7, -7], [7, 7], &mut random, &mut features);
-        let lines = |random: &mut Random| {
-            let mut at = [random.below(29) as f64 / 2.0 - 7.0, random.below(29) as f64 / 2.0 - 7.0];
-            at.sort_by(f64::total_cmp);
-            if at[0] == at[1] { vec![at[0]] } else { at.to_vec() }
-        };
-        let (upright, level) = (lines(&mut random), lines(&mut random));
+        let (upright, level) = (random.lines(-14, 2.0), random.lines(-14, 2.0));
         compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
     }
 }

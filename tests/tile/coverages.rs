@@ -16,17 +16,6 @@ fn limits() -> Vec<Limits> {
     ]
 }
 
-fn lines(random: &mut Random) -> Vec<f64> {
-    let mut at = [random.below(33) as f64 / 4.0, random.below(33) as f64 / 4.0];
-    at.sort_by(f64::total_cmp);
-    match random.below(4) {
-        0 => Vec::new(),
-        1 => vec![at[0]],
-        _ if at[0] == at[1] => vec![at[0]],
-        _ => at.to_vec(),
-    }
-}
-
 /// Parcels on a lattice, with what is wrong planted: rectangles that overlap at lattice lines, parcels that are missing, repeated, divided
 /// by lines, pierced by holes, thin strips, strips that nearly meet.
 fn parcels(random: &mut Random) -> Vec<Feature> {
@@ -51,9 +40,12 @@ fn parcels(random: &mut Random) -> Vec<Feature> {
                     }
                 }
                 2 => features.push(feature([Shape::polygon(cell(x, y, (x + 7).min(16), y + 4))])),
-                3 => features.push(feature([
-                    Shape::polygon(cell(x, y, x + 4, y + 4)).hole(cell(x + 1, y + 1, x + 2, y + 3)),
-                ])),
+                3 => features.push(feature([Shape::polygon(cell(x, y, x + 4, y + 4)).hole(cell(
+                    x + 1,
+                    y + 1,
+                    x + 2,
+                    y + 3,
+                ))])),
                 4 => {
                     features.push(feature([Shape::polygon(cell(x, y, x + 1, y + 4))]));
                     features.push(feature([Shape::polygon(cell(x + 1, y, x + 4, y + 4))]));
@@ -81,7 +73,7 @@ fn findings_on_a_lattice_are_those_of_the_whole() {
     let limits = limits();
     for round in 0..400 {
         let features = parcels(&mut random);
-        let (upright, level) = (lines(&mut random), lines(&mut random));
+        let (upright, level) = (random.lines(0, 4.0), random.lines(0, 4.0));
         compare(&features, &grid(&upright, &level), &limits[round % limits.len()], &mut random);
     }
 }

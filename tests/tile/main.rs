@@ -4,5 +4,6 @@
 mod corrupted;
 mod counts;
 mod coverages;
+mod drawn;
 mod maps;
 mod whole;

@@ -18,8 +18,24 @@ impl Random {
         ((self.0 >> 11) % n as u64) as usize
     }
 
-    pub(crate) fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len())]
+    /// The same, from a number on.
+    pub(crate) fn from(&mut self, low: i32, n: i32) -> i32 {
+        let n = usize::try_from(n).expect("a number of choices");
+        low + i32::try_from(self.below(n)).expect("a small number")
+    }
+
+    /// Up to two places of lines, in order: 33 multiples of a part of 1.
+    pub(crate) fn lines(&mut self, low: i32, parts: f64) -> Vec<f64> {
+        let mut at = vec![self.from(low, 33), self.from(low, 33)];
+        at.sort_unstable();
+        at.dedup();
+        at.truncate(self.below(4));
+        at.into_iter().map(|at| f64::from(at) / parts).collect()
+    }
+
+    /// From 0 up to 1.
+    pub(crate) fn part(&mut self) -> f64 {
+        self.below(1 << 30) as f64 / f64::from(1 << 30)
     }
 }
 
@@ -91,20 +107,19 @@ pub(crate) fn nested(low: [i32; 2], high: [i32; 2], random: &mut Random, into: &
             nested(inner.0, inner.1, random, into);
         }
         1 if width > 4 => {
-            let middle = low[0] + 1 + random.below(width as usize - 2) as i32;
+            let middle = random.from(low[0] + 1, width - 2);
             nested(low, [middle, high[1]], random, into);
             nested([middle, low[1]], high, random, into);
         }
         2 if height > 4 => {
-            let middle = low[1] + 1 + random.below(height as usize - 2) as i32;
+            let middle = random.from(low[1] + 1, height - 2);
             nested(low, [high[0], middle], random, into);
             nested([low[0], middle], high, random, into);
         }
         _ => {
-            let [dx, dy] = [random.below(width as usize - 1) as i32 + 1, random.below(height as usize - 1) as i32 + 1];
-            let p = at([low[0] + dx, low[1] + dy]);
-            let q = at([low[0] + 1 + random.below(width as usize - 1) as i32, high[1] - 1]);
-            into.push(feature([if p == q { point(p[0], p[1]) } else { line(&[p, q]) }]));
+            let p = [random.from(low[0] + 1, width - 1), random.from(low[1] + 1, height - 1)];
+            let q = [random.from(low[0] + 1, width - 1), high[1] - 1];
+            into.push(feature([if p == q { Shape::Point(at(p).into()) } else { line(&[p, q].map(at)) }]));
         }
     }
 }
