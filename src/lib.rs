@@ -57,6 +57,7 @@
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
 //! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
 //! | find overlaps, gaps, slivers, duplicates, polygons that are not valid by the OGC | [`algorithm::coverage`] | `map` (default) |
+//! | audit a map that is too large for one machine, in tiles | [`tile`] | `map` (default) |
 //! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
 //! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
 //! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |
@@ -73,7 +74,7 @@
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
 //! | `std` (default) | with `program`, panics of a structure under test are caught | none |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`] | `std`; robust, rstar, rustc-hash, thiserror |
-//! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |
+//! | `map` (default) | [`map`], [`algorithm`], [`tile`], [`io::svg`] | those of `dcel` and `geometry` |
 //! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, `dcel::Audited` and `dcel::History`; with `map`, `map::Audited` and `map::History` | none |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
@@ -126,6 +127,7 @@
 //!      ▲                     │
 //!      │ G1 … G5             ▼
 //!   geometry ─────────────► map ──► algorithm ──► io
+//!                                       └───────► tile
 //! ```
 //!
 //! | layer | purpose |
@@ -137,6 +139,7 @@
 //! | [`geometry`] | points, exact predicates, crossings, noding; no half-edges |
 //! | [`map`] | a [`dcel::Dcel`] with coordinates: building, editing, location |
 //! | [`algorithm`] | outlines, neighbours, areas, overlays |
+//! | [`tile`] | maps in tiles, whose summaries add up |
 //! | [`io`] | GeoJSON, WKT, geo-types, SVG |
 //!
 //! # Limits
@@ -198,6 +201,11 @@ pub mod map;
 #[clippy::msrv = "1.90"]
 #[forbid(unsafe_code)]
 pub mod algorithm;
+
+#[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
+pub mod tile;
 
 #[cfg(feature = "map")]
 #[clippy::msrv = "1.90"]

@@ -17,20 +17,20 @@ use crate::validate::Embedding;
 
 /// A compensated sum: the rounding errors are summed as well.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sum {
+pub(crate) struct Sum {
     total: f64,
     lost: f64,
 }
 
 impl Sum {
-    pub(super) fn add(&mut self, term: f64) {
+    pub(crate) fn add(&mut self, term: f64) {
         let total = self.total + term;
         let (large, small) = if self.total.abs() >= term.abs() { (self.total, term) } else { (term, self.total) };
         self.lost += (large - total) + small;
         self.total = total;
     }
 
-    pub(super) fn value(self) -> f64 {
+    pub(crate) fn value(self) -> f64 {
         // Beyond the largest number, the sum of the errors is NaN.
         if self.total.is_finite() { self.total + self.lost } else { self.total }
     }

@@ -68,7 +68,7 @@ pub struct Feature {
 /// A feature of a map, such as a country, by its number in order of input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct FeatureId(pub(super) u32);
+pub struct FeatureId(pub(crate) u32);
 
 impl FeatureId {
     /// The place in order of input, counted from 0.

@@ -15,6 +15,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("program", &["slots", "validate", "store", "dcel"]),
     ("map", &["slots", "validate", "store", "dcel", "geometry"]),
     ("algorithm", &["slots", "validate", "store", "dcel", "geometry", "map"]),
+    ("tile", &["slots", "validate", "store", "dcel", "geometry", "map", "algorithm"]),
     ("io", &["slots", "validate", "store", "dcel", "geometry", "map", "algorithm"]),
 ];
 

@@ -3,7 +3,7 @@
 use super::claims::faces_by_feature;
 use super::duplicate::{duplicates, first_like};
 use super::finding::{CoverageRule, Finding, Limits};
-use super::gap::gaps;
+use super::gap::{Gaps, gaps};
 use super::near_miss::{chosen_width, near_misses};
 use super::overlap::overlaps;
 use super::sliver::slivers;
@@ -73,10 +73,7 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     let first_like = first_like(map, &faces);
     let unclaimed = || {
         let gap_width = limits.gap_width.unwrap_or_else(|| chosen_width(map));
-        let mut gaps = gaps(map, limits, gap_width);
-        for kept in [&mut gaps.wider, &mut gaps.accepted] {
-            kept.sort_by(|a, b| b.area.total_cmp(&a.area));
-        }
+        let gaps = gaps(map, limits, gap_width);
         (near_misses(map, &gaps.spaces, gap_width), gaps, gap_width)
     };
     let claimed = || {
@@ -85,10 +82,32 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     };
     let ((near_misses, gaps, gap_width), (overlaps, slivers, sliver_area, duplicates)) =
         threads::join(unclaimed, claimed);
-    let mut findings = Vec::new();
-    for mut found in [overlaps, gaps.findings, near_misses, slivers, duplicates] {
-        found.sort_by(|a, b| b.area.total_cmp(&a.area));
-        findings.append(&mut found);
+    Ok(Found { overlaps, gaps, near_misses, slivers, duplicates, gap_width, sliver_area }.sorted())
+}
+
+/// The findings, rule by rule.
+pub(crate) struct Found {
+    pub(crate) overlaps: Vec<Finding>,
+    pub(crate) gaps: Gaps,
+    pub(crate) near_misses: Vec<Finding>,
+    pub(crate) slivers: Vec<Finding>,
+    pub(crate) duplicates: Vec<Finding>,
+    pub(crate) gap_width: f64,
+    pub(crate) sliver_area: f64,
+}
+
+impl Found {
+    pub(crate) fn sorted(self) -> Coverage {
+        let Self { overlaps, gaps, near_misses, slivers, duplicates, gap_width, sliver_area } = self;
+        let Gaps { findings: narrow, mut wider, mut accepted, .. } = gaps;
+        for kept in [&mut wider, &mut accepted] {
+            kept.sort_by(|a, b| b.area.total_cmp(&a.area));
+        }
+        let mut findings = Vec::new();
+        for mut found in [overlaps, narrow, near_misses, slivers, duplicates] {
+            found.sort_by(|a, b| b.area.total_cmp(&a.area));
+            findings.append(&mut found);
+        }
+        Coverage { findings, wider_gaps: wider, accepted_gaps: accepted, gap_width, sliver_area }
     }
-    Ok(Coverage { findings, wider_gaps: gaps.wider, accepted_gaps: gaps.accepted, gap_width, sliver_area })
 }

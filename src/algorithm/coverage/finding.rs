@@ -80,7 +80,7 @@ pub struct Finding {
     pub length: f64,
     /// A point inside it.
     pub at: Point,
-    /// The faces that make it up, none for a near miss.
+    /// The faces that make it up; none for a near miss, and where the map was seen by its tiles.
     pub faces: Vec<FaceKey>,
     /// The stretches of borders that face each other, of a near miss; none for the other rules.
     pub stretches: Vec<[Point; 2]>,
@@ -95,6 +95,7 @@ pub struct Finding {
 /// assert_eq!(limits.thinness, 0.2);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits {
     /// The greatest width of a near miss, and of a gap if it is to be found and there is no `lake_width`. By default every gap is
     /// found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.

@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The gaps, and the unclaimed faces that are none.
 #[derive(Default)]
-pub(super) struct Gaps {
+pub(crate) struct Gaps {
     pub(super) findings: Vec<Finding>,
     /// The gaps that are wider than asked for.
     pub(super) wider: Vec<Finding>,
@@ -23,26 +23,33 @@ pub(super) struct Gaps {
     pub(super) spaces: FxHashMap<usize, usize>,
 }
 
+impl Gaps {
+    /// Takes a gap. Returns true if near misses are looked for in it.
+    pub(crate) fn take(&mut self, gap: Finding, is_accepted: bool, limits: &Limits, near_miss_width: f64) -> bool {
+        let is_wide = gap.width > near_miss_width;
+        let greatest = limits.lake_width.or(limits.gap_width);
+        let is_narrow = greatest.is_none_or(|width| gap.width <= width);
+        let kept = match (is_accepted, is_narrow) {
+            (true, _) => &mut self.accepted,
+            (false, true) => &mut self.findings,
+            (false, false) => &mut self.wider,
+        };
+        kept.push(gap);
+        is_wide && (limits.gap_width.is_some() || !is_narrow || is_accepted)
+    }
+}
+
 /// Finds the gaps. Near misses are looked for in those that are wider than these are, unless all gaps are findings. O(n log n).
 pub(super) fn gaps(map: &PlanarMap, limits: &Limits, near_miss_width: f64) -> Gaps {
     let accepted = accepted_faces(map, &limits.accepted_gaps);
-    let greatest = limits.lake_width.or(limits.gap_width);
     let unclaimed = |face: Face<'_>| features_of(map, face).next().is_none().then_some(());
     let mut found = Gaps::default();
     for space in connected(map.dcel().faces(), unclaimed) {
         let is_outside = space.iter().any(|face| face.is_unbounded());
         if !is_outside {
             let gap = finding(map, CoverageRule::Gap, around(map, &space), &space);
-            let is_wide = gap.width > near_miss_width;
             let is_accepted = space.iter().any(|face| accepted.contains(&face.index()));
-            let is_narrow = greatest.is_none_or(|width| gap.width <= width);
-            let kept = match (is_accepted, is_narrow) {
-                (true, _) => &mut found.accepted,
-                (false, true) => &mut found.findings,
-                (false, false) => &mut found.wider,
-            };
-            kept.push(gap);
-            if !is_wide || (limits.gap_width.is_none() && is_narrow && !is_accepted) {
+            if !found.take(gap, is_accepted, limits, near_miss_width) {
                 continue;
             }
         }
@@ -52,7 +59,7 @@ pub(super) fn gaps(map: &PlanarMap, limits: &Limits, near_miss_width: f64) -> Ga
 }
 
 /// The faces in which these points lie, by index. O(n log n) if there are points.
-pub(in crate::algorithm) fn accepted_faces(map: &PlanarMap, points: &[Point]) -> FxHashSet<usize> {
+pub(crate) fn accepted_faces(map: &PlanarMap, points: &[Point]) -> FxHashSet<usize> {
     let face = |p: &Point| match map.locate(*p) {
         Ok(Located::Face(face)) => map.dcel().face(face).ok().map(Face::index),
         _ => None,

@@ -25,16 +25,16 @@
 //! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
 //! feature leaks ([`leaks`]). Then it is not known what it covers, and [`check`] refuses the map.
 
-mod check;
+pub(crate) mod check;
 mod claims;
 mod duplicate;
 mod finding;
-pub(super) mod gap;
-mod near_miss;
+pub(crate) mod gap;
+pub(crate) mod near_miss;
 mod overlap;
-pub(super) mod region;
+pub(crate) mod region;
 mod rings;
-pub(super) mod sliver;
+pub(crate) mod sliver;
 mod validity;
 
 pub use check::{Coverage, CoverageError, check};

@@ -19,7 +19,9 @@ use super::sliver::median;
 use crate::algorithm::area::Sum;
 use crate::dcel::HalfEdge;
 use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
 use crate::map::{FeatureId, PlanarMap};
+use core::cmp::Ordering;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -31,25 +33,22 @@ const LEAST: f64 = 4.0;
 /// The part of the median length of edges that is the width if none is given.
 const OF_MEDIAN: f64 = 100.0;
 
+/// Tells the features that cover the face on the other side of a half-edge.
+pub(crate) type Beyond<'a> = dyn Fn(HalfEdge<'a>) -> &'a [FeatureId] + 'a;
+
 /// The sides: half-edges of features' borders with one of the spaces to their left, by index. What is known of them is looked up, since there
 /// are as many as half-edges where islands lie in the sea.
+#[derive(Clone, Copy)]
 struct Sides<'a> {
     map: &'a PlanarMap,
     /// The space that each unclaimed face is part of, by index.
     spaces: &'a FxHashMap<usize, usize>,
-    /// The features of the other faces at them, by index; not empty.
-    features: FxHashMap<usize, Vec<FeatureId>>,
+    beyond: &'a Beyond<'a>,
 }
 
 impl<'a> Sides<'a> {
-    fn new(map: &'a PlanarMap, spaces: &'a FxHashMap<usize, usize>) -> Self {
-        let claimed = map.dcel().faces().filter(|face| !spaces.contains_key(&face.index()));
-        let features = claimed.map(|face| (face.index(), features_of(map, face).collect::<Vec<_>>()));
-        Self { map, spaces, features: features.filter(|(_, features)| !features.is_empty()).collect() }
-    }
-
-    fn all(&self) -> impl Iterator<Item = usize> {
-        let is_side = |h: &HalfEdge<'_>| self.space(*h).is_some() && self.features_at(*h).is_some();
+    fn all(self) -> impl Iterator<Item = usize> {
+        let is_side = move |h: &HalfEdge<'a>| self.space(*h).is_some() && !(self.beyond)(*h).is_empty();
         self.map.dcel().half_edges().filter(is_side).map(|h| h.index())
     }
 
@@ -65,12 +64,8 @@ impl<'a> Sides<'a> {
         self.spaces.get(&h.face().index()).copied()
     }
 
-    fn features_at(&self, h: HalfEdge<'_>) -> Option<&[FeatureId]> {
-        self.features.get(&h.twin().face().index()).map(Vec::as_slice)
-    }
-
-    fn features(&self, side: usize) -> &[FeatureId] {
-        self.features_at(self.half_edge(side)).unwrap_or_default()
+    fn features(&self, side: usize) -> &'a [FeatureId] {
+        (self.beyond)(self.half_edge(side))
     }
 }
 
@@ -87,13 +82,31 @@ struct Stretch {
 
 /// The greatest width of near misses if none is given. O(n), expected.
 pub(super) fn chosen_width(map: &PlanarMap) -> f64 {
-    median(map.dcel().edges().map(|h| length(map, h)).collect()) / OF_MEDIAN
+    width_by(map.dcel().edges().map(|h| length(map, h)).collect())
+}
+
+/// The same, from the lengths of all edges.
+pub(crate) fn width_by(lengths: Vec<f64>) -> f64 {
+    median(lengths) / OF_MEDIAN
 }
 
 /// The near misses up to a width. `spaces` has the space that each unclaimed face is part of, where near misses are looked for, both by
 /// index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
 pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, width: f64) -> Vec<Finding> {
-    let sides = &Sides::new(map, spaces);
+    let claimed = map.dcel().faces().filter(|face| !spaces.contains_key(&face.index()));
+    let features = claimed.map(|face| (face.index(), features_of(map, face).collect::<Vec<_>>()));
+    let features: FxHashMap<usize, Vec<FeatureId>> = features.filter(|(_, features)| !features.is_empty()).collect();
+    near_misses_beside(map, spaces, &|h| features.get(&h.twin().face().index()).map_or(&[], Vec::as_slice), width)
+}
+
+/// The same, where it is known otherwise which features are beside the spaces.
+pub(crate) fn near_misses_beside<'a>(
+    map: &'a PlanarMap,
+    spaces: &'a FxHashMap<usize, usize>,
+    beyond: &'a Beyond<'a>,
+    width: f64,
+) -> Vec<Finding> {
+    let sides = &Sides { map, spaces, beyond };
     // By the two features, then by side.
     let mut pairs: BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>> = BTreeMap::new();
     let boxed = |side| {
@@ -228,7 +241,10 @@ impl Piece {
 /// The union of the stretches of a side, in order, each place once.
 fn pieces(stretches: &[Stretch], side: usize, sides: &Sides<'_>) -> Vec<Piece> {
     let mut sorted = stretches.to_vec();
-    sorted.sort_unstable_by(|a, b| a.from.total_cmp(&b.from).then(a.widths[0].total_cmp(&b.widths[0])));
+    let by_place = |a: &Stretch, b: &Stretch| compare_ends(sides.ends(a.other), sides.ends(b.other));
+    sorted.sort_unstable_by(|a, b| {
+        a.from.total_cmp(&b.from).then(a.widths[0].total_cmp(&b.widths[0])).then_with(|| by_place(a, b))
+    });
     let [a, b] = sides.ends(side);
     let mut end = 0.0_f64;
     let mut pieces = Vec::new();
@@ -256,7 +272,7 @@ fn parts(pieces: &[Piece], width: f64) -> bool {
 /// Keeps the narrow pieces: up to the greatest width at which they make up a strip at least half as slender as the most slender one. So the
 /// measures are not those of the ends, where borders that coincide but for a rounding move apart.
 fn narrow(pieces: &mut Vec<Piece>) {
-    pieces.sort_by(|a, b| a.greatest().total_cmp(&b.greatest()));
+    pieces.sort_by(|a, b| a.greatest().total_cmp(&b.greatest()).then_with(|| compare_ends(a.ends, b.ends)));
     let mut length = 0.0;
     let lengths = pieces.iter().map(|piece| {
         length += piece.length;
@@ -295,6 +311,11 @@ fn opposite([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(f64, f64)> {
 fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
     let u = minus(b, a);
     along(a, b, (dot(minus(p, a), u) / dot(u, u)).clamp(0.0, 1.0))
+}
+
+/// Compares stretches by their place, so that no outcome depends on the numbers of half-edges.
+fn compare_ends([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Ordering {
+    compare_lexicographic(a, c).then_with(|| compare_lexicographic(b, d))
 }
 
 fn along(a: Point, b: Point, t: f64) -> Point {

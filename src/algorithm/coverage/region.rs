@@ -4,6 +4,7 @@ use super::finding::{CoverageRule, Finding};
 use crate::algorithm::area::{Sum, face_area};
 use crate::dcel::{Face, HalfEdge};
 use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
 use rustc_hash::FxHashSet;
@@ -51,27 +52,30 @@ pub(in crate::algorithm) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> 
     around.filter(|h| !inside.contains(&h.twin().face().index())).collect()
 }
 
-/// The finding that a set of bounded faces is.
-pub(super) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
+/// The finding that a set of bounded faces is. Its place is in the largest face; of those that are equally large, in the one whose place comes
+/// last from left to right.
+pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
     let areas = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default());
     let area: Sum = areas.clone().collect();
     let around: Sum = border(faces).into_iter().map(|h| length(map, h)).collect();
     let (area, length) = (area.value(), around.value());
-    let largest = areas.zip(faces).max_by(|a, b| a.0.total_cmp(&b.0));
+    let place = |face: &Face<'_>| point_inside(map, *face).unwrap_or_default();
+    let order = |a: &Face<'_>, b: &Face<'_>| compare_lexicographic(place(a), place(b));
+    let largest = areas.zip(faces).max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| order(a.1, b.1)));
     Finding {
         rule,
         features,
         area,
         width: mean_width(area, length),
         length,
-        at: largest.and_then(|(_, face)| point_inside(map, *face)).unwrap_or_default(),
+        at: largest.map(|(_, face)| place(face)).unwrap_or_default(),
         faces: faces.iter().map(|f| f.key()).collect(),
         stretches: Vec::new(),
     }
 }
 
 /// Twice the area by the length of the border.
-pub(in crate::algorithm) fn mean_width(area: f64, length: f64) -> f64 {
+pub(crate) fn mean_width(area: f64, length: f64) -> f64 {
     if length > 0.0 { 2.0 * area / length } else { 0.0 }
 }
 

@@ -21,13 +21,23 @@ pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) 
     };
     let features: Vec<(FeatureId, &Vec<FaceKey>)> = map.features().zip(faces).collect();
     let mut parts: Vec<Finding> = threads::map(&features, of_feature).into_iter().flatten().collect();
-    let limit = limits.sliver_area.unwrap_or_else(|| median(parts.iter().map(|part| part.area).collect()) / 1_000.0);
-    parts.retain(|part| part.area < limit && 4.0 * PI * part.area < limits.thinness * part.length * part.length);
+    let limit = limits.sliver_area.unwrap_or_else(|| chosen_area(parts.iter().map(|part| part.area).collect()));
+    parts.retain(|part| part.area < limit && is_thin(part.area, part.length, limits));
     (parts, limit)
 }
 
+/// The area of slivers if none is given, from those of all parts. O(n), expected.
+pub(crate) fn chosen_area(areas: Vec<f64>) -> f64 {
+    median(areas) / 1_000.0
+}
+
+/// Returns true if a part with this area and this length of its border is thin enough for a sliver.
+pub(crate) fn is_thin(area: f64, length: f64, limits: &Limits) -> bool {
+    4.0 * PI * area < limits.thinness * length * length
+}
+
 /// The middle one of some numbers, 0 if there are none. O(n), expected.
-pub(in crate::algorithm) fn median(mut numbers: Vec<f64>) -> f64 {
+pub(crate) fn median(mut numbers: Vec<f64>) -> f64 {
     if numbers.is_empty() {
         return 0.0;
     }

@@ -26,6 +26,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// In which way the polygons of a feature are not valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum DefectKind {
     /// A ring with fewer than three different points on end, or a line with fewer than two.
@@ -60,6 +61,7 @@ impl fmt::Display for DefectKind {
 
 /// Something that makes the polygons of a feature invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Defect {
     /// Its kind.

@@ -1,0 +1,138 @@
+//! Edges at the lines of a grid, exactly: where an edge enters and leaves a tile, and in what order edges pass a line.
+//!
+//! The point where an edge passes a line has no coordinates in doubles, so it is never computed. An edge is known by its ends, which the
+//! tiles on both sides know, and all questions are orientations of ends and corners of tiles.
+//!
+//! # No special cases
+//!
+//! The lines of a grid are thought of as moved a little: to the left by ε, and downwards by δ, much less than ε. All vertices are
+//! finite in number, so there are such numbers for which no line meets a vertex, no edge runs along a line, and no edge meets a corner.
+//! Hence tiles are half-open, an edge along a line belongs to the tile on its right or above it, and an edge through a corner has the corner
+//! on a definite side.
+
+use super::ends::Ends;
+use super::side::Side;
+use crate::geometry::Point;
+use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
+use core::cmp::Ordering;
+
+/// The lines around a tile; none where it extends to infinity.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) left: Option<f64>,
+    pub(super) right: Option<f64>,
+    pub(super) bottom: Option<f64>,
+    pub(super) top: Option<f64>,
+}
+
+/// The sides where an edge enters and leaves a tile, on its way from the smaller end.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Crossings {
+    pub(super) entry: Option<Side>,
+    pub(super) exit: Option<Side>,
+}
+
+impl Bounds {
+    /// Returns true if the point lies in the tile.
+    pub(super) fn contains(&self, p: Point) -> bool {
+        self.left.is_none_or(|x| x <= p.x)
+            && self.right.is_none_or(|x| p.x < x)
+            && self.bottom.is_none_or(|y| y <= p.y)
+            && self.top.is_none_or(|y| p.y < y)
+    }
+
+    /// Returns true if the closed box between two corners meets the tile.
+    pub(super) fn meets(&self, low: Point, high: Point) -> bool {
+        self.left.is_none_or(|x| x <= high.x)
+            && self.right.is_none_or(|x| low.x < x)
+            && self.bottom.is_none_or(|y| y <= high.y)
+            && self.top.is_none_or(|y| low.y < y)
+    }
+
+    /// A point of the tile.
+    pub(super) fn any_point(&self) -> Point {
+        let within = |low: Option<f64>, high: Option<f64>| low.or(high.map(f64::next_down)).unwrap_or_default();
+        Point::new(within(self.left, self.right), within(self.bottom, self.top))
+    }
+
+    /// Where an edge passes the border of the tile. O(1).
+    pub(super) fn crossings(&self, [a, b]: Ends) -> Crossings {
+        let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+        let upright = |x: Option<f64>| {
+            x.filter(|x| {
+                a.x < *x
+                    && *x <= b.x
+                    && self.bottom.is_none_or(|y| !is_left(a, b, Point::new(*x, y)))
+                    && self.top.is_none_or(|y| is_left(a, b, Point::new(*x, y)))
+            })
+        };
+        let level = |y: Option<f64>| {
+            y.filter(|y| {
+                low.y < *y
+                    && *y <= high.y
+                    && self.left.is_none_or(|x| is_left(low, high, Point::new(x, *y)))
+                    && self.right.is_none_or(|x| !is_left(low, high, Point::new(x, *y)))
+            })
+        };
+        let rises = a.y < b.y;
+        let of_side = |side: Side, line: Option<f64>| line.map(|_| side);
+        let [bottom, top] = [of_side(Side::Bottom, level(self.bottom)), of_side(Side::Top, level(self.top))];
+        let (from_level, to_level) = if rises { (bottom, top) } else { (top, bottom) };
+        Crossings {
+            entry: of_side(Side::Left, upright(self.left)).or(from_level),
+            exit: of_side(Side::Right, upright(self.right)).or(to_level),
+        }
+    }
+}
+
+/// Returns true if a corner, moved as lines are, lies to the left of the line from `p` to `q`.
+fn is_left(p: Point, q: Point, corner: Point) -> bool {
+    match orientation(p, q, corner) {
+        Orientation::CounterClockwise => true,
+        Orientation::Clockwise => false,
+        Orientation::Collinear => (p.y, -p.x) < (q.y, -q.x),
+    }
+}
+
+/// Compares the places where two edges of a plane drawing pass a line: from the bottom up, or from left to right. O(1).
+pub(super) fn compare_along(side: Side, e: Ends, f: Ends) -> Ordering {
+    // The order of two edges does not change along their way, so it is that at the later one of their starts; if they start together, at
+    // an end of one of them.
+    if side.is_upright() {
+        let [[p, q], [r, s]] = [e, f];
+        match compare_lexicographic(p, r) {
+            Ordering::Less => above(orientation(p, q, r)),
+            Ordering::Equal => above(orientation(p, q, s)),
+            Ordering::Greater => above(orientation(r, s, p)).reverse(),
+        }
+    } else {
+        let upwards = |[a, b]: Ends| if a.y < b.y { [a, b] } else { [b, a] };
+        let [[p, q], [r, s]] = [e, f].map(upwards);
+        match (p.y, p.x).partial_cmp(&(r.y, r.x)).unwrap_or(Ordering::Equal) {
+            Ordering::Less => above(orientation(p, q, r)).reverse(),
+            Ordering::Equal => above(orientation(p, q, s)).reverse(),
+            Ordering::Greater => above(orientation(r, s, p)),
+        }
+    }
+}
+
+/// The order of a line and a point on that side of it, across the line from right to left.
+const fn above(side: Orientation) -> Ordering {
+    match side {
+        Orientation::CounterClockwise => Ordering::Less,
+        Orientation::Collinear => Ordering::Equal,
+        Orientation::Clockwise => Ordering::Greater,
+    }
+}
+
+/// Returns true if an edge that passes the lower side of a tile does so to the left of a ray that comes straight down from a vertex in the
+/// tile, at `x`. The ray leans to the right by less than lines are moved.
+pub(super) fn is_left_of_ray([a, b]: Ends, x: f64, bottom: f64) -> bool {
+    let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+    orientation(low, high, Point::new(x, bottom)) != Orientation::CounterClockwise
+}
+
+/// Returns true if the place straight below a vertex at `x`, on an edge that is no vertical one, lies below the tile.
+pub(super) fn is_below([a, b]: Ends, x: f64, bottom: f64) -> bool {
+    orientation(a, b, Point::new(x, bottom)) == Orientation::CounterClockwise
+}

@@ -1,0 +1,58 @@
+//! Errors of tiles.
+
+use super::grid::Tile;
+use crate::map::BuildError;
+use thiserror::Error;
+
+/// The error of [`Summary::new`](super::Summary::new).
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum TileError {
+    /// The grid does not have the tile.
+    #[error("the grid has no tile {0}")]
+    NoSuchTile(Tile),
+    /// Two features have the same number.
+    #[error("two features have the number {0}")]
+    SameNumber(u32),
+    /// A feature was refused.
+    #[error("{0}")]
+    Build(#[from] BuildError),
+}
+
+/// The error of [`Summary::merge`](super::Summary::merge).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum MergeError {
+    /// The summaries are of different grids.
+    #[error("the summaries are of different grids")]
+    Grids,
+    /// The summaries were made with different limits.
+    #[error("the summaries were made with different limits")]
+    Limits,
+    /// Both summaries have a tile.
+    #[error("both summaries have tile {0}")]
+    Twice(Tile),
+}
+
+/// The error of [`Summary::finish`](super::Summary::finish).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum FinishError {
+    /// Tiles are missing.
+    #[error("{} missing, the first of them {first}", Missing(*count))]
+    Missing {
+        /// The first of them.
+        first: Tile,
+        /// Their number.
+        count: u64,
+    },
+}
+
+/// How many tiles are missing.
+struct Missing(u64);
+
+impl core::fmt::Display for Missing {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        if self.0 == 1 { f.write_str("1 tile is") } else { write!(f, "{} tiles are", self.0) }
+    }
+}

@@ -1,0 +1,137 @@
+//! What is wrong with a map that was seen by its tiles.
+
+use super::ends::{Ends, compare_edges, compare_points};
+use super::grid::Tile;
+use super::side::Side;
+use crate::geometry::Point;
+use core::cmp::Ordering;
+use core::fmt;
+
+/// A way in which edges meet elsewhere than at a shared endpoint (rule G4).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum CrossingKind {
+    /// Two edges cross where no vertex is.
+    Cross,
+    /// A vertex lies inside an edge that does not end there.
+    Touch,
+    /// Two edges have more than a point in common.
+    Overlap,
+}
+
+/// Edges that meet elsewhere than at a shared endpoint (rule G4).
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Crossing {
+    /// The way in which they meet.
+    pub kind: CrossingKind,
+    /// An edge, by its ends, or twice the vertex that touches an edge.
+    pub first: Ends,
+    /// Another edge.
+    pub second: Ends,
+}
+
+impl Crossing {
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        self.kind
+            .cmp(&other.kind)
+            .then_with(|| compare_edges(&self.first, &other.first))
+            .then_with(|| compare_edges(&self.second, &other.second))
+    }
+}
+
+/// A component that breaks T3: `V − E + cycles` is not 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct Uneven {
+    /// V.
+    pub vertices: u64,
+    /// E.
+    pub edges: u64,
+    /// The number of cycles.
+    pub cycles: u64,
+    /// Its least vertex; none, if no tile has one.
+    pub at: Option<Point>,
+}
+
+impl Uneven {
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        let key = |one: &Self| (one.vertices, one.edges, one.cycles, one.at.is_some());
+        key(self).cmp(&key(other)).then_with(|| match (self.at, other.at) {
+            (Some(a), Some(b)) => compare_points(a, b),
+            _ => Ordering::Equal,
+        })
+    }
+}
+
+/// A rule of seams: what two tiles say of the border between them is the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum SeamRule {
+    /// S1: both tiles see the same edges at their border.
+    Contact,
+    /// S2: both tiles see them in the same order.
+    Order,
+    /// S3: both tiles see the same features along each edge, and on each face between two.
+    Features,
+}
+
+impl SeamRule {
+    /// All, in order of their ids.
+    pub const ALL: [Self; 3] = [Self::Contact, Self::Order, Self::Features];
+
+    /// The id: `S1` to `S3`.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Contact => "S1",
+            Self::Order => "S2",
+            Self::Features => "S3",
+        }
+    }
+
+    /// The name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Contact => "contact",
+            Self::Order => "order",
+            Self::Features => "features",
+        }
+    }
+}
+
+impl fmt::Display for SeamRule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.id(), self.name())
+    }
+}
+
+/// A place where two tiles contradict each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct SeamFault {
+    /// The rule.
+    pub rule: SeamRule,
+    /// The tile that has the edge, or the one on the left or below.
+    pub tile: Tile,
+    /// The side of that tile.
+    pub side: Side,
+    /// The edge; for the features of a face, the one before it on the border, if there is one.
+    pub edge: Option<Ends>,
+}
+
+impl SeamFault {
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        let key = |one: &Self| (one.tile, one.side, one.rule, one.edge.is_some());
+        key(self).cmp(&key(other)).then_with(|| match (&self.edge, &other.edge) {
+            (Some(a), Some(b)) => compare_edges(a, b),
+            _ => Ordering::Equal,
+        })
+    }
+}

@@ -1,0 +1,159 @@
+//! What the summaries of all tiles say of the whole.
+
+use super::error::FinishError;
+use super::fault::{Crossing, SeamFault, Uneven};
+use super::findings::coverage;
+use super::grid::Tile;
+use super::summary::Summary;
+use crate::algorithm::coverage::{Coverage, Defect};
+use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
+
+/// The audit of a map by its tiles.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// The numbers of records.
+    pub counts: Counts,
+    /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
+    pub crossings: Vec<Crossing>,
+    /// The components for which `V − E + cycles` is not 2 (T3).
+    pub uneven: Vec<Uneven>,
+    /// The places where two tiles contradict each other (S1 … S3).
+    pub seams: Vec<SeamFault>,
+    /// The findings of C1 … C5; none if the map is not plane, as it is not known then what features cover.
+    pub coverage: Option<Coverage>,
+    /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
+    pub defects: Vec<(u32, Vec<Defect>)>,
+    /// The features that not every tile was given that the box around them meets, by number.
+    pub not_given: Vec<u32>,
+    /// False if `V − E + F = 1 + C` does not hold of the sums, or there is not one unbounded face (T3); none if faces are not known.
+    pub adds_up: Option<bool>,
+}
+
+impl Outcome {
+    /// Returns true if nothing is wrong: the whole map is a planar subdivision.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.crossings.is_empty()
+            && self.uneven.is_empty()
+            && self.seams.is_empty()
+            && self.not_given.is_empty()
+            && self.adds_up == Some(true)
+    }
+}
+
+impl Outcome {
+    /// The outcomes of R1 … G5, as the report of the whole map has them. The rules that every map keeps that is built of features were checked
+    /// when it was.
+    pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
+        let Counts { vertices, half_edges, edges, faces, outer_boundaries, inner_boundaries, .. } = self.counts;
+        let (isolated, boundaries) = (self.counts.isolated_vertices, outer_boundaries + inner_boundaries);
+        let (uneven, crossings) = (self.uneven.len(), self.crossings.len());
+        let broken = [(uneven, Rule::T3), (crossings, Rule::G4)].into_iter().find(|(count, _)| *count > 0);
+        let simple = vertices >= 3;
+        Rule::ALL.iter().copied().filter_map(move |rule| {
+            let (checked, violations) = match rule {
+                Rule::R1 => (5 * half_edges + vertices + 2 * boundaries + faces + inner_boundaries, 0),
+                Rule::L1 | Rule::L2 | Rule::L3 | Rule::B1 => (half_edges, 0),
+                Rule::V1 | Rule::V2 | Rule::G2 => (vertices - isolated, 0),
+                Rule::B2 | Rule::G1 => (vertices, 0),
+                Rule::F1 => (faces, 0),
+                Rule::F2 => (boundaries, 0),
+                Rule::T1 | Rule::T2 | Rule::G5 => (inner_boundaries, 0),
+                Rule::T3 => (inner_boundaries, uneven),
+                Rule::T4 => (usize::from(simple), 0),
+                Rule::G3 => (boundaries - isolated, 0),
+                Rule::G4 => (edges, crossings),
+                _ => return None,
+            };
+            let unchecked = match (rule, broken) {
+                (Rule::T4, _) if !simple => Some(Unchecked::NotSimple),
+                (Rule::G3 | Rule::G5, Some((_, broken))) => Some(Unchecked::Broken(broken)),
+                _ => None,
+            };
+            let checked = if unchecked.is_some() { 0 } else { checked as u64 };
+            Some((rule, RuleOutcome { checked, violations: violations as u64, unchecked }))
+        })
+    }
+
+    /// The greatest numbers of edges and faces by T4, if it applies.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        let vertices = self.counts.vertices;
+        (vertices >= 3).then(|| Bounds { most_edges: 3 * vertices - 6, most_faces: 2 * vertices - 4 })
+    }
+}
+
+impl Summary {
+    /// What is missing of the whole.
+    fn missing(&self) -> Result<(), FinishError> {
+        let [columns, rows] = self.grid.size().map(u64::from);
+        let count = (columns * rows).saturating_sub(self.tiles.len() as u64);
+        let mut all = (0..columns as u32).flat_map(|column| (0..rows as u32).map(move |row| Tile { column, row }));
+        match all.find(|tile| self.tiles.binary_search(tile).is_err()) {
+            Some(first) => Err(FinishError::Missing { first, count }),
+            None => Ok(()),
+        }
+    }
+
+    /// The audit of the whole, from the summary of all its tiles. O(tiles log tiles).
+    ///
+    /// ```
+    /// use twinedge::algorithm::coverage::Limits;
+    /// use twinedge::map::{Feature, Shape};
+    /// use twinedge::tile::{FinishError, Grid, Summary};
+    ///
+    /// let grid = Grid::new([0.0, 0.0], [4.0, 4.0], 2, 2)?;
+    /// let square = Shape::polygon([[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
+    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
+    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &Limits::default()));
+    /// let first = tiles.next().unwrap()?;
+    /// assert!(matches!(first.clone().finish(), Err(FinishError::Missing { count: 3, .. })));
+    /// let whole = tiles.try_fold(first, |sum, tile| Ok::<_, Box<dyn std::error::Error>>(sum.merge(tile?)?))?;
+    /// let outcome = whole.finish()?;
+    /// assert!(outcome.is_valid());
+    /// assert_eq!((outcome.counts.vertices, outcome.counts.edges, outcome.counts.faces), (4, 4, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FinishError::Missing`].
+    pub fn finish(self) -> Result<Outcome, FinishError> {
+        self.missing()?;
+        let totals = self.totals;
+        let number = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+        let with_edges = totals.components.saturating_sub(totals.isolated_vertices);
+        // Each component has one cycle outside, and each other cycle bounds a face.
+        let bounded = totals.cycles.saturating_sub(with_edges);
+        let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
+        let genus = |one: &Uneven| {
+            let twice = one.edges.saturating_add(2).checked_sub(one.vertices.saturating_add(one.cycles));
+            twice.filter(|twice| twice % 2 == 0).map(|twice| twice / 2)
+        };
+        let genus = self.uneven.iter().map(genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
+        let counts = Counts {
+            vertices: number(totals.vertices),
+            half_edges: number(totals.edges.saturating_mul(2)),
+            edges: number(totals.edges),
+            faces: number(if self.is_plane { totals.faces } else { bounded + 1 }),
+            outer_boundaries: number(bounded),
+            inner_boundaries: number(totals.components),
+            isolated_vertices: number(totals.isolated_vertices),
+            components: Some(number(totals.components)),
+            cycles: Some(number(totals.cycles)),
+            borders: Some(0),
+            genus: genus.map(number),
+        };
+        let not_given = self.claimed.iter().filter(|one| one.seen != one.of).map(|one| one.feature);
+        Ok(Outcome {
+            counts,
+            coverage: self.is_plane.then(|| coverage(&self)),
+            not_given: not_given.collect(),
+            defects: self.defects,
+            crossings: self.crossings,
+            uneven: self.uneven,
+            seams: self.seams,
+            adds_up,
+        })
+    }
+}

@@ -1,0 +1,112 @@
+//! Summaries that were saved: what they name must be there.
+
+use super::claimed::Claimed;
+use super::fault::{Crossing, SeamFault, Uneven};
+use super::grid::{Grid, Tile};
+use super::region::{Claim, Region, Sliver};
+use super::side::Side;
+use super::summary::{Border, Component, Face, Summary, Totals};
+use crate::algorithm::coverage::{Defect, Limits};
+use thiserror::Error;
+
+/// A summary as it was read.
+#[derive(serde::Deserialize)]
+pub(super) struct Saved {
+    grid: Grid,
+    limits: Limits,
+    tiles: Vec<Tile>,
+    totals: Totals,
+    borders: Vec<Border>,
+    faces: Vec<Face>,
+    components: Vec<Component>,
+    cycles: Vec<u32>,
+    regions: Vec<Region>,
+    closed: Vec<Region>,
+    slivers: Vec<Sliver>,
+    lengths: Vec<f64>,
+    areas: Vec<f64>,
+    claimed: Vec<Claimed>,
+    defects: Vec<(u32, Vec<Defect>)>,
+    is_plane: bool,
+    crossings: Vec<Crossing>,
+    uneven: Vec<Uneven>,
+    seams: Vec<SeamFault>,
+}
+
+/// The error of reading a summary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub(super) enum SavedError {
+    #[error("tiles or borders are out of order, or the grid does not have them")]
+    Tiles,
+    #[error("a border names what the summary does not have")]
+    Names,
+}
+
+impl TryFrom<Saved> for Summary {
+    type Error = SavedError;
+
+    fn try_from(saved: Saved) -> Result<Self, SavedError> {
+        let Saved { grid, limits, tiles, totals, borders, faces, components, cycles, regions, closed, .. } = saved;
+        let Saved { slivers, lengths, areas, claimed, defects, is_plane, crossings, uneven, seams, .. } = saved;
+        let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
+        if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
+            return Err(SavedError::Tiles);
+        }
+        // A border is there if and only if the tile beyond it is not.
+        let expected = tiles.iter().flat_map(|tile| {
+            let sides = Side::ALL.into_iter();
+            let is_open =
+                |side: &Side| grid.neighbour(*tile, *side).is_some_and(|there| tiles.binary_search(&there).is_err());
+            sides.filter(is_open).map(|side| (*tile, side))
+        });
+        if !expected.eq(borders.iter().map(|border| (border.tile, border.side))) {
+            return Err(SavedError::Tiles);
+        }
+        let has = |of: usize, i: u32| (i as usize) < of;
+        let is_named = |border: &Border| {
+            let count = if is_plane { border.contacts.len() + 1 } else { 0 };
+            border.faces.len() == count
+                && border.faces.iter().all(|face| has(faces.len(), *face))
+                && border.contacts.iter().all(|contact| {
+                    has(components.len(), contact.component) && contact.cycles.iter().all(|c| has(cycles.len(), *c))
+                })
+        };
+        if !borders.iter().all(is_named) || !cycles.iter().all(|component| has(components.len(), *component)) {
+            return Err(SavedError::Names);
+        }
+        // Each face has the regions of its claims.
+        let is_claimed = |face: &Face| {
+            let claims = Claim::all(&face.features);
+            face.regions.len() == claims.len()
+                && face
+                    .regions
+                    .iter()
+                    .zip(&claims)
+                    .all(|(i, claim)| regions.get(*i as usize).is_some_and(|r| r.claim == *claim))
+        };
+        if !faces.iter().all(is_claimed) {
+            return Err(SavedError::Names);
+        }
+        Ok(Self {
+            grid,
+            limits,
+            tiles,
+            totals,
+            borders,
+            faces,
+            components,
+            cycles,
+            regions,
+            closed,
+            slivers,
+            lengths,
+            areas,
+            claimed,
+            defects,
+            is_plane,
+            crossings,
+            uneven,
+            seams,
+        })
+    }
+}

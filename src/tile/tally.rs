@@ -1,0 +1,240 @@
+//! The summary of one tile, from the map of the features that meet it.
+
+use super::claimed::Claimed;
+use super::clip::Bounds;
+use super::error::TileError;
+use super::grid::{Grid, Tile};
+use super::large::areas;
+use super::local::Local;
+use super::pieces::Pieces;
+use super::region::{Claim, Edge, Region};
+use super::side::Side;
+use super::summary::{Border, Component, Contact, Joins, Summary};
+use crate::algorithm::coverage::{Limits, defects};
+use crate::dcel::{HalfEdge, Vertex};
+use crate::geometry::Point;
+use crate::map::{Builder, Feature, Shape};
+use crate::slots::{NIL, Sets};
+use crate::validate::Embedding as _;
+
+impl Summary {
+    /// The summary of a tile. `features` are all that meet it, with their numbers in the whole; others make no difference.
+    ///
+    /// O(n log n) for the features that meet the tile.
+    ///
+    /// # Errors
+    /// [`TileError`].
+    pub fn new<'f>(
+        grid: &Grid,
+        tile: Tile,
+        features: impl IntoIterator<Item = (u32, &'f Feature)>,
+        limits: &Limits,
+    ) -> Result<Self, TileError> {
+        if !grid.has(tile) {
+            return Err(TileError::NoSuchTile(tile));
+        }
+        let bounds = grid.bounds(tile);
+        let mut features: Vec<(u32, &Feature)> =
+            features.into_iter().filter(|(_, feature)| meets(&bounds, feature)).collect();
+        features.sort_by_key(|(number, _)| *number);
+        if let Some(pair) = features.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(TileError::SameNumber(pair[0].0));
+        }
+        let mut builder = Builder::new();
+        for (_, feature) in &features {
+            builder.feature(feature)?;
+        }
+        let map = builder.build()?;
+        let numbers: Vec<u32> = features.iter().map(|(number, _)| *number).collect();
+        let local = Local::new(&map, &numbers, bounds);
+        let mut summary = Self::empty(*grid, limits.clone());
+        summary.tiles.push(tile);
+        summary.note(tile, &features);
+        summary.is_plane = map.is_plane();
+        summary.crossings = local.crossings();
+        Ok(local.summarize(tile, summary))
+    }
+}
+
+impl Summary {
+    /// Notes which features the tile was given, and what is wrong with the shapes of those that begin in it.
+    fn note(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
+        for (number, feature) in features {
+            let Some((low, high)) = corners(feature) else { continue };
+            let of = self.grid.tiles_of(low, high).count() as u64;
+            self.claimed.push(Claimed { feature: *number, with: None, seen: 1, of });
+            let first = feature.shapes.iter().flat_map(points).next();
+            if first.is_some_and(|p| self.grid.tile_of(p) == tile) {
+                let found = defects(&feature.shapes);
+                self.defects.extend((!found.is_empty()).then_some((*number, found)));
+            }
+        }
+    }
+}
+
+/// Returns true if the box around a feature meets the tile.
+fn meets(bounds: &Bounds, feature: &Feature) -> bool {
+    corners(feature).is_some_and(|(low, high)| bounds.meets(low, high))
+}
+
+/// The corners of the box around a feature.
+fn corners(feature: &Feature) -> Option<(Point, Point)> {
+    let mut points = feature.shapes.iter().flat_map(points);
+    let first = points.next()?;
+    Some(points.fold((first, first), |(low, high), p| {
+        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+    }))
+}
+
+fn points(shape: &Shape) -> Box<dyn Iterator<Item = Point> + '_> {
+    match shape {
+        Shape::Polygon(rings) => Box::new(rings.iter().flatten().copied()),
+        Shape::Line(points) => Box::new(points.iter().copied()),
+        Shape::Point(point) => Box::new(core::iter::once(*point)),
+    }
+}
+
+impl Local<'_> {
+    /// Counts what lies inside, and lists what the border cuts.
+    fn summarize(&self, tile: Tile, mut summary: Summary) -> Summary {
+        let (leaves, closed) = self.trace();
+        // Parts of edges first, then vertices.
+        let dcel = self.map.dcel();
+        let of_vertex = |v: Vertex<'_>| (self.parts.len() + v.index()) as u32;
+        let most = dcel.vertices().last().map_or(0, |v| v.index() + 1);
+        let mut sets = Sets::new(self.parts.len() + most);
+        let mut components = vec![Component::default(); self.parts.len() + most];
+        let inside = |h: usize| self.half_edge(h).map(HalfEdge::origin).filter(|origin| self.vertex_is_inside(*origin));
+        for (number, part) in (0..).zip(&self.parts) {
+            for vertex in part.half_edges.into_iter().filter_map(inside) {
+                sets.join(number, of_vertex(vertex));
+            }
+        }
+        for vertex in dcel.vertices().filter(|v| self.vertex_is_inside(*v)) {
+            let least = Some(self.map.point(vertex.index()));
+            let root = sets.find(of_vertex(vertex)) as usize;
+            components[root].add(&Component { vertices: 1, least, ..Component::default() });
+        }
+        for (number, part) in (0..).zip(&self.parts) {
+            let root = sets.find(number) as usize;
+            components[root].edges += u64::from(self.bounds.contains(part.ends[0]));
+        }
+        for start in &closed {
+            components[sets.find(self.part_of[*start]) as usize].cycles += 1;
+        }
+        let mut number_of = vec![NIL; components.len()];
+        for (_, part, _) in &self.contacts {
+            let root = sets.find(*part) as usize;
+            if number_of[root] == NIL {
+                number_of[root] = summary.components.len() as u32;
+                summary.components.push(components[root]);
+            }
+        }
+        for root in 0..components.len() {
+            let component = &components[root];
+            if sets.find(root as u32) as usize == root && number_of[root] == NIL && component.vertices > 0 {
+                summary.close(component);
+            }
+        }
+        // A cycle has the number of the contact where it enters.
+        let mut enters = vec![0; leaves.len()];
+        for (enter, leave) in (0..).zip(&leaves) {
+            enters[*leave as usize] = enter;
+        }
+        let mut component_of = |part: u32| number_of[sets.find(part) as usize];
+        summary.cycles = self.contacts.iter().map(|(_, part, _)| component_of(*part)).collect();
+        let pieces = self.map.is_plane().then(|| Pieces::new(self, &leaves, &closed));
+        let mut first = 0;
+        for side in Side::ALL {
+            let count = self.contacts[first..].iter().take_while(|contact| contact.0 == side).count();
+            let along = first..first + count;
+            first += count;
+            if summary.grid.neighbour(tile, side).is_none() {
+                continue;
+            }
+            let contact = |contact: usize| {
+                let (_, part, is_entry) = self.contacts[contact];
+                let [forth, _] = self.parts[part as usize].half_edges;
+                let along = self.half_edge(forth).and_then(|h| self.map.features_along(h.key()).ok());
+                let features = along.map(|along| self.numbers(along)).unwrap_or_default();
+                let cycles = [contact as u32, enters[contact]];
+                Contact {
+                    edge: self.parts[part as usize].ends,
+                    features,
+                    component: component_of(part),
+                    cycles: if is_entry { cycles } else { [cycles[1], cycles[0]] },
+                }
+            };
+            let mut border = Border {
+                tile,
+                side,
+                contacts: along.clone().map(contact).collect(),
+                faces: pieces.as_ref().map(|pieces| pieces.along(along)).unwrap_or_default(),
+            };
+            if matches!(side, Side::Top | Side::Left) {
+                border.contacts.reverse();
+                border.faces.reverse();
+            }
+            summary.borders.push(border);
+        }
+        let mut joins = match pieces {
+            Some(pieces) => self.claim(&pieces, &mut summary),
+            None => Joins::new(&summary),
+        };
+        summary.settled(&mut joins)
+    }
+
+    /// Finds the regions of the pieces, and which of them are the same.
+    fn claim(&self, pieces: &Pieces, summary: &mut Summary) -> Joins {
+        let mut regions = Vec::new();
+        let mut faces = pieces.faces.clone();
+        for face in &mut faces {
+            for claim in Claim::all(&face.features) {
+                face.regions.push(regions.len() as u32);
+                regions.push(Region { is_unbounded: face.is_unbounded, ..Region::new(claim) });
+            }
+            for feature in &face.features {
+                if let Ok(place) = summary.claimed.binary_search_by_key(feature, |one| one.feature) {
+                    summary.claimed[place].meet(&face.features);
+                }
+            }
+        }
+        for part in &self.parts {
+            if !self.bounds.contains(part.ends[0]) {
+                continue;
+            }
+            let [left, right] = pieces.beside(part).map(|piece| &faces[piece as usize]);
+            let edge = Edge { ends: part.ends, sides: [left, right].map(|face| face.features.clone()) };
+            for region in left.regions.iter().chain(&right.regions) {
+                regions[*region as usize].edges.push(edge.clone());
+            }
+            if summary.limits.gap_width.is_none() {
+                let [a, b] = part.ends;
+                summary.lengths.push((b.x - a.x).hypot(b.y - a.y));
+            }
+        }
+        if let Some(limit) = summary.limits.sliver_area {
+            let areas = areas(self, pieces);
+            // Twice as large, since these areas are rounded.
+            for (face, _) in faces.iter().zip(areas).filter(|(_, area)| *area > 2.0 * limit) {
+                for region in &face.regions {
+                    let region = &mut regions[*region as usize];
+                    region.is_large = matches!(region.claim, Claim::Part(_));
+                }
+            }
+        }
+        (summary.faces, summary.regions) = (faces, regions);
+        let mut joins = Joins::new(summary);
+        for part in &self.parts {
+            let [left, right] = pieces.beside(part).map(|piece| &summary.faces[piece as usize]);
+            for one in &left.regions {
+                let claim = &summary.regions[*one as usize].claim;
+                let is_same = |other: &&u32| summary.regions[**other as usize].claim == *claim;
+                if let Some(other) = right.regions.iter().find(is_same) {
+                    joins.regions.join(*one, *other);
+                }
+            }
+        }
+        joins
+    }
+}

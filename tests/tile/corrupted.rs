@@ -1,0 +1,241 @@
+//! Summaries that were changed after they were made, and the order of merging.
+
+use crate::maps::{Random, area, feature, line, nested, point};
+use crate::whole::{grid, merged, summaries};
+use serde_json::{Value, json, to_value};
+use twinedge::algorithm::coverage::Limits;
+use twinedge::map::{Feature, Shape};
+use twinedge::tile::{FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError};
+
+/// A cross of four parcels with an enclave, an island and a path, cut by both lines of the grid.
+fn parcels() -> Vec<Feature> {
+    vec![
+        feature([area([0.0, 0.0], [4.0, 4.0]).hole([[1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [3.0, 1.0]])]),
+        feature([area([1.0, 1.0], [3.0, 3.0])]),
+        feature([Shape::polygon([[4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0]])]),
+        feature([line(&[[5.0, 1.0], [7.0, 3.0], [5.0, 3.0]]), point(2.0, 2.0)]),
+        feature([area([0.0, 6.0], [8.0, 7.0])]),
+    ]
+}
+
+fn lines() -> Grid {
+    grid(&[2.0, 6.0], &[2.0, 6.5])
+}
+
+fn finished(mut summaries: Vec<Summary>) -> Outcome {
+    let first = summaries.remove(0);
+    let sum = summaries.into_iter().fold(first, |sum, one| sum.merge(one).expect("different tiles"));
+    sum.finish().expect("none is missing")
+}
+
+/// Every change of a value at some place of a summary, each alone.
+fn changes(of: &Value) -> Vec<(String, Value)> {
+    let mut found = Vec::new();
+    let mut change = |what: String, edit: &dyn Fn(&mut Value)| {
+        let mut changed = of.clone();
+        edit(&mut changed);
+        if changed != *of {
+            found.push((what, changed));
+        }
+    };
+    let count = |key: &str| of[key].as_array().map_or(0, Vec::len);
+    for (b, border) in of["borders"].as_array().expect("a list").iter().enumerate() {
+        let contacts = border["contacts"].as_array().expect("a list").len();
+        for c in 0..contacts {
+            let at = format!("/borders/{b}/contacts/{c}");
+            for end in 0..2 {
+                for axis in 0..2 {
+                    change(format!("{at}: end {end} moved"), &|v| {
+                        let x = v.pointer_mut(&format!("{at}/edge/{end}/{axis}")).expect("a number");
+                        *x = json!(x.as_f64().expect("a number") + 0.25);
+                    });
+                }
+            }
+            change(format!("{at}: a feature more"), &|v| {
+                v.pointer_mut(&format!("{at}/features")).and_then(Value::as_array_mut).expect("a list").push(json!(77));
+            });
+            change(format!("{at}: a feature less"), &|v| {
+                v.pointer_mut(&format!("{at}/features")).and_then(Value::as_array_mut).expect("a list").pop();
+            });
+            for component in 0..count("components") {
+                change(format!("{at}: component {component}"), &|v| {
+                    *v.pointer_mut(&format!("{at}/component")).expect("a number") = json!(component);
+                });
+            }
+            for cycle in 0..count("cycles") {
+                for way in 0..2 {
+                    change(format!("{at}: cycle {way} is {cycle}"), &|v| {
+                        *v.pointer_mut(&format!("{at}/cycles/{way}")).expect("a number") = json!(cycle);
+                    });
+                }
+            }
+            let edit = |v: &mut Value, edit: &dyn Fn(&mut Vec<Value>, &mut Vec<Value>)| {
+                let border = &mut v["borders"][b];
+                let [mut contacts, mut faces] = ["contacts", "faces"].map(|key| border[key].take());
+                let (Value::Array(these), Value::Array(those)) = (&mut contacts, &mut faces) else { unreachable!() };
+                edit(these, those);
+                (border["contacts"], border["faces"]) = (contacts, faces);
+            };
+            change(format!("{at}: dropped"), &|v| {
+                edit(v, &|contacts, faces| {
+                    contacts.remove(c);
+                    faces.remove(c);
+                });
+            });
+            change(format!("{at}: repeated"), &|v| {
+                edit(v, &|contacts, faces| {
+                    contacts.insert(c, contacts[c].clone());
+                    faces.insert(c, faces[c].clone());
+                });
+            });
+            if c > 0 {
+                change(format!("{at}: swapped"), &|v| edit(v, &|contacts, _| contacts.swap(c - 1, c)));
+            }
+        }
+        for place in 0..=contacts {
+            for face in 0..count("faces") {
+                change(format!("/borders/{b}/faces/{place}: face {face}"), &|v| {
+                    v["borders"][b]["faces"][place] = json!(face);
+                });
+            }
+        }
+    }
+    for face in 0..count("faces") {
+        change(format!("face {face}: unbounded or not"), &|v| {
+            let is_unbounded = v["faces"][face]["is_unbounded"].as_bool().expect("a truth value");
+            v["faces"][face]["is_unbounded"] = json!(!is_unbounded);
+        });
+        change(format!("face {face}: no features"), &|v| v["faces"][face]["features"] = json!([]));
+        change(format!("face {face}: another feature"), &|v| v["faces"][face]["features"] = json!([77]));
+    }
+    for cycle in 0..count("cycles") {
+        for component in 0..count("components") {
+            change(format!("cycle {cycle}: component {component}"), &|v| v["cycles"][cycle] = json!(component));
+        }
+    }
+    for component in 0..count("components") {
+        for key in ["vertices", "edges", "cycles"] {
+            change(format!("component {component}: {key}"), &|v| {
+                let n = v["components"][component][key].as_u64().expect("a number");
+                v["components"][component][key] = json!(n + 1);
+            });
+        }
+    }
+    for key in ["components", "isolated_vertices", "faces", "unbounded_faces", "cycles"] {
+        change(format!("totals: {key}"), &|v| {
+            let n = v["totals"][key].as_u64().expect("a number");
+            v["totals"][key] = json!(n + 1);
+        });
+    }
+    found
+}
+
+#[test]
+fn every_change_of_a_contact_is_found() {
+    let summaries = summaries(&parcels(), &lines(), &Limits::default());
+    let right = finished(summaries.clone());
+    assert!(right.is_valid());
+    let (mut refused, mut found, mut harmless) = (0, 0, 0);
+    for tile in 0..summaries.len() {
+        for (what, changed) in changes(&to_value(&summaries[tile]).expect("it can be saved")) {
+            let Ok(summary) = serde_json::from_value::<Summary>(changed) else {
+                refused += 1;
+                continue;
+            };
+            let mut all = summaries.clone();
+            all[tile] = summary;
+            let outcome = finished(all);
+            if outcome.is_valid() {
+                assert_eq!(outcome, right, "tile {tile}: {what}");
+                harmless += 1;
+            } else {
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 1000 && refused > 20 && harmless < found / 10, "{found} {refused} {harmless}");
+}
+
+#[test]
+fn a_contact_of_one_side_is_named() {
+    let summaries = summaries(&parcels(), &lines(), &Limits::default());
+    let tile = summaries[0].tiles()[0];
+    let mut changed = to_value(&summaries[0]).expect("it can be saved");
+    let border = changed["borders"].as_array_mut().and_then(|all| all.first_mut()).expect("a border");
+    let dropped = border["contacts"].as_array_mut().expect("a list").remove(0);
+    border["faces"].as_array_mut().expect("a list").remove(0);
+    let mut all = summaries.clone();
+    all[0] = serde_json::from_value(changed).expect("it could be a summary");
+    let outcome = finished(all);
+    let [fault] = &outcome.seams[..] else { panic!("{:?}", outcome.seams) };
+    assert_eq!((fault.rule, fault.rule.id()), (SeamRule::Contact, "S1"));
+    assert_eq!(to_value(fault.edge).expect("it can be saved"), dropped["edge"]);
+    assert_ne!(fault.tile, tile);
+}
+
+#[test]
+fn a_feature_that_a_tile_was_not_given_is_found() {
+    let (features, grid) = (parcels(), lines());
+    for missing in 0..features.len() as u32 {
+        for (place, tile) in grid.tiles().enumerate() {
+            let mut all = summaries(&features, &grid, &Limits::default());
+            let given = (0..).zip(&features).filter(|(number, _)| *number != missing);
+            let without = Summary::new(&grid, tile, given, &Limits::default()).expect("in range");
+            if without != all[place] {
+                all[place] = without;
+                let outcome = finished(all);
+                assert!(!outcome.is_valid() && outcome.not_given == [missing], "{missing} {tile}");
+            }
+        }
+    }
+}
+
+#[test]
+fn any_order_of_merging_gives_the_same_bytes() {
+    let mut random = Random::new(41);
+    for limits in [Limits::default(), Limits { gap_width: Some(0.1), sliver_area: Some(0.5), ..Limits::default() }] {
+        for _ in 0..40 {
+            let mut features = Vec::new();
+            nested([-7, -7], [7, 7], &mut random, &mut features);
+            let all = summaries(&features, &grid(&[-2.5, 1.0], &[-1.0, 3.0]), &limits);
+            // Any tiles, in any order: also those that are no neighbours.
+            let mut chosen: Vec<Summary> = all.into_iter().filter(|_| random.below(3) > 0).collect();
+            if chosen.is_empty() {
+                continue;
+            }
+            let bytes = |summary: &Summary| serde_json::to_vec(summary).expect("it can be saved");
+            let first = merged(chosen.clone(), &mut random);
+            chosen.reverse();
+            let second = merged(chosen, &mut random);
+            assert_eq!(bytes(&first), bytes(&second));
+            // What is saved is read.
+            let read: Summary = serde_json::from_slice(&bytes(&first)).expect("it was saved");
+            assert_eq!(read, first);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_merged_is_refused() {
+    let (features, grid) = (parcels(), lines());
+    let limits = Limits::default();
+    let all = summaries(&features, &grid, &limits);
+    let numbered = || (0..).zip(&features);
+    let tile = Tile { column: 0, row: 0 };
+    assert_eq!(all[0].clone().merge(all[0].clone()), Err(MergeError::Twice(tile)));
+    let other = Grid::new([0.0, 0.0], [1.0, 1.0], 3, 3).expect("a grid");
+    let of_other = Summary::new(&other, Tile { column: 1, row: 0 }, numbered(), &limits).expect("in range");
+    assert_eq!(all[0].clone().merge(of_other), Err(MergeError::Grids));
+    let by_width = Limits { gap_width: Some(1.0), ..Limits::default() };
+    let of_width = Summary::new(&grid, Tile { column: 1, row: 0 }, numbered(), &by_width).expect("in range");
+    assert_eq!(all[0].clone().merge(of_width), Err(MergeError::Limits));
+    assert_eq!(all[1].clone().finish().unwrap_err(), FinishError::Missing { first: tile, count: 8 });
+    let outside = Tile { column: 3, row: 0 };
+    assert_eq!(Summary::new(&grid, outside, numbered(), &limits).unwrap_err(), TileError::NoSuchTile(outside));
+    let twice = [(5, &features[0]), (5, &features[1])];
+    assert_eq!(Summary::new(&grid, Tile { column: 1, row: 1 }, twice, &limits).unwrap_err(), TileError::SameNumber(5));
+    let far = feature([line(&[[0.0, 0.0], [1e200, 0.0]])]);
+    assert!(matches!(Summary::new(&grid, tile, [(0, &far)], &limits), Err(TileError::Build(_))));
+    assert_eq!(Grid::new([0.0, 0.0], [1.0, 1.0], 0, 3), Err(GridError::Size));
+    assert_eq!(Grid::new([0.0, 0.0], [0.0, 1.0], 3, 3), Err(GridError::Lines));
+}

@@ -1,0 +1,93 @@
+//! The findings of C1 … C6.
+
+use crate::maps::{Random, area, feature, line, point};
+use crate::whole::{compare, grid};
+use twinedge::algorithm::coverage::Limits;
+use twinedge::geometry::Point;
+use twinedge::map::{Feature, Shape};
+
+/// Limits of every kind.
+fn limits() -> Vec<Limits> {
+    let accepted = vec![Point::new(3.3, 3.4), Point::new(6.6, 1.2), Point::new(1.7, 5.1)];
+    vec![
+        Limits::default(),
+        Limits { gap_width: Some(0.3), sliver_area: Some(0.7), ..Limits::default() },
+        Limits { gap_width: Some(0.6), lake_width: Some(0.9), accepted_gaps: accepted, ..Limits::default() },
+    ]
+}
+
+/// Parcels on a lattice, with what is wrong planted: rectangles that overlap at lattice lines, parcels that are missing, repeated, divided
+/// by lines, pierced by holes, thin strips, strips that nearly meet.
+fn parcels(random: &mut Random) -> Vec<Feature> {
+    let mut features = Vec::new();
+    // Every coordinate is a lattice line, so that edges meet at vertices only: cells are drawn with all points of the lattice.
+    let cell = |x0: usize, y0: usize, x1: usize, y1: usize| {
+        let at = |x: usize, y: usize| [x as f64 / 2.0, y as f64 / 2.0];
+        let mut ring = Vec::new();
+        ring.extend((x0..x1).map(|x| at(x, y0)));
+        ring.extend((y0..y1).map(|y| at(x1, y)));
+        ring.extend((x0 + 1..=x1).rev().map(|x| at(x, y1)));
+        ring.extend((y0 + 1..=y1).rev().map(|y| at(x0, y)));
+        ring
+    };
+    for x in (0..16).step_by(4) {
+        for y in (0..16).step_by(4) {
+            match random.below(12) {
+                0 => {}
+                1 => {
+                    for _ in 0..=random.below(2) {
+                        features.push(feature([Shape::polygon(cell(x, y, x + 4, y + 4))]));
+                    }
+                }
+                2 => features.push(feature([Shape::polygon(cell(x, y, (x + 7).min(16), y + 4))])),
+                3 => features.push(feature([Shape::polygon(cell(x, y, x + 4, y + 4)).hole(cell(
+                    x + 1,
+                    y + 1,
+                    x + 2,
+                    y + 3,
+                ))])),
+                4 => {
+                    features.push(feature([Shape::polygon(cell(x, y, x + 1, y + 4))]));
+                    features.push(feature([Shape::polygon(cell(x + 1, y, x + 4, y + 4))]));
+                }
+                5 => {
+                    features.push(feature([Shape::polygon(cell(x, y, x + 4, y + 4))]));
+                    let at = |dx: usize, dy: usize| [(x + dx) as f64 / 2.0, (y + dy) as f64 / 2.0];
+                    features.push(feature([line(&[at(0, 0), at(1, 1), at(3, 3), at(4, 4)])]));
+                }
+                6 => features.push(feature([
+                    Shape::polygon(cell(x, y, x + 1, y + 4)),
+                    Shape::polygon(cell(x + 3, y, x + 4, y + 4)),
+                    point(x as f64 / 2.0 + 1.0, y as f64 / 2.0 + 1.0),
+                ])),
+                _ => features.push(feature([Shape::polygon(cell(x, y, x + 4, y + 4))])),
+            }
+        }
+    }
+    features
+}
+
+#[test]
+fn findings_on_a_lattice_are_those_of_the_whole() {
+    let mut random = Random::new(11);
+    let limits = limits();
+    for round in 0..400 {
+        let features = parcels(&mut random);
+        let (upright, level) = (random.lines(0, 4.0), random.lines(0, 4.0));
+        compare(&features, &grid(&upright, &level), &limits[round % limits.len()], &mut random);
+    }
+}
+
+#[test]
+fn a_feature_around_all_tiles_covers_them() {
+    let mut random = Random::new(12);
+    // Around everything without touching it; with a lake around the middle tile; with an island in it that is claimed twice.
+    let land = area([-50.0, -50.0], [50.0, 50.0]).hole([[-1.0, -1.0], [-1.0, 9.0], [9.0, 9.0], [9.0, -1.0]]);
+    let island = || feature([area([3.2, 3.2], [3.4, 3.9])]);
+    let features = [feature([land]), island(), island(), feature([area([6.0, 7.0], [6.01, 7.5])])];
+    for limits in limits() {
+        for (upright, level) in [(vec![3.0, 6.0], vec![3.0, 6.0]), (vec![3.2], vec![3.9]), (vec![], vec![3.4, 8.0])] {
+            compare(&features, &grid(&upright, &level), &limits, &mut random);
+        }
+    }
+}

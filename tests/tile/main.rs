@@ -1,0 +1,9 @@
+//! Maps in tiles: the summaries add up to the audit of the whole.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
+
+mod corrupted;
+mod counts;
+mod coverages;
+mod drawn;
+mod maps;
+mod whole;

@@ -1,0 +1,150 @@
+//! A map as a whole and by its tiles.
+
+use crate::maps::Random;
+use twinedge::algorithm::coverage::{Finding, Limits, check, defects};
+use twinedge::map::{Builder, Feature, PlanarMap};
+use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Uneven};
+use twinedge::validate::{Embedding as _, Report, Rule, Violation};
+
+/// The map of all features.
+pub(crate) fn whole(features: &[Feature]) -> PlanarMap {
+    let mut builder = Builder::new();
+    for feature in features {
+        builder.feature(feature).expect("in range");
+    }
+    builder.build().expect("there is room")
+}
+
+/// The grid with lines at these places: at most two of each kind.
+pub(crate) fn grid(upright: &[f64], level: &[f64]) -> Grid {
+    let ends = |lines: &[f64]| match *lines {
+        [] => (0.0, 1.0),
+        [at] => (at - 1.0, at + 1.0),
+        [first, second] => (2.0 * first - second, 2.0 * second - first),
+        _ => unreachable!("two lines at most"),
+    };
+    let ((left, right), (bottom, top)) = (ends(upright), ends(level));
+    Grid::new([left, bottom], [right, top], upright.len() as u32 + 1, level.len() as u32 + 1).expect("a grid")
+}
+
+/// The summary of each tile.
+pub(crate) fn summaries(features: &[Feature], grid: &Grid, limits: &Limits) -> Vec<Summary> {
+    let numbered = || (0..).zip(features);
+    grid.tiles().map(|tile| Summary::new(grid, tile, numbered(), limits).expect("in range")).collect()
+}
+
+/// Merges in the order of a random tree.
+pub(crate) fn merged(mut summaries: Vec<Summary>, random: &mut Random) -> Summary {
+    while summaries.len() > 1 {
+        let one = summaries.swap_remove(random.below(summaries.len()));
+        let other = summaries.swap_remove(random.below(summaries.len()));
+        summaries.push(one.merge(other).expect("different tiles of one grid"));
+    }
+    summaries.pop().expect("a grid has a tile")
+}
+
+/// The audit by tiles.
+pub(crate) fn by_tiles(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) -> Outcome {
+    merged(summaries(features, grid, limits), random).finish().expect("no tile is missing")
+}
+
+/// The same, compared with the whole.
+pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) {
+    let map = whole(features);
+    let report = map.validate();
+    let outcome = by_tiles(features, grid, limits, random);
+    assert_eq!(outcome.is_valid(), report.is_valid(), "{grid:?} {features:?}\n{outcome:?}");
+    assert_eq!(outcome.counts, *report.counts(), "{grid:?} {features:?}");
+    for (of_tiles, of_whole) in outcome.rules().zip(report.outcomes()) {
+        assert_eq!(of_tiles, of_whole, "{:?}", report.counts());
+    }
+    if let Some(figures) = report.figures() {
+        assert_eq!(outcome.bounds(), figures.bounds);
+    }
+    assert_eq!(outcome.rules().count(), report.outcomes().len());
+    let all = (0..).zip(features).map(|(number, feature)| (number, defects(&feature.shapes)));
+    assert_eq!(outcome.defects, all.filter(|(_, found)| !found.is_empty()).collect::<Vec<_>>());
+    let Some(by_tiles) = outcome.coverage else {
+        assert!(!map.is_plane());
+        broken(&map, &report, &outcome.crossings, &outcome.uneven);
+        return;
+    };
+    let whole = check(&map, limits).expect("it is plane");
+    assert!(
+        near(by_tiles.gap_width, whole.gap_width) && near(by_tiles.sliver_area, whole.sliver_area),
+        "{grid:?} {features:?}"
+    );
+    for (these, those) in [
+        (by_tiles.findings, whole.findings),
+        (by_tiles.wider_gaps, whole.wider_gaps),
+        (by_tiles.accepted_gaps, whole.accepted_gaps),
+    ] {
+        same(these, those, &format!("{grid:?} {limits:?} {features:?}"));
+    }
+}
+
+/// Compares what breaks G4 and T3.
+fn broken(map: &PlanarMap, report: &Report, crossings: &[Crossing], uneven: &[Uneven]) {
+    let point = |v: usize| map.point(v);
+    let edge = |h: usize| {
+        let h = map.dcel().half_edge_at(h).expect("it is live");
+        let mut ends = [h.origin(), h.target()].map(|v| point(v.index()));
+        ends.sort_by(|a, b| a.partial_cmp(b).expect("finite"));
+        ends
+    };
+    let mut expected = Vec::new();
+    let mut components = Vec::new();
+    for violation in report.violations() {
+        match *violation {
+            Violation::Cross { first, second } => expected.push((CrossingKind::Cross, edge(first), edge(second))),
+            Violation::Overlap { first, second } => expected.push((CrossingKind::Overlap, edge(first), edge(second))),
+            Violation::Touch { vertex, half_edge } => {
+                expected.push((CrossingKind::Touch, [point(vertex); 2], edge(half_edge)));
+            }
+            Violation::Genus { vertices, edges, cycles, .. } => components.push((vertices, edges, cycles)),
+            // Which follow from the crossings, and are not checked by tiles.
+            _ => assert!(matches!(violation.rule(), Rule::G2 | Rule::G3 | Rule::G5), "{violation:?}"),
+        }
+    }
+    for (kind, first, second) in &mut expected {
+        if *kind != CrossingKind::Touch && first[..] > second[..] {
+            std::mem::swap(first, second);
+        }
+    }
+    expected.sort_by(|a, b| a.partial_cmp(b).expect("finite"));
+    let found: Vec<_> = crossings.iter().map(|one| (one.kind, one.first, one.second)).collect();
+    assert_eq!(found, expected);
+    components.sort_unstable();
+    let mut found: Vec<_> =
+        uneven.iter().map(|one| (one.vertices as usize, one.edges as usize, one.cycles as usize)).collect();
+    found.sort_unstable();
+    assert_eq!(found, components);
+}
+
+/// Compares findings, in whatever order, up to rounding; places exactly.
+fn same(these: Vec<Finding>, those: Vec<Finding>, context: &str) {
+    let sorted = |mut findings: Vec<Finding>| {
+        findings.sort_by(|a, b| {
+            let key = |one: &Finding| (one.rule, one.features.clone());
+            key(a).cmp(&key(b)).then(a.at.partial_cmp(&b.at).expect("finite")).then(a.area.total_cmp(&b.area))
+        });
+        findings
+    };
+    let (these, those) = (sorted(these), sorted(those));
+    assert_eq!(these.len(), those.len(), "{context}\n{these:?}\n{those:?}");
+    for (a, b) in these.iter().zip(&those) {
+        let is_same = (a.rule, &a.features, a.at) == (b.rule, &b.features, b.at);
+        let is_near = near(a.area, b.area) && near(a.width, b.width) && near(a.length, b.length);
+        let stretches = |one: &Finding| {
+            let mut all: Vec<[[u64; 2]; 2]> =
+                one.stretches.iter().map(|ends| ends.map(|p| [p.x.to_bits(), p.y.to_bits()])).collect();
+            all.sort_unstable();
+            all
+        };
+        assert!(is_same && is_near && stretches(a) == stretches(b), "{context}\n{a:?}\n{b:?}");
+    }
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1.0)
+}
