@@ -1,8 +1,10 @@
 //! A table whose cells are open: each gets its value when it is first read.
 
-use super::work::{LazyWork, MOST_SLOTS, TooManyTables};
+use super::labels::{LabelSource, Shape};
+use super::work::{LazyError, LazyWork, MOST_SLOTS};
 use std::cell::{Cell, RefCell};
-use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, Table, View};
+use twinedge::validate::certificate::Column;
+use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, View};
 
 /// A table of a size, of which the cells that were read have values.
 ///
@@ -14,6 +16,7 @@ pub(super) struct OpenTable {
     half_edges: Records,
     boundaries: Records,
     faces: Records,
+    labels: [Option<Labels>; Column::ALL.len()],
     /// The number of the value of each cell, or [`OPEN`].
     values: Vec<Cell<u8>>,
     domains: Vec<Domain>,
@@ -44,6 +47,13 @@ struct Records {
     count: usize,
     before: usize,
     width: usize,
+}
+
+/// A column of labels: the number of cells before it, and the most entries. The first cell is the number of entries.
+#[derive(Clone, Copy)]
+struct Labels {
+    before: usize,
+    longest: usize,
 }
 
 /// The numbers of the cells of a record. The first one says whether it is vacant.
@@ -112,16 +122,38 @@ impl OpenTable {
     /// The table of this work, with all cells open.
     ///
     /// # Errors
-    /// [`TooManyTables`] if there are more tables than can be counted, or too many slots.
-    pub(super) fn new(work: &LazyWork) -> Result<Self, TooManyTables> {
-        Self::with_cells(work).ok_or(TooManyTables)
+    /// [`LazyError::TooMany`] if there are more tables than can be counted, or too many slots.
+    pub(super) fn new(work: &LazyWork) -> Result<Self, LazyError> {
+        Self::with_cells(work).ok_or(LazyError::TooMany)
+    }
+
+    /// The same with labels, whose cells are open, too: columns of these shapes.
+    ///
+    /// # Errors
+    /// [`LazyError::TooMany`] if there are more tables with labels than can be counted.
+    pub(super) fn with_labels(mut self, shapes: &[Shape]) -> Result<Self, LazyError> {
+        shapes.iter().try_for_each(|shape| self.add_labels(shape)).ok_or(LazyError::TooMany).map(|()| self)
+    }
+
+    fn add_labels(&mut self, shape: &Shape) -> Option<()> {
+        // Nil, and the numbers from 0.
+        let entry = Domain::plain(1 + shape.numbers, true)?;
+        let shortest = if shape.any_length { 0 } else { shape.longest };
+        let ways = (shortest..=shape.longest).map(|length| entry.all.checked_pow(length as u32));
+        let lengths = Domain::of(ways.collect::<Option<_>>()?)?;
+        self.agreeing.set(self.agreeing.get().checked_mul(lengths.all)?);
+        self.labels[shape.column as usize] = Some(Labels { before: self.domains.len(), longest: shape.longest });
+        self.domains.push(lengths);
+        self.domains.resize(self.domains.len() + shape.longest, entry);
+        self.values.resize(self.domains.len(), Cell::new(OPEN));
+        Some(())
     }
 
     fn with_cells(work: &LazyWork) -> Option<Self> {
         if [work.vertices, work.half_edges, work.boundaries, work.faces].iter().any(|slots| *slots > MOST_SLOTS) {
             return None;
         }
-        let parts = work.expectation.looks_at(work.parts);
+        let parts = work.parts();
         let has = |part| parts.has(part);
         let (by_record, has_holes) = (has(Part::BoundaryComponents), has(Part::Holes));
         let (to_vertex, to_half_edge) = ((Kind::Vertex, work.vertices), (Kind::HalfEdge, work.half_edges));
@@ -155,6 +187,7 @@ impl OpenTable {
             half_edges: Records { count: 0, before: 0, width: 0 },
             boundaries: Records { count: 0, before: 0, width: 0 },
             faces: Records { count: 0, before: 0, width: 0 },
+            labels: [None; Column::ALL.len()],
             values: Vec::new(),
             domains: Vec::new(),
             choices: RefCell::default(),
@@ -251,12 +284,12 @@ impl OpenTable {
         }
     }
 
-    /// The table, with the first value in each cell that is open.
-    pub(super) fn to_table(&self) -> Option<Table> {
+    /// Reads the table, with the first value in each cell that is open.
+    pub(super) fn read<T>(&self, read: impl FnOnce(&Self) -> T) -> T {
         let depth = self.choices.borrow().len();
-        let table = Table::copy_of(self);
+        let found = read(self);
         self.retract(depth);
-        table
+        found
     }
 
     /// Gives the last cell that has another value that value; false if none has, of those after the first so many.
@@ -382,6 +415,23 @@ impl OpenTable {
     /// The link, where it is one of boundary components with records, or of faces without them.
     fn only(&self, by_record: bool, link: impl FnOnce() -> Link) -> Link {
         if by_record == self.parts.has(Part::BoundaryComponents) { link() } else { None }
+    }
+}
+
+/// The first value of an entry is nil, and the others are the numbers from 0.
+impl LabelSource for OpenTable {
+    fn count(&self, column: Column) -> usize {
+        match self.labels[column as usize] {
+            None => 0,
+            Some(Labels { before, longest }) if self.domains[before].ways.len() == 1 => longest,
+            Some(Labels { before, .. }) => self.value(before).into(),
+        }
+    }
+
+    fn at(&self, column: Column, entry: usize) -> Option<u32> {
+        let Labels { before, .. } = self.labels[column as usize]?;
+        let number = |value: u8| u32::from(value).checked_sub(1).unwrap_or(u32::MAX);
+        (entry < self.count(column)).then(|| number(self.value(before + 1 + entry)))
     }
 }
 
