@@ -65,7 +65,7 @@ fn certificates_are_judged_lazily() {
     // Each table with 3 orders of ranks.
     assert_eq!(said["judges"][1]["accepted"], 12);
     let text = String::from_utf8(twinedge(&plane).stdout).unwrap();
-    assert!(text.starts_with("Tables: 10^10.2, with labels 10^11.3\n"), "{text}");
+    assert!(text.starts_with("Tables: 10^11.5, with labels 10^13.1\n"), "{text}");
     let output = twinedge(&[&edge[..], &["--expect", "plane open"]].concat());
     assert_eq!(output.status.code(), Some(2));
     assert!(complaint(&output).contains("certificates are of the plane"), "{}", complaint(&output));

@@ -84,19 +84,26 @@ impl fmt::Debug for LazyColumn<'_> {
     }
 }
 
-/// A column of open labels. Each entry is nil, or a number less than `numbers`.
+/// A column of open labels.
 pub(super) struct Shape {
     pub(super) column: Column,
     pub(super) longest: usize,
-    pub(super) numbers: usize,
     /// True if it can be shorter. Of links, an entry that is not there is nil, so that shorter columns are no others.
-    pub(super) any_length: bool,
+    pub(super) is_any_length: bool,
+    pub(super) entries: Entries,
+}
+
+/// The entries of a column: nil, or one of so many numbers from 0.
+pub(super) enum Entries {
+    /// Links.
+    Links(usize),
+    /// Ranks or positions: those in the same order are one.
+    Ordered(usize),
 }
 
 /// The columns of the labels of this work: those of the links that its tables do not store, and those of the numbers that are always labels.
 ///
-/// A link leads to each slot or to the one past the end, as in tables. Ranks and positions are compared with each other only, and there are as many numbers as
-/// half-edges, besides nil: any others are in the order of some of these.
+/// A link leads to each slot or to the one past the end, as in tables. As many different ranks as half-edges, and nil, can be in any order.
 ///
 /// # Errors
 /// [`LazyError::NoCertificates`].
@@ -106,30 +113,34 @@ pub(super) fn shapes(work: &LazyWork) -> Result<Vec<Shape>, LazyError> {
     let has = |part| work.parts().has(part);
     let (by_record, has_faces) = (has(Part::BoundaryComponents), has(Part::Faces));
     let in_plane = matches!(claim, Claim::Plane);
-    // The entries of all lists are boundary components, each of which is listed once; the list of a face of a table has as many as there are vertices.
+    // The list of a face of a table has as many entries as there are vertices; in labels each boundary component is listed once.
     let places = if by_record { vertices } else { boundaries };
-    let mut shapes =
-        vec![Shape { column: Column::HalfEdgeRank, longest: half_edges + 1, numbers: half_edges, any_length: true }];
-    let mut add = |missing: bool, any_length, column, longest, numbers| {
-        if missing {
-            shapes.push(Shape { column, longest, numbers, any_length });
+    let mut shapes = Vec::new();
+    let mut add = |is_label, is_any_length, column, longest, entries| {
+        if is_label {
+            shapes.push(Shape { column, longest, is_any_length, entries });
         }
     };
-    add(!has(Part::Prev), false, Column::HalfEdgePrev, half_edges, half_edges + 1);
-    add(!has(Part::Leaving), false, Column::VertexLeaving, vertices, half_edges + 1);
-    add(!in_plane, true, Column::HalfEdgeTurn, half_edges, half_edges);
-    add(!in_plane, true, Column::HalfEdgeStep, half_edges, half_edges);
-    add(!in_plane, true, Column::HalfEdgeComponent, half_edges, half_edges + 1);
+    let links = |slots| Entries::Links(slots + 1);
+    let ordered = || Entries::Ordered(half_edges);
+    add(true, true, Column::HalfEdgeRank, half_edges + 1, ordered());
+    add(!has(Part::Prev), false, Column::HalfEdgePrev, half_edges, links(half_edges));
+    add(!has(Part::Leaving), false, Column::VertexLeaving, vertices, links(half_edges));
+    add(!in_plane, true, Column::HalfEdgeTurn, half_edges, ordered());
+    add(!in_plane, true, Column::HalfEdgeStep, half_edges, ordered());
+    add(!in_plane, true, Column::HalfEdgeComponent, half_edges, links(half_edges));
     // On surfaces, faces that half-edges name are their own boundary components.
     let has_cycles = !by_record && (in_plane || !has_faces);
-    add(has_cycles, false, Column::HalfEdgeBoundary, half_edges, boundaries + 1);
-    add(has_cycles, true, Column::BoundaryFace, boundaries, faces + 1);
-    add(has_cycles, false, Column::BoundaryStart, boundaries, half_edges + 1);
-    add(has_cycles, false, Column::BoundaryVertex, boundaries, vertices + 1);
-    add(!has(Part::Places) && (by_record || in_plane), false, Column::BoundaryPlace, boundaries, places + 1);
-    add(!by_record && in_plane, false, Column::VertexIsolated, vertices, boundaries + 1);
-    add(!by_record && in_plane, !has_faces, Column::FaceOuter, faces, boundaries + 1);
-    add(!by_record && in_plane, false, Column::FaceEnd, faces, boundaries + 2);
-    add(!by_record && in_plane, false, Column::FaceInner, boundaries, boundaries + 1);
+    add(has_cycles, false, Column::HalfEdgeBoundary, half_edges, links(boundaries));
+    add(has_cycles, true, Column::BoundaryFace, boundaries, links(faces));
+    add(has_cycles, false, Column::BoundaryStart, boundaries, links(half_edges));
+    add(has_cycles, false, Column::BoundaryVertex, boundaries, links(vertices));
+    add(!has(Part::Places) && (by_record || in_plane), false, Column::BoundaryPlace, boundaries, links(places));
+    let has_lists = !by_record && in_plane;
+    add(has_lists, false, Column::VertexIsolated, vertices, links(boundaries));
+    add(has_lists, !has_faces, Column::FaceOuter, faces, links(boundaries));
+    // Ends are numbers of entries: one more than there are.
+    add(has_lists, false, Column::FaceEnd, faces, links(boundaries + 1));
+    add(has_lists, false, Column::FaceInner, boundaries, links(boundaries));
     Ok(shapes)
 }

@@ -23,12 +23,15 @@
 //! columns. Each table that the reference accepts must pass with the labels that are made for it: nothing right is without certificate. The checker goes through all tables with
 //! all labels, and the reference judges each table that passes with some: nothing wrong has a certificate. Then the reference goes through them before the checker does;
 //! as many must be accepted by both.
+//!
+//! A checker compares ranks with ranks, and positions with positions, and does nothing else with these numbers. So a run stands for all that are in the same order.
 
 mod acceptor;
 mod estimate;
 mod labels;
 mod many;
 mod open_table;
+mod order;
 mod outcome;
 mod recount;
 mod side;
