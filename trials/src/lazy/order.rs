@@ -55,7 +55,9 @@ mod tests {
             return found.push((read.to_vec(), agreeing));
         }
         let mut order = Order::default();
-        read.iter().for_each(|number| order.add(*number));
+        for number in read {
+            order.add(*number);
+        }
         for place in 0..Order::places(read.len()) {
             let agreeing = order.agreeing(agreeing, all, place);
             if agreeing > 0 {
