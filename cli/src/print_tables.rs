@@ -25,6 +25,10 @@ pub(crate) struct Judge {
 }
 
 impl Judge {
+    pub(crate) const fn is_by_certificates(self) -> bool {
+        self.certificates
+    }
+
     pub(crate) const fn checker(self) -> &'static dyn Checker {
         match self {
             Self { certificates: true, .. } => &Certificates,

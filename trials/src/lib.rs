@@ -26,7 +26,7 @@
 //! | [`meshes()`] | tries every operator with every argument on every small triangulation | operators of meshes, or others, that do the wrong thing on them |
 //! | [`corrupt()`] | sets every field of every small map to every other value | wrong tables that a validator misses, false alarms, hangs, panics |
 //! | [`tables()`] | judges every small table, right or wrong | the same, and counts that differ from the published ones |
-//! | [`lazy()`] | judges all tables of a size, every cell free, a run for all that agree in the cells that were read | the same in 10^20 tables and more |
+//! | [`lazy()`] | judges all tables of a size, every cell free, a run for all that agree in the cells that were read | the same in 10^20 tables and more; certificates that pass although the table is wrong, and right tables without any |
 //! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
 //! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
 //!
