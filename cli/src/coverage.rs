@@ -1,4 +1,4 @@
-//! The rules of a coverage, C1 … C6, in the report of `audit` and as the answer of `query coverage`.
+//! The rules of a coverage, C1 … C7, in the report of `audit` and as the answer of `query coverage`.
 
 use crate::coverage_words::explanation;
 use crate::diagnosis_text::{size, write, write_explanations};
@@ -12,11 +12,11 @@ use crate::trace::{of_finding, position};
 use crate::units::Units;
 use serde::Serialize;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{CoverageRule, Defect, Finding, Limits, check};
+use twinedge::algorithm::coverage::{self, CoverageRule, Defect, Finding, Limits, check, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Noding, PlanarMap};
-use twinedge_formats::diagnosis::{Diagnosis, Flaw, Kind, Measures, Trace};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Trace};
 
 /// The number of findings of each rule that the text shows unless asked.
 pub(crate) const SHOWN: usize = 3;
@@ -25,8 +25,8 @@ pub(crate) const SHOWN: usize = 3;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
 pub(crate) struct CoverageOptions {
-    /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
-    /// the OGC. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
+    /// Count what breaks C1 … C7 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
+    /// the OGC, mismatches. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
     #[arg(long)]
     coverage: bool,
 
@@ -93,9 +93,11 @@ pub(crate) struct Coverage {
     duplicates: usize,
     /// Features, not defects.
     ogc_invalid: usize,
+    /// Pairs of features, not vertices.
+    mismatches: usize,
     /// Of lengths; areas are in its square.
     unit: &'static str,
-    /// Why C1 … C5 were not checked.
+    /// Why all but C6 were not checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_checked: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -142,6 +144,7 @@ impl Coverage {
             slivers: 0,
             duplicates: 0,
             ogc_invalid: imported.noted.defects.len(),
+            mismatches: 0,
             unit: units.name(),
             not_checked: None,
             gap_width: None,
@@ -163,15 +166,24 @@ impl Coverage {
                     if *count <= list {
                         let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
                         let trace = of_finding(map, finding);
-                        let features = finding.features.iter().map(|feature| named(imported, *feature)).collect();
+                        let features: Vec<FeatureName> =
+                            finding.features.iter().map(|feature| named(imported, *feature)).collect();
                         let of_rule = of_rule(finding.rule, asked, finding.at);
                         let (area, width, length) = (finding.area, finding.width, finding.length);
-                        let measures = Measures { area: Some(area), width: Some(width), length: Some(length) };
+                        let is_mismatch = finding.rule == CoverageRule::Mismatch;
+                        let measures = Measures {
+                            area: Some(area).filter(|_| !is_mismatch),
+                            width: Some(width).filter(|_| !is_mismatch),
+                            length: Some(length),
+                        };
+                        let missing = missing(finding);
+                        let message = size(measures).unwrap_or_else(|| lacks(&features, &missing));
                         found.findings.push(Diagnosis {
-                            message: size(measures).unwrap_or_default(),
+                            message,
                             features: Some(features),
                             trace,
                             measures,
+                            missing,
                             snapping: *snapping,
                             ..of_rule
                         });
@@ -199,12 +211,13 @@ impl Coverage {
             CoverageRule::NearMiss => &mut self.near_misses,
             CoverageRule::Sliver => &mut self.slivers,
             CoverageRule::Duplicate => &mut self.duplicates,
+            CoverageRule::Mismatch => &mut self.mismatches,
             _ => &mut self.ogc_invalid,
         }
     }
 
     /// The number of findings of each rule, in order.
-    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
+    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 7] {
         [
             (CoverageRule::Overlap, self.overlaps, "overlap"),
             (CoverageRule::Gap, self.gaps, "gap"),
@@ -212,6 +225,7 @@ impl Coverage {
             (CoverageRule::Sliver, self.slivers, "sliver"),
             (CoverageRule::Duplicate, self.duplicates, "set of duplicates"),
             (CoverageRule::Validity, self.ogc_invalid, "invalid feature"),
+            (CoverageRule::Mismatch, self.mismatches, "mismatch"),
         ]
     }
 
@@ -224,7 +238,7 @@ impl Coverage {
     pub(crate) fn beside(&self) -> String {
         match self.total() {
             0 => String::new(),
-            n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+            n => format!("; C1 to C7 have {}, which --coverage counts as violations", counted(n, "finding")),
         }
     }
 
@@ -233,7 +247,7 @@ impl Coverage {
         self.has_polygons
     }
 
-    /// Why C1 … C5 could not be checked, if so.
+    /// Why all rules but C6 could not be checked, if so.
     pub(crate) fn not_checked(&self) -> Option<&str> {
         self.not_checked.as_deref()
     }
@@ -284,6 +298,7 @@ impl Coverage {
         match (count, what) {
             (1, _) => format!("1 {what}"),
             (n, "near miss") => format!("{} near misses", grouped(n)),
+            (n, "mismatch") => format!("{} mismatches", grouped(n)),
             (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
             (n, what) => counted(n, what),
         }
@@ -344,7 +359,7 @@ impl Coverage {
     }
 }
 
-/// The findings of C1 … C5.
+/// The findings of all rules but C6.
 struct Judgement {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
@@ -357,10 +372,13 @@ struct Judgement {
 fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgement, Failure> {
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
-        let found = busy("checking the coverage", || check(map, limits))?;
+        let mut found = busy("checking the coverage", || check(map, limits))?;
+        found.findings.extend(mismatches(map, &imported.unmatched)?);
         let converted = |mut finding: Finding| {
             units.convert(map, &mut finding);
-            (finding, None)
+            // The vertices that were missing are those of the noding.
+            let snapping = (finding.rule == CoverageRule::Mismatch).then_some("removed");
+            (finding, snapping)
         };
         let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
         let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
@@ -368,7 +386,8 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgeme
         return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
-    let found = check(&of_input, limits)?;
+    let mut found = check(&of_input, limits)?;
+    found.findings.extend(mismatches(&of_input, &imported.unmatched)?);
     // The same limits for both.
     let limits = Limits { sliver_area: Some(found.sliver_area), ..limits.clone() };
     let snapped = match map.noding() {
@@ -396,6 +415,23 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgeme
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
     Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
+}
+
+/// The missing vertices of a mismatch.
+fn missing(finding: &Finding) -> Vec<MissingVertex> {
+    let of =
+        |vertex: &coverage::MissingVertex| MissingVertex { at: position(vertex.at), feature: vertex.feature.index() };
+    finding.missing.iter().map(of).collect()
+}
+
+/// Who lacks how many vertices.
+fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
+    let of = |feature: &FeatureName| {
+        let count = missing.iter().filter(|vertex| vertex.feature == feature.number).count();
+        let vertices = if count == 1 { "1 vertex".to_owned() } else { format!("{} vertices", grouped(count)) };
+        (count > 0).then(|| format!("{vertices} missing in {}", feature.label))
+    };
+    features.iter().filter_map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// The parts that all findings of a rule have in common.

@@ -13,7 +13,7 @@ use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
-use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge::map::{BuildError, Builder, Noding, PlanarMap, UnmatchedVertex};
 use twinedge_formats::layer::{
     Crs, Format, Layer, ReadError, ReadOptions, Unpacked, format_of, read, read_layer, to_map, unpack,
 };
@@ -62,6 +62,8 @@ pub(crate) struct Imported {
     pub(crate) noted: Noted,
     /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
     pub(crate) builder: Option<Builder>,
+    /// The vertices that borders of features lack (C7), if the coverage is judged.
+    pub(crate) unmatched: Vec<UnmatchedVertex>,
     /// The coordinate reference system, if the file names one.
     pub(crate) crs: Option<Crs>,
     /// True if the format says which way rings turn.
@@ -312,17 +314,23 @@ impl MapFile {
         self.refuse_empty(&name, &read)?;
         noted.refuse_unknown_columns(&name, keep)?;
         let built = busy("building the map", || match self.cutting.snap {
-            None if keep.coverage => builder.build_keeping(),
-            None => Ok((builder.build()?, None)),
-            // What a grid that was asked for removed or made is found by comparing.
-            Some(snap @ Snap::Size(_)) if keep.coverage => {
-                let map = builder.clone().build_with(Noding::Snap(snap))?;
-                Ok((map, Some(builder)))
+            None if keep.coverage => {
+                let (map, builder) = builder.build_keeping()?;
+                // Of a plane map, borders meet at vertices only.
+                let unmatched = builder.as_ref().map(Builder::unmatched).unwrap_or_default();
+                Ok((map, builder, unmatched))
             }
-            Some(snap) => Ok((builder.build_with(Noding::Snap(snap))?, None)),
+            None => Ok((builder.build()?, None, Vec::new())),
+            Some(snap) if keep.coverage => {
+                let unmatched = builder.unmatched();
+                // What a grid that was asked for removed or made is found by comparing.
+                let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
+                Ok((builder.build_with(Noding::Snap(snap))?, kept, unmatched))
+            }
+            Some(snap) => Ok((builder.build_with(Noding::Snap(snap))?, None, Vec::new())),
         });
-        let (map, builder) = built.map_err(|error| failed(error.into()))?;
-        Ok(Imported { name, read, map, noted, builder, crs, orients_rings })
+        let (map, builder, unmatched) = built.map_err(|error: BuildError| failed(error.into()))?;
+        Ok(Imported { name, read, map, noted, builder, unmatched, crs, orients_rings })
     }
 
     /// Refuses a file of which no map can be built.

@@ -60,7 +60,7 @@ mod summary;
 
 #[cfg(feature = "near")]
 pub use audited::Audited;
-pub use construct::{BuildError, Builder, Noding};
+pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
 pub use feature::{Feature, FeatureId, Shape};
 pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};

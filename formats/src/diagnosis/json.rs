@@ -1,6 +1,6 @@
 //! A diagnosis as JSON. `docs/report.md` describes the keys.
 
-use super::{Diagnosis, FeatureName, Flaw, Kind, Position, Reason, Records, Sql};
+use super::{Diagnosis, FeatureName, Flaw, Kind, MissingVertex, Position, Reason, Records, Sql};
 use serde::{Serialize, Serializer};
 
 /// The entry of a list of violations or findings.
@@ -26,6 +26,8 @@ struct Entry<'a> {
     at: Option<Places>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     defects: &'a [Flaw],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    missing: &'a [MissingVertex],
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
     message: &'a str,
@@ -78,6 +80,7 @@ impl Serialize for Diagnosis {
             length: self.measures.length.map(unsigned_zero),
             at: one.or_else(|| all().map(Places::All)),
             defects: &self.defects,
+            missing: &self.missing,
             snapping: self.snapping,
             message: &self.message,
             cause: self.cause,

@@ -71,6 +71,8 @@ pub struct Diagnosis {
     pub measures: Measures,
     /// The defects of a feature that is not valid by the rules of the OGC.
     pub defects: Vec<Flaw>,
+    /// The vertices that a mismatch of borders is about.
+    pub missing: Vec<MissingVertex>,
     /// `removed` by snapping, or `made` by it.
     pub snapping: Option<&'static str>,
     /// The rule from whose violations this one follows.
@@ -191,6 +193,16 @@ pub struct Measures {
     pub width: Option<f64>,
     /// The length of the borders.
     pub length: Option<f64>,
+}
+
+/// A vertex that the border of a feature lacks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MissingVertex {
+    /// The place.
+    pub at: Position,
+    /// The number of the feature, counted from 0.
+    pub feature: usize,
 }
 
 /// A feature as it is named.

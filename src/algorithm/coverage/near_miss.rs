@@ -198,6 +198,7 @@ fn near_miss(
         at: longest.middle(sides),
         faces: Vec::new(),
         stretches,
+        missing: Vec::new(),
     })
 }
 
