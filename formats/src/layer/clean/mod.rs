@@ -272,7 +272,7 @@ struct Judgement {
     accepted_gaps: Vec<Finding>,
 }
 
-/// The findings of C1 … C6 afterwards, judged by the polygons that are written.
+/// The findings of C1 … C7 afterwards, judged by the polygons that are written.
 fn judged(features: &[Cow<'_, Feature>], options: &CleanOptions) -> Result<Judgement, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();

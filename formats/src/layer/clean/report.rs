@@ -23,7 +23,7 @@ pub struct CleanReport {
     pub added: Vec<AddedVertex>,
     /// The features that have another geometry than before, in order.
     pub features: Vec<FeatureChange>,
-    /// The findings of C1 … C6 that are left, if there are any.
+    /// The findings of C1 … C7 that are left, if there are any.
     pub left: Option<Left>,
     /// Each thing that does, in order of the rules, the largest of a rule first.
     pub remaining: Vec<Remaining>,
@@ -116,7 +116,7 @@ impl From<&Finding> for Remaining {
     }
 }
 
-/// The number of findings of C1 … C6 that are left.
+/// The number of findings of C1 … C7 that are left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Left {
