@@ -1,23 +1,15 @@
 //! Reading a map from a file or from standard input, or the built-in map.
 
-use crate::noted::{Keep, Noted};
-use crate::output::counted;
 use crate::progress::busy;
-use crate::status::Failure;
+use crate::status::{Failure, named};
 use indicatif::{ProgressBar, ProgressStyle};
 use sha2::{Digest as _, Sha256};
-use std::ffi::OsStr;
-use std::fmt::Display;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge::io::ReadSummary;
-use twinedge::map::{BuildError, Builder, Noding, PlanarMap, UnmatchedVertex};
-use twinedge_formats::layer::{
-    Crs, Format, Layer, ReadError, ReadOptions, Unpacked, format_of, read, read_layer, to_map, unpack,
-};
-use twinedge_formats::mesh::Format as MeshFormat;
+use twinedge_formats::layer::{Layer, read_layer, unpack};
+use twinedge_report::{Imported, Input, Keep, MapOptions};
 
 /// The built-in map of the world; see `data/README.md`.
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
@@ -26,142 +18,33 @@ const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
 /// The bytes that tell an archive.
 const MAGIC: usize = 4;
 
-/// Why a map could not be read or built.
-#[derive(Debug, thiserror::Error)]
-enum InputError {
-    #[error(transparent)]
-    Read(#[from] ReadError),
-    #[error(transparent)]
-    Build(#[from] BuildError),
+/// Opens a file, standard input where the path is `-`, or the built-in map where there is none. Of an archive, what is in it is opened.
+fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
+    let mut input = open_as_it_is(path, layer)?;
+    let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
+    let unpacked = unpack(&head, &mut input.reader, input.path.as_deref(), layer);
+    let Some(unpacked) = unpacked.map_err(named(&input.name))? else {
+        return Ok(input);
+    };
+    let inner = open_as_it_is(Some(&unpacked.path), unpacked.layer.as_deref())?;
+    // The folder goes when this is dropped.
+    Ok(Input { name: input.name, kept: Some(Box::new(unpacked)), ..inner })
 }
 
-/// An input, opened.
-pub(crate) struct Input {
-    pub(crate) name: String,
-    pub(crate) reader: Box<dyn BufRead>,
-    /// The path, if it is a file.
-    path: Option<PathBuf>,
-    /// The format that the name tells.
-    format: Option<Format>,
-    /// The format of meshes that the name tells.
-    mesh_format: Option<MeshFormat>,
-    /// The layer that was asked for, if the file may have several.
-    pub(crate) layer: Option<String>,
-    /// The file that was in an archive; it goes when this is dropped.
-    unpacked: Option<Unpacked>,
-}
-
-/// A map that was read and built.
-pub(crate) struct Imported {
-    /// The name of the input.
-    pub(crate) name: String,
-    /// The numbers of what was read and dropped.
-    pub(crate) read: ReadSummary,
-    pub(crate) map: PlanarMap,
-    /// The notes on the features.
-    pub(crate) noted: Noted,
-    /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
-    pub(crate) builder: Option<Builder>,
-    /// The vertices that borders of features lack (C7), if the coverage is judged.
-    pub(crate) unmatched: Vec<UnmatchedVertex>,
-    /// The coordinate reference system, if the file names one.
-    pub(crate) crs: Option<Crs>,
-    /// True if the format says which way rings turn.
-    pub(crate) orients_rings: bool,
-}
-
-impl Input {
-    /// Opens a file, standard input where the path is `-`, or the built-in map where there is none. Of an archive, what is in it is
-    /// opened.
-    fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Self, Failure> {
-        let mut input = Self::open_as_it_is(path, layer)?;
-        let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
-        let path = input.path.as_deref();
-        let unpacked = unpack(&head, &mut input.reader, path, layer);
-        let Some(unpacked) = unpacked.map_err(|error| Failure(format!("{}: {error}", input.name)))? else {
-            return Ok(input);
-        };
-        let inner = Self::open_as_it_is(Some(&unpacked.path), unpacked.layer.as_deref())?;
-        Ok(Self { name: input.name, unpacked: Some(unpacked), ..inner })
-    }
-
-    fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Self, Failure> {
-        let (name, reader): (_, Box<dyn BufRead>) = match path {
-            None => (EMBEDDED_NAME.to_owned(), Box::new(EMBEDDED)),
-            Some(path) if path == Path::new("-") => {
-                ("standard input".to_owned(), Box::new(BufReader::new(io::stdin())))
-            }
-            Some(path) => {
-                let name = path.display().to_string();
-                let file = File::open(path).map_err(|error| Failure(format!("{name}: {error}")))?;
-                let length = file.metadata().map_or(0, |metadata| metadata.len());
-                (name, Box::new(BufReader::new(progress(length).wrap_read(file))))
-            }
-        };
-        let (format, mesh_format) = (path.and_then(Format::of_path), path.and_then(MeshFormat::of_name));
-        let path = path.filter(|path| *path != Path::new("-")).map(Path::to_owned);
-        Ok(Self { name, reader, path, format, mesh_format, layer: layer.map(str::to_owned), unpacked: None })
-    }
-
-    /// The way to read its layer.
-    fn options(&self) -> ReadOptions {
-        ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() }
-    }
-
-    /// Its first bytes, without reading them.
-    pub(crate) fn beginning(&mut self) -> Result<&[u8], Failure> {
-        self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
-    }
-
-    /// The format if it is a map. A layer that is asked of a format whose files have one is refused.
-    fn map_format(&mut self) -> Result<Option<Format>, Failure> {
-        let options = self.options();
-        let head = self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))?;
-        let Ok(format) = format_of(head, self.path.as_deref(), &options) else { return Ok(None) };
-        if !matches!(format, Format::GeoPackage | Format::TopoJson) {
-            self.refuse_layer(format)?;
+fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
+    let input = match path {
+        None => Input::new(EMBEDDED_NAME, Box::new(EMBEDDED), None),
+        Some(path) if path == Path::new("-") => {
+            Input::new("standard input", Box::new(BufReader::new(io::stdin())), None)
         }
-        Ok(Some(format))
-    }
-
-    /// Refuses a layer that was asked for, unless it has the name of the file.
-    pub(crate) fn refuse_layer(&self, what: impl Display) -> Result<(), Failure> {
-        let of_file = self.path.as_deref().and_then(Path::file_stem);
-        match self.layer.as_deref().filter(|layer| of_file != Some(OsStr::new(layer))) {
-            None => Ok(()),
-            Some(layer) => Err(Failure(format!(
-                "{}: there is no layer {layer:?}: this is {what}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
-                 zip archives",
-                self.name
-            ))),
+        Some(path) => {
+            let name = path.display().to_string();
+            let file = File::open(path).map_err(named(&name))?;
+            let length = file.metadata().map_or(0, |metadata| metadata.len());
+            Input::new(name, Box::new(BufReader::new(progress(length).wrap_read(file))), Some(path))
         }
-    }
-
-    /// The format if it is a mesh: by its name, or else by how it begins.
-    pub(crate) fn mesh_format(&mut self) -> Result<Option<MeshFormat>, Failure> {
-        match (self.mesh_format, self.format) {
-            (None, None) => Ok(MeshFormat::of_content(self.beginning()?)),
-            (by_name, _) => Ok(by_name),
-        }
-    }
-}
-
-fn gather(
-    reader: &mut dyn Read,
-    path: Option<&Path>,
-    options: &ReadOptions,
-    mut noted: Noted,
-    keep: Keep<'_>,
-) -> Result<(Builder, ReadSummary, Noted, Option<Crs>), InputError> {
-    let mut builder = Builder::new();
-    let mut summary = ReadSummary::default();
-    let header = read(reader, path, options, &mut |feature| {
-        let mut of_map = to_map(&feature, &mut summary);
-        noted.note(&mut of_map, &feature, keep);
-        builder.feature(&of_map).map(drop).map_err(ReadError::refused)
-    })?;
-    summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
-    Ok((builder, summary, noted, header.crs))
+    };
+    Ok(Input { layer: layer.map(str::to_owned), ..input })
 }
 
 /// The SHA-256 in hexadecimal digits.
@@ -232,11 +115,10 @@ impl LayerFile {
 
     /// Reads all of it: the name of the input, and the layer.
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
-        let mut input = Input::open(Some(&self.file), self.layer.as_deref())?;
-        input.map_format()?;
+        let mut input = open(Some(&self.file), self.layer.as_deref())?;
+        input.map_format().map_err(named(&input.name.clone()))?;
         let options = input.options();
-        let layer = read_layer(&mut input.reader, input.path.as_deref(), &options)
-            .map_err(|error| Failure(format!("{}: {error}", input.name)))?;
+        let layer = read_layer(&mut input.reader, input.path.as_deref(), &options).map_err(named(&input.name))?;
         Ok((input.name, layer))
     }
 }
@@ -277,7 +159,7 @@ impl MapFile {
 
     /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
-        Input::open(self.file.as_deref(), self.layer())
+        open(self.file.as_deref(), self.layer())
     }
 
     /// Reads the map and builds it. A mesh is refused.
@@ -288,10 +170,10 @@ impl MapFile {
     /// Reads the map, builds it and keeps what is asked for. A mesh is refused.
     pub(crate) fn build_keeping(&self, keep: Keep<'_>) -> Result<Imported, Failure> {
         let mut input = self.open()?;
-        if let Some(format) = input.mesh_format()? {
+        let name = input.name.clone();
+        if let Some(format) = input.mesh_format().map_err(named(&name))? {
             return Err(Failure(format!(
-                "{}: this is a mesh ({format}); only `twinedge audit` and `twinedge certify` take meshes",
-                input.name
+                "{name}: this is a mesh ({format}); only `twinedge audit` and `twinedge certify` take meshes"
             )));
         }
         self.build_from(input, keep)
@@ -302,51 +184,15 @@ impl MapFile {
         self.cutting.snap.is_some()
     }
 
-    /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, mut input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
-        let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
-        let options = input.options();
-        let Input { name, mut reader, path, unpacked: _folder, .. } = input;
-        let failed = |error: InputError| Failure(format!("{name}: {error}"));
-        let noted = Noted::new(self.name_from.clone());
-        let (builder, read, noted, crs) =
-            gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
-        self.refuse_empty(&name, &read)?;
-        noted.refuse_unknown_columns(&name, keep)?;
-        let built = busy("building the map", || match self.cutting.snap {
-            None if keep.coverage => {
-                let (map, builder) = builder.build_keeping()?;
-                // Of a plane map, borders meet at vertices only.
-                let unmatched = builder.as_ref().map(Builder::unmatched).unwrap_or_default();
-                Ok((map, builder, unmatched))
-            }
-            None => Ok((builder.build()?, None, Vec::new())),
-            Some(snap) if keep.coverage => {
-                let unmatched = builder.unmatched();
-                // What a grid that was asked for removed or made is found by comparing.
-                let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
-                Ok((builder.build_with(Noding::Snap(snap))?, kept, unmatched))
-            }
-            Some(snap) => Ok((builder.build_with(Noding::Snap(snap))?, None, Vec::new())),
-        });
-        let (map, builder, unmatched) = built.map_err(|error: BuildError| failed(error.into()))?;
-        Ok(Imported { name, read, map, noted, builder, unmatched, crs, orients_rings })
+    /// The way to build the map.
+    pub(crate) fn options(&self) -> MapOptions {
+        MapOptions { snap: self.cutting.snap, name_from: self.name_from.clone(), allow_empty: self.allow_empty }
     }
 
-    /// Refuses a file of which no map can be built.
-    fn refuse_empty(&self, name: &str, read: &ReadSummary) -> Result<(), Failure> {
-        if self.allow_empty || read.polygons + read.lines > 0 {
-            return Ok(());
-        }
-        let features = counted(read.features, "feature");
-        let found = match (read.features, read.points) {
-            (0, _) => "no features".to_owned(),
-            (_, 0) => format!("{features}, none with a geometry"),
-            (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
-        };
-        Err(Failure(format!(
-            "{name}: a map is made of lines and polygons, and this file has {found}; --allow-empty accepts it"
-        )))
+    /// Builds the map that was opened.
+    pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let name = input.name.clone();
+        busy(|stage| Imported::read(input, &self.options(), keep, stage)).map_err(named(&name))
     }
 }
 

@@ -20,6 +20,11 @@ impl<E: std::error::Error> From<E> for Failure {
     }
 }
 
+/// Makes an error about an input a failure that names the input.
+pub(crate) fn named<E: std::fmt::Display>(input: &str) -> impl Fn(E) -> Failure + '_ {
+    move |error| Failure(format!("{input}: {error}"))
+}
+
 impl From<Verdict> for ExitCode {
     fn from(verdict: Verdict) -> Self {
         Self::from(match verdict {

@@ -72,7 +72,10 @@ impl Size {
             vacant: self.vacant,
         };
         let run = effort.start()?;
-        let estimate = busy("estimating", || work.estimate(&Validator))?;
+        let estimate = busy(|stage| {
+            stage("estimating");
+            work.estimate(&Validator)
+        })?;
         effort.refuse_too_much(estimate, format)?;
         effort.say(estimate);
         let start = Instant::now();

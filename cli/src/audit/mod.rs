@@ -2,44 +2,29 @@
 
 mod arguments;
 mod destination;
-mod findings_geojson;
-mod input_kind;
-mod map;
-mod map_json;
-mod map_notes;
-mod mesh_file;
 mod mesh_options;
-mod packed;
-mod page;
-mod reader_words;
-mod report;
-mod table_file;
-mod text;
-mod textbook;
-mod topology_file;
+mod options;
 mod write;
 
 pub(crate) use arguments::Audit;
-pub(crate) use input_kind::InputKind;
 
-use crate::status::{Failure, Verdict};
-use arguments::Run;
+use crate::progress::busy;
+use crate::status::{Failure, Verdict, named};
 use std::time::Instant;
+use twinedge_report::{InputKind, audit};
+use write::write;
 
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
-        let kind = InputKind::of(self.postgis, self.arcs, &mut input)?;
-        let run = &Run { asked: self, to: self.destination.destination(self.map.path())?, start };
-        kind.refuse_options(run, &input)?;
-        match kind {
-            InputKind::Map => map::audit(run, input),
-            InputKind::Mesh(format) => mesh_file::audit(run, input, format),
-            InputKind::Textbook => textbook::audit(run, input),
-            InputKind::Tables => table_file::audit(run, input),
-            InputKind::Postgis => topology_file::audit_postgis(run, input),
-            InputKind::Arcs => topology_file::audit_arcs(run, input),
-        }
+        let name = input.name.clone();
+        let kind = InputKind::of(self.postgis, self.arcs, &mut input).map_err(named(&name))?;
+        let to = self.destination.destination(self.map.path())?;
+        self.refuse_options(kind, &to, &input)?;
+        let mut audited = busy(|stage| audit(input, kind, &self.options(), stage)).map_err(named(&name))?;
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        write(&audited, &to)?;
+        Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 }

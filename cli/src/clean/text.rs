@@ -2,12 +2,12 @@
 
 use super::cleaning::Cleaning;
 use crate::convert::Written;
-use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, measure, place, plain};
 use std::fmt::Write as _;
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
+use twinedge_report::noding_text;
 
 impl Cleaning<'_> {
     pub(super) fn text(&self, list: usize) -> Result<String, std::fmt::Error> {

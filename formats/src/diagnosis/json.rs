@@ -32,6 +32,8 @@ struct Entry<'a> {
     snapping: Option<&'static str>,
     message: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
+    follows_from: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     cause: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     remedy: Option<&'static str>,
@@ -83,6 +85,7 @@ impl Serialize for Diagnosis {
             missing: &self.missing,
             snapping: self.snapping,
             message: &self.message,
+            follows_from: self.follows_from,
             cause: self.cause,
             remedy: self.remedy,
             sql: self.sql.as_ref(),

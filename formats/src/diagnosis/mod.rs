@@ -75,7 +75,7 @@ pub struct Diagnosis {
     pub missing: Vec<MissingVertex>,
     /// `removed` by snapping, or `made` by it.
     pub snapping: Option<&'static str>,
-    /// The rule from whose violations this one follows.
+    /// The id of the rule from whose violations this one follows.
     pub follows_from: Option<&'static str>,
     /// It makes the input invalid.
     pub is_violation: bool,

@@ -1,13 +1,11 @@
 //! Auditing a file of tables, one on each line.
 
-use super::arguments::Run;
-use super::destination::ReportFormat;
+use crate::audit::Options;
 use crate::diagnosis_text::{write, write_explanations, write_more};
+use crate::error::Error;
 use crate::input::Input;
-use crate::output::style::{BAD, GOOD};
-use crate::output::{counted, grouped, plain};
-use crate::print_tables::EXPECT;
-use crate::status::{Failure, Verdict};
+use crate::words::style::{BAD, GOOD};
+use crate::words::{counted, grouped, plain};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -15,8 +13,11 @@ use std::io::BufRead;
 use twinedge::validate::{Collect, Expectation, ParseExpectationError, Rule, Table, validate};
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 
+/// Begins a comment that says what the tables below it are held to.
+pub const EXPECT: &str = "# expect:";
+
 /// Returns true if a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
-pub(super) fn is_table_file(beginning: &[u8]) -> bool {
+pub(crate) fn is_table_file(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty());
     let mut lines = lines.skip_while(|line| line.starts_with('#') && !line.starts_with(EXPECT));
@@ -27,9 +28,9 @@ pub(super) fn is_table_file(beginning: &[u8]) -> bool {
 const LONGEST_LINE: u64 = 1 << 30;
 
 #[derive(Debug, Default, Serialize)]
-struct TablesReport<'a> {
-    input: &'a str,
-    valid: bool,
+pub(crate) struct TablesReport {
+    input: String,
+    pub(crate) valid: bool,
     tables: u64,
     valid_tables: u64,
     /// Tables for which the file has another verdict.
@@ -37,7 +38,7 @@ struct TablesReport<'a> {
     /// The number of tables that break each rule; a table may break several.
     rules: Vec<RuleTables>,
     violations: Vec<Diagnosis>,
-    elapsed_ms: f64,
+    pub(crate) elapsed_ms: f64,
     #[serde(skip)]
     violation_count: u64,
 }
@@ -48,16 +49,16 @@ struct RuleTables {
     tables: u64,
 }
 
-/// Judges each line and prints what was found.
-pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input) -> Result<Verdict, Failure> {
-    let list = run.asked.most();
-    let mut audited = TablesReport { input: &name, ..TablesReport::default() };
+/// Judges each line.
+pub(crate) fn audit(Input { name, reader: mut input, .. }: Input, asked: &Options) -> Result<TablesReport, Error> {
+    let list = asked.most();
+    let mut audited = TablesReport { input: name, ..TablesReport::default() };
     let mut broken = BTreeMap::new();
     let mut expectation = Expectation::plane();
     let mut line = String::new();
     for number in 1.. {
         line.clear();
-        let at = |why: String| Failure(format!("{name}: line {number}: {why}"));
+        let at = |message: String| Error::Table { line: number, message };
         let read = std::io::Read::take(&mut input, LONGEST_LINE).read_line(&mut line);
         if read.map_err(|error| at(error.to_string()))? == 0 {
             break;
@@ -72,18 +73,15 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input)
     audited.rules =
         broken.into_iter().map(|(rule, tables): (Rule, u64)| RuleTables { id: rule.id(), tables }).collect();
     audited.valid = audited.valid_tables == audited.tables && audited.verdicts_differ == 0;
-    audited.elapsed_ms = run.elapsed_ms();
-    if !run.asked.explain {
-        audited.violations = audited.violations.into_iter().map(Diagnosis::unexplained).collect();
-    }
-    match run.to.format {
-        ReportFormat::Json => run.to.json(&audited)?,
-        _ => run.to.text(&audited.text()?)?,
-    }
-    Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
+    Ok(audited)
 }
 
-impl TablesReport<'_> {
+impl TablesReport {
+    /// Drops causes and remedies.
+    pub(crate) fn unexplained(self) -> Self {
+        Self { violations: self.violations.into_iter().map(Diagnosis::unexplained).collect(), ..self }
+    }
+
     /// Judges one table, and compares the verdict with the one behind `=`, if there is one.
     fn judge(
         &mut self,
@@ -127,7 +125,7 @@ impl TablesReport<'_> {
         Ok(())
     }
 
-    fn text(&self) -> Result<String, std::fmt::Error> {
+    pub(crate) fn text(&self) -> Result<String, std::fmt::Error> {
         let mut out = String::new();
         writeln!(out, "{}", self.input)?;
         self.violations.iter().try_for_each(|one| write(&mut out, one, 0))?;

@@ -1,13 +1,12 @@
-//! `twinedge audit` of the three tables of a textbook.
+//! The audit of the three tables of a textbook.
 
-use super::arguments::Run;
-use super::packed::{Beside, Map, Names, Picture};
-use super::report::{AuditReport, JsonForm, Note, counts};
-use super::write::write;
+use crate::audit::Options;
+use crate::error::Error;
 use crate::input::Input;
-use crate::output::counted;
-use crate::status::{Failure, Verdict};
+use crate::packed::{Beside, Map, Names, Picture};
+use crate::report::{AuditReport, JsonForm, Note, counts};
 use crate::trace::placed;
+use crate::words::counted;
 use serde_json::json;
 use std::io::Read;
 use twinedge::io::tables::Textbook;
@@ -16,7 +15,7 @@ use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 
 /// Returns true if a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
-pub(super) fn is_textbook(beginning: &[u8]) -> bool {
+pub(crate) fn is_textbook(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let mut lines = text.lines().map(|line| line.split('#').next().unwrap_or_default());
     let word = lines.find_map(|line| line.split([' ', '\t', '|']).find(|word| !word.is_empty()));
@@ -29,12 +28,11 @@ pub(super) fn is_textbook(beginning: &[u8]) -> bool {
 }
 
 /// Reads the tables and validates them.
-pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Result<Verdict, Failure> {
-    let failed = |error: &dyn std::fmt::Display| Failure(format!("{name}: {error}"));
+pub(crate) fn audit(Input { name, mut reader, .. }: Input, asked: &Options) -> Result<(AuditReport, Textbook), Error> {
     let mut text = String::new();
-    reader.read_to_string(&mut text).map_err(|error| failed(&error))?;
-    let tables: Textbook = text.parse().map_err(|error| failed(&error))?;
-    let (expectation, collect) = (Expectation::plane(), Collect::AtMost(run.asked.most()));
+    reader.read_to_string(&mut text)?;
+    let tables: Textbook = text.parse()?;
+    let (expectation, collect) = (Expectation::plane(), Collect::AtMost(asked.most()));
     let report = if tables.has_coordinates() {
         validate_embedding(&tables, &expectation, collect)
     } else {
@@ -57,7 +55,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Res
         json: JsonForm { counts: json, is_named: true, ..JsonForm::default() },
         ..AuditReport::new(&name)
     };
-    write(report, run, |report| picture(&tables, report))
+    Ok((report, tables))
 }
 
 /// A violation with the names of the tables.
@@ -72,7 +70,7 @@ fn diagnosis(tables: &Textbook, violation: &Violation) -> Diagnosis {
     }
 }
 
-fn picture(tables: &Textbook, report: &AuditReport) -> Picture {
+pub(crate) fn picture(tables: &Textbook, report: &AuditReport) -> Picture {
     let name = |record: Record| tables.name(record).unwrap_or_default().to_owned();
     let half_edges = 0..tables.half_edge_slots();
     let mutual = |h: &usize| tables.twin(*h).filter(|t| half_edges.contains(t) && tables.twin(*t) == Some(*h));

@@ -1,10 +1,9 @@
 //! The findings as a layer of GeoJSON.
 
-use super::report::AuditReport;
 use crate::diagnosis_text::full_message;
-use crate::output::plain;
-use crate::output::style::BAD;
-use crate::status::Failure;
+use crate::error::Error;
+use crate::report::AuditReport;
+use crate::words::plain;
 use serde_json::json;
 use std::sync::Arc;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Measures, Position as Place, Trace};
@@ -12,8 +11,8 @@ use twinedge_formats::layer::{
     Crs, Dimensions, Feature, Format, Geometry, Header, Id, Layer, Members, Position, Shape, Value, losses, write,
 };
 
-/// One feature for each finding, all with the same columns.
-pub(super) fn layer(report: &AuditReport) -> Result<Vec<u8>, Failure> {
+/// One feature for each finding, all with the same columns, and warnings.
+pub(crate) fn layer(report: &AuditReport) -> Result<(Vec<u8>, Vec<String>), Error> {
     let mut members = Members::new();
     members.insert("valid".to_owned(), report.valid.into());
     members.insert("verdict".to_owned(), report.verdict().into());
@@ -29,18 +28,19 @@ pub(super) fn layer(report: &AuditReport) -> Result<Vec<u8>, Failure> {
         },
         features: report.listed().zip(1..).map(|(one, number)| columns.feature(report, one, number)).collect(),
     };
+    let mut warnings = Vec::new();
     if report.crs.is_none() && !layer.features.iter().all(looks_like_degrees) {
-        anstream::eprintln!(
-            "{BAD}warning{BAD:#}: no coordinate reference system is known, and the coordinates are no longitudes and latitudes, for \
-which a reader of GeoJSON will take them: set the reference system of the layer by hand"
+        warnings.push(
+            "no coordinate reference system is known, and the coordinates are no longitudes and latitudes, for which a reader of GeoJSON \
+will take them: set the reference system of the layer by hand"
+                .to_owned(),
         );
     }
-    for loss in losses(&layer, Format::GeoJson) {
-        anstream::eprintln!("{BAD}warning{BAD:#}: {} does not hold {}", Format::GeoJson, plain(&loss.to_string()));
-    }
+    let lost = losses(&layer, Format::GeoJson).into_iter();
+    warnings.extend(lost.map(|loss| format!("{} does not hold {}", Format::GeoJson, plain(&loss.to_string()))));
     let mut bytes = Vec::new();
     write(&layer, &mut bytes, Format::GeoJson)?;
-    Ok(bytes)
+    Ok((bytes, warnings))
 }
 
 /// Returns true if all positions of a feature can be longitudes and latitudes in degrees.

@@ -1,17 +1,19 @@
 //! Features by name.
 
-use crate::input::Imported;
-use crate::output::plain;
+use crate::imported::Imported;
+use crate::words::plain;
 use twinedge::map::{FeatureId, PlanarMap};
 use twinedge_formats::diagnosis::FeatureName;
 
 /// The name of a feature, fit for a terminal, or its number, counted from 0.
-pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {
+#[must_use]
+pub fn label(map: &PlanarMap, feature: FeatureId) -> String {
     map.name(feature).map_or_else(|| format!("feature {}", feature.index()), plain)
 }
 
 /// The name, the id and the number of a feature.
-pub(crate) fn named(imported: &Imported, feature: FeatureId) -> FeatureName {
+#[must_use]
+pub fn named(imported: &Imported, feature: FeatureId) -> FeatureName {
     let map: &PlanarMap = &imported.map;
     let id = imported.noted.ids.get(feature.index()).cloned().flatten();
     let label = match &id {

@@ -1,11 +1,12 @@
 //! The summary of noding, in a line.
 
-use crate::output::counted;
+use crate::words::counted;
 use std::fmt::Write as _;
 use twinedge::geometry::noding::NodingSummary;
 
 /// The summary of noding, in a line.
-pub(crate) fn line(noding: &NodingSummary) -> String {
+#[must_use]
+pub fn line(noding: &NodingSummary) -> String {
     let cut = counted(noding.split, "segment");
     let mut line = format!("snapped to a grid of 2^{}: {cut} cut", noding.cell.log2());
     for (count, name, what) in [

@@ -1,7 +1,7 @@
 //! Notes on features, taken while they are read, since a map does not keep them: ids, conditions met, defects, places.
 
-use crate::output::{counted, decimals, plain};
-use crate::status::Failure;
+use crate::error::Error;
+use crate::words::{counted, decimals, plain};
 use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
@@ -27,9 +27,11 @@ const POLE: f64 = 89.0;
 
 /// A value that a column of a feature is to have.
 #[derive(Clone, Debug)]
-pub(crate) struct Condition {
-    pub(crate) column: String,
-    pub(crate) value: String,
+pub struct Condition {
+    /// The column.
+    pub column: String,
+    /// The value, as text.
+    pub value: String,
 }
 
 impl FromStr for Condition {
@@ -43,23 +45,23 @@ impl FromStr for Condition {
 
 /// The notes on the input that are kept beside the map.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Keep<'a> {
+pub struct Keep<'a> {
     /// The parts by which the coverage is judged.
-    pub(crate) coverage: bool,
+    pub coverage: bool,
     /// The features that meet a condition.
-    pub(crate) condition: Option<&'a Condition>,
+    pub condition: Option<&'a Condition>,
 }
 
 /// The notes on the features.
 #[derive(Debug)]
-pub(crate) struct Noted {
+pub struct Noted {
     name_from: Option<String>,
     /// The id of each feature in the file.
-    pub(crate) ids: Vec<Option<String>>,
+    pub ids: Vec<Option<String>>,
     /// The numbers of the features that meet the condition.
-    pub(crate) matching: Vec<usize>,
+    pub matching: Vec<usize>,
     /// Features that are not valid by the rules of the OGC, by number.
-    pub(crate) defects: Vec<(usize, Vec<Defect>)>,
+    pub defects: Vec<(usize, Vec<Defect>)>,
     /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
     /// The first features without geometry, and how many there are.
@@ -171,22 +173,19 @@ impl Noted {
     }
 
     /// With how many decimal places a place is shown in text.
-    pub(crate) fn decimals(&self) -> usize {
+    #[must_use]
+    pub fn decimals(&self) -> usize {
         let all = [self.low.x, self.low.y, self.high.x, self.high.y];
         decimals(all.into_iter().filter(|x| x.is_finite()).fold(0.0, |greatest, x| x.abs().max(greatest)))
     }
 
     /// Refuses a column that no feature has.
-    pub(crate) fn refuse_unknown_columns(&self, name: &str, keep: Keep<'_>) -> Result<(), Failure> {
+    pub(crate) fn refuse_unknown_columns(&self, keep: Keep<'_>) -> Result<(), Error> {
         let by_name = self.name_from.as_ref().filter(|_| !self.has_name);
         let by_condition = keep.condition.map(|condition| &condition.column).filter(|_| !self.has_condition);
         let Some(column) = by_name.or(by_condition) else { return Ok(()) };
-        let columns: Vec<String> = self.columns.iter().take(COLUMNS).map(|column| plain(column)).collect();
-        let known = match &columns[..] {
-            [] => "there are no columns".to_owned(),
-            columns => format!("there are {}", columns.join(", ")),
-        };
-        Err(Failure(format!("{name}: no feature has a value in the column {column}; {known}")))
+        let known = self.columns.iter().take(COLUMNS).map(|column| plain(column)).collect();
+        Err(Error::NoColumn { column: column.clone(), known })
     }
 
     /// Returns true if the coordinates can be longitudes and latitudes, and no other reference system is named.
@@ -206,7 +205,8 @@ impl Noted {
     }
 
     /// Warnings about the coordinates.
-    pub(crate) fn warnings(&self, read: &ReadSummary) -> Vec<String> {
+    #[must_use]
+    pub fn warnings(&self, read: &ReadSummary) -> Vec<String> {
         let mut warnings = Vec::new();
         if read.other_crs > 0 {
             warnings.push(

@@ -1,16 +1,16 @@
 //! Notes on the input of a map.
 
-use super::report::Note;
-use crate::input::Imported;
+use crate::imported::Imported;
 use crate::noding_text;
-use crate::output::{counted, grouped, plain};
+use crate::report::Note;
+use crate::words::{counted, grouped, plain};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap};
 
 /// All notes, in the order in which they are read.
-pub(super) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
+pub(crate) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
     let Imported { read, map, noted, .. } = imported;
     let mut notes = vec![Note::Plain(input_line(map.summary(), imported.orients_rings))];
     notes.extend(dropped_line(read).map(Note::Plain));

@@ -2,90 +2,36 @@
 
 use crate::coverage_words::explanation;
 use crate::diagnosis_text::{size, write, write_explanations};
-use crate::input::Imported;
+use crate::imported::Imported;
 use crate::names::named;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, measure, plain};
-use crate::progress::busy;
-use crate::status::Failure;
 use crate::trace::{of_finding, position};
 use crate::units::Units;
+use crate::words::style::{BAD, GOOD, QUIET};
+use crate::words::{counted, grouped, measure, plain};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{self, CoverageRule, Defect, Finding, Limits, check, mismatches};
+use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::map::{Noding, PlanarMap};
-use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Trace};
+use twinedge::map::{BuildError, FeatureId, Noding, PlanarMap};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 
 /// The number of findings of each rule that the text shows unless asked.
 pub(crate) const SHOWN: usize = 3;
 
 /// The options by which a coverage is judged.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Coverage (maps)")]
-pub(crate) struct CoverageOptions {
-    /// Count what breaks C1 … C7 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
-    /// the OGC, mismatches. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
-    #[arg(long)]
-    coverage: bool,
-
-    /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates, with --geodesic too. The width is the mean one: twice
-    /// the area by the length of the border. Wider gaps are counted. Default: gaps of any width, and near misses up to a hundredth of
-    /// the median length of the edges.
-    #[arg(long, value_name = "W", value_parser = positive)]
-    gap_width: Option<f64>,
-
-    #[command(flatten)]
-    accepted: AcceptedGaps,
-
-    /// Area below which a thin part of a feature is a sliver. A part is thin if 4π · area / perimeter² is below 0.2: a rectangle 14 times
-    /// as long as wide. Default: a thousandth of the median area of all parts of features; `clean` measures them after overlaps are
-    /// resolved, so its limit is a little different.
-    #[arg(long, value_name = "A", value_parser = positive)]
-    sliver: Option<f64>,
-}
-
-/// The gaps that are meant.
-#[derive(Clone, Debug, clap::Args)]
-pub(crate) struct AcceptedGaps {
-    /// Greatest mean width of a gap that is reported, where it is not --gap-width: wider ones are accepted, as lakes.
-    #[arg(long, value_name = "W", value_parser = positive)]
-    pub(crate) lake_width: Option<f64>,
-
-    /// Accept the gap around this point, whatever its width. Can be given several times.
-    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
-    pub(crate) accept_gap: Vec<Point>,
-}
-
-/// A point on the command line.
-fn place(text: &str) -> Result<Point, String> {
-    let number = |text: &str| text.trim().parse().ok().filter(|x| f64::is_finite(*x));
-    let point = text.split_once(',').and_then(|(x, y)| Some(Point::new(number(x)?, number(y)?)));
-    point.ok_or_else(|| "not a point: two numbers with a comma between".to_owned())
-}
-
-/// A positive number on the command line.
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "not a positive number".to_owned())
-}
-
-impl CoverageOptions {
-    pub(crate) const fn is_any(&self) -> bool {
-        let AcceptedGaps { lake_width, accept_gap } = &self.accepted;
-        let is_limited = self.gap_width.is_some() || lake_width.is_some() || self.sliver.is_some();
-        self.coverage || is_limited || !accept_gap.is_empty()
-    }
-
-    /// Returns true if findings make a map invalid.
-    pub(crate) const fn is_rule(&self) -> bool {
-        self.coverage
-    }
+#[derive(Clone, Debug, Default)]
+pub struct CoverageOptions {
+    /// What breaks C1 … C7 counts as a violation.
+    pub is_rule: bool,
+    /// The limits.
+    pub limits: Limits,
 }
 
 /// The findings as JSON.
 #[derive(Debug, Serialize)]
-pub(crate) struct Coverage {
+pub struct Coverage {
     overlaps: usize,
     gaps: usize,
     near_misses: usize,
@@ -115,13 +61,16 @@ pub(crate) struct Coverage {
     findings: Vec<Diagnosis>,
     #[serde(skip)]
     has_polygons: bool,
+    /// The missing vertices, sorted by place, each with the two features of its mismatch.
+    #[serde(skip)]
+    missing: Vec<(Position, [usize; 2])>,
     /// The map of the input with its borders cut, where the findings are of that one.
     #[serde(skip)]
     of_input: Option<PlanarMap>,
 }
 
 /// Rule, kind, features, area, width, length, and the coordinates of the place.
-type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
+pub type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
 /// The number of defects of each kind that are listed of a feature.
 const DEFECTS: usize = 20;
@@ -129,14 +78,14 @@ const DEFECTS: usize = 20;
 impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
     /// grid was asked for, what it removed or made is found by comparing.
-    pub(crate) fn new(imported: &Imported, asked: &CoverageOptions, units: &Units, list: usize) -> Self {
-        let limits = Limits {
-            gap_width: asked.gap_width,
-            lake_width: asked.accepted.lake_width,
-            accepted_gaps: asked.accepted.accept_gap.clone(),
-            sliver_area: asked.sliver,
-            ..Limits::default()
-        };
+    #[must_use]
+    pub fn new(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        stage: &mut dyn FnMut(&'static str),
+    ) -> Self {
         let mut found = Self {
             overlaps: 0,
             gaps: 0,
@@ -150,13 +99,14 @@ impl Coverage {
             gap_width: None,
             sliver_area: None,
             wider_gaps: 0,
-            greatest_gap: asked.accepted.lake_width.or(asked.gap_width),
+            greatest_gap: asked.limits.lake_width.or(asked.limits.gap_width),
             accepted_gaps: 0,
             findings: Vec::new(),
+            missing: Vec::new(),
             has_polygons: imported.read.polygons > 0,
             of_input: None,
         };
-        match judged(imported, &limits, units) {
+        match judged(imported, &asked.limits, units, stage) {
             Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
                 (found.wider_gaps, found.accepted_gaps) = (wider_gaps, accepted_gaps);
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
@@ -189,18 +139,31 @@ impl Coverage {
                         });
                     }
                 }
+                found.missing = missing_vertices(&findings);
                 found.of_input = of_input;
             }
-            Err(Failure(why)) => found.not_checked = Some(why),
+            Err(why) => found.not_checked = Some(why.to_string()),
         }
         for (feature, defects) in imported.noted.defects.iter().take(list) {
             found.findings.push(invalid(imported, asked, *feature, defects));
         }
+        found.findings.sort_by_key(|one| one.rule);
         found
     }
 
+    /// Returns true if one of these places is a vertex that is missing between two of these features. O(places · log n).
+    pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<FeatureId>) -> bool {
+        let has = |feature: usize| features.iter().any(|one| one.index() == feature);
+        places.iter().map(|place| position(*place)).any(|place| {
+            let first = self.missing.partition_point(|(at, _)| *at < place);
+            let here = self.missing[first..].iter().take_while(|(at, _)| *at == place);
+            here.into_iter().any(|(_, pair)| pair.iter().all(|feature| has(*feature)))
+        })
+    }
+
     /// Drops causes and remedies.
-    pub(crate) fn unexplained(self) -> Self {
+    #[must_use]
+    pub fn unexplained(self) -> Self {
         Self { findings: self.findings.into_iter().map(Diagnosis::unexplained).collect(), ..self }
     }
 
@@ -248,12 +211,14 @@ impl Coverage {
     }
 
     /// Why all rules but C6 could not be checked, if so.
-    pub(crate) fn not_checked(&self) -> Option<&str> {
+    #[must_use]
+    pub fn not_checked(&self) -> Option<&str> {
         self.not_checked.as_deref()
     }
 
     /// The listed findings.
-    pub(crate) fn findings(&self) -> &[Diagnosis] {
+    #[must_use]
+    pub fn findings(&self) -> &[Diagnosis] {
         &self.findings
     }
 
@@ -268,12 +233,15 @@ impl Coverage {
     }
 
     /// The listed findings, to be sorted and cut.
-    pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
+    pub const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
         &mut self.findings
     }
 
-    /// A line for each rule.
-    pub(crate) fn write_rules(&self, out: &mut String, is_rule: bool) -> std::fmt::Result {
+    /// Writes a line for each rule.
+    ///
+    /// # Errors
+    /// None that happens: writing to a string does not fail.
+    pub fn write_rules(&self, out: &mut String, is_rule: bool) -> std::fmt::Result {
         for (rule, count, _) in self.counts() {
             write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
             let limit = self.limit(rule).map_or_else(String::new, |limit| format!("  {QUIET}{limit}{QUIET:#}"));
@@ -359,6 +327,15 @@ impl Coverage {
     }
 }
 
+/// Why all rules but C6 were not checked.
+#[derive(Debug, thiserror::Error)]
+enum NotChecked {
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    #[error(transparent)]
+    Coverage(#[from] CoverageError),
+}
+
 /// The findings of all rules but C6.
 struct Judgement {
     findings: Vec<(Finding, Option<&'static str>)>,
@@ -369,10 +346,16 @@ struct Judgement {
     of_input: Option<PlanarMap>,
 }
 
-fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgement, Failure> {
+fn judged(
+    imported: &Imported,
+    limits: &Limits,
+    units: &Units,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Judgement, NotChecked> {
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
-        let mut found = busy("checking the coverage", || check(map, limits))?;
+        stage("checking the coverage");
+        let mut found = check(map, limits)?;
         found.findings.extend(mismatches(map, &imported.unmatched)?);
         let converted = |mut finding: Finding| {
             units.convert(map, &mut finding);
@@ -417,6 +400,17 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgeme
     Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
 }
 
+/// The missing vertices of all mismatches, sorted by place.
+fn missing_vertices(findings: &[(Finding, Option<&'static str>)]) -> Vec<(Position, [usize; 2])> {
+    let of = |finding: &Finding| {
+        let pair = [finding.features.first(), finding.features.get(1)].map(|one| one.map_or(0, |one| one.index()));
+        finding.missing.iter().map(|vertex| (position(vertex.at), pair)).collect::<Vec<_>>()
+    };
+    let mut all: Vec<_> = findings.iter().flat_map(|(finding, _)| of(finding)).collect();
+    all.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    all
+}
+
 /// The missing vertices of a mismatch.
 fn missing(finding: &Finding) -> Vec<MissingVertex> {
     let of =
@@ -443,7 +437,7 @@ fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Point) -> Diagnosis 
         cause: Some(cause),
         remedy: Some(remedy),
         look: Some(position(at)),
-        is_violation: asked.is_rule(),
+        is_violation: asked.is_rule,
         ..Diagnosis::default()
     }
 }
@@ -471,7 +465,8 @@ fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects
 }
 
 /// A finding as a row of a table: the features by their ids, or else names, with semicolons between.
-pub(crate) fn row(one: &Diagnosis) -> Row<'_> {
+#[must_use]
+pub fn row(one: &Diagnosis) -> Row<'_> {
     let features = one.features.iter().flatten().map(|feature| feature.key()).collect::<Vec<_>>().join(";");
     let kind = one.defects.first().map_or(one.kind.name(), |flaw| &flaw.reason);
     let (Measures { area, width, length }, [x, y]) = (one.measures, one.look.map_or([None; 2], |at| at.map(Some)));

@@ -3,13 +3,12 @@
 //! A policy in the page forbids it to load anything. What comes from the input is in a block of JSON without `<`, `>` and `&`, and
 //! the script sets it as text.
 
-use super::packed::Picture;
-use super::reader_words;
-use super::report::{AuditReport, Note};
 use crate::coverage_words::statement;
 use crate::diagnosis_text::full_message;
-use crate::output::{counted, grouped, plain};
-use crate::status::Failure;
+use crate::packed::Picture;
+use crate::reader_words;
+use crate::report::{AuditReport, Note};
+use crate::words::{counted, grouped, plain};
 use serde::Serialize;
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -111,7 +110,7 @@ fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
     listed.into_iter().map(|one| Finding::new(report, one)).collect()
 }
 
-/// The rules of the validator and the format, and C1 … C6 where there are polygons.
+/// The rules of the validator and the format, and C1 … C7 where there are polygons.
 fn rules(report: &AuditReport) -> Vec<Rule> {
     let own = report.rules.iter().map(|rule| {
         let checked = format!("{} {}", grouped(rule.checked), rule.unit);
@@ -145,7 +144,7 @@ fn note(note: &Note) -> Option<String> {
 }
 
 /// The page.
-pub(super) fn page(report: &AuditReport, picture: &Picture) -> Result<String, Failure> {
+pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Result<String> {
     let verdict = report.verdict();
     let name = Path::new(&report.input).file_name().and_then(OsStr::to_str).unwrap_or(&report.input);
     let data = Data {

@@ -1,28 +1,30 @@
 //! Auditing a mesh file.
 
-use super::arguments::Run;
-use super::packed::Picture;
-use super::report::{AuditReport, JsonForm, Note};
-use super::write::write;
+use crate::audit::Options;
+use crate::error::Error;
 use crate::input::Input;
-use crate::output::{counted, grouped};
-use crate::status::{Failure, Verdict};
+use crate::report::{AuditReport, JsonForm, Note};
+use crate::words::{counted, grouped};
 use serde_json::{Map, to_value};
 use twinedge::validate::{Collect, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
 use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, MeshFile};
 
-/// Reads a mesh, joins its faces, and prints what was found. At most `--list` findings of each kind are listed.
-pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: MeshFormat) -> Result<Verdict, Failure> {
-    let file = mesh::read(reader, Some(format)).map_err(|error| Failure(format!("{name}: {error}")))?;
-    let audit = mesh::audit(&file.mesh, &run.asked.mesh.expectation(), Collect::AtMost(run.asked.most()));
+/// Reads a mesh, joins its faces, and judges it. At most as many findings of each kind are listed as asked for.
+pub(crate) fn audit(
+    Input { name, reader, .. }: Input,
+    format: MeshFormat,
+    asked: &Options,
+) -> Result<AuditReport, Error> {
+    let file = mesh::read(reader, Some(format))?;
+    let audit = mesh::audit(&file.mesh, &asked.mesh, Collect::AtMost(asked.most()));
     let (findings, report, first) = (audit.findings(), audit.report(), format.first_number());
     let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
     let mut extra = Map::new();
     extra.insert("format".to_owned(), format.name().into());
     extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
     extra.insert("messages_count_from".to_owned(), first.into());
-    let report = AuditReport {
+    Ok(AuditReport {
         valid: audit.is_valid(),
         found: numbers.map(|(count, name)| counted(count, name)).join(", "),
         notes: notes(&file),
@@ -38,8 +40,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
         remarks: audit.remarks(),
         json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
         ..AuditReport::new(&name)
-    };
-    write(report, run, |_| Picture::default())
+    })
 }
 
 /// A violation with the numbers of the file in its message.

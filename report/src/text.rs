@@ -1,13 +1,13 @@
 //! An audit as text.
 
-use super::report::{AuditReport, CoverageStyle, Note};
 use crate::diagnosis_text::{write, write_explanations, write_more, write_rule};
-use crate::output::plain;
-use crate::output::style::{BAD, GOOD, QUIET};
+use crate::report::{AuditReport, CoverageStyle, Note};
+use crate::words::plain;
+use crate::words::style::{BAD, GOOD, QUIET};
 use std::fmt::Write as _;
 
 /// The audit for people.
-pub(super) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
+pub(crate) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
     let CoverageStyle { is_rule, worst, decimals } = report.style;
     let mut out = String::new();
     writeln!(out, "{}", plain(&report.input))?;

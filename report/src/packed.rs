@@ -31,7 +31,7 @@ const MOST_EDGES: usize = 2_000_000;
 
 /// A structure, packed.
 #[derive(Debug, Default, Serialize)]
-pub(super) struct Map {
+pub(crate) struct Map {
     origin: Position,
     step: f64,
     chains: usize,
@@ -41,12 +41,12 @@ pub(super) struct Map {
     faces: usize,
     isolated: usize,
     /// The number of edges that are shown, and the number of all.
-    pub(super) edges: [usize; 2],
+    pub(crate) edges: [usize; 2],
     /// Half-edges and vertices without a place in the plane.
     placeless: usize,
     names: Names,
     /// Another structure, whose faces are filled instead.
-    pub(super) areas: Option<Box<Self>>,
+    pub(crate) areas: Option<Box<Self>>,
     #[serde(serialize_with = "text")]
     stream: Vec<u8>,
 }
@@ -57,16 +57,16 @@ fn text<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
 
 /// The map of a page.
 #[derive(Debug, Default, Serialize)]
-pub(super) struct Picture {
-    pub(super) map: Map,
+pub(crate) struct Picture {
+    pub(crate) map: Map,
     /// The features of the map: name, id, and a colour that neighbours have not.
-    pub(super) features: Vec<(Option<String>, Option<String>, usize)>,
+    pub(crate) features: Vec<(Option<String>, Option<String>, usize)>,
 }
 
 /// The names of records.
 #[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum Names {
+pub(crate) enum Names {
     /// By their indices; twins are neighbours.
     #[default]
     Indices,
@@ -78,14 +78,14 @@ pub(super) enum Names {
 
 /// A rectangle, by its least and greatest coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Window {
+pub(crate) struct Window {
     low: Position,
     high: Position,
 }
 
 impl Window {
     /// Around points, with as much on each side as they span.
-    pub(super) fn around<'a>(points: impl IntoIterator<Item = &'a Position>) -> Option<Self> {
+    pub(crate) fn around<'a>(points: impl IntoIterator<Item = &'a Position>) -> Option<Self> {
         let all = Self::tight(points)?;
         let margin = [0, 1].map(|i| all.high[i] - all.low[i]);
         let margin = margin[0].max(margin[1]);
@@ -105,12 +105,12 @@ impl Window {
 }
 
 /// The features, names and windows beside the packed structure.
-pub(super) struct Beside<'a> {
+pub(crate) struct Beside<'a> {
     /// The features that cover a face.
-    pub(super) features: &'a dyn Fn(usize) -> Vec<usize>,
-    pub(super) names: Names,
+    pub(crate) features: &'a dyn Fn(usize) -> Vec<usize>,
+    pub(crate) names: Names,
     /// The part that is shown of a structure too large for a page.
-    pub(super) windows: &'a [Window],
+    pub(crate) windows: &'a [Window],
 }
 
 /// No half-edge, and no side.
@@ -228,7 +228,7 @@ fn chains<E: Embedding + ?Sized>(structure: &E, links: &Links) -> (Vec<Chain>, u
 
 impl Map {
     /// Packs a structure. O(n) for its size n, and O(n · w) for w windows if it is too large.
-    pub(super) fn pack<E: Embedding + ?Sized>(structure: &E, beside: Beside<'_>) -> Self {
+    pub(crate) fn pack<E: Embedding + ?Sized>(structure: &E, beside: Beside<'_>) -> Self {
         Self::pack_up_to(MOST_EDGES, structure, beside)
     }
 

@@ -1,6 +1,6 @@
 //! Clashes of borders in the words of somebody who knows the features of a map, and not its half-edges.
 
-use crate::output::place;
+use crate::words::place;
 use twinedge::validate::Violation;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Position};
 
@@ -8,7 +8,7 @@ use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Position};
 const NAMED: usize = 3;
 
 /// The sentence; none for other violations, and where no feature is known. Places have so many decimal places at most.
-pub(super) fn sentence(one: &Diagnosis, decimals: usize) -> Option<String> {
+pub(crate) fn sentence(one: &Diagnosis, decimals: usize) -> Option<String> {
     let Kind::Of(violation) = one.kind else { return None };
     let features = one.features.as_deref().filter(|features| !features.is_empty())?;
     let at = place(one.look?, decimals);

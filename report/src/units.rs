@@ -1,7 +1,7 @@
 //! Lengths and areas, in the units of the coordinates or along the earth.
 
-use crate::input::Imported;
-use crate::status::Failure;
+use crate::error::Error;
+use crate::imported::Imported;
 use geographiclib_rs::{Geodesic, InverseGeodesic};
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::{CoverageRule, Finding};
@@ -10,39 +10,9 @@ use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
 
-/// The measure of lengths and areas.
-#[derive(Debug, clap::Args)]
-pub(crate) struct Measured {
-    /// Lengths in metres along geodesics and areas in square metres, on the ellipsoid WGS 84; of areas, the borders are straight in the coordinates. Only
-    /// for longitudes and latitudes in degrees.
-    #[arg(long)]
-    geodesic: bool,
-}
-
-impl Measured {
-    /// Returns true if lengths and areas are those along the earth.
-    pub(crate) const fn is_geodesic(&self) -> bool {
-        self.geodesic
-    }
-
-    /// The units for a map.
-    pub(crate) fn units(&self, imported: &Imported) -> Result<Units, Failure> {
-        let degrees = imported.noted.look_like_degrees(&imported.read);
-        match (self.geodesic, degrees) {
-            (false, degrees) => Ok(Units::Plane { degrees }),
-            (true, true) => Ok(Units::Geodesic(Box::new(Geodesic::wgs84()))),
-            (true, false) => Err(Failure(format!(
-                "{}: --geodesic is for longitudes and latitudes, and the coordinates are not in their range, or the file names \
-another coordinate reference system",
-                imported.name
-            ))),
-        }
-    }
-}
-
 /// The units of lengths and areas.
 #[derive(Debug)]
-pub(crate) enum Units {
+pub enum Units {
     /// Those of the coordinates.
     Plane {
         /// True if these look like degrees.
@@ -54,10 +24,24 @@ pub(crate) enum Units {
 
 impl Units {
     /// The unit of lengths along the earth.
-    pub(crate) const METRES: &'static str = "metres";
+    pub const METRES: &'static str = "metres";
+
+    /// Those for a map: metres along the earth, or those of the coordinates.
+    ///
+    /// # Errors
+    /// [`Error::NotDegrees`].
+    pub fn of(imported: &Imported, geodesic: bool) -> Result<Self, Error> {
+        let degrees = imported.noted.look_like_degrees(&imported.read);
+        match (geodesic, degrees) {
+            (false, degrees) => Ok(Self::Plane { degrees }),
+            (true, true) => Ok(Self::Geodesic(Box::new(Geodesic::wgs84()))),
+            (true, false) => Err(Error::NotDegrees),
+        }
+    }
 
     /// The unit of lengths; areas are in its square.
-    pub(crate) const fn name(&self) -> &'static str {
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
         match self {
             Self::Plane { degrees: true } => "degrees",
             Self::Plane { degrees: false } => "units of the coordinates",
@@ -66,7 +50,8 @@ impl Units {
     }
 
     /// A sentence about the units, with the offer of others.
-    pub(crate) const fn sentence(&self) -> &'static str {
+    #[must_use]
+    pub const fn sentence(&self) -> &'static str {
         match self {
             Self::Plane { degrees: true } => {
                 "lengths in degrees and areas in square degrees, if the coordinates are what they look like; --geodesic: metres"
@@ -77,7 +62,8 @@ impl Units {
     }
 
     /// The length of a chain.
-    pub(crate) fn length(&self, chain: &[Point]) -> f64 {
+    #[must_use]
+    pub fn length(&self, chain: &[Point]) -> f64 {
         chain.windows(2).map(|pair| self.distance(pair[0], pair[1])).sum()
     }
 
@@ -90,7 +76,8 @@ impl Units {
 
     /// The area of a bounded face, whose edges are straight in longitude and latitude, as they are on the map: areas add up, and none is
     /// negative.
-    pub(crate) fn area(&self, map: &PlanarMap, face: Face<'_>) -> f64 {
+    #[must_use]
+    pub fn area(&self, map: &PlanarMap, face: Face<'_>) -> f64 {
         let Self::Geodesic(earth) = self else { return face_area(map, face.key()).unwrap_or_default() };
         let base = face.half_edges().next().map_or(0.0, |h| point(map, h.origin()).y);
         let ends = face.half_edges().map(|h| [point(map, h.origin()), point(map, h.target())]);

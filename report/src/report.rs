@@ -1,8 +1,8 @@
 //! The report of an audit, which all writers take.
 
-use super::packed::Window;
 use crate::coverage::Coverage;
-use crate::output::{grouped, not_checked};
+use crate::packed::Window;
+use crate::words::{grouped, not_checked};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use twinedge::validate::{Bounds, Counts};
@@ -10,58 +10,60 @@ use twinedge_formats::diagnosis::{Diagnosis, Document, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
 /// The report of an audit.
-pub(super) struct AuditReport {
-    pub(super) input: String,
-    pub(super) valid: bool,
+#[derive(Debug)]
+pub(crate) struct AuditReport {
+    pub(crate) input: String,
+    pub(crate) valid: bool,
     /// The numbers of findings, if it is not valid.
-    pub(super) found: String,
-    pub(super) notes: Vec<Note>,
+    pub(crate) found: String,
+    pub(crate) notes: Vec<Note>,
     /// The counts in words.
-    pub(super) counts: Vec<(&'static str, String)>,
-    pub(super) rules: Vec<RuleLine>,
-    pub(super) violations: Vec<Diagnosis>,
+    pub(crate) counts: Vec<(&'static str, String)>,
+    pub(crate) rules: Vec<RuleLine>,
+    pub(crate) violations: Vec<Diagnosis>,
     /// The number of violations, listed or not.
-    pub(super) violation_count: u64,
+    pub(crate) violation_count: u64,
     /// The faults of the faces of a mesh, and the number of findings.
-    pub(super) findings: Vec<Diagnosis>,
-    pub(super) finding_count: u64,
-    /// The findings of C1 … C6, for a map with polygons or lines.
-    pub(super) coverage: Option<Coverage>,
-    pub(super) style: CoverageStyle,
+    pub(crate) findings: Vec<Diagnosis>,
+    pub(crate) finding_count: u64,
+    /// The findings of C1 … C7, for a map with polygons or lines.
+    pub(crate) coverage: Option<Coverage>,
+    pub(crate) style: CoverageStyle,
     /// Sentences about violations that follow from findings.
-    pub(super) remarks: Vec<&'static str>,
-    pub(super) crs: Option<Crs>,
-    pub(super) json: JsonForm,
-    pub(super) elapsed_ms: f64,
+    pub(crate) remarks: Vec<&'static str>,
+    pub(crate) crs: Option<Crs>,
+    pub(crate) json: JsonForm,
+    pub(crate) elapsed_ms: f64,
 }
 
 /// The form of findings of a coverage in text.
-#[derive(Clone, Copy, Default)]
-pub(super) struct CoverageStyle {
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct CoverageStyle {
     /// They count as violations.
-    pub(super) is_rule: bool,
+    pub(crate) is_rule: bool,
     /// The number of findings of each rule that are shown.
-    pub(super) worst: usize,
+    pub(crate) worst: usize,
     /// Places have so many decimal places at most.
-    pub(super) decimals: usize,
+    pub(crate) decimals: usize,
 }
 
 /// The entries that only JSON has.
-#[derive(Default)]
-pub(super) struct JsonForm {
-    pub(super) counts: Value,
+#[derive(Debug, Default)]
+pub(crate) struct JsonForm {
+    pub(crate) counts: Value,
     /// The bounds of T4.
-    pub(super) bounds: Option<Bounds>,
+    pub(crate) bounds: Option<Bounds>,
     /// Rules have their names.
-    pub(super) is_named: bool,
+    pub(crate) is_named: bool,
     /// There is a list of findings.
-    pub(super) has_findings: bool,
+    pub(crate) has_findings: bool,
     /// Keys beside those of all audits.
-    pub(super) extra: Map<String, Value>,
+    pub(crate) extra: Map<String, Value>,
 }
 
 /// A note on the input, in a line.
-pub(super) enum Note {
+#[derive(Debug)]
+pub(crate) enum Note {
     Plain(String),
     Warning(String),
     /// A detail, which is in text only.
@@ -70,7 +72,7 @@ pub(super) enum Note {
 
 impl AuditReport {
     /// Nothing is known yet.
-    pub(super) fn new(input: &str) -> Self {
+    pub(crate) fn new(input: &str) -> Self {
         Self {
             input: input.to_owned(),
             valid: false,
@@ -92,7 +94,7 @@ impl AuditReport {
     }
 
     /// Drops causes and remedies.
-    pub(super) fn unexplained(self) -> Self {
+    pub(crate) fn unexplained(self) -> Self {
         let all = |all: Vec<Diagnosis>| all.into_iter().map(Diagnosis::unexplained).collect();
         Self {
             violations: all(self.violations),
@@ -103,12 +105,12 @@ impl AuditReport {
     }
 
     /// The number of things that were found, listed or not.
-    pub(super) fn total(&self) -> u64 {
+    pub(crate) fn total(&self) -> u64 {
         self.violation_count + self.finding_count + self.coverage.as_ref().map_or(0, |found| found.total() as u64)
     }
 
     /// The listed diagnoses. Those that follow from others come last.
-    pub(super) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
+    pub(crate) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
         let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
         let [first, last] = [false, true]
             .map(|follows| self.violations.iter().filter(move |violation| violation.follows_from.is_some() == follows));
@@ -116,31 +118,31 @@ impl AuditReport {
     }
 
     /// The verdict, in a sentence.
-    pub(super) fn verdict(&self) -> String {
+    pub(crate) fn verdict(&self) -> String {
         if self.valid {
             let beside = self.coverage.as_ref().map(Coverage::beside).unwrap_or_default();
             return format!("valid: every rule that applies holds{beside}");
         }
         let open = self.rules.iter().filter(|rule| rule.is_open()).count();
-        // C1 to C5.
+        // All but C6.
         let is_open = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_some());
-        let of_coverage = if self.style.is_rule && is_open { 5 } else { 0 };
+        let of_coverage = if self.style.is_rule && is_open { 6 } else { 0 };
         format!("not valid: {}{}", self.found, not_checked(open + of_coverage))
     }
 
     /// The name of the rule that a finding breaks.
-    pub(super) fn name_of_rule(&self, one: &Diagnosis) -> &'static str {
+    pub(crate) fn name_of_rule(&self, one: &Diagnosis) -> &'static str {
         let rule = self.rules.iter().find(|rule| Some(rule.id) == one.rule);
         rule.map_or(one.kind.name(), |rule| rule.name)
     }
 
     /// The unit of lengths, if there are any.
-    pub(super) fn unit(&self) -> Option<&'static str> {
+    pub(crate) fn unit(&self) -> Option<&'static str> {
         self.coverage.as_ref().filter(|coverage| coverage.has_polygons()).map(Coverage::unit)
     }
 
     /// Around each finding.
-    pub(super) fn windows(&self) -> Vec<Window> {
+    pub(crate) fn windows(&self) -> Vec<Window> {
         let of = |one: &Diagnosis| {
             let Trace { points, lines, polygons } = &one.trace;
             let rings = polygons.iter().flatten().chain(lines).flatten();
@@ -150,7 +152,7 @@ impl AuditReport {
     }
 
     /// The audit as one JSON object.
-    pub(super) fn json(&self) -> impl Serialize + '_ {
+    pub(crate) fn json(&self) -> impl Serialize + '_ {
         #[derive(Serialize)]
         struct Json<'a> {
             input: &'a str,
@@ -177,7 +179,7 @@ impl AuditReport {
 }
 
 /// The numbers of records, in words.
-pub(super) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
+pub(crate) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
     let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
     vec![
         ("vertices (V)", grouped(counts.vertices)),

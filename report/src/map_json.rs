@@ -1,12 +1,12 @@
 //! The keys of JSON on the input of a map.
 
-use crate::input::Imported;
+use crate::imported::Imported;
 use crate::trace::position;
 use serde_json::{Map, Value, json};
 use twinedge::map::{Irregularity, IrregularityKind, Position};
 
 /// The keys beside those of all audits.
-pub(super) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Value> {
+pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Value> {
     let Imported { map, read, orients_rings, .. } = imported;
     let summary = map.summary();
     let irregularity = |one: &Irregularity| {

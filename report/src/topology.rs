@@ -1,36 +1,38 @@
 //! Auditing a topology of PostGIS, as `psql` wrote it, or the arcs of TopoJSON.
 
-use super::arguments::Run;
-use super::packed::{Beside, Map, Names, Picture};
-use super::report::{AuditReport, JsonForm, Note};
-use super::write::write;
+use crate::audit::Options;
+use crate::error::Error;
 use crate::input::Input;
-use crate::output::{counted, grouped};
-use crate::status::{Failure, Verdict};
+use crate::packed::{Beside, Map, Names, Picture};
+use crate::report::{AuditReport, JsonForm, Note};
+use crate::words::{counted, grouped};
 use serde_json::to_value;
 use twinedge::validate::{Embedding, Record};
-use twinedge_formats::layer::topojson;
-use twinedge_formats::postgis::{self, TopologyAudit};
+use twinedge_formats::layer::topojson::{self, ArcTopology};
+use twinedge_formats::postgis::{self, Topology, TopologyAudit};
 
-/// Reads a topology of PostGIS and prints what was found.
-pub(super) fn audit_postgis(run: &Run<'_>, Input { name, reader, .. }: Input) -> Result<Verdict, Failure> {
-    let failed = |error| Failure(format!("{name}: {error}"));
-    let topology = postgis::read(reader, run.asked.most()).map_err(failed)?;
-    let audit = postgis::audit(&topology, run.asked.most()).map_err(failed)?;
+/// Reads a topology of PostGIS and judges it.
+pub(crate) fn audit_postgis(
+    Input { name, reader, .. }: Input,
+    asked: &Options,
+) -> Result<(AuditReport, Topology), Error> {
+    let topology = postgis::read(reader, asked.most())?;
+    let audit = postgis::audit(&topology, asked.most())?;
     let mut report = report(&name, &audit, &POSTGIS)?;
-    if run.asked.explain && !audit.is_valid() {
+    if asked.explain && !audit.is_valid() {
         report.remarks.push(SQL);
     }
-    write(report, run, |report| picture(&topology, |record| topology.name(record), report))
+    Ok((report, topology))
 }
 
-/// Reads the arcs of an object of TopoJSON and prints what was found.
-pub(super) fn audit_arcs(run: &Run<'_>, Input { name, mut reader, layer, .. }: Input) -> Result<Verdict, Failure> {
-    let list = run.asked.most();
-    let topology =
-        topojson::read(&mut reader, layer.as_deref(), list).map_err(|error| Failure(format!("{name}: {error}")))?;
-    let report = report(&name, &topojson::audit(&topology, list), &ARCS)?;
-    write(report, run, |report| picture(&topology, |record| topology.name(record), report))
+/// Reads the arcs of an object of TopoJSON and judges them.
+pub(crate) fn audit_arcs(
+    Input { name, mut reader, layer, .. }: Input,
+    asked: &Options,
+) -> Result<(AuditReport, ArcTopology), Error> {
+    let topology = topojson::read(&mut reader, layer.as_deref(), asked.most())?;
+    let report = report(&name, &topojson::audit(&topology, asked.most()), &ARCS)?;
+    Ok((report, topology))
 }
 
 const SQL: &str = "The SQL is for psql, after `SET search_path TO \"NAME\", public, topology;`. A fault with \"mend\" can be mended in this way only. Audit \
@@ -61,7 +63,7 @@ const ARCS: Words = Words {
     repeated: "repeated points",
 };
 
-fn report(name: &str, audit: &TopologyAudit, words: &Words) -> Result<AuditReport, Failure> {
+fn report(name: &str, audit: &TopologyAudit, words: &Words) -> Result<AuditReport, Error> {
     let counts = audit.counts();
     let json = to_value(audit)?;
     Ok(AuditReport {
@@ -85,7 +87,7 @@ fn report(name: &str, audit: &TopologyAudit, words: &Words) -> Result<AuditRepor
     })
 }
 
-fn picture(topology: &impl Embedding, name: impl Fn(Record) -> String, report: &AuditReport) -> Picture {
+pub(crate) fn picture(topology: &impl Embedding, name: impl Fn(Record) -> String, report: &AuditReport) -> Picture {
     let names = Names::Ids {
         vertices: (0..topology.vertex_slots()).map(|v| name(Record::Vertex(v))).collect(),
         edges: (0..topology.half_edge_slots() / 2)

@@ -1,13 +1,16 @@
 //! Diagnoses as text for people.
 
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, measure, place, plain};
+use crate::words::style::{BAD, GOOD, QUIET};
+use crate::words::{counted, grouped, measure, place, plain};
 use std::collections::HashSet;
 use std::fmt::{Result, Write as _};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Measures, Records, RuleLine};
 
 /// Writes what was found, and where. Places of a coverage have so many decimal places at most.
-pub(crate) fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
+///
+/// # Errors
+/// None that happens: writing to a string does not fail.
+pub fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
     let rule = one.rule.unwrap_or(one.kind.name());
     if let (Records::None {}, Some(at)) = (&one.records, one.look) {
         let labels: Vec<&str> = one.features.iter().flatten().map(|feature| &*feature.label).collect();
@@ -39,7 +42,7 @@ pub(crate) fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Resul
         writeln!(out, "   {QUIET}rows: {QUIET:#}{}", sql.show)?;
         sql.mend.iter().try_for_each(|mend| writeln!(out, "   {QUIET}mend: {QUIET:#}{mend}"))?;
     }
-    one.follows_from.map_or(Ok(()), |follows| writeln!(out, "   {QUIET}which follows from {follows}{QUIET:#}"))
+    one.follows_from.map_or(Ok(()), |rule| writeln!(out, "   {QUIET}which follows from {}{QUIET:#}", source(rule)))
 }
 
 /// The words for a finding that snapping removed or made.
@@ -47,9 +50,17 @@ pub(crate) fn by_snapping(one: &Diagnosis) -> String {
     one.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"))
 }
 
+/// That from which something follows, in words.
+fn source(rule: &str) -> &str {
+    match rule {
+        "C7" => "the missing vertices (C7)",
+        _ => "the crossings (G4)",
+    }
+}
+
 /// The message with what stands beside it in text.
 pub(crate) fn full_message(one: &Diagnosis) -> String {
-    let follows = one.follows_from.map_or_else(String::new, |follows| format!(", which follows from {follows}"));
+    let follows = one.follows_from.map_or_else(String::new, |rule| format!(", which follows from {}", source(rule)));
     format!("{}{follows}{}", one.message, by_snapping(one))
 }
 

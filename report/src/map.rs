@@ -1,73 +1,91 @@
 //! The audit of a map.
 
-use super::arguments::Run;
-use super::map_json::extra;
-use super::map_notes::notes;
-use super::packed::{Beside, Map, Names, Picture};
-use super::report::{AuditReport, CoverageStyle, JsonForm, counts};
-use super::write::write;
+use crate::audit::Options;
 use crate::coverage::{Coverage, SHOWN};
-use crate::input::{Imported, Input};
+use crate::error::Error;
+use crate::imported::Imported;
+use crate::map_json::extra;
+use crate::map_notes::notes;
 use crate::names::named;
-use crate::noted::Keep;
-use crate::output::counted;
-use crate::progress::busy;
-use crate::status::{Failure, Verdict};
+use crate::packed::{Beside, Map, Names, Picture};
+use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::trace::placed;
+use crate::units::Units;
+use crate::words::counted;
 use serde_json::to_value;
 use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, validate_embedding};
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, places, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
-/// Builds the map, validates it, and prints what was found.
-pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
-    let asked = run.asked;
-    let imported = asked.map.build_from(input, Keep { coverage: true, condition: None })?;
-    let Imported { name, map, noted, crs, .. } = &imported;
+/// Validates the map, and judges it as a coverage.
+pub(crate) fn audit(
+    imported: &Imported,
+    asked: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<AuditReport, Error> {
+    let Imported { name, map, noted, crs, .. } = imported;
     let list = asked.most();
-    let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(list)));
-    let units = asked.measured.units(&imported)?;
-    let coverage = Coverage::new(&imported, &asked.coverage, &units, list);
-    let is_rule = asked.coverage.is_rule();
+    stage("validating");
+    let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(list));
+    let units = Units::of(imported, asked.geodesic)?;
+    let coverage = Coverage::new(imported, &asked.coverage, &units, list, stage);
+    let is_rule = asked.coverage.is_rule;
     let of_coverage = if is_rule { coverage.total() } else { 0 };
     // What cannot be checked is not known to hold.
     let is_coverage = of_coverage == 0 && (!is_rule || coverage.not_checked().is_none());
     let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
-    let report = AuditReport {
+    Ok(AuditReport {
         valid: report.is_valid() && is_coverage,
         found: counted(report.violation_count() as usize + of_coverage, "violation"),
         json: JsonForm {
             counts: to_value(report.counts())?,
             bounds: report.figures().and_then(|figures| figures.bounds),
-            extra: extra(&imported, &warnings),
+            extra: extra(imported, &warnings),
             ..JsonForm::default()
         },
-        notes: notes(&imported, warnings),
+        notes: notes(imported, warnings),
         counts: counts(report.counts()),
         rules: RuleLine::of(&report),
-        violations: violations(&imported, &report),
+        violations: violations(imported, &report, &coverage),
         violation_count: report.violation_count(),
         style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
         crs: crs.clone(),
         coverage: Some(coverage),
         ..AuditReport::new(name)
-    };
-    write(report, run, |report| picture(&imported, report))
+    })
 }
 
 /// The violations, with their places and the features around, and what mends them by the commands of this program.
-fn violations(imported: &Imported, report: &Report) -> Vec<Diagnosis> {
+fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<Diagnosis> {
     let map = &imported.map;
-    let has_crossings = report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
+    let clashes = report.outcome(Rule::G4).map_or(0, |outcome| outcome.violations);
+    let clash = |violation: &Violation| violation.rule() == Rule::G4;
+    let is_mismatch = |violation: &Violation| {
+        // Where two edges cross there is no vertex.
+        let may_be = clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
+        may_be && coverage.lacks_any(&places(map, violation), &features(map, violation))
+    };
+    let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
     let diagnosis = |violation: &Violation| {
         let diagnosis = placed(map, violation);
+        // Where borders clash, the map does not fit in the plane.
+        let follows_from = match violation.rule() {
+            Rule::G4 => is_mismatch(violation).then_some(CoverageRule::Mismatch.id()),
+            Rule::T3 if clashes > 0 && of_mismatches == clashes => Some(CoverageRule::Mismatch.id()),
+            Rule::T3 if clashes > 0 => Some(Rule::G4.id()),
+            _ => None,
+        };
         Diagnosis {
             features: Some(features(map, violation).into_iter().map(|feature| named(imported, feature)).collect()),
             remedy: match violation.rule() {
                 // The remedies of the library are its own functions where the map is not plane.
+                Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
+                    Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
+                }
                 Rule::T3 => Some("mend the crossings (G4), from which it follows"),
                 Rule::G4 => Some(
                     "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
@@ -75,8 +93,7 @@ audited as if they were cut",
                 ),
                 _ => diagnosis.remedy,
             },
-            // Where borders cross, the map does not fit in the plane.
-            follows_from: (has_crossings && violation.rule() == Rule::T3).then_some("the crossings (G4)"),
+            follows_from,
             ..diagnosis
         }
     };
@@ -106,7 +123,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
 }
 
 /// The map for a page. Where it is not plane, the faces that are filled are those of the input with its borders cut.
-fn picture(imported: &Imported, report: &AuditReport) -> Picture {
+pub(crate) fn picture(imported: &Imported, report: &AuditReport) -> Picture {
     let map = &imported.map;
     let windows = report.windows();
     let pack = |map: &PlanarMap| {

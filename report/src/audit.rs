@@ -1,0 +1,201 @@
+//! The audit of an input of any kind.
+
+use crate::coverage::CoverageOptions;
+use crate::error::Error;
+use crate::imported::{Imported, MapOptions};
+use crate::input::Input;
+use crate::input_kind::InputKind;
+use crate::noted::Keep;
+use crate::packed::Picture;
+use crate::report::AuditReport;
+use crate::tables::TablesReport;
+use crate::words::{counted, json, plain};
+use crate::{findings_geojson, map, mesh, page, tables, text, textbook, topology};
+use twinedge::io::tables::Textbook;
+use twinedge::validate::{Collect, Expectation};
+use twinedge_formats::layer::topojson::ArcTopology;
+use twinedge_formats::mesh::HalfEdgeMesh;
+use twinedge_formats::postgis::Topology;
+
+/// The options of an audit. Those that are for other kinds of inputs are not looked at.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. None: 1000, and in the text 3 findings
+    /// of each of C1 … C7.
+    pub list: Option<usize>,
+    /// Causes and remedies are kept.
+    pub explain: bool,
+    /// The way to build a map.
+    pub map: MapOptions,
+    /// The limits by which a coverage is judged.
+    pub coverage: CoverageOptions,
+    /// Lengths in metres along geodesics.
+    pub geodesic: bool,
+    /// The properties that a mesh must have.
+    pub mesh: Expectation,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            list: None,
+            explain: false,
+            map: MapOptions::default(),
+            coverage: CoverageOptions::default(),
+            geodesic: false,
+            mesh: HalfEdgeMesh::expectation(),
+        }
+    }
+}
+
+impl Options {
+    /// Greatest number of violations to list.
+    pub(crate) fn most(&self) -> usize {
+        self.list.unwrap_or(Collect::DEFAULT_CAP)
+    }
+}
+
+/// An input that was audited.
+#[derive(Debug)]
+pub struct Audited(Outcome);
+
+#[derive(Debug)]
+enum Outcome {
+    Report(AuditReport, Subject),
+    Tables(TablesReport),
+}
+
+/// The structure that a page shows.
+#[derive(Debug)]
+enum Subject {
+    Map(Box<Imported>),
+    Textbook(Textbook),
+    Postgis(Box<Topology>),
+    Arcs(Box<ArcTopology>),
+    None,
+}
+
+/// Reads an input and judges it. `stage` is told what begins, before work that may take long.
+///
+/// O(n log n) for n segments that cross in O(n) places.
+///
+/// # Errors
+/// [`Error`], if the input could not be read, or cannot be judged as was asked.
+pub fn audit(
+    input: Input,
+    kind: InputKind,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let (report, subject) = match kind {
+        InputKind::Map => {
+            let imported = Imported::read(input, &options.map, Keep { coverage: true, condition: None }, stage)?;
+            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
+        }
+        InputKind::Mesh(format) => (mesh::audit(input, format, options)?, Subject::None),
+        InputKind::Textbook => {
+            let (report, tables) = textbook::audit(input, options)?;
+            (report, Subject::Textbook(tables))
+        }
+        InputKind::Postgis => {
+            let (report, topology) = topology::audit_postgis(input, options)?;
+            (report, Subject::Postgis(Box::new(topology)))
+        }
+        InputKind::Arcs => {
+            let (report, topology) = topology::audit_arcs(input, options)?;
+            (report, Subject::Arcs(Box::new(topology)))
+        }
+        InputKind::Tables => {
+            let report = tables::audit(input, options)?;
+            return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
+        }
+    };
+    Ok(Audited(Outcome::Report(if options.explain { report } else { report.unexplained() }, subject)))
+}
+
+impl Audited {
+    /// Returns true if nothing is wrong.
+    #[must_use]
+    pub const fn is_valid(&self) -> bool {
+        match &self.0 {
+            Outcome::Report(report, _) => report.valid,
+            Outcome::Tables(report) => report.valid,
+        }
+    }
+
+    /// Notes the time that it took, in milliseconds.
+    pub const fn took(&mut self, elapsed_ms: f64) {
+        match &mut self.0 {
+            Outcome::Report(report, _) => report.elapsed_ms = elapsed_ms,
+            Outcome::Tables(report) => report.elapsed_ms = elapsed_ms,
+        }
+    }
+
+    /// The report for people, with the colours of [`words::style`](crate::words::style).
+    ///
+    /// # Errors
+    /// None that happens: writing to a string does not fail.
+    pub fn text(&self) -> Result<String, std::fmt::Error> {
+        match &self.0 {
+            Outcome::Report(report, _) => text::text(report),
+            Outcome::Tables(report) => report.text(),
+        }
+    }
+
+    /// The report as one JSON object, as `docs/report.md` of the library describes it.
+    ///
+    /// # Errors
+    /// [`Error::Json`].
+    pub fn json(&self) -> Result<Vec<u8>, Error> {
+        Ok(match &self.0 {
+            Outcome::Report(report, _) => json(&report.json())?,
+            Outcome::Tables(report) => json(report)?,
+        })
+    }
+
+    /// The findings as a layer of GeoJSON, and warnings about it.
+    ///
+    /// # Errors
+    /// [`Error::NoPicture`] for meshes and files of tables, and [`Error::Write`].
+    pub fn findings(&self) -> Result<(Vec<u8>, Vec<String>), Error> {
+        findings_geojson::layer(self.drawn()?.0)
+    }
+
+    /// The structure and what was found in one file, which a browser shows.
+    ///
+    /// # Errors
+    /// [`Error::NoPicture`] for meshes and files of tables, and [`Error::Json`].
+    pub fn page(&self) -> Result<String, Error> {
+        let (report, subject) = self.drawn()?;
+        let picture = match subject {
+            Subject::Map(imported) => map::picture(imported, report),
+            Subject::Textbook(tables) => textbook::picture(tables, report),
+            Subject::Postgis(topology) => topology::picture(&**topology, |record| topology.name(record), report),
+            Subject::Arcs(topology) => topology::picture(&**topology, |record| topology.name(record), report),
+            Subject::None => Picture::default(),
+        };
+        Ok(page::page(report, &picture)?)
+    }
+
+    /// The verdict, and how many findings there are, in a line.
+    ///
+    /// # Errors
+    /// [`Error::NoPicture`] for meshes and files of tables.
+    pub fn summary(&self) -> Result<String, Error> {
+        let report = self.drawn()?.0;
+        let listed = match (report.listed().count(), report.total()) {
+            (listed, total) if listed as u64 == total => counted(listed, "finding"),
+            (listed, total) => format!("{listed} of {}", counted(total as usize, "finding")),
+        };
+        Ok(format!("{}: {}; {listed}", plain(&report.input), plain(&report.verdict())))
+    }
+
+    /// The report of a structure that can be drawn.
+    const fn drawn(&self) -> Result<(&AuditReport, &Subject), Error> {
+        match &self.0 {
+            Outcome::Report(_, Subject::None) => Err(Error::NoPicture("a mesh")),
+            Outcome::Tables(_) => Err(Error::NoPicture(InputKind::Tables.words())),
+            Outcome::Report(report, subject) => Ok((report, subject)),
+        }
+    }
+}
