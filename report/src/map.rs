@@ -15,9 +15,9 @@ use crate::words::counted;
 use serde_json::to_value;
 use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
+use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, places, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
@@ -66,7 +66,8 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
     let clash = |violation: &Violation| violation.rule() == Rule::G4;
     let is_mismatch = |violation: &Violation| {
         // Where two edges cross there is no vertex.
-        let may_be = clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
+        let may_be =
+            clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
         may_be && coverage.lacks_any(&places(map, violation), &features(map, violation))
     };
     let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
