@@ -1,59 +1,19 @@
 //! The audit of an input of any kind.
 
-use crate::coverage::CoverageOptions;
 use crate::error::Error;
-use crate::imported::{Imported, MapOptions};
+use crate::imported::Imported;
 use crate::input::Input;
 use crate::input_kind::InputKind;
 use crate::noted::Keep;
+use crate::options::Options;
 use crate::packed::Picture;
 use crate::report::AuditReport;
 use crate::tables::TablesReport;
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, map, mesh, page, tables, text, textbook, topology};
 use twinedge::io::tables::Textbook;
-use twinedge::validate::{Collect, Expectation};
 use twinedge_formats::layer::topojson::ArcTopology;
-use twinedge_formats::mesh::HalfEdgeMesh;
 use twinedge_formats::postgis::Topology;
-
-/// The options of an audit. Those that are for other kinds of inputs are not looked at.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. None: 1000, and in the text 3 findings
-    /// of each of C1 … C7.
-    pub list: Option<usize>,
-    /// Causes and remedies are kept.
-    pub explain: bool,
-    /// The way to build a map.
-    pub map: MapOptions,
-    /// The limits by which a coverage is judged.
-    pub coverage: CoverageOptions,
-    /// Lengths in metres along geodesics.
-    pub geodesic: bool,
-    /// The properties that a mesh must have.
-    pub mesh: Expectation,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            list: None,
-            explain: false,
-            map: MapOptions::default(),
-            coverage: CoverageOptions::default(),
-            geodesic: false,
-            mesh: HalfEdgeMesh::expectation(),
-        }
-    }
-}
-
-impl Options {
-    /// Greatest number of violations to list.
-    pub(crate) fn most(&self) -> usize {
-        self.list.unwrap_or(Collect::DEFAULT_CAP)
-    }
-}
 
 /// An input that was audited.
 #[derive(Debug)]
@@ -61,7 +21,7 @@ pub struct Audited(Outcome);
 
 #[derive(Debug)]
 enum Outcome {
-    Report(AuditReport, Subject),
+    Report(Box<AuditReport>, Subject),
     Tables(TablesReport),
 }
 
@@ -110,7 +70,8 @@ pub fn audit(
             return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
         }
     };
-    Ok(Audited(Outcome::Report(if options.explain { report } else { report.unexplained() }, subject)))
+    let report = if options.explain { report } else { report.unexplained() };
+    Ok(Audited(Outcome::Report(Box::new(report), subject)))
 }
 
 impl Audited {

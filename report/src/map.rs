@@ -1,12 +1,12 @@
 //! The audit of a map.
 
-use crate::audit::Options;
 use crate::coverage::{Coverage, SHOWN};
 use crate::error::Error;
 use crate::imported::Imported;
 use crate::map_json::extra;
 use crate::map_notes::notes;
 use crate::names::named;
+use crate::options::Options;
 use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::trace::placed;

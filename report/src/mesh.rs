@@ -1,8 +1,8 @@
 //! Auditing a mesh file.
 
-use crate::audit::Options;
 use crate::error::Error;
 use crate::input::Input;
+use crate::options::Options;
 use crate::report::{AuditReport, JsonForm, Note};
 use crate::words::{counted, grouped};
 use serde_json::{Map, to_value};

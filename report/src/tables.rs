@@ -1,9 +1,9 @@
 //! Auditing a file of tables, one on each line.
 
-use crate::audit::Options;
 use crate::diagnosis_text::{write, write_explanations, write_more};
 use crate::error::Error;
 use crate::input::Input;
+use crate::options::Options;
 use crate::words::style::{BAD, GOOD};
 use crate::words::{counted, grouped, plain};
 use serde::Serialize;

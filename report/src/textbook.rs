@@ -1,8 +1,8 @@
 //! The audit of the three tables of a textbook.
 
-use crate::audit::Options;
 use crate::error::Error;
 use crate::input::Input;
+use crate::options::Options;
 use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, JsonForm, Note, counts};
 use crate::trace::placed;

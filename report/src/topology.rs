@@ -1,8 +1,8 @@
 //! Auditing a topology of PostGIS, as `psql` wrote it, or the arcs of TopoJSON.
 
-use crate::audit::Options;
 use crate::error::Error;
 use crate::input::Input;
+use crate::options::Options;
 use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, JsonForm, Note};
 use crate::words::{counted, grouped};

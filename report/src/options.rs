@@ -1,0 +1,44 @@
+//! The options of an audit.
+
+use crate::coverage::CoverageOptions;
+use crate::imported::MapOptions;
+use twinedge::validate::{Collect, Expectation};
+use twinedge_formats::mesh::HalfEdgeMesh;
+
+/// The options of an audit. Those that are for other kinds of inputs are not looked at.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. None: 1000, and in the text 3 findings
+    /// of each of C1 … C7.
+    pub list: Option<usize>,
+    /// Causes and remedies are kept.
+    pub explain: bool,
+    /// The way to build a map.
+    pub map: MapOptions,
+    /// The limits by which a coverage is judged.
+    pub coverage: CoverageOptions,
+    /// Lengths in metres along geodesics.
+    pub geodesic: bool,
+    /// The properties that a mesh must have.
+    pub mesh: Expectation,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            list: None,
+            explain: false,
+            map: MapOptions::default(),
+            coverage: CoverageOptions::default(),
+            geodesic: false,
+            mesh: HalfEdgeMesh::expectation(),
+        }
+    }
+}
+
+impl Options {
+    /// Greatest number of violations to list.
+    pub(crate) fn most(&self) -> usize {
+        self.list.unwrap_or(Collect::DEFAULT_CAP)
+    }
+}
