@@ -57,6 +57,11 @@ pub(crate) struct Audit {
     #[arg(long)]
     pub(super) explain: bool,
 
+    /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. Text and JSON say so; of the other formats nothing is
+    /// written.
+    #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
+    pub(super) timeout: Option<f64>,
+
     /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
     /// with it nothing else is accepted.)
     #[arg(long)]

@@ -7,6 +7,8 @@ use serde::{Serialize, Serializer};
 #[derive(Serialize)]
 struct Entry<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     rule: Option<&'static str>,
@@ -69,6 +71,7 @@ impl Serialize for Diagnosis {
         let one = self.look.filter(|_| is_coverage).map(|at| Places::One(at.map(unsigned_zero)));
         let all = || self.places.as_ref().map(|all| all.iter().map(|at| at.map(unsigned_zero)).collect());
         Entry {
+            id: self.id.as_deref(),
             line: self.line,
             rule: self.rule,
             kind: self.kind,

@@ -43,6 +43,8 @@ pub type Position = [f64; 2];
 /// More fields may come. One of your own is made from a [`Violation`] or by `..Diagnosis::default()`, so that it compiles then, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnosis {
+    /// An id that is the same from run to run, if it was given one.
+    pub id: Option<String>,
     /// The line of the file, where each line is a structure of its own.
     pub line: Option<u64>,
     /// The id of the rule, except for findings of meshes.
