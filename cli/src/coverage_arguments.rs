@@ -8,8 +8,8 @@ use twinedge_report::CoverageOptions;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
 pub(crate) struct CoverageArguments {
-    /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
-    /// the OGC. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
+    /// Count what breaks C1 … C7 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
+    /// the OGC, mismatches. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
     #[arg(long)]
     coverage: bool,
 

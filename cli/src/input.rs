@@ -1,15 +1,15 @@
 //! Reading a map from a file or from standard input, or the built-in map.
 
+use crate::judged;
 use crate::progress::busy;
 use crate::status::{Failure, named};
 use indicatif::{ProgressBar, ProgressStyle};
-use sha2::{Digest as _, Sha256};
 use std::fs::File;
-use std::io::{self, BufRead, BufReader};
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge_formats::layer::{Layer, read_layer, unpack};
-use twinedge_report::{Imported, Input, Keep, MapOptions};
+use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
 
 /// The built-in map of the world; see `data/README.md`.
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
@@ -45,20 +45,6 @@ fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fail
         }
     };
     Ok(Input { layer: layer.map(str::to_owned), ..input })
-}
-
-/// The SHA-256 in hexadecimal digits.
-fn sha256(mut reader: impl BufRead) -> Result<String, Failure> {
-    let mut digest = Sha256::new();
-    loop {
-        let bytes = reader.fill_buf()?;
-        if bytes.is_empty() {
-            return Ok(digest.finalize().iter().fold(String::new(), |digits, byte| format!("{digits}{byte:02x}")));
-        }
-        digest.update(bytes);
-        let length = bytes.len();
-        reader.consume(length);
-    }
 }
 
 /// A bar on standard error, if that is a terminal.
@@ -138,18 +124,23 @@ impl MapFile {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
-    /// The SHA-256 of the file as it is, or of the built-in map, in hexadecimal digits; none of what can be read but once.
+    /// Returns true if it is standard input.
+    pub(crate) fn is_stdin(&self) -> bool {
+        self.file.as_deref() == Some(Path::new("-"))
+    }
+
+    /// The number and SHA-256 of the bytes of the file as it is, or of the built-in map; none of what can be read but once.
     ///
     /// The file is read once more for it: some formats are read by their path and not from the start to the end, and of others what
     /// follows the last record may be left unread.
-    pub(crate) fn sha256(&self) -> Result<Option<String>, Failure> {
-        match &self.file {
-            None => sha256(EMBEDDED).map(Some),
+    pub(crate) fn judged(&self) -> Result<Option<Judged>, Failure> {
+        Ok(match &self.file {
+            None => Some(judged::of_all(EMBEDDED)?),
             Some(_) => match self.path().filter(|path| path.is_file()) {
-                Some(path) => sha256(BufReader::new(File::open(path)?)).map(Some),
-                None => Ok(None),
+                Some(path) => Some(judged::of_all(BufReader::new(File::open(path)?))?),
+                None => None,
             },
-        }
+        })
     }
 
     /// The layer that was asked for.

@@ -15,6 +15,7 @@ mod effort;
 mod extension;
 mod fuzz_template;
 mod input;
+mod judged;
 mod measured;
 mod outline;
 mod output;
@@ -38,7 +39,7 @@ mod voronoi;
 
 use clap::{ColorChoice, CommandFactory as _, Parser, Subcommand};
 use clap_complete::Shell;
-use status::{FAILED, Failure, Verdict};
+use status::{Failure, Verdict};
 use std::process::ExitCode;
 
 /// Audits planar maps and meshes, and tests the structures that keep them.
@@ -104,12 +105,10 @@ fn main() -> ExitCode {
     output::set_color(color);
     output::set_quiet(quiet);
     match run(command) {
-        Ok(verdict) => verdict.into(),
-        Err(Failure(message)) => {
-            eprintln!("twinedge: {}", output::plain(&message));
-            ExitCode::from(FAILED)
-        }
+        Ok(verdict) => verdict.status(),
+        Err(failure) => failure.tell(),
     }
+    .into()
 }
 
 fn run(command: Command) -> Result<Verdict, Failure> {

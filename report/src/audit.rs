@@ -9,6 +9,7 @@ use crate::options::Options;
 use crate::packed::Picture;
 use crate::report::AuditReport;
 use crate::tables::TablesReport;
+use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, map, mesh, page, tables, text, textbook, topology};
 use twinedge::io::tables::Textbook;
@@ -70,17 +71,50 @@ pub fn audit(
             return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
         }
     };
-    let report = if options.explain { report } else { report.unexplained() };
+    let mut report = if options.explain { report } else { report.unexplained() };
+    report.options = options.json(kind);
+    report.identify();
     Ok(Audited(Outcome::Report(Box::new(report), subject)))
 }
 
 impl Audited {
-    /// Returns true if nothing is wrong.
+    /// The report of an audit that ended before there was an outcome: its verdict is not known. `why` is a sentence without full stop.
     #[must_use]
-    pub const fn is_valid(&self) -> bool {
+    pub fn unfinished(name: &str, kind: Option<InputKind>, options: &Options, why: &str) -> Self {
+        let report = AuditReport {
+            doubts: vec![why.to_owned()],
+            options: kind.map(|kind| options.json(kind)).unwrap_or_default(),
+            ..AuditReport::new(name)
+        };
+        Self(Outcome::Report(Box::new(report), Subject::None))
+    }
+
+    /// The verdict.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
         match &self.0 {
-            Outcome::Report(report, _) => report.valid,
-            Outcome::Tables(report) => report.valid,
+            Outcome::Report(report, _) => report.verdict(),
+            Outcome::Tables(report) => report.verdict(),
+        }
+    }
+
+    /// Returns true if the verdict is [`Verdict::Valid`].
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.verdict() == Verdict::Valid
+    }
+
+    /// Notes the bytes that were judged.
+    pub fn judged(&mut self, judged: Judged) {
+        if let Outcome::Report(report, _) = &mut self.0 {
+            report.judged = Some(judged);
+        }
+    }
+
+    /// Notes a reason for which the verdict cannot be [`Verdict::Valid`], a sentence without full stop.
+    pub fn doubt(&mut self, why: &str) {
+        if let Outcome::Report(report, _) = &mut self.0 {
+            report.doubts.push(why.to_owned());
         }
     }
 
@@ -148,7 +182,7 @@ impl Audited {
             (listed, total) if listed as u64 == total => counted(listed, "finding"),
             (listed, total) => format!("{listed} of {}", counted(total as usize, "finding")),
         };
-        Ok(format!("{}: {}; {listed}", plain(&report.input), plain(&report.verdict())))
+        Ok(format!("{}: {}; {listed}", plain(&report.input), plain(&report.sentence())))
     }
 
     /// The report of a structure that can be drawn.

@@ -1,4 +1,4 @@
-//! The rules of a coverage, C1 … C6, in the report of `audit` and as the answer of `query coverage`.
+//! The rules of a coverage, C1 … C7, in the report of `audit` and as the answer of `query coverage`.
 
 use crate::coverage_words::explanation;
 use crate::diagnosis_text::{size, write, write_explanations};
@@ -9,12 +9,13 @@ use crate::units::Units;
 use crate::words::style::{BAD, GOOD, QUIET};
 use crate::words::{counted, grouped, measure, plain};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Defect, Finding, Limits, check};
+use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::map::{BuildError, Noding, PlanarMap};
-use twinedge_formats::diagnosis::{Diagnosis, Flaw, Kind, Measures, Trace};
+use twinedge::map::{BuildError, FeatureId, Noding, PlanarMap};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 
 /// The number of findings of each rule that the text shows unless asked.
 pub(crate) const SHOWN: usize = 3;
@@ -22,7 +23,7 @@ pub(crate) const SHOWN: usize = 3;
 /// The options by which a coverage is judged.
 #[derive(Clone, Debug, Default)]
 pub struct CoverageOptions {
-    /// What breaks C1 … C6 counts as a violation.
+    /// What breaks C1 … C7 counts as a violation.
     pub is_rule: bool,
     /// The limits.
     pub limits: Limits,
@@ -38,9 +39,11 @@ pub struct Coverage {
     duplicates: usize,
     /// Features, not defects.
     ogc_invalid: usize,
+    /// Pairs of features, not vertices.
+    mismatches: usize,
     /// Of lengths; areas are in its square.
     unit: &'static str,
-    /// Why C1 … C5 were not checked.
+    /// Why all but C6 were not checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_checked: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -58,6 +61,9 @@ pub struct Coverage {
     findings: Vec<Diagnosis>,
     #[serde(skip)]
     has_polygons: bool,
+    /// The missing vertices, sorted by place, each with the two features of its mismatch.
+    #[serde(skip)]
+    missing: Vec<(Position, [usize; 2])>,
     /// The map of the input with its borders cut, where the findings are of that one.
     #[serde(skip)]
     of_input: Option<PlanarMap>,
@@ -87,6 +93,7 @@ impl Coverage {
             slivers: 0,
             duplicates: 0,
             ogc_invalid: imported.noted.defects.len(),
+            mismatches: 0,
             unit: units.name(),
             not_checked: None,
             gap_width: None,
@@ -95,6 +102,7 @@ impl Coverage {
             greatest_gap: asked.limits.lake_width.or(asked.limits.gap_width),
             accepted_gaps: 0,
             findings: Vec::new(),
+            missing: Vec::new(),
             has_polygons: imported.read.polygons > 0,
             of_input: None,
         };
@@ -108,20 +116,30 @@ impl Coverage {
                     if *count <= list {
                         let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
                         let trace = of_finding(map, finding);
-                        let features = finding.features.iter().map(|feature| named(imported, *feature)).collect();
+                        let features: Vec<FeatureName> =
+                            finding.features.iter().map(|feature| named(imported, *feature)).collect();
                         let of_rule = of_rule(finding.rule, asked, finding.at);
                         let (area, width, length) = (finding.area, finding.width, finding.length);
-                        let measures = Measures { area: Some(area), width: Some(width), length: Some(length) };
+                        let is_mismatch = finding.rule == CoverageRule::Mismatch;
+                        let measures = Measures {
+                            area: Some(area).filter(|_| !is_mismatch),
+                            width: Some(width).filter(|_| !is_mismatch),
+                            length: Some(length),
+                        };
+                        let missing = missing(finding);
+                        let message = size(measures).unwrap_or_else(|| lacks(&features, &missing));
                         found.findings.push(Diagnosis {
-                            message: size(measures).unwrap_or_default(),
+                            message,
                             features: Some(features),
                             trace,
                             measures,
+                            missing,
                             snapping: *snapping,
                             ..of_rule
                         });
                     }
                 }
+                found.missing = missing_vertices(&findings);
                 found.of_input = of_input;
             }
             Err(why) => found.not_checked = Some(why.to_string()),
@@ -129,7 +147,18 @@ impl Coverage {
         for (feature, defects) in imported.noted.defects.iter().take(list) {
             found.findings.push(invalid(imported, asked, *feature, defects));
         }
+        found.findings.sort_by_key(|one| one.rule);
         found
+    }
+
+    /// Returns true if one of these places is a vertex that is missing between two of these features. O(places · log n).
+    pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<FeatureId>) -> bool {
+        let has = |feature: usize| features.iter().any(|one| one.index() == feature);
+        places.iter().map(|place| position(*place)).any(|place| {
+            let first = self.missing.partition_point(|(at, _)| *at < place);
+            let here = self.missing[first..].iter().take_while(|(at, _)| *at == place);
+            here.into_iter().any(|(_, pair)| pair.iter().all(|feature| has(*feature)))
+        })
     }
 
     /// Drops causes and remedies.
@@ -145,12 +174,13 @@ impl Coverage {
             CoverageRule::NearMiss => &mut self.near_misses,
             CoverageRule::Sliver => &mut self.slivers,
             CoverageRule::Duplicate => &mut self.duplicates,
+            CoverageRule::Mismatch => &mut self.mismatches,
             _ => &mut self.ogc_invalid,
         }
     }
 
     /// The number of findings of each rule, in order.
-    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
+    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 7] {
         [
             (CoverageRule::Overlap, self.overlaps, "overlap"),
             (CoverageRule::Gap, self.gaps, "gap"),
@@ -158,6 +188,7 @@ impl Coverage {
             (CoverageRule::Sliver, self.slivers, "sliver"),
             (CoverageRule::Duplicate, self.duplicates, "set of duplicates"),
             (CoverageRule::Validity, self.ogc_invalid, "invalid feature"),
+            (CoverageRule::Mismatch, self.mismatches, "mismatch"),
         ]
     }
 
@@ -170,7 +201,7 @@ impl Coverage {
     pub(crate) fn beside(&self) -> String {
         match self.total() {
             0 => String::new(),
-            n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+            n => format!("; C1 to C7 have {}, which --coverage counts as violations", counted(n, "finding")),
         }
     }
 
@@ -179,7 +210,7 @@ impl Coverage {
         self.has_polygons
     }
 
-    /// Why C1 … C5 could not be checked, if so.
+    /// Why all rules but C6 could not be checked, if so.
     #[must_use]
     pub fn not_checked(&self) -> Option<&str> {
         self.not_checked.as_deref()
@@ -235,6 +266,7 @@ impl Coverage {
         match (count, what) {
             (1, _) => format!("1 {what}"),
             (n, "near miss") => format!("{} near misses", grouped(n)),
+            (n, "mismatch") => format!("{} mismatches", grouped(n)),
             (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
             (n, what) => counted(n, what),
         }
@@ -295,7 +327,7 @@ impl Coverage {
     }
 }
 
-/// Why C1 … C5 were not checked.
+/// Why all rules but C6 were not checked.
 #[derive(Debug, thiserror::Error)]
 enum NotChecked {
     #[error(transparent)]
@@ -304,7 +336,7 @@ enum NotChecked {
     Coverage(#[from] CoverageError),
 }
 
-/// The findings of C1 … C5.
+/// The findings of all rules but C6.
 struct Judgement {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
@@ -323,10 +355,13 @@ fn judged(
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
         stage("checking the coverage");
-        let found = check(map, limits)?;
+        let mut found = check(map, limits)?;
+        found.findings.extend(mismatches(map, &imported.unmatched)?);
         let converted = |mut finding: Finding| {
             units.convert(map, &mut finding);
-            (finding, None)
+            // The vertices that were missing are those of the noding.
+            let snapping = (finding.rule == CoverageRule::Mismatch).then_some("removed");
+            (finding, snapping)
         };
         let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
         let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
@@ -334,7 +369,8 @@ fn judged(
         return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
-    let found = check(&of_input, limits)?;
+    let mut found = check(&of_input, limits)?;
+    found.findings.extend(mismatches(&of_input, &imported.unmatched)?);
     // The same limits for both.
     let limits = Limits { sliver_area: Some(found.sliver_area), ..limits.clone() };
     let snapped = match map.noding() {
@@ -362,6 +398,34 @@ fn judged(
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
     Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
+}
+
+/// The missing vertices of all mismatches, sorted by place.
+fn missing_vertices(findings: &[(Finding, Option<&'static str>)]) -> Vec<(Position, [usize; 2])> {
+    let of = |finding: &Finding| {
+        let pair = [finding.features.first(), finding.features.get(1)].map(|one| one.map_or(0, |one| one.index()));
+        finding.missing.iter().map(|vertex| (position(vertex.at), pair)).collect::<Vec<_>>()
+    };
+    let mut all: Vec<_> = findings.iter().flat_map(|(finding, _)| of(finding)).collect();
+    all.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    all
+}
+
+/// The missing vertices of a mismatch.
+fn missing(finding: &Finding) -> Vec<MissingVertex> {
+    let of =
+        |vertex: &coverage::MissingVertex| MissingVertex { at: position(vertex.at), feature: vertex.feature.index() };
+    finding.missing.iter().map(of).collect()
+}
+
+/// Who lacks how many vertices.
+fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
+    let of = |feature: &FeatureName| {
+        let count = missing.iter().filter(|vertex| vertex.feature == feature.number).count();
+        let vertices = if count == 1 { "1 vertex".to_owned() } else { format!("{} vertices", grouped(count)) };
+        (count > 0).then(|| format!("{vertices} missing in {}", feature.label))
+    };
+    features.iter().filter_map(of).collect::<Vec<_>>().join(", ")
 }
 
 /// The parts that all findings of a rule have in common.

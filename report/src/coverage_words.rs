@@ -10,6 +10,7 @@ pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
         CoverageRule::NearMiss => "borders of two features coincide or are farther apart than a given width",
         CoverageRule::Sliver => "no part of a feature is both small and thin",
         CoverageRule::Duplicate => "no two features claim the same faces",
+        CoverageRule::Mismatch => "where borders of two features meet, both have a vertex",
         _ => "the polygons of each feature are valid by the rules of the OGC",
     }
 }
@@ -36,6 +37,10 @@ pub(crate) const fn explanation(rule: CoverageRule) -> (&'static str, &'static s
         CoverageRule::Duplicate => (
             "a feature was copied or imported twice",
             "delete one of them; `twinedge clean` leaves the geometry to the first and the attributes to all",
+        ),
+        CoverageRule::Mismatch => (
+            "borders were drawn or simplified one by one, or a neighbour was split later",
+            "`twinedge clean` adds the vertices, and changes nothing else; `--snap auto` audits the map as if they were there",
         ),
         _ => (
             "a ring crosses or touches itself, as points are in the wrong order or borders run back",

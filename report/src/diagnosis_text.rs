@@ -42,7 +42,7 @@ pub fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
         writeln!(out, "   {QUIET}rows: {QUIET:#}{}", sql.show)?;
         sql.mend.iter().try_for_each(|mend| writeln!(out, "   {QUIET}mend: {QUIET:#}{mend}"))?;
     }
-    one.follows_from.map_or(Ok(()), |follows| writeln!(out, "   {QUIET}which follows from {follows}{QUIET:#}"))
+    one.follows_from.map_or(Ok(()), |rule| writeln!(out, "   {QUIET}which follows from {}{QUIET:#}", source(rule)))
 }
 
 /// The words for a finding that snapping removed or made.
@@ -50,9 +50,17 @@ pub(crate) fn by_snapping(one: &Diagnosis) -> String {
     one.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"))
 }
 
+/// That from which something follows, in words.
+fn source(rule: &str) -> &str {
+    match rule {
+        "C7" => "the missing vertices (C7)",
+        _ => "the crossings (G4)",
+    }
+}
+
 /// The message with what stands beside it in text.
 pub(crate) fn full_message(one: &Diagnosis) -> String {
-    let follows = one.follows_from.map_or_else(String::new, |follows| format!(", which follows from {follows}"));
+    let follows = one.follows_from.map_or_else(String::new, |rule| format!(", which follows from {}", source(rule)));
     format!("{}{follows}{}", one.message, by_snapping(one))
 }
 

@@ -3,6 +3,7 @@
 use crate::diagnosis_text::full_message;
 use crate::error::Error;
 use crate::report::AuditReport;
+use crate::verdict::Verdict;
 use crate::words::plain;
 use serde_json::json;
 use std::sync::Arc;
@@ -14,8 +15,8 @@ use twinedge_formats::layer::{
 /// One feature for each finding, all with the same columns, and warnings.
 pub(crate) fn layer(report: &AuditReport) -> Result<(Vec<u8>, Vec<String>), Error> {
     let mut members = Members::new();
-    members.insert("valid".to_owned(), report.valid.into());
-    members.insert("verdict".to_owned(), report.verdict().into());
+    members.insert("valid".to_owned(), (report.verdict() == Verdict::Valid).into());
+    members.insert("verdict".to_owned(), report.sentence().into());
     members.insert("found".to_owned(), report.total().into());
     let columns = Columns::new();
     let layer = Layer {

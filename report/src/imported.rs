@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
-use twinedge::map::{Builder, Noding, PlanarMap};
+use twinedge::map::{Builder, Noding, PlanarMap, UnmatchedVertex};
 use twinedge_formats::layer::{Crs, Format, ReadError, ReadOptions, read, to_map};
 
 /// The way to build a map.
@@ -34,6 +34,8 @@ pub struct Imported {
     pub noted: Noted,
     /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
     pub builder: Option<Builder>,
+    /// The vertices that borders of features lack (C7), if the coverage is judged.
+    pub unmatched: Vec<UnmatchedVertex>,
     /// The coordinate reference system, if the file names one.
     pub crs: Option<Crs>,
     /// True if the format says which way rings turn.
@@ -61,17 +63,23 @@ impl Imported {
         }
         noted.refuse_unknown_columns(keep)?;
         stage("building the map");
-        let (map, builder) = match options.snap {
-            None if keep.coverage => builder.build_keeping()?,
-            None => (builder.build()?, None),
-            // What a grid that was asked for removed or made is found by comparing.
-            Some(snap @ Snap::Size(_)) if keep.coverage => {
-                let map = builder.clone().build_with(Noding::Snap(snap))?;
-                (map, Some(builder))
+        let (map, builder, unmatched) = match options.snap {
+            None if keep.coverage => {
+                let (map, builder) = builder.build_keeping()?;
+                // Of a plane map, borders meet at vertices only.
+                let unmatched = builder.as_ref().map(Builder::unmatched).unwrap_or_default();
+                (map, builder, unmatched)
             }
-            Some(snap) => (builder.build_with(Noding::Snap(snap))?, None),
+            None => (builder.build()?, None, Vec::new()),
+            Some(snap) if keep.coverage => {
+                let unmatched = builder.unmatched();
+                // What a grid that was asked for removed or made is found by comparing.
+                let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
+                (builder.build_with(Noding::Snap(snap))?, kept, unmatched)
+            }
+            Some(snap) => (builder.build_with(Noding::Snap(snap))?, None, Vec::new()),
         };
-        Ok(Self { name, read, map, noted, builder, crs, orients_rings })
+        Ok(Self { name, read, map, noted, builder, unmatched, crs, orients_rings })
     }
 }
 

@@ -15,9 +15,10 @@ use crate::words::counted;
 use serde_json::to_value;
 use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
+use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, places, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
 /// Validates the map, and judges it as a coverage.
@@ -49,7 +50,7 @@ pub(crate) fn audit(
         notes: notes(imported, warnings),
         counts: counts(report.counts()),
         rules: RuleLine::of(&report),
-        violations: violations(imported, &report),
+        violations: violations(imported, &report, &coverage),
         violation_count: report.violation_count(),
         style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
         crs: crs.clone(),
@@ -59,15 +60,33 @@ pub(crate) fn audit(
 }
 
 /// The violations, with their places and the features around, and what mends them by the commands of this program.
-fn violations(imported: &Imported, report: &Report) -> Vec<Diagnosis> {
+fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<Diagnosis> {
     let map = &imported.map;
-    let has_crossings = report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
+    let clashes = report.outcome(Rule::G4).map_or(0, |outcome| outcome.violations);
+    let clash = |violation: &Violation| violation.rule() == Rule::G4;
+    let is_mismatch = |violation: &Violation| {
+        // Where two edges cross there is no vertex.
+        let may_be =
+            clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
+        may_be && coverage.lacks_any(&places(map, violation), &features(map, violation))
+    };
+    let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
     let diagnosis = |violation: &Violation| {
         let diagnosis = placed(map, violation);
+        // Where borders clash, the map does not fit in the plane.
+        let follows_from = match violation.rule() {
+            Rule::G4 => is_mismatch(violation).then_some(CoverageRule::Mismatch.id()),
+            Rule::T3 if clashes > 0 && of_mismatches == clashes => Some(CoverageRule::Mismatch.id()),
+            Rule::T3 if clashes > 0 => Some(Rule::G4.id()),
+            _ => None,
+        };
         Diagnosis {
             features: Some(features(map, violation).into_iter().map(|feature| named(imported, feature)).collect()),
             remedy: match violation.rule() {
                 // The remedies of the library are its own functions where the map is not plane.
+                Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
+                    Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
+                }
                 Rule::T3 => Some("mend the crossings (G4), from which it follows"),
                 Rule::G4 => Some(
                     "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
@@ -75,8 +94,7 @@ audited as if they were cut",
                 ),
                 _ => diagnosis.remedy,
             },
-            // Where borders cross, the map does not fit in the plane.
-            follows_from: (has_crossings && violation.rule() == Rule::T3).then_some("the crossings (G4)"),
+            follows_from,
             ..diagnosis
         }
     };

@@ -8,6 +8,7 @@ use crate::diagnosis_text::full_message;
 use crate::packed::Picture;
 use crate::reader_words;
 use crate::report::{AuditReport, Note};
+use crate::verdict::Verdict;
 use crate::words::{counted, grouped, plain};
 use serde::Serialize;
 use std::ffi::OsStr;
@@ -110,7 +111,7 @@ fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
     listed.into_iter().map(|one| Finding::new(report, one)).collect()
 }
 
-/// The rules of the validator and the format, and C1 … C6 where there are polygons.
+/// The rules of the validator and the format, and C1 … C7 where there are polygons.
 fn rules(report: &AuditReport) -> Vec<Rule> {
     let own = report.rules.iter().map(|rule| {
         let checked = format!("{} {}", grouped(rule.checked), rule.unit);
@@ -145,12 +146,12 @@ fn note(note: &Note) -> Option<String> {
 
 /// The page.
 pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Result<String> {
-    let verdict = report.verdict();
+    let verdict = report.sentence();
     let name = Path::new(&report.input).file_name().and_then(OsStr::to_str).unwrap_or(&report.input);
     let data = Data {
         input: &report.input,
         name,
-        valid: report.valid,
+        valid: report.verdict() == Verdict::Valid,
         verdict: &verdict,
         notes: report.notes.iter().filter_map(note).collect(),
         counts: &report.counts,

@@ -1,19 +1,28 @@
 //! The report of an audit, which all writers take.
 
 use crate::coverage::Coverage;
+use crate::identity::Identities;
 use crate::packed::Window;
+use crate::verdict::{Judged, Verdict};
 use crate::words::{grouped, not_checked};
 use serde::Serialize;
 use serde_json::{Map, Value};
+use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::validate::{Bounds, Counts};
-use twinedge_formats::diagnosis::{Diagnosis, Document, RuleLine, Trace};
+use twinedge_formats::diagnosis::{Diagnosis, Document, Position, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
 /// The report of an audit.
 #[derive(Debug)]
 pub(crate) struct AuditReport {
     pub(crate) input: String,
+    /// Every rule that applies was checked, and holds.
     pub(crate) valid: bool,
+    /// Why more is to be known, in sentences, whatever the rules say.
+    pub(crate) doubts: Vec<String>,
+    pub(crate) judged: Option<Judged>,
+    /// The options, as JSON.
+    pub(crate) options: Map<String, Value>,
     /// The numbers of findings, if it is not valid.
     pub(crate) found: String,
     pub(crate) notes: Vec<Note>,
@@ -26,7 +35,7 @@ pub(crate) struct AuditReport {
     /// The faults of the faces of a mesh, and the number of findings.
     pub(crate) findings: Vec<Diagnosis>,
     pub(crate) finding_count: u64,
-    /// The findings of C1 … C6, for a map with polygons or lines.
+    /// The findings of C1 … C7, for a map with polygons or lines.
     pub(crate) coverage: Option<Coverage>,
     pub(crate) style: CoverageStyle,
     /// Sentences about violations that follow from findings.
@@ -76,6 +85,9 @@ impl AuditReport {
         Self {
             input: input.to_owned(),
             valid: false,
+            doubts: Vec::new(),
+            judged: None,
+            options: Map::new(),
             found: String::new(),
             notes: Vec::new(),
             counts: Vec::new(),
@@ -117,17 +129,71 @@ impl AuditReport {
         first.chain(&self.findings).chain(of_coverage).chain(last)
     }
 
+    /// The verdict.
+    pub(crate) fn verdict(&self) -> Verdict {
+        let of_coverage = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::total);
+        // Those of a mesh may be no faults, if they are listed.
+        let of_faces = self.finding_count > 0
+            && (self.findings.is_empty() || self.findings.iter().any(|finding| finding.is_violation));
+        if self.violation_count > 0 || of_coverage > 0 || of_faces {
+            Verdict::Invalid
+        } else if self.valid && self.doubts.is_empty() {
+            Verdict::Valid
+        } else {
+            Verdict::Unknown
+        }
+    }
+
+    /// The first thing that is wrong. What follows from something else is not, if that is listed.
+    pub(crate) fn first(&self) -> Option<&Diagnosis> {
+        if self.verdict() != Verdict::Invalid {
+            return None;
+        }
+        let source = self.violations.iter().find_map(|violation| violation.follows_from);
+        let is_first = |one: &&Diagnosis| one.is_violation || one.rule.is_some() && one.rule == source;
+        self.listed().find(is_first)
+    }
+
+    /// Gives their ids to all findings that are listed.
+    pub(crate) fn identify(&mut self) {
+        let mut identities = Identities::default();
+        let of_coverage = self.coverage.iter_mut().flat_map(Coverage::findings_mut);
+        for one in self.violations.iter_mut().chain(&mut self.findings).chain(of_coverage) {
+            identities.identify(one);
+        }
+    }
+
+    /// The number of rules that were not checked.
+    fn open(&self) -> usize {
+        let open = self.rules.iter().filter(|rule| rule.is_open()).count();
+        // All but C6.
+        let is_open = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_some());
+        open + if self.style.is_rule && is_open { CoverageRule::ALL.len() - 1 } else { 0 }
+    }
+
+    /// Why the verdict is not known, in sentences.
+    fn unknown(&self) -> Vec<String> {
+        if self.verdict() != Verdict::Unknown {
+            return Vec::new();
+        }
+        let open = match self.open() {
+            0 => None,
+            1 => Some("1 rule was not checked".to_owned()),
+            n => Some(format!("{} rules were not checked", grouped(n))),
+        };
+        open.into_iter().chain(self.doubts.iter().cloned()).collect()
+    }
+
     /// The verdict, in a sentence.
-    pub(crate) fn verdict(&self) -> String {
-        if self.valid {
+    pub(crate) fn sentence(&self) -> String {
+        if self.verdict() == Verdict::Valid {
             let beside = self.coverage.as_ref().map(Coverage::beside).unwrap_or_default();
             return format!("valid: every rule that applies holds{beside}");
         }
-        let open = self.rules.iter().filter(|rule| rule.is_open()).count();
-        // C1 to C5.
-        let is_open = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_some());
-        let of_coverage = if self.style.is_rule && is_open { 5 } else { 0 };
-        format!("not valid: {}{}", self.found, not_checked(open + of_coverage))
+        if self.verdict() == Verdict::Unknown {
+            return format!("unknown: nothing wrong was found, and {}", self.unknown().join("; "));
+        }
+        format!("not valid: {}{}", self.found, not_checked(self.open()))
     }
 
     /// The name of the rule that a finding breaks.
@@ -156,6 +222,13 @@ impl AuditReport {
         #[derive(Serialize)]
         struct Json<'a> {
             input: &'a str,
+            verdict: Verdict,
+            #[serde(skip_serializing_if = "Vec::is_empty")]
+            unknown: Vec<String>,
+            first: Option<First<'a>>,
+            judged: Option<&'a Judged>,
+            version: &'static str,
+            options: &'a Map<String, Value>,
             #[serde(flatten)]
             document: Document<'a, &'a Value>,
             #[serde(flatten)]
@@ -165,7 +238,8 @@ impl AuditReport {
             elapsed_ms: f64,
         }
         let JsonForm { counts, bounds, is_named, has_findings, extra } = &self.json;
-        let mut document = Document::new(self.valid, counts, &self.rules)
+        let verdict = self.verdict();
+        let mut document = Document::new(verdict == Verdict::Valid, counts, &self.rules)
             .bounds(*bounds)
             .violations(&self.violations, self.violation_count);
         if *is_named {
@@ -174,8 +248,28 @@ impl AuditReport {
         if *has_findings {
             document = document.findings(&self.findings, self.finding_count);
         }
-        Json { input: &self.input, document, extra, coverage: self.coverage.as_ref(), elapsed_ms: self.elapsed_ms }
+        Json {
+            input: &self.input,
+            verdict,
+            unknown: self.unknown(),
+            first: self.first().map(|one| First { rule: one.rule, id: one.id.as_deref(), at: one.look }),
+            judged: self.judged.as_ref(),
+            version: env!("CARGO_PKG_VERSION"),
+            options: &self.options,
+            document,
+            extra,
+            coverage: self.coverage.as_ref(),
+            elapsed_ms: self.elapsed_ms,
+        }
     }
+}
+
+/// The first thing that is wrong, in JSON.
+#[derive(Serialize)]
+struct First<'a> {
+    rule: Option<&'static str>,
+    id: Option<&'a str>,
+    at: Option<Position>,
 }
 
 /// The numbers of records, in words.

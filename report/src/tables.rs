@@ -4,6 +4,7 @@ use crate::diagnosis_text::{write, write_explanations, write_more};
 use crate::error::Error;
 use crate::input::Input;
 use crate::options::Options;
+use crate::verdict::Verdict;
 use crate::words::style::{BAD, GOOD};
 use crate::words::{counted, grouped, plain};
 use serde::Serialize;
@@ -31,6 +32,7 @@ const LONGEST_LINE: u64 = 1 << 30;
 pub(crate) struct TablesReport {
     input: String,
     pub(crate) valid: bool,
+    verdict: Verdict,
     tables: u64,
     valid_tables: u64,
     /// Tables for which the file has another verdict.
@@ -73,10 +75,16 @@ pub(crate) fn audit(Input { name, reader: mut input, .. }: Input, asked: &Option
     audited.rules =
         broken.into_iter().map(|(rule, tables): (Rule, u64)| RuleTables { id: rule.id(), tables }).collect();
     audited.valid = audited.valid_tables == audited.tables && audited.verdicts_differ == 0;
+    audited.verdict = audited.verdict();
     Ok(audited)
 }
 
 impl TablesReport {
+    /// The verdict. Every table is judged, and one with a rule that could not be checked is not valid.
+    pub(crate) const fn verdict(&self) -> Verdict {
+        if self.valid { Verdict::Valid } else { Verdict::Invalid }
+    }
+
     /// Drops causes and remedies.
     pub(crate) fn unexplained(self) -> Self {
         Self { violations: self.violations.into_iter().map(Diagnosis::unexplained).collect(), ..self }

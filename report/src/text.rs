@@ -2,6 +2,7 @@
 
 use crate::diagnosis_text::{write, write_explanations, write_more, write_rule};
 use crate::report::{AuditReport, CoverageStyle, Note};
+use crate::verdict::Verdict;
 use crate::words::plain;
 use crate::words::style::{BAD, GOOD, QUIET};
 use std::fmt::Write as _;
@@ -44,9 +45,9 @@ pub(crate) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
     }
     report.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}"))?;
     // The first word is coloured.
-    let verdict = report.verdict();
+    let verdict = report.sentence();
     let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
-    let style = if report.valid { GOOD } else { BAD };
+    let style = if report.verdict() == Verdict::Valid { GOOD } else { BAD };
     writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", report.elapsed_ms)?;
     Ok(out)
 }

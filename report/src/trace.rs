@@ -8,13 +8,15 @@ use twinedge::map::PlanarMap;
 use twinedge::validate::{Embedding, Record, Start, Violation, places};
 use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 
-/// The places that a finding of a coverage covers: its faces, or the stretches of borders of a near miss.
+/// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,
+/// and these.
 pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
     let lines = finding.stretches.iter().map(|stretch| stretch.map(position).to_vec()).collect();
     let contour = of_faces(map, finding.faces.iter().copied()).unwrap_or_default();
     let ring = |ring: &[Point]| ring.iter().copied().map(position).collect();
     let polygons: Vec<_> = contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
-    let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { vec![] };
+    let missing = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
+    let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { missing };
     Trace { points, lines, polygons }
 }
 

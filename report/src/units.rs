@@ -88,6 +88,10 @@ impl Units {
     /// A finding in these units. The area of a near miss is scaled as at its place: it has no faces.
     pub(crate) fn convert(&self, map: &PlanarMap, finding: &mut Finding) {
         let Self::Geodesic(_) = self else { return };
+        if finding.rule == CoverageRule::Mismatch {
+            finding.length = finding.stretches.iter().map(|stretch| self.length(stretch)).sum();
+            return;
+        }
         if finding.rule == CoverageRule::NearMiss {
             let Point { x, y } = finding.at;
             let step = 1e-3;

@@ -64,7 +64,7 @@ mod summary;
 
 #[cfg(feature = "near")]
 pub use audited::Audited;
-pub use construct::{BuildError, Builder, Noding};
+pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
 pub use feature::{Feature, FeatureId, Shape};
 #[cfg(feature = "near")]
 pub use history::History;

@@ -47,8 +47,8 @@ pub(crate) struct Audit {
     #[command(flatten)]
     pub(super) destination: destination::Arguments,
 
-    /// Greatest number of violations to list, and of findings of each rule C1 … C6; all are counted. Default: 1000, and in the text 3
-    /// findings of each of C1 … C6.
+    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. Default: 1000, and in the text 3
+    /// findings of each of C1 … C7.
     #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     pub(super) list: Option<usize>,
 
@@ -56,6 +56,11 @@ pub(crate) struct Audit {
     /// `remedy`. Of a topology of PostGIS: the SQL that shows the rows, and the SQL that mends what can be mended in one way only (key `sql`).
     #[arg(long)]
     pub(super) explain: bool,
+
+    /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. Text and JSON say so; of the other formats nothing is
+    /// written.
+    #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
+    pub(super) timeout: Option<f64>,
 
     /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
     /// with it nothing else is accepted.)

@@ -128,7 +128,7 @@ impl Certify {
             Ok(words) => words,
             Err(failures) => return refuse(name, &lines(&failures)),
         };
-        let notes = Notes::new(name, self.map.sha256()?, counts, exponent);
+        let notes = Notes::new(name, self.map.judged()?.map(|judged| judged.sha256), counts, exponent);
         output::write(&self.output, claim, &notes, self.sql)?;
         print(&format!("{}: certificate that {name} is {words}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)

@@ -14,7 +14,7 @@ use twinedge_report::Imported;
 use twinedge_report::diagnosis_text::write;
 use twinedge_report::{Coverage, row};
 
-/// Overlaps, gaps, near misses, slivers, duplicates and features that are not valid by the OGC: what breaks C1 … C6, as a table.
+/// Overlaps, gaps, near misses, slivers, duplicates, features that are not valid by the OGC, and mismatches: what breaks C1 … C7, as a table.
 ///
 /// The map need not be plane: borders that cross are cut on the finest grid.
 #[derive(Debug, clap::Args)]
@@ -34,8 +34,8 @@ pub(super) struct CoverageOf {
     #[command(flatten)]
     measured: Measured,
 
-    /// List findings of this rule only: C1 to C6. Can be given several times.
-    #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6"])]
+    /// List findings of this rule only: C1 to C7. Can be given several times.
+    #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6", "C7"])]
     rule: Vec<String>,
 
     /// The column to sort by. Within each rule, the largest area comes first anyway.
