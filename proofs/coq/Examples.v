@@ -106,10 +106,6 @@ Definition faces_only n := view_of {|
 Example empty_map_keeps_all : rules (faces_only 1).
 Proof. by apply/first_broken_none; vm_compute. Qed.
 
-(** So what a program makes of nothing is a planar subdivision. *)
-Example program_from_nothing t : program (faces_only 1) t -> exists s, represents t s.
-Proof. by move=> p; apply: (program_makes_subdivision p); apply/rules_mean_subdivision; apply: empty_map_keeps_all. Qed.
-
 Example two_unbounded_break_f1_first : ~ f1_outer (faces_only 2) /\ forall q, index q < index F1 -> holds (faces_only 2) q.
 Proof. by apply/(first_broken_some (faces_only 2) F1); vm_compute. Qed.
 

@@ -8,7 +8,7 @@ From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict 
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop RemoveMerge RemovePart Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop RemoveMerge RemovePart Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Reach Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -330,6 +330,8 @@ Check program_keeps_rules : forall t t', program t t' -> rules t -> rules t'.
 
 Check operation_is_step : forall t o, rules t -> Operate.is_right t o -> Programs.step t (Operate.after t o).
 
+Check refused_changes_nothing : forall t o, ~~ Operate.is_right t o -> Operate.operate t o = t.
+
 Check operate_keeps_rules : forall t o, rules t -> rules (Operate.operate t o).
 
 Check operate_all_keeps_rules : forall t os, rules t -> rules (foldl Operate.operate t os).
@@ -337,6 +339,12 @@ Check operate_all_keeps_rules : forall t os, rules t -> rules (foldl Operate.ope
 (** A program makes subdivisions of subdivisions. *)
 
 Check program_makes_subdivision : forall t t', program t t' -> (exists s, represents t s) -> exists s, represents t' s.
+
+(** Of nothing, programs make the planar subdivisions: all, and no other. *)
+
+Check rules_are_made : forall t, rules t -> program nothing t.
+
+Check programs_make_subdivisions : forall t, program nothing t <-> exists s, represents t s.
 
 (** Positive triangles inside a negative one are drawn without crossings: at every rational point p / k. *)
 
