@@ -10,7 +10,7 @@
 *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Map Drawing Subdivision Represented Verdict.
+From twinedge Require Import View Rules Map Drawing Subdivision Represented Verdict NewEdge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -121,16 +121,10 @@ Hypothesis live_face : face t f.
 Notation t' := (add_isolated_vertex t v b f).
 
 Lemma vertex_more i : vertex t' i = (i == v) || vertex t i.
-Proof.
-rewrite {1}/vertex /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (vertex t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@vertex_below t). Qed.
 
 Lemma boundary_more i : boundary t' i = (i == b) || boundary t i.
-Proof.
-rewrite {1}/boundary /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (boundary t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@boundary_below t). Qed.
 
 Lemma old_vertex i : vertex t i -> i == v = false.
 Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_vertex) in l. Qed.

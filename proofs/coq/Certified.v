@@ -2,7 +2,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Subdivision Loops LoopsProof Reference Map Counting Drawing Euler Verdict Labels LabelsSound OneOfEach.
+From twinedge Require Import View Rules Subdivision Loops LoopsProof Reference Map Counting Lists Drawing Euler Verdict Labels LabelsSound OneOfEach.
 From twinedge Require Import Surface Orientation Coordinates CoordinatesSound Columns.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -54,9 +54,8 @@ Theorem valid_is_drawn o : judge_drawing o = Valid -> let t := view_in (topology
     & forall h u w, half_edge t h -> origin t h = Some u -> target t h = Some w -> at_ u <> at_ w].
 Proof.
 rewrite /judge_drawing; case: (readable_drawing o) => //; case A: (accepts _ _) => //; case D: (drawn _ _) => //= _.
-have H := labels_sound A; have map : is_map (view_in (topology o)).
-  by case: (H R1) => -[ll _ _ _] _; split=> //; [exact: (H L1)|exact: (H L2)|exact: (H L3)].
-split=> //.
+have H := labels_sound A; have map : is_map (view_in (topology o)) by apply: low_map => q _; apply: H.
+split; first exact: H.
 - by move=> k p g h; apply: (drawn_edges map D).
 - by move=> k v h; apply: (drawn_vertices_off D).
 - exact: (drawn_vertices D).
@@ -71,7 +70,8 @@ Theorem valid_is_surface o : judge_surface o = Valid -> let t := surface_view_in
         lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (reached (near t)) (half_edge t)
         & size ps = surface_components o /\ size vs + size cs + (surface_genus o).*2 = size es + (surface_components o).*2]].
 Proof.
-by rewrite /judge_surface; case: (readable_surface o) => //; case A: (surface_accepts _ _ _ _ _ _ _) => // _; apply: surface_sound A.
+rewrite /judge_surface; case: (readable_surface o); last by []; case A: (surface_accepts _ _ _ _ _ _ _); last by [].
+by move=> _; exact: surface_sound A.
 Qed.
 
 (** Each face has one boundary component, and each boundary component a face of its own, or it is a hole. No two holes meet at a
@@ -82,6 +82,6 @@ Theorem valid_has_border o : judge_surface o = Valid -> let t := surface_view_in
       forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
     & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
 Proof.
-rewrite /judge_surface; case: (readable_surface o) => //; case A: (surface_accepts _ _ _ _ _ _ _) => // _.
-exact: surface_border_sound A.
+rewrite /judge_surface; case: (readable_surface o); last by []; case A: (surface_accepts _ _ _ _ _ _ _); last by [].
+by move=> _; exact: surface_border_sound A.
 Qed.

@@ -61,10 +61,7 @@ Record attached t t' a b h k : Prop := Attached {
 Lemma attach_attached t a b h k : links_live t -> half_edge t a -> half_edge t b -> attached t (attach t a b h k) a b h k.
 Proof.
 case=> H _ _ _ la lb.
-have halfE i : half_edge (attach t a b h k) i = [|| i == h, i == k | half_edge t i].
-  rewrite {1}/half_edge /= !leq_max !ltnS; case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-  case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-  by case: (boolP (half_edge t i)) => [/andP[-> _]|_]; rewrite ?andbF.
+have halfE i : half_edge (attach t a b h k) i = [|| i == h, i == k | half_edge t i] by exact: two_more (@half_edge_below t).
 have live_next c i : half_edge t c -> Some i == next t c -> half_edge t i.
   by move=> lc; have [_ _ [m -> lm] _ _] := H c lc => /eqP[->].
 split=> // i; rewrite [LHS]/heard halfE /=; case: (i =P h) => //= _; case: (i =P k) => //= _.

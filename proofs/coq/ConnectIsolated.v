@@ -69,17 +69,10 @@ Lemma start_b : boundary_start t b = Some (AtVertex o). Proof. exact/starts_at_o
 Lemma live_b : boundary t b. Proof. exact: heard_live start_b. Qed.
 
 Lemma vertexE i : vertex t' i = (i == v) || vertex t i.
-Proof.
-rewrite {1}/vertex /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (vertex t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@vertex_below t). Qed.
 
 Lemma half_edgeE i : half_edge t' i = [|| i == h, i == k | half_edge t i].
-Proof.
-rewrite {1}/half_edge /= !leq_max !ltnS; case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-by case: (boolP (half_edge t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: two_more (@half_edge_below t). Qed.
 
 Let old_h := NewEdge.old_h free_h.
 Let old_k := NewEdge.old_k free_k.

@@ -80,11 +80,7 @@ Proof. by have [A _] := keeps B2 v live_v; have [d []] := A bare_v; rewrite isol
 (** ** What the view says *)
 
 Lemma half_edgeE i : half_edge t' i = [|| i == h, i == k | half_edge t i].
-Proof.
-rewrite {1}/half_edge /= !leq_max !ltnS; case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-by case: (boolP (half_edge t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: two_more (@half_edge_below t). Qed.
 
 Ltac heard := rewrite /heard half_edgeE /=; case: (_ == h) => //=; case: (_ == k) => //=.
 

@@ -5,7 +5,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
-From twinedge Require Import ConnectSplit ConnectLoop Connect RemoveMerge RemovePart Contract SplitVertex Flip FastPath Programs.
+From twinedge Require Import ConnectSplit ConnectLoop Connect RemoveMerge RemovePart Skip Contract SplitVertex Flip FastPath Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

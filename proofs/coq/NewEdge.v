@@ -16,6 +16,22 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
+(** Where there is one live slot more, or two. *)
+Lemma one_more n (live : nat -> bool) v i : (forall j, live j -> j < n) ->
+  (i < maxn n v.+1) && ((i == v) || live i) = (i == v) || live i.
+Proof.
+move=> below; rewrite leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
+by case: (boolP (live i)) => [/below->|_]; rewrite ?andbF.
+Qed.
+
+Lemma two_more n (live : nat -> bool) h k i : (forall j, live j -> j < n) ->
+  (i < maxn n (maxn h.+1 k.+1)) && [|| i == h, i == k | live i] = [|| i == h, i == k | live i].
+Proof.
+move=> below; rewrite !leq_max !ltnS; case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
+case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
+by case: (boolP (live i)) => [/below->|_]; rewrite ?andbF.
+Qed.
+
 (** A half-edge begins where the one before it around its vertex does, and so does all on its rotation. *)
 Lemma on_rotation_origin t g x : l1_twin t -> l3_target t -> on_orbit (turn t) g x -> origin t x = origin t g.
 Proof.

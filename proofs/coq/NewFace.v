@@ -80,16 +80,10 @@ Let sides : of_old = kept /\ of_new = made \/ of_old = made /\ of_new = kept.
 Proof. by case: two_faces => -[-> ->]; case: two_cycles => -[-> ->]; auto. Qed.
 
 Lemma boundaryE c : boundary t' c = (c == made) || boundary t c.
-Proof.
-rewrite {1}/boundary /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (boundary t c)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@boundary_below t). Qed.
 
 Lemma faceE x : face t' x = (x == g) || face t x.
-Proof.
-rewrite {1}/face /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (face t x)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@face_below t). Qed.
 
 Lemma old_face x : face t x -> x == g = false.
 Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_face) in l. Qed.

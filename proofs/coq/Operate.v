@@ -6,7 +6,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
-From twinedge Require Import ConnectIsolated ConnectBridge ConnectSplit ConnectLoop RemoveMerge RemovePart Contract SplitVertex Keep.
+From twinedge Require Import ConnectIsolated ConnectBridge ConnectSplit ConnectLoop RemoveMerge RemovePart Skip Contract SplitVertex Keep.
 From twinedge Require Import Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.

@@ -13,7 +13,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Subdivision Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
-From twinedge Require Import ConnectIsolated ConnectBridge ConnectSplit ConnectLoop RemoveMerge RemovePart Contract SplitVertex Keep.
+From twinedge Require Import ConnectIsolated ConnectBridge ConnectSplit ConnectLoop RemoveMerge RemovePart Skip Contract SplitVertex Keep.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -11,7 +11,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import Arith View Rules Reference Map Counting Lists Subdivision Verdict Table NewEdge Core Tidy Collapse Renaming.
-From twinedge Require Import ConnectCorners NewFace ConnectSplit ConnectLoop AddVertex RemoveVertex ConnectIsolated RemoveEdge RemoveMerge RemovePart Contract SplitVertex.
+From twinedge Require Import ConnectCorners NewFace ConnectSplit ConnectLoop AddVertex RemoveVertex ConnectIsolated RemoveEdge RemoveMerge RemovePart Skip Contract SplitVertex.
 From twinedge Require Import Connect Programs Same Undo UndoMerge.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -172,10 +172,10 @@ Lemma reach_contract n m un um : twin t n = Some m -> origin t n = Some un -> or
 Proof.
 move=> T On Om uu al; pose t1 := contract_edge t n m un um.
 have keeps1 : rules t1 by apply: contract_edge_keeps_rules => //; rewrite /is_contractible T On Om !eqxx /= andbT; apply/eqP.
-have [H sizes] := half_edges_rem T (Contract.half_edgeE t n m un um).
+have [H sizes] := half_edges_rem T (Skip.half_edgeE t n m un um).
 have lum : vertex t um by have [[x + lx] _ _ _ _] := links_of keeps (heard_live (twin_of keeps T)); rewrite Om => -[->].
 have V : lists (rem um vs) (vertex t1).
-  apply: lists_iff (lists_rem um vertices) => u; rewrite Contract.vertexE.
+  apply: lists_iff (lists_rem um vertices) => u; rewrite Skip.vertexE.
   by split=> [[/eqP->]|/andP[/eqP]].
 have le : @size nat (rem um vs) + @size nat (rem m (rem n hs)) <= k.
   have sv : size vs = (@size nat (rem um vs)).+1 := size_lists_rem vertices lum.

@@ -126,10 +126,7 @@ Qed.
 (** ** What the view says *)
 
 Lemma boundaryE b : boundary t' b = (b == made) || boundary t b.
-Proof.
-rewrite {1}/boundary /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (boundary t b)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@boundary_below t). Qed.
 
 Lemma boundary_up b : boundary t b -> boundary t' b. Proof. by rewrite boundaryE orbC => ->. Qed.
 

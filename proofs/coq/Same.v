@@ -35,8 +35,6 @@ Hypothesis same : same_core t t'.
 
 Let low : lower t. Proof. by move=> q _; apply: keeps. Qed.
 Let low' : lower t'. Proof. by move=> q _; apply: keeps'. Qed.
-Let c : core t (inn_of t) := core_of_rules keeps.
-Let c' : core t' (inn_of t') := core_of_rules keeps'.
 Let r : rest t (inn_of t) := rest_of_rules keeps.
 Let r' : rest t' (inn_of t') := rest_of_rules keeps'.
 Notation kept := (keep_others t (leaving t') (start_half_edge t')).

@@ -17,14 +17,10 @@
     new edge makes what was there (Contract.v). *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import Arith View Rules Map Counting Lists NewEdge ConnectCorners Core Collapse RemoveEdge Stretch.
+From twinedge Require Import Arith View Rules Map Counting Lists NewEdge ConnectCorners Core Collapse RemoveEdge Fan.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-(** The half-edges that leave the new vertex. *)
-Definition fan t a b : seq nat := if a == b then [::] else
-  if next t b is Some x then (if twin t a is Some z then stretch (turn t) (half_edge_slots t) x z else [::]) else [::].
 
 (** The view [t] with the vertex [v] and the edge [h], [k] to it, between the corners after [a] and after [b]. *)
 Definition split_vertex t a b v h k : view := {|
@@ -71,8 +67,6 @@ Hypothesis origin_tb : origin t tb = Some o.
 Notation t' := (split_vertex t a b v h k).
 Notation inn := (inn_of t).
 Notation fan := (fan t a b).
-Let low : lower t. Proof. by move=> q _; apply: keeps. Qed.
-Let map : is_map t := low_map low.
 Let c : core t inn := core_of_rules keeps.
 Let r : rest t inn := rest_of_rules keeps.
 Let links_of := NewEdge.links_of keeps.
@@ -87,92 +81,32 @@ Let live_a : half_edge t a := heard_live twin_a.
 Let live_b : half_edge t b := heard_live twin_b.
 Let twin_ta : twin t ta = Some a := twin_of twin_a.
 Let twin_tb : twin t tb = Some b := twin_of twin_b.
-Let live_ta : half_edge t ta := heard_live twin_ta.
 Let live_tb : half_edge t tb := heard_live twin_tb.
 Let live_na : half_edge t na. Proof. by have [x + lx] := next_some live_a; rewrite next_a => -[->]. Qed.
 Let live_nb : half_edge t nb. Proof. by have [x + lx] := next_some live_b; rewrite next_b => -[->]. Qed.
 Let origin_na : origin t na = Some o. Proof. by rewrite (origin_next next_a) /target twin_a. Qed.
-Let origin_nb : origin t nb = Some o. Proof. by rewrite (origin_next next_b) /target twin_b. Qed.
 Let turn_ta : turn t ta = Some na. Proof. by rewrite /turn twin_ta. Qed.
 Let turn_tb : turn t tb = Some nb. Proof. by rewrite /turn twin_tb. Qed.
 Let old_h := NewEdge.old_h free_h.
 Let old_k := NewEdge.old_k free_k.
 Let newE := NewEdge.newE hk.
 
-(** ** The fan *)
-
-Lemma turn_total i : half_edge t i -> exists2 j, turn t i = Some j & half_edge t j.
-Proof. exact: Map.turn_total map i. Qed.
-
-Lemma turn_injective i j : half_edge t i -> half_edge t j -> turn t i = turn t j -> i = j.
-Proof.
-move=> /links_of[_ [g G lg] _ _ _] /links_of[_ [g' G' lg'] _ _ _]; rewrite /turn G G' /= => /(core_next c lg lg') gg.
-by apply: one_twin G _; rewrite G' gg.
-Qed.
-
-Let around : on_orbit (turn t) nb ta.
-Proof. by apply/(keeps V2 nb ta live_nb live_ta); rewrite origin_nb origin_ta. Qed.
-Let below := @half_edge_below t.
-
-Lemma fanE : a <> b -> fan = stretch (turn t) (half_edge_slots t) nb ta.
-Proof. by rewrite /SplitVertex.fan next_b twin_a => /eqP/negPf->. Qed.
-Lemma fan_none : a = b -> fan = [::]. Proof. by rewrite /SplitVertex.fan => ->; rewrite eqxx. Qed.
-Lemma fan_differ i : i \in fan -> a <> b. Proof. by move=> + E; rewrite fan_none. Qed.
-
-Lemma fan_ends : a <> b -> nb \in fan /\ ta \in fan.
-Proof. by move/fanE->; apply: (stretch_ends below turn_total live_nb around). Qed.
-Lemma fan_step i j : i \in fan -> i <> ta -> turn t i = Some j -> j \in fan.
-Proof. by move=> F; move: (F); rewrite (fanE (fan_differ F)); apply: (stretch_step below turn_total live_nb around). Qed.
-Lemma fan_back i j : j \in fan -> turn t i = Some j -> j = nb \/ i \in fan /\ i <> ta.
-Proof.
-move=> F T; have li : half_edge t i by move: T; rewrite /turn; case G: (twin t i) => [g|] // _; apply: heard_live G.
-by move: (F) T; rewrite (fanE (fan_differ F)); apply: (stretch_back below turn_total turn_injective live_nb around).
-Qed.
-Lemma fan_tb : tb \notin fan.
-Proof.
-case: (a =P b) => [/fan_none-> //|ab]; rewrite fanE //.
-apply: (stretch_before below turn_total live_nb around) turn_tb => E.
-by apply: ab; apply: one_twin twin_a _; rewrite -E.
-Qed.
-Lemma fan_ind (P : nat -> Prop) : P nb -> (forall i j, i \in fan -> i <> ta -> P i -> turn t i = Some j -> P j) -> forall i, i \in fan -> P i.
-Proof.
-move=> Px keep i F; move: keep (F); rewrite (fanE (fan_differ F)) => keep.
-exact: (stretch_ind below turn_total live_nb around Px keep).
-Qed.
-Lemma fan_origin i : i \in fan -> origin t i = Some o.
-Proof.
-move: i; apply: fan_ind => // i j _ _ O T; rewrite -O.
-by apply: (on_rotation_origin (keeps L1) (keeps L3)); exists 1.
-Qed.
-Lemma fan_live i : i \in fan -> half_edge t i. Proof. by move=> F; apply: heard_live (fan_origin F). Qed.
-Lemma fan_na : na \notin fan.
-Proof.
-apply/negP=> F; have ab := fan_differ F; case: (fan_back F turn_ta) => [E|[_ []//]].
-by apply: ab; apply: one_next next_a _; rewrite E.
-Qed.
-
-(** Of a half-edge and the one that comes after its twin, one is in the fan if and only if the other is. *)
-Lemma fan_turn i j : i <> ta -> i <> tb -> turn t i = Some j -> (j \in fan) = (i \in fan).
-Proof.
-move=> ia ib T; apply/idP/idP => [F|F]; last exact: fan_step T.
-case: (fan_back F T) => [jn|[]//]; case: ib; apply: turn_injective; rewrite ?T ?turn_tb ?jn //.
-by move: T; rewrite /turn; case G: (twin t i) => [g|] // _; apply: heard_live G.
-Qed.
+Let fan_ends := fan_ends keeps twin_a twin_b next_b origin_ta origin_tb.
+Let fan_step := fan_step keeps twin_a twin_b next_b origin_ta origin_tb.
+Let fan_tb : tb \notin fan := fan_tb keeps twin_a twin_b next_b origin_ta origin_tb.
+Let fan_ind := fan_ind keeps twin_a twin_b next_b origin_ta origin_tb.
+Let fan_origin := fan_origin keeps twin_a twin_b next_b origin_ta origin_tb.
+Let fan_live := fan_live keeps twin_a twin_b next_b origin_ta origin_tb.
+Let fan_na := fan_na keeps twin_a twin_b next_a next_b origin_ta origin_tb.
+Let fan_turn := fan_turn keeps twin_a twin_b next_b origin_ta origin_tb.
 
 (** ** What the view says *)
 
 Lemma vertexE i : vertex t' i = (i == v) || vertex t i.
-Proof.
-rewrite {1}/vertex /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
-by case: (boolP (vertex t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: one_more (@vertex_below t). Qed.
 
 Lemma half_edgeE i : half_edge t' i = [|| i == h, i == k | half_edge t i].
-Proof.
-rewrite {1}/half_edge /= !leq_max !ltnS; case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
-by case: (boolP (half_edge t i)) => [/andP[-> _]|_]; rewrite ?andbF.
-Qed.
+Proof. exact: two_more (@half_edge_below t). Qed.
 
 Let up_half_edge := NewEdge.up_half_edge half_edgeE.
 Let half_edgeP := NewEdge.half_edgeP free_h free_k half_edgeE.

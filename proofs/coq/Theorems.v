@@ -8,7 +8,7 @@ From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict 
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop RemoveMerge RemovePart Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Reach Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop RemoveMerge RemovePart Skip Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Reach Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

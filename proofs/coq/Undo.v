@@ -4,8 +4,8 @@
     same core as the one before. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map Lists NewEdge ConnectCorners Core Tidy AddVertex RemoveVertex ConnectIsolated RemoveEdge Contract.
-From twinedge Require Import Stretch SplitVertex Same.
+From twinedge Require Import View Rules Map Lists NewEdge ConnectCorners Core Tidy AddVertex RemoveVertex ConnectIsolated RemoveEdge Skip Contract.
+From twinedge Require Import Fan SplitVertex Same.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -19,11 +19,9 @@ move=> keeps I F; have c := core_of_rules keeps; have [bv Ib no] := core_isolate
 pose t1 := remove_isolated_vertex t v b; pose t2 := add_isolated_vertex t1 v b f.
 have lv := heard_live I; have lb := heard_live F.
 have vE : vertex t2 =1 vertex t.
-  move=> u; rewrite /vertex /= leq_max ltnS; case: (u =P v) => [->|uv] /=; first by rewrite leqnn orbT -/(vertex t v) lv.
-  by rewrite /vertex /= (introF eqP uv) /=; case: (u < vertex_slots t); rewrite ?andbF.
+  by move=> u; rewrite /t2 vertex_more -[vertex t1 u]/(vertex (without t v b) u) RemoveVertex.vertexE; case: (u =P v) => [->|].
 have bE : boundary t2 =1 boundary t.
-  move=> d; rewrite /boundary /= leq_max ltnS; case: (d =P b) => [->|db] /=; first by rewrite leqnn orbT -/(boundary t b) lb.
-  by rewrite /boundary /= (introF eqP db) /=; case: (d < boundary_slots t); rewrite ?andbF.
+  by move=> d; rewrite /t2 boundary_more -[boundary t1 d]/(boundary (without t v b) d) RemoveVertex.boundaryE; case: (d =P b) => [->|].
 split=> //.
 - move=> u lu; have lu' : vertex t u by rewrite -vE.
   rewrite {2}/isolated /heard lu /=; case: (u =P v) => [-> //|uv].
@@ -53,8 +51,7 @@ Let twin_m : twin t m = Some n := twin_of keeps twin_n.
 Let live_n : half_edge t n := heard_live twin_n.
 Let live_m : half_edge t m := heard_live twin_m.
 Let n_not_m : n <> m := n_not_m keeps twin_n.
-Let ends : kept = kept /\ dropped = dropped \/ kept = dropped /\ dropped = kept := or_introl (conj erefl erefl).
-Let leftE := Contract.half_edgeE t n m kept dropped.
+Let leftE := Skip.half_edgeE t n m kept dropped.
 
 Lemma contracted_half_edges i : [|| i == n, i == m | half_edge t1 i] = half_edge t i.
 Proof.
@@ -63,14 +60,14 @@ Qed.
 
 Lemma contracted_vertices u : (u == dropped) || vertex t1 u = vertex t u.
 Proof.
-rewrite Contract.vertexE; case: (u =P dropped) => [->|] //=.
+rewrite Skip.vertexE; case: (u =P dropped) => [->|] //=.
 by have [[x + lx] _ _ _ _] := links_of live_m; rewrite origin_m => -[->].
 Qed.
 
 (** The slots of the edge and the vertex are free. *)
 Lemma contracted_free : [/\ ~~ vertex t1 dropped, ~~ half_edge t1 n, ~~ half_edge t1 m & n != m].
 Proof.
-by rewrite Contract.vertexE !leftE !eqxx andbF; split=> //; apply/eqP.
+by rewrite Skip.vertexE !leftE !eqxx andbF; split=> //; apply/eqP.
 Qed.
 
 (** The edge that was alone is put back between two isolated vertices. *)
@@ -79,7 +76,7 @@ Lemma undo_contract_alone bn : boundary_of t n = Some bn -> alone t n m ->
 Proof.
 move=> B al; have lk : vertex t1 kept.
   have lk0 : vertex t kept by have [[x + lx] _ _ _ _] := links_of live_n; rewrite origin_n => -[->].
-  by rewrite Contract.vertexE lk0 andbT; apply/eqP.
+  by rewrite Skip.vertexE lk0 andbT; apply/eqP.
 have Ik : isolated t1 kept = Some bn by rewrite (Contract.isolatedE B lk) eqxx al.
 split=> //; have [N M] : next t n = Some m /\ next t m = Some n by case/andP: al => /eqP-> /eqP->.
 have Bm : boundary_of t m = Some bn by rewrite (next_boundary keeps N).
@@ -91,20 +88,20 @@ have vE u : vertex (attach_to_isolated t1 kept dropped bn n m) u = vertex t u.
 have left i : half_edge t i -> i <> n -> i <> m -> half_edge t1 i by move=> li /eqP i_n /eqP im; rewrite leftE i_n im.
 split=> //; try by [move=> i; rewrite hE|move=> u; rewrite vE].
 - move=> i; rewrite hE ConnectIsolated.originE => li; case: (i =P n) => [-> //|i_n]; case: (i =P m) => [-> //|im].
-  have l := left i li i_n im; have [[u U _] _ _ _ _] := links_of li; rewrite (Contract.originE keeps l) U /= /col.
+  have l := left i li i_n im; have [[u U _] _ _ _ _] := links_of li; rewrite (Skip.originE keeps l) U /= /col.
   by have [_ /(_ u U)[_ /eqP/negPf->]] := none _ _ i l.
 - move=> i; rewrite hE ConnectIsolated.twinE => li; case: (i =P n) => [-> //|i_n]; case: (i =P m) => [-> //|im].
-  by rewrite (Contract.twinE (left i li i_n im)).
+  by rewrite (Skip.twinE (left i li i_n im)).
 - move=> i; rewrite hE ConnectIsolated.nextE => li; case: (i =P n) => [-> //|i_n]; case: (i =P m) => [-> //|im].
-  rewrite (Contract.nextE (left i li i_n im)); have [_ _ [x X _] _ _] := links_of li; rewrite X /= skip_other // => E.
+  rewrite (Skip.nextE (left i li i_n im)); have [_ _ [x X _] _ _] := links_of li; rewrite X /= skip_other // => E.
     by apply: im; apply: (one_next keeps X); rewrite E.
   by apply: i_n; apply: (one_next keeps X); rewrite E.
 - move=> i; rewrite hE ConnectIsolated.boundary_ofE => li; case: (i =P n) => [-> //|i_n]; case: (i =P m) => [-> //|im] /=.
-  by rewrite (Contract.boundary_ofE (left i li i_n im)).
+  by rewrite (Skip.boundary_ofE (left i li i_n im)).
 move=> u; rewrite vE ConnectIsolated.isolatedE => lu; case: (u =P dropped) => [->|ud] /=; first by rewrite end_none; auto.
 case: (u =P kept) => [->|uk]; first by rewrite end_none; auto.
 rewrite (Contract.isolatedE B) ?(introF eqP uk) //.
-by rewrite Contract.vertexE lu andbT; apply/eqP.
+by rewrite Skip.vertexE lu andbT; apply/eqP.
 Qed.
 
 (** Otherwise [kept] has another half-edge than [n], if it is not the one of [m] that has none; and the corners are there. *)
@@ -141,7 +138,7 @@ Proof. by move=> N E; have := next_a N; rewrite E next_b => -[]. Qed.
 
 Lemma next_a1 : exists2 x, next t m = Some x & next t1 a = Some x.
 Proof.
-have [x X _] := next_some keeps live_m; exists x => //; rewrite (Contract.nextE left_a).
+have [x X _] := next_some keeps live_m; exists x => //; rewrite (Skip.nextE left_a).
 case: (next t n =P Some m) => [N|N].
   by rewrite (a_is_b N) next_b /= (skipE keeps twin_n (or_introl (conj erefl erefl))) N eqxx.
 rewrite (next_a N) /= (skipE keeps twin_n (or_intror (conj erefl erefl))) X; case: eqP => // E.
@@ -149,12 +146,12 @@ by case: next_m_n; rewrite X E.
 Qed.
 
 Lemma next_b1 : next t n <> Some m -> next t1 b = next t n.
-Proof. by move=> /eqP/negPf N; rewrite (Contract.nextE left_b) next_b /= (skipE keeps twin_n (or_introl (conj erefl erefl))) N. Qed.
+Proof. by move=> /eqP/negPf N; rewrite (Skip.nextE left_b) next_b /= (skipE keeps twin_n (or_introl (conj erefl erefl))) N. Qed.
 
 Lemma target_left i : half_edge t1 i -> target t1 i = omap (col kept dropped) (target t i).
 Proof.
-move=> l; rewrite /target (Contract.twinE l); case T: (twin t i) => [g|] //=.
-by rewrite (Contract.originE keeps) // (Contract.twin_left keeps twin_n l T).
+move=> l; rewrite /target (Skip.twinE l); case T: (twin t i) => [g|] //=.
+by rewrite (Skip.originE keeps) // (Skip.twin_left keeps twin_n l T).
 Qed.
 
 Lemma target_ab : target t1 a = Some kept /\ target t1 b = Some kept.
@@ -179,15 +176,15 @@ have keeps1 : rules t1.
 have turn_m : turn t m = next t n by rewrite /turn twin_m.
 have at_dropped j : half_edge t j -> origin t j = Some dropped -> on_orbit (turn t) m j.
   by move=> lj O; apply/(keeps V2 m j live_m lj); rewrite origin_m O.
-move=> l; have [li i_n im] := Contract.leftP l; case: (next t n =P Some m) => [N|N].
+move=> l; have [li i_n im] := Skip.leftP l; case: (next t n =P Some m) => [N|N].
   rewrite (@fan_none t1 a b (a_is_b N)) in_nil; apply/esym/eqP=> /(at_dropped i li)[k].
   have stay q : iter q (obind (turn t)) (Some m) = Some m by elim: q => //= q ->; rewrite /= turn_m N.
   by rewrite stay => -[/esym].
 have [y Y ly] := next_some keeps live_n; have Yb := next_b1 N; rewrite Y in Yb; have A := next_a N.
 have [ga Ga _] : exists2 g, twin t a = Some g & half_edge t g by have [_ T _ _ _] := links_of (heard_live A).
 have [gb Gb _] : exists2 g, twin t b = Some g & half_edge t g by have [_ T _ _ _] := links_of (heard_live next_b).
-have Ta : twin t1 a = Some ga by rewrite (Contract.twinE left_a).
-have Tb : twin t1 b = Some gb by rewrite (Contract.twinE left_b).
+have Ta : twin t1 a = Some ga by rewrite (Skip.twinE left_a).
+have Tb : twin t1 b = Some gb by rewrite (Skip.twinE left_b).
 have [x _ Xa] := next_a1; have [] := target_ab; rewrite /target Ta Tb /= => Oa Ob.
 have Oy : origin t y = Some dropped by rewrite (origin_next keeps Y) /target twin_n.
 have fan_y : y \in fan t1 a b by have [] := fan_ends keeps1 Ta Tb Yb Oa Ob (a_not_b N).
@@ -195,7 +192,7 @@ have fan_y : y \in fan t1 a b by have [] := fan_ends keeps1 Ta Tb Yb Oa Ob (a_no
 have turn1 u w : half_edge t1 u -> origin t u = Some dropped -> u <> ga -> turn t u = Some w ->
     [/\ turn t1 u = Some w, half_edge t1 w & origin t w = Some dropped].
   move=> lu Ou uga T; have Ow : origin t w = Some dropped by rewrite (origin_turn keeps T).
-  have [s S [ls T']] := Contract.turnE keeps twin_n lu T; have wm : w <> m.
+  have [s S [ls T']] := Skip.turnE keeps twin_n lu T; have wm : w <> m.
     move=> wm; apply: uga; move: T; rewrite wm /turn; case G: (twin t u) => [g|] //= M.
     by apply: (one_twin keeps G); rewrite (twin_of keeps Ga) (one_next keeps M A).
   have wn : w <> n by move=> E; move: Ow; rewrite E origin_n => -[].
@@ -205,7 +202,7 @@ apply/idP/eqP=> [|O].
   suff H j : j \in fan t1 a b -> half_edge t1 j /\ origin t j = Some dropped by move=> /H[].
   move: j; apply: (fan_ind keeps1 Ta Tb Yb Oa Ob) => // u w _ uga [lu Ou] T.
   have [v V lv] : exists2 v, turn t u = Some v & half_edge t v.
-    by have [Lu _ _] := Contract.leftP lu; have [_ [g G lg] _ _ _] := links_of Lu; rewrite /turn G; apply: next_some.
+    by have [Lu _ _] := Skip.leftP lu; have [_ [g G lg] _ _ _] := links_of Lu; rewrite /turn G; apply: next_some.
   by have [T1 lv1 Ov] := turn1 u v lu Ou uga V; move: T; rewrite T1 => -[<-].
 suff [[]//|//] : i \in fan t1 a b /\ origin t i = Some dropped \/ i = m.
 apply: (orbit_ind (P := fun u => u \in fan t1 a b /\ origin t u = Some dropped \/ u = m)) (at_dropped i li O) => [|u w]; first by right.
@@ -230,10 +227,10 @@ have left i : half_edge t i -> i <> n -> i <> m -> half_edge t1 i by move=> li /
 split; try by [move=> i; rewrite -/t2 hE|move=> u; rewrite -/t2 vE|].
 - move=> i; rewrite -/t2 hE (SplitVertex.originE dropped n m keeps1 Ga Gb Xb Oa Ob) => li.
   case: (i =P n) => [-> //|i_n]; case: (i =P m) => [-> //|im] /=; have l := left i li i_n im; rewrite (undo_fan l).
-  case: eqP => [//|no]; rewrite (Contract.originE keeps l); have [[u U _] _ _ _ _] := links_of li; rewrite U /= /col.
+  case: eqP => [//|no]; rewrite (Skip.originE keeps l); have [[u U _] _ _ _ _] := links_of li; rewrite U /= /col.
   by case: eqP => // E; case: no; rewrite U E.
 - move=> i; rewrite -/t2 hE SplitVertex.twinE => li; case: (i =P n) => [-> //|i_n]; case: (i =P m) => [-> //|im].
-  by rewrite (Contract.twinE (left i li i_n im)).
+  by rewrite (Skip.twinE (left i li i_n im)).
 - move=> i; rewrite -/t2 hE (SplitVertex.nextE dropped n m Ga Gb Xa Xb) => li.
   case: (i =P n) => [->|i_n].
     case: (a =P b) => [ab|ab]; first by case: (next t n =P Some m) => // /a_not_b.
@@ -243,18 +240,18 @@ split; try by [move=> i; rewrite -/t2 hE|move=> u; rewrite -/t2 vE|].
   have other j : next t i = Some j -> j <> n by move=> N E; apply: ib; apply: (one_next keeps N); rewrite next_b E.
   have [_ _ [x X _] _ _] := links_of li; case: (i =P a) => [ia|ia].
     rewrite ia; apply: next_a => N; apply: ib; by rewrite ia a_is_b.
-  rewrite (Contract.nextE (left i li i_n im)) X /= skip_other //; first exact: other.
+  rewrite (Skip.nextE (left i li i_n im)) X /= skip_other //; first exact: other.
   move=> xm; case: (next t n =P Some m) => [N|N]; first by apply: i_n; apply: (one_next keeps X); rewrite xm.
   by apply: ia; apply: (one_next keeps X); rewrite xm next_a.
 - move=> i; rewrite -/t2 hE SplitVertex.boundary_ofE => li; case: (i =P n) => [->|i_n].
-    by rewrite (Contract.boundary_ofE left_b) (next_boundary keeps next_b).
-  case: (i =P m) => [->|im]; last by rewrite (Contract.boundary_ofE (left i li i_n im)).
-  rewrite (Contract.boundary_ofE left_a); case: (next t n =P Some m) => [N|N]; last by rewrite (next_boundary keeps (next_a N)).
+    by rewrite (Skip.boundary_ofE left_b) (next_boundary keeps next_b).
+  case: (i =P m) => [->|im]; last by rewrite (Skip.boundary_ofE (left i li i_n im)).
+  rewrite (Skip.boundary_ofE left_a); case: (next t n =P Some m) => [N|N]; last by rewrite (next_boundary keeps (next_a N)).
   by rewrite (a_is_b N) (next_boundary keeps N) (next_boundary keeps next_b).
 move=> u; rewrite -/t2 vE SplitVertex.isolatedE => lu; have end_none := isolated_end keeps twin_n origin_n origin_m.
 case: (u =P dropped) => [->|ud]; first by rewrite end_none; auto.
 have [bn B] : exists bn, boundary_of t n = Some bn by have [_ _ _ _ [bn B _]] := links_of live_n; exists bn.
-have lu1 : vertex t1 u by rewrite Contract.vertexE lu andbT; apply/eqP.
+have lu1 : vertex t1 u by rewrite Skip.vertexE lu andbT; apply/eqP.
 rewrite (Contract.isolatedE B lu1); case: ifP => // /andP[/eqP-> /andP[_ /eqP M]].
 by case: next_m_n.
 Qed.
