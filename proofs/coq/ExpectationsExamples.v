@@ -105,3 +105,10 @@ Proof.
 have H : rules_of surface two_triangles by apply/first_broken_of_none; vm_compute.
 split=> //; exact: ((named_faces _ false false false _ _ _).1 H).2.
 Qed.
+
+(** It is plane, too: a sphere, any of whose faces can be the unbounded one. *)
+Example two_triangles_plane : rules_of plane two_triangles /\ is_plane (answers two_triangles).
+Proof.
+have H : rules_of plane two_triangles by apply/first_broken_of_none; vm_compute.
+split=> //; exact: ((named_faces_plane _ false false _ _ _).1 H).1.
+Qed.

@@ -85,6 +85,25 @@ Check filled_recorded : forall v prev_stored leaving_stored places holes unbound
   let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
   rules_of Expectations.surface s <-> surface_with_faces (answers (filled Expectations.surface s)) true.
 
+(** So it is in the plane where no lists of inner boundary components are stored: the rotation system can be drawn, then. *)
+
+Check named_faces_plane : forall t places unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true true false places false unbounded) sf so si) <->
+  is_plane t /\ faces_are_cycles t sf so.
+
+Check recorded_faces_plane : forall t places unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true true true places false unbounded) sf so si) <->
+  is_plane t /\ surface_with_faces t places.
+
+Check filled_named_plane : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places false unbounded) sf so si in
+  rules_of Expectations.plane s <-> is_plane (answers (filled Expectations.plane s)) /\ faces_are_cycles v sf so.
+
+Check filled_recorded_plane : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places false unbounded) sf so si in
+  rules_of Expectations.plane s <->
+  is_plane (answers (filled Expectations.plane s)) /\ surface_with_faces (answers (filled Expectations.plane s)) true.
+
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
 Check near_half_edges : forall t t' (changed : pred nat),
