@@ -9,7 +9,8 @@
 *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Loops LoopsProof Reference Map Lists Subdivision Genus Bounds RotationSystem Surface SurfaceComplete.
+From twinedge Require Import View Rules Loops LoopsProof Reference Map Lists Subdivision Genus Bounds.
+From twinedge Require Import RotationSystem Surface SurfaceComplete.
 From twinedge Require Import Expectations ExpectationsPlane ExpectationsFaceless ExpectationsParts.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -22,7 +23,7 @@ Hypothesis off : holes && on = false.
 (** The closed plane, or closed surfaces. *)
 Let e := Expectation on false false false None false None None None false.
 
-(** Whatever else is stored, R1 to V2 make a rotation system. *)
+(** R1 to V2 make a rotation system, with faces or without. *)
 Lemma rotations_of faces records : let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
   (forall r, index r < index B1 -> holds_of e s (Basic r)) -> surface_rules t.
 Proof.

@@ -44,7 +44,7 @@ Variables (t t' : view) (changed : pred nat).
 Hypothesis before : forall h, half_edge t h -> fine t h.
 Hypothesis unchanged : forall h, ~~ changed h -> same_half_edge t t' h.
 
-(** What is looked at: those that may have changed, and those that led to one of them. *)
+(** Looked at are those that may have changed, and those that led to one of them. *)
 Hypothesis looked_at : forall h, half_edge t' h -> changed h -> fine t' h.
 Hypothesis led_there : forall g h, changed h -> half_edge t g -> ~~ changed g -> twin t g = Some h \/ next t g = Some h -> fine t' g.
 
@@ -298,7 +298,7 @@ split=> // b h lb lh; have [has own] := B b lb; split=> [E|[g S gh]].
 have lg := start_live g h lh gh; rewrite -((one g h lg lh).1 gh); exact: own.
 Qed.
 
-(** ** Why a member must have been there before
+(** ** A member must have been there before
 
     A loop is added at a vertex that has an edge, and is linked with itself alone. Its half-edges are the only members, and they are
     on one orbit; but the half-edge that was there before is on another.
@@ -322,10 +322,12 @@ Definition loop_apart := view_of {|
   boundary_rows := [:: Some (BoundaryRow #0 (Some (AtHalfEdge 0)) (Some (Inner 0)))];
   face_rows := [:: Some (FaceRow 'nil [:: #0])] |}.
 
+Definition new_around := member (half_edge edge_alone) (half_edge loop_apart) (turn edge_alone) (turn loop_apart)
+  (origin edge_alone) (origin loop_apart).
+
 Example loop_apart_meets : is_map loop_apart /\
-  (forall g h, member (half_edge edge_alone) (half_edge loop_apart) (turn edge_alone) (turn loop_apart) (origin edge_alone) (origin loop_apart) g ->
-     member (half_edge edge_alone) (half_edge loop_apart) (turn edge_alone) (turn loop_apart) (origin edge_alone) (origin loop_apart) h ->
-     origin loop_apart g = origin loop_apart h -> on_orbit (turn loop_apart) g h) /\ ~ v2_rotation loop_apart.
+  (forall g h, new_around g -> new_around h -> origin loop_apart g = origin loop_apart h -> on_orbit (turn loop_apart) g h) /\
+  ~ v2_rotation loop_apart.
 Proof.
 split; [|split].
 - have [L _ _ _] : links_live loop_apart by apply/check_linksP; vm_compute.
