@@ -138,6 +138,15 @@ Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next 
     (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
     forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
 
+(** F2 is a count of each list, if each entry says so itself. *)
+
+Check lists_by_length : forall t,
+  (forall b, boundary t b -> exists f p, boundary_face t b = Some f /\ boundary_place t b = Some p) ->
+  (forall f i, i < inner_count t f -> exists b,
+     [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) ->
+  (forall f, inner_count t f = count (says_inside t f) (iota 0 (boundary_slots t))) ->
+  (forall f b, outer t f = Some b <-> boundary_face t b = Some f /\ boundary_place t b = Some Outer) -> f2_listed t.
+
 (** The rules mean planar subdivisions. *)
 
 Check rules_mean_subdivision : forall t, rules t <-> exists s, represents t s.
