@@ -28,17 +28,23 @@ move=> o w; have [_ H] := plain (num y) (originE map x) (targetE map x).
 by apply: num_inj; apply: H; rewrite ?(originE map) ?(targetE map) ?o ?w.
 Qed.
 
+(** T3 of a component with edges. *)
+Lemma part_plane es r : lists_one_of_each es (same_edge t) (half_edge t) -> r \in pieces t ->
+  size (in_part t r (rotations t)) + size (in_part t r (cycles t)) = size (in_part t r es) + 2.
+Proof.
+move=> Hes rp; have [x xr] : exists x : dart t, labels t (num x) = Some r.
+  by have rr := (piecesP low r).1 rp; have [x xr] := dartP (label_live map rr); exists x; rewrite xr.
+have [V [E [C [H VC]]]] := t3 (org_live map x); have [a b c] := component_sizes low xr Hes H.
+by rewrite -a -b -c; arith.
+Qed.
+
 (** A component is one edge, or all its cycles have three half-edges or more. *)
 Lemma part_bound es r : lists_one_of_each es (same_edge t) (half_edge t) -> r \in pieces t ->
   let V := size (in_part t r (rotations t)) in let E := size (in_part t r es) in
   E + 6 <= 3 * V \/ V = 2 /\ E = 1.
 Proof.
 move=> Hes rp V E.
-have [x0 x0r] : exists x0 : dart t, labels t (num x0) = Some r.
-  by have rr := (piecesP low r).1 rp; have [x xr] := dartP (label_live map rr); exists x; rewrite xr.
-have euler : V + size (in_part t r (cycles t)) = E + 2.
-  have [V' [E' [C' [H VC]]]] := t3 (org_live map x0).
-  have [a b c] := component_sizes low x0r Hes H; rewrite /V /E -a -b -c; arith.
+have euler : V + size (in_part t r (cycles t)) = E + 2 := part_plane Hes rp.
 have He := in_part_each low r (label_edge low) Hes.
 have twice := edges_twice low He; rewrite -/E in twice.
 have Hc := in_part_each low r (label_cycle low) (cycles_each low).
@@ -121,6 +127,25 @@ have sumV := sum_parts low liveV; have sumE := sum_parts low liveE.
 case P: (pieces t) => [|r [|q s]] in sumV sumE total *; rewrite /= in sumV sumE total; [by arith| |by arith].
 have rp : r \in pieces t by rewrite P mem_head.
 by have [b|[b1 b2]] := part_bound He rp; arith.
+Qed.
+
+(** The same of cycles, which are the faces where each face has one. *)
+Lemma cycles_bound vs : lists vs (vertex t) -> 3 <= size vs -> size (cycles t) + 4 <= 2 * size vs.
+Proof.
+move=> Hv V3; have sizeV := vertices_size Hv; have sizeR : size (rotations t) = size (with_edges t) by exact: size_map.
+have [es He] := edges_each low; have [_ liveV _ _] := rotations_each low; have [_ liveC _ _] := cycles_each low.
+have one r : r \in pieces t -> size (in_part t r (cycles t)) + 4 <= 2 * size (in_part t r (rotations t)) \/
+    size (in_part t r (rotations t)) = 2 /\ size (in_part t r (cycles t)) = 1.
+  by move=> rp; have := part_plane He rp; case: (part_bound He rp) => [|[]]; [left|right]; arith.
+have each r : r \in pieces t -> size (in_part t r (cycles t)) + 3 <= 2 * size (in_part t r (rotations t)).
+  by move=> rp; case: (one r rp) => [|[-> ->]]; arith.
+have := sumn_le each; rewrite sumn_add sumn_const (sum_parts low liveC).
+rewrite (_ : sumn [seq 2 * size _ | r <- _] = 2 * sumn [seq size (in_part t r (rotations t)) | r <- pieces t]); last first.
+  by elim: (pieces t) => //= r s ->; arith.
+have sumV := sum_parts low liveV; have sumC := sum_parts low liveC; rewrite sumV.
+case P: (pieces t) => [|r [|q s]] in sumV sumC *; rewrite /= in sumV sumC *; [by arith| |by arith].
+have rp : r \in pieces t by rewrite P mem_head.
+by have [b|[b1 b2]] := one r rp; arith.
 Qed.
 
 Lemma bounds : t1_outside t -> t4_bounds t.

@@ -60,7 +60,7 @@ Record structure := Structure {
   says_inner_start : nat -> nat -> option start
 }.
 
-(** Where a walk along [step] leads. *)
+(** A walk along [step] leads to these. *)
 Inductive walks (step : nat -> nat -> Prop) x : nat -> Prop :=
   | walks_nowhere : walks step x x
   | walks_on y z : walks step x y -> step y z -> walks step x z.
@@ -71,7 +71,7 @@ Definition least (same : nat -> nat -> Prop) x := forall y, y < x -> ~ same x y.
 Section Rules.
 Variables (e : expectation) (s : structure).
 
-(** ** What is looked at *)
+(** ** The parts that are looked at *)
 
 Definition has_faces := faces_part (stored s).
 Definition has_records := has_faces && boundaries_part (stored s).
@@ -123,7 +123,7 @@ Definition lacks_face h := has_faces && is_nil (side h).
 (** The half-edge legally has no twin. *)
 Definition on_border h := is_open e && is_nil (twin t h).
 
-(** Where the half-edge ends. *)
+(** The vertex at which the half-edge ends. *)
 Definition end_of h : link := if on_border h then next t h >>= origin t else target t h.
 
 (** An entry is a face and a place in its list; this is where the boundary component starts that is listed there. *)

@@ -42,7 +42,7 @@ Definition face_list := [seq f <- iota 0 (face_slots t) | face t f].
 Definition entry_list : seq (nat * place) :=
   flatten [seq (f, Outer) :: [seq (f, Inner i) | i <- iota 0 (inner_count t f)] | f <- face_list].
 
-(** What [f] leads to from [h], and that of the other walks. *)
+(** All that [f] leads to from [h], and that of the other walks. *)
 Definition orbit_of (f : nat -> link) h := close (half_edge_slots t).+2 (fun g => push (f g) [::]) [:: h].
 Definition leaving_list v := [seq h <- half_edge_list | same_link (origin t h) (Some v)].
 Definition bare_at v := if leaving_list v is [::] then true else false.
@@ -67,7 +67,7 @@ Definition check_face f :=
     (iota 0 (inner_count t f)).
 Definition check_short := sumn [seq inner_count t f | f <- iota 0 (face_slots t)] <= 2 * is_listable e s + 16.
 
-(** Whether the lists are short is asked first, so that no list is read that is too long. *)
+(** The lengths of the lists are asked first, so that no list is read that is too long. *)
 Definition decide_r1 :=
   [&& check_short, all check_half_edge half_edge_list, all check_vertex vertex_list,
       all (fun b => leads (face t) (boundary_face t b) && start_lives t (boundary_start t b)) boundary_list
@@ -153,7 +153,7 @@ Definition least_edges hs := [seq h <- hs | if twin t h is Some g then h <= g el
 Definition least_cycles hs := [seq h <- hs | is_least h (orbit_of (next t) h)].
 Definition least_borders hs := [seq h <- hs | on_border e s h && is_least h (border_of h)].
 
-(** How many vertices, edges, and cycles and borders the component of [v] has. *)
+(** The numbers of vertices, of edges, and of cycles and borders of the component of [v]. *)
 Definition counted v :=
   let vs := linked_list v in
   let hs := component_list vs in

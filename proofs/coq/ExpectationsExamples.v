@@ -1,7 +1,8 @@
 (** * ExpectationsExamples: what the rules say of some tables under other expectations than the closed plane *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict ExpectationsFaceless ExpectationsParts ExpectationsFaces.
+From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict.
+From twinedge Require Import ExpectationsFaceless ExpectationsParts ExpectationsFaces.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -52,9 +53,11 @@ apply/first_broken_of_none; exact: (faceless_plane _ false false false false _ _
 Qed.
 
 (** Nor does it matter that `prev` and the half-edges kept by vertices are stored. *)
-Definition torus_of_next := let: Structure v _ sf so si := torus_of_darts in Structure v (Parts false false false false false false false) sf so si.
+Definition torus_of_next := let: Structure v _ sf so si := torus_of_darts in
+  Structure v (Parts false false false false false false false) sf so si.
 
-Example torus_of_next_is_rotations : rules_of surface torus_of_next /\ exists r, represents_rotations (answers (filled surface torus_of_next)) r.
+Example torus_of_next_is_rotations : rules_of surface torus_of_next /\
+  exists r, represents_rotations (answers (filled surface torus_of_next)) r.
 Proof.
 have H : rules_of surface torus_of_next by apply/first_broken_of_none; vm_compute.
 by split=> //; apply/filled_faceless_surface.
@@ -104,4 +107,11 @@ Example two_triangles_closed : rules_of surface two_triangles /\
 Proof.
 have H : rules_of surface two_triangles by apply/first_broken_of_none; vm_compute.
 split=> //; exact: ((named_faces _ false false false _ _ _).1 H).2.
+Qed.
+
+(** It is plane, too: a sphere, any of whose faces can be the unbounded one. *)
+Example two_triangles_plane : rules_of plane two_triangles /\ is_plane (answers two_triangles).
+Proof.
+have H : rules_of plane two_triangles by apply/first_broken_of_none; vm_compute.
+split=> //; exact: ((named_faces_plane _ false false _ _ _).1 H).1.
 Qed.

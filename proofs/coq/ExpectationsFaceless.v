@@ -10,7 +10,8 @@
 *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Arith View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists TopologyProof Drawing Euler Numbered.
+From twinedge Require Import Arith View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists.
+From twinedge Require Import TopologyProof Drawing Euler Numbered.
 From twinedge Require Import Subdivision Genus Bounds RotationSystem SurfaceComplete.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsLists ExpectationsPlane.
 Set Implicit Arguments.
@@ -148,7 +149,9 @@ Qed.
 
 Lemma flat_f2 : f2_listed u.
 Proof.
-move=> b lb; exists 0, (Inner (seq.index b (flat_list t))); split; [by rewrite /boundary_face /heard lb|by rewrite /boundary_place /heard lb|].
+move=> b lb; exists 0, (Inner (seq.index b (flat_list t))); split.
+- by rewrite /boundary_face /heard lb.
+- by rewrite /boundary_place /heard lb.
 have bf : b \in flat_list t by rewrite mem_flat.
 have un : uniq (flat_list t) by apply: filter_uniq (iota_uniq _ _).
 move=> f [|i] /=; first by split=> [|[]//]; rewrite /outer /heard; case: ifP.
@@ -183,7 +186,7 @@ Definition plane_system r := exists2 edges, every_edge (@opposite r) edges & Dra
 Section Faceless.
 Variables (t : view) (records places holes unbounded : bool) (sf so : nat -> link) (si : nat -> nat -> option start).
 
-(** Whatever it says of the other parts, it does not store them. *)
+(** It may say something of the other parts, but does not store them. *)
 Let s := Structure t (Parts true true false records places holes unbounded) sf so si.
 
 (** The closed plane, or closed surfaces; no rule of meshes is asked for. *)

@@ -1,7 +1,7 @@
-(** * ExpectationsFaces: what the rules of closed surfaces mean where faces are stored
+(** * ExpectationsFaces: what the rules mean where each face has one cycle, on closed surfaces and in the closed plane
 
-    Each face is one cycle: two half-edges bound the same face if and only if they are on the same cycle, and the face names one
-    of them. There is nothing else to it.
+    Two half-edges bound the same face if and only if they are on the same cycle, and the face names one of them. There is nothing else
+    to it. In the plane that is so where no lists of inner boundary components are stored, and the rotation system can be drawn.
 
 <<
       face f ──► h ──next──► · ──next──► …        half-edges name f, or a boundary component that f lists as its outer one
@@ -9,18 +9,23 @@
 *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Loops LoopsProof Reference Map Lists Genus Subdivision RotationSystem Surface SurfaceComplete.
-From twinedge Require Import Expectations ExpectationsFaceless ExpectationsParts.
+From twinedge Require Import View Rules Loops LoopsProof Reference Map Lists Subdivision Genus Bounds.
+From twinedge Require Import RotationSystem Surface SurfaceComplete.
+From twinedge Require Import Expectations ExpectationsPlane ExpectationsFaceless ExpectationsParts.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 Section Faces.
-Variables (t : view) (places holes unbounded : bool) (sf so : nat -> link) (si : nat -> nat -> option start).
+Variables (t : view) (on places holes unbounded : bool) (sf so : nat -> link) (si : nat -> nat -> option start).
+Hypothesis off : holes && on = false.
 
-(** Whatever else is stored, R1 to V2 make a rotation system. *)
+(** The closed plane, or closed surfaces. *)
+Let e := Expectation on false false false None false None None None false.
+
+(** R1 to V2 make a rotation system, with faces or without. *)
 Lemma rotations_of faces records : let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
-  (forall r, index r < index B1 -> holds_of surface s (Basic r)) -> surface_rules t.
+  (forall r, index r < index B1 -> holds_of e s (Basic r)) -> surface_rules t.
 Proof.
 move=> s H; have [Hh Hv _ _ _] := H R1 isT; split; last 2 first.
 - exact: (H V1 isT).
@@ -30,6 +35,37 @@ move=> s H; have [Hh Hv _ _ _] := H R1 isT; split; last 2 first.
   by have [O [T|] // N P _] := Hh h lh; split=> //; apply: P.
 split; [move=> h lh; exact: (H L1 isT h lh isT) | exact: (H L2 isT) | move=> h lh; exact: (H L3 isT h lh isT)].
 Qed.
+
+Section Kept.
+Variable records : bool.
+Let s := Structure t (Parts true true true records places holes unbounded) sf so si.
+Hypothesis keeps : surface_rules t.
+
+Lemma faces_t3 : on -> t3 e s <-> t3_euler (flat t).
+Proof. exact: (faceless_t3 false false false false sf so si keeps). Qed.
+
+Lemma all_t3 : (on -> t3_euler (flat t)) -> t3 e s.
+Proof.
+case O: on => t3; first by apply/faces_t3; [rewrite O | apply: t3].
+move=> v lv; have [V [E [C [g [N eq]]]]] := has_genus keeps lv.
+exists V, E, C; split; last by exists g; rewrite //= O.
+exact/(faceless_counts false false false false sf so si on keeps).
+Qed.
+
+(** T4: there are no more faces than cycles, if some half-edge of each face has a cycle that has the key of the face. *)
+Lemma all_t4 (key : nat -> nat) : t3_euler (flat t) ->
+  (forall f, face t f -> exists2 h, half_edge t h & forall y, half_edge t y -> on_cycle t h y -> key y = f) -> t4 e s.
+Proof.
+move=> t3 named _ sim vs es fs Hv He Hf V3; have low := flat_lower keeps.
+have plain : simple (flat t) by apply: (@same_simple (flat t) sf so si).
+split; first exact: (edges_bound low t3 plain Hv (least_edges_each low He) V3).
+apply: leq_trans (cycles_bound low t3 plain Hv V3); rewrite leq_add2r -[X in _ <= X](size_map key).
+have [u mem] := Hf; have [_ live _ each] := cycles_each low; apply: uniq_leq_size => // f /mem lf.
+have [h lh K] := named f lf; have [y yc c] := each h lh; apply/mapP; exists y => //.
+by apply/esym/K; [apply: live | apply: (cycle_sym (flat_map keeps) (live y yc) lh c)].
+Qed.
+
+End Kept.
 
 (** ** Faces that half-edges name *)
 
@@ -42,35 +78,35 @@ Definition faces_are_cycles :=
       forall g h, half_edge t g -> half_edge t h -> (sf g = sf h <-> on_cycle t g h)
     & forall f, face t f -> exists h, [/\ so f = Some h, half_edge t h & sf h = Some f]].
 
-Lemma side_says h : half_edge t h -> side surface s h = sf h.
+Lemma side_says h : half_edge t h -> side e s h = sf h.
 Proof. by move=> lh; rewrite /side /heard /= -[half_edge _ h]/(half_edge t h) lh. Qed.
 
-Lemma entry_outer f : face t f -> entry_start surface s f Outer = omap AtHalfEdge (so f).
+Lemma entry_outer f : face t f -> entry_start e s f Outer = omap AtHalfEdge (so f).
 Proof. by move=> lf; rewrite /entry_start /heard /= -[face _ f]/(face t f) lf. Qed.
 
-Lemma no_inner f : inner_count (seen surface s) f = 0.
+Lemma no_inner f : inner_count (seen e s) f = 0.
 Proof.
 rewrite /inner_count (_ : says_inner_count _ f = 0) ?if_same //.
-by rewrite /seen /has_holes /= andbF.
+by rewrite /seen /has_holes /= off.
 Qed.
 
-Lemma no_holes : has_holes surface s = false.
-Proof. by rewrite /has_holes /= andbF. Qed.
+Lemma no_holes : has_holes e s = false.
+Proof. by rewrite /has_holes /= off. Qed.
 
-Lemma no_unbounded : has_unbounded surface s = false.
+Lemma no_unbounded : has_unbounded e s = false.
 Proof. by rewrite /has_unbounded no_holes. Qed.
 
-Lemma entry_says f p h : entry_start surface s f p = Some (AtHalfEdge h) -> [/\ p = Outer, face t f & so f = Some h].
+Lemma entry_says f p h : entry_start e s f p = Some (AtHalfEdge h) -> [/\ p = Outer, face t f & so f = Some h].
 Proof.
 case: p => [|i]; last by rewrite /entry_start (_ : has_records s = false) // no_inner.
 rewrite /entry_start /heard /= -[face _ f]/(face t f); case: (face t f) => //.
 by case: (so f) => [k|] // [->].
 Qed.
 
-Theorem named_faces : rules_of surface s <-> surface_rules t /\ faces_are_cycles.
+Lemma named_rules : rules_of e s <-> [/\ surface_rules t, faces_are_cycles & on -> t3_euler (flat t)].
 Proof.
-split=> [H|[keeps [live cycles listed]]].
-  have keeps := rotations_of (fun r _ => H (Basic r)); split=> //.
+split=> [H|[keeps [live cycles listed] t3]].
+  have keeps := rotations_of (fun r _ => H (Basic r)); split=> //; last by move=> pl; apply/(faces_t3 _ keeps pl)/(H (Basic T3)).
   have map := one_boundary_map keeps.
   have [Hh _ _ Hf _] := H (Basic R1); have [C E] := H (Basic B1); have [+ _] := H (Basic F1) isT; rewrite no_unbounded => none.
   have face_of h : half_edge t h -> exists2 f, sf h = Some f & face t f.
@@ -78,7 +114,7 @@ split=> [H|[keeps [live cycles listed]]].
   have kept f : face t f -> exists h, [/\ so f = Some h, half_edge t h & sf h = Some f].
     move=> lf; have : so f <> None.
       by move=> N; apply: (none f); split=> //; rewrite /has_outer /heard /= -[face _ f]/(face t f) lf N.
-    case S: (so f) => [h|] // _; have En : entry_start surface s f Outer = Some (AtHalfEdge h) by rewrite entry_outer // S.
+    case S: (so f) => [h|] // _; have En : entry_start e s f Outer = Some (AtHalfEdge h) by rewrite entry_outer // S.
     have lh : half_edge t h.
       have [+ _] := Hf f lf; rewrite En /=; apply.
       by rewrite /has_outer /heard /= -[face _ f]/(face t f) lf S.
@@ -129,13 +165,10 @@ case=> [[]|[] //] //.
   by rewrite -kk in lk E2; have := (cycles h k lh lk).2 c; rewrite Ef E2 => -[->].
 - by rewrite /= /t1 no_holes.
 - by rewrite /= /t2 no_holes.
-move=> v lv; have [V [E [C [g [N eq]]]]] := has_genus keeps lv.
-exists V, E, C; split; last by exists g.
-exact/(faceless_counts false false false false sf so si false keeps).
+- exact: (all_t3 keeps t3).
+move=> pl; apply: (all_t4 (key := fun y => odflt 0 (sf y)) keeps (t3 pl) _ pl) => f lf; have [h [_ lh E]] := listed f lf.
+by exists h => // y ly c; rewrite -((cycles h y lh ly).2 c) E.
 Qed.
-
-Corollary named_faces_mean : rules_of surface s <-> (exists r, represents_rotations t r) /\ faces_are_cycles.
-Proof. by rewrite named_faces surface_rules_mean_rotations. Qed.
 
 End Named.
 
@@ -144,31 +177,39 @@ End Named.
 Section Recorded.
 Let s := Structure t (Parts true true true true places holes unbounded) sf so si.
 
-Lemma recorded_holes : has_holes surface s = false.
-Proof. by rewrite /has_holes /= andbF. Qed.
+Lemma recorded_holes : has_holes e s = false.
+Proof. by rewrite /has_holes /= off. Qed.
 
-Lemma recorded_unbounded : has_unbounded surface s = false.
+Lemma recorded_unbounded : has_unbounded e s = false.
 Proof. by rewrite /has_unbounded recorded_holes. Qed.
 
-Lemma recorded_inner f : inner_count (seen surface s) f = 0.
+Lemma recorded_inner f : inner_count (seen e s) f = 0.
 Proof.
 rewrite /inner_count (_ : says_inner_count _ f = 0) ?if_same //.
-by rewrite /seen /has_holes /= andbF.
+by rewrite /seen /has_holes /= off.
 Qed.
 
-Lemma recorded_listed f p b : listed (seen surface s) f p = Some b -> p = Outer /\ outer t f = Some b.
+Lemma recorded_listed f p b : listed (seen e s) f p = Some b -> p = Outer /\ outer t f = Some b.
 Proof. by case: p => [|i] //=; rewrite /inner recorded_inner. Qed.
 
-Lemma recorded_start f : entry_start surface s f Outer = outer t f >>= boundary_start t.
+Lemma recorded_start f : entry_start e s f Outer = outer t f >>= boundary_start t.
 Proof. by []. Qed.
 
 Definition surface_with_faces := [/\ is_surface t,
   forall b, boundary t b -> leads_to (face t) (boundary_face t b) & places -> forall b, boundary t b -> boundary_place t b = Some Outer].
 
-Theorem recorded_faces : rules_of surface s <-> surface_with_faces.
+Lemma is_surface_rotations : is_surface t -> surface_rules t.
 Proof.
-split=> [H|[[map v1 bares v2 starts b1' faces boundaries apart beside] named at_outer]].
-  have [[Hh Hv] [L1' L2' L3'] V1' V2'] := rotations_of (fun r _ => H (Basic r)).
+case=> map v1 bares v2 _ _ _ _ _ _; have [Hh L1' L2' L3'] := map; split=> //; split=> [h /Hh[]//|v lv].
+case E: (leaving t v) => [h|]; last by right; split=> //; apply: bares.
+by left; exists h => //; apply: heard_live (v1 v h lv E).
+Qed.
+
+Lemma recorded_rules : rules_of e s <-> surface_with_faces /\ (on -> t3_euler (flat t)).
+Proof.
+split=> [H|[[[map v1 bares v2 starts b1' faces boundaries apart beside] named at_outer] t3]].
+  have keeps := rotations_of (fun r _ => H (Basic r)); have [[Hh Hv] [L1' L2' L3'] V1' V2'] := keeps.
+  split; last by move=> pl; apply/(faces_t3 _ keeps pl)/(H (Basic T3)).
   have [Rh _ Rb Rf _] := H (Basic R1); have [+ no_vertex] := H (Basic F1) isT; rewrite recorded_unbounded => none.
   have F2' b : boundary t b -> exists2 f, boundary_face t b = Some f & outer t f = Some b /\ (places -> boundary_place t b = Some Outer).
     move=> lb; have [f [p [Ef P L]]] := H (Basic F2) b lb; exists f => //.
@@ -197,10 +238,7 @@ split=> [H|[[map v1 bares v2 starts b1' faces boundaries apart beside] named at_
   - by move=> g h lg _; rewrite no_hole.
   move=> h g; case: (boolP (half_edge t h)) => [lh|no]; first by rewrite no_hole.
   by rewrite /in_hole /boundary_of /heard (negPf no).
-have keeps : surface_rules t.
-  have [Hh L1' L2' L3'] := map; split=> //; split=> [h /Hh[]//|v lv].
-  case E: (leaving t v) => [h|]; last by right; split=> //; apply: bares.
-  by left; exists h => //; apply: heard_live (v1 v h lv E).
+have keeps : surface_rules t by apply: is_surface_rotations; split.
 have [Hh L1' L2' L3'] := map; have [[_ Hv] _ _ _] := keeps; have [C B] := b1'.
 case=> [[]|[] //] //.
 - split=> // [h lh|v lv|b lb|f lf|].
@@ -228,26 +266,85 @@ case=> [[]|[] //] //.
   by move: Ef'; rewrite -bb Ef => -[->].
 - by rewrite /= /t1 recorded_holes.
 - by rewrite /= /t2 recorded_holes.
-move=> v lv; have [V [E [D [g [N eq]]]]] := has_genus keeps lv.
-exists V, E, D; split; last by exists g.
-exact/(faceless_counts false false false false sf so si false keeps).
+- exact: (all_t3 keeps t3).
+move=> pl; apply: (all_t4 (key := fun y => odflt 0 (boundary_of t y >>= boundary_face t)) keeps (t3 pl) _ pl) => f lf.
+have [b O Ef] := faces f lf; have [h S lh] := starts b (heard_live Ef); exists h => // y ly c.
+by rewrite ((B b y (heard_live Ef) ly).2 (ex_intro2 _ _ h S c)) /= Ef.
 Qed.
 
 End Recorded.
 End Faces.
 
-(** ** The same where `prev`, half-edges kept by vertices, or places are not stored *)
+(** ** On closed surfaces, and in the plane where no lists of inner boundary components are stored *)
 
-Theorem filled_named v pr le pl ho un sf so si : let s := Structure v (Parts pr le true false pl ho un) sf so si in
-  rules_of surface s <-> (exists r, represents_rotations (answers (filled surface s)) r) /\ faces_are_cycles v sf so.
+Theorem named_faces t places holes unbounded sf so si :
+  rules_of surface (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  surface_rules t /\ faces_are_cycles t sf so.
+Proof. by rewrite (named_rules t places unbounded sf so si (andbF holes)); split=> [[]|[]]. Qed.
+
+Theorem recorded_faces t places holes unbounded sf so si :
+  rules_of surface (Structure t (Parts true true true true places holes unbounded) sf so si) <-> surface_with_faces t places.
+Proof. by rewrite (recorded_rules t places unbounded sf so si (andbF holes)); split=> [[]|]. Qed.
+
+(** The rotation system can be drawn. *)
+Definition is_plane t := exists r, represents_rotations t r /\ plane_system r.
+
+Lemma plane_rotations t : surface_rules t -> t3_euler (flat t) <-> is_plane t.
 Proof.
-move=> s; rewrite (filled_rules s (isT : ~~ border_kept surface)).
-by rewrite /s; case: pr s; case: le; case: pl => s; apply: named_faces_mean.
+move=> keeps; split=> [t3|[r [rep d]]]; last by apply/(t3_drawn keeps rep).
+by have [r rep] := (surface_rules_mean_rotations t).1 keeps; exists r; split=> //; apply/(t3_drawn keeps rep).
 Qed.
 
-Theorem filled_recorded v pr le pl ho un sf so si : let s := Structure v (Parts pr le true true pl ho un) sf so si in
+Theorem named_faces_plane t places unbounded sf so si :
+  rules_of plane (Structure t (Parts true true true false places false unbounded) sf so si) <->
+  is_plane t /\ faces_are_cycles t sf so.
+Proof.
+rewrite (named_rules t places unbounded sf so si (erefl : false && true = false)).
+split=> [[keeps H /(_ isT)/(plane_rotations keeps)]|[P H]] //.
+have keeps : surface_rules t by case: P => r [rep _]; apply/surface_rules_mean_rotations; exists r.
+by split=> // _; apply/(plane_rotations keeps).
+Qed.
+
+Theorem recorded_faces_plane t places unbounded sf so si :
+  rules_of plane (Structure t (Parts true true true true places false unbounded) sf so si) <->
+  is_plane t /\ surface_with_faces t places.
+Proof.
+rewrite (recorded_rules t places unbounded sf so si (erefl : false && true = false)).
+have keeps : surface_with_faces t places -> surface_rules t by case=> /is_surface_rotations.
+by split=> [[H /(_ isT)/(plane_rotations (keeps H))]|[P H]] //; split=> // _; apply/(plane_rotations (keeps H)).
+Qed.
+
+(** ** The same where `prev`, half-edges kept by vertices, or places are not stored *)
+
+Section Filled.
+Variables (v : view) (pr le pl ho un : bool) (sf so : nat -> link) (si : nat -> nat -> option start).
+
+Theorem filled_named : let s := Structure v (Parts pr le true false pl ho un) sf so si in
+  rules_of surface s <-> (exists r, represents_rotations (answers (filled surface s)) r) /\ faces_are_cycles v sf so.
+Proof.
+move=> s; rewrite (filled_rules s (isT : ~~ border_kept surface)) -surface_rules_mean_rotations.
+by rewrite /s; case: pr s; case: le; case: pl => s; apply: named_faces.
+Qed.
+
+Theorem filled_recorded : let s := Structure v (Parts pr le true true pl ho un) sf so si in
   rules_of surface s <-> surface_with_faces (answers (filled surface s)) true.
 Proof.
 move=> s; rewrite (filled_rules s (isT : ~~ border_kept surface)).
 by rewrite /s; case: pr s; case: le; case: pl => s; apply: recorded_faces.
 Qed.
+
+Theorem filled_named_plane : let s := Structure v (Parts pr le true false pl false un) sf so si in
+  rules_of plane s <-> is_plane (answers (filled plane s)) /\ faces_are_cycles v sf so.
+Proof.
+move=> s; rewrite (filled_rules s (isT : ~~ border_kept plane)).
+by rewrite /s; case: pr s; case: le; case: pl => s; apply: named_faces_plane.
+Qed.
+
+Theorem filled_recorded_plane : let s := Structure v (Parts pr le true true pl false un) sf so si in
+  rules_of plane s <-> is_plane (answers (filled plane s)) /\ surface_with_faces (answers (filled plane s)) true.
+Proof.
+move=> s; rewrite (filled_rules s (isT : ~~ border_kept plane)).
+by rewrite /s; case: pr s; case: le; case: pl => s; apply: recorded_faces_plane.
+Qed.
+
+End Filled.

@@ -73,7 +73,7 @@ have: z \in [seq y <- flatten (map near known) | ~~ member y known] by rewrite E
 by rewrite mem_filter memberE => /andP[].
 Qed.
 
-(** What one number leads to. *)
+(** The same from one number. *)
 Lemma close1P fuel x y (walk_step : nat -> nat -> Prop) : (forall u w, w \in near u <-> walk_step u w) -> size ends < fuel ->
   y \in close fuel near [:: x] <-> walks walk_step x y.
 Proof.
@@ -171,7 +171,7 @@ apply/hasPn=> x /flattenP[_ /mapP[g gf ->]] xg; apply/mapP=> -[i _ xf]; rewrite 
 by case/orP: xg => [/eqP[]|/mapP[j _ [fg _]]] //; rewrite fg gf in ff.
 Qed.
 
-(** Whatever a face lists is an entry. *)
+(** All that a face lists is an entry. *)
 Lemma listed_entry f p b : listed t f p = Some b -> (f, p) \in entry_list e s.
 Proof.
 move=> E; rewrite mem_entries (listed_face E); case: p E => // i /inner_lt //.

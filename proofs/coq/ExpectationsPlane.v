@@ -1,7 +1,8 @@
 (** * ExpectationsPlane: of the closed plane with every part, the rules over expectations are those of Rules.v *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import Arith View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists TopologyProof Verdict.
+From twinedge Require Import Arith View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists.
+From twinedge Require Import TopologyProof Verdict.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsLists ExpectationsProof ExpectationsVerdict.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -194,7 +195,7 @@ Proof.
 move=> wv [x [inn [y Y vy]] U]; exists x => //; split=> //; exists y => //; exact: walks_trans wv vy.
 Qed.
 
-(** What lies in a rooted face does not lie inside itself. *)
+(** A component in a rooted face does not lie inside itself. *)
 Lemma rooted_acyclic f : rooted t f -> forall v b, vertex t v -> outside_of t v b -> boundary_face t b = Some f ->
   forall u w, lies_in plane s v u -> walks (lies_in plane s) u w -> ~ linked plane s w v.
 Proof.
@@ -348,7 +349,7 @@ End Lower.
 
 (** ** All rules *)
 
-(** Where the rules before it hold, each rule is that of Rules.v. *)
+(** Each rule is that of Rules.v if the rules before it hold. *)
 Theorem plane_rule r : holds_before t r -> agrees r.
 Proof.
 have lower_if q : index T1 <= index q -> holds_before t q -> lower t.

@@ -7,7 +7,8 @@
 *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import Arith View Rules Loops Reference ReferenceProof Map Counting Expectations ExpectationsCheck ExpectationsLists.
+From twinedge Require Import Arith View Rules Loops Reference ReferenceProof Map Counting Expectations.
+From twinedge Require Import ExpectationsCheck ExpectationsLists.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -1,7 +1,8 @@
 (** * ExpectationsVerdict: T1 to M8 are decided rightly, too, and so is which rule is broken first *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import Arith View Rules Loops Reference ReferenceProof Map Counting Expectations ExpectationsCheck ExpectationsLists ExpectationsProof.
+From twinedge Require Import Arith View Rules Loops Reference ReferenceProof Map Counting Expectations.
+From twinedge Require Import ExpectationsCheck ExpectationsLists ExpectationsProof.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -195,7 +196,8 @@ Qed.
 
 Lemma decide_m4P : reflect (m4 e s) (decide_m4 e s).
 Proof.
-apply: impP; apply: each_half_edge => h _; apply: andPP idP; exact: (iffP negP) (fun n E => n (introT (is_nilP _) E)) (fun n E => n (elimT (is_nilP _) E)).
+apply: impP; apply: each_half_edge => h _; apply: andPP idP.
+by apply: (iffP negP) => n /is_nilP.
 Qed.
 
 Lemma decide_m5P : reflect (m5 e s) (decide_m5 e s).
@@ -266,7 +268,8 @@ Lemma position_ladder d i : i < size ladder -> position (nth d ladder i) = i.
 Proof. by do 22!case: i => [|i] //. Qed.
 
 Lemma first_refused_position e s rs d :
-  if first_refused e s rs is Some r then exists2 i, i < size rs & [/\ nth d rs i = r, ~~ decide e s r & forall j, j < i -> decide e s (nth d rs j)]
+  if first_refused e s rs is Some r then
+    exists2 i, i < size rs & [/\ nth d rs i = r, ~~ decide e s r & forall j, j < i -> decide e s (nth d rs j)]
   else forall i, i < size rs -> decide e s (nth d rs i).
 Proof.
 elim: rs => //= r rs; case D: (decide e s r); last by exists 0; rewrite ?D.

@@ -44,7 +44,7 @@ Variables (t t' : view) (changed : pred nat).
 Hypothesis before : forall h, half_edge t h -> fine t h.
 Hypothesis unchanged : forall h, ~~ changed h -> same_half_edge t t' h.
 
-(** What is looked at: those that may have changed, and those that led to one of them. *)
+(** Looked at are those that may have changed, and those that led to one of them. *)
 Hypothesis looked_at : forall h, half_edge t' h -> changed h -> fine t' h.
 Hypothesis led_there : forall g h, changed h -> half_edge t g -> ~~ changed g -> twin t g = Some h \/ next t g = Some h -> fine t' g.
 
@@ -298,7 +298,7 @@ split=> // b h lb lh; have [has own] := B b lb; split=> [E|[g S gh]].
 have lg := start_live g h lh gh; rewrite -((one g h lg lh).1 gh); exact: own.
 Qed.
 
-(** ** Why a member must have been there before
+(** ** A member must have been there before
 
     A loop is added at a vertex that has an edge, and is linked with itself alone. Its half-edges are the only members, and they are
     on one orbit; but the half-edge that was there before is on another.
@@ -322,10 +322,12 @@ Definition loop_apart := view_of {|
   boundary_rows := [:: Some (BoundaryRow #0 (Some (AtHalfEdge 0)) (Some (Inner 0)))];
   face_rows := [:: Some (FaceRow 'nil [:: #0])] |}.
 
+Definition new_around := member (half_edge edge_alone) (half_edge loop_apart) (turn edge_alone) (turn loop_apart)
+  (origin edge_alone) (origin loop_apart).
+
 Example loop_apart_meets : is_map loop_apart /\
-  (forall g h, member (half_edge edge_alone) (half_edge loop_apart) (turn edge_alone) (turn loop_apart) (origin edge_alone) (origin loop_apart) g ->
-     member (half_edge edge_alone) (half_edge loop_apart) (turn edge_alone) (turn loop_apart) (origin edge_alone) (origin loop_apart) h ->
-     origin loop_apart g = origin loop_apart h -> on_orbit (turn loop_apart) g h) /\ ~ v2_rotation loop_apart.
+  (forall g h, new_around g -> new_around h -> origin loop_apart g = origin loop_apart h -> on_orbit (turn loop_apart) g h) /\
+  ~ v2_rotation loop_apart.
 Proof.
 split; [|split].
 - have [L _ _ _] : links_live loop_apart by apply/check_linksP; vm_compute.
@@ -335,4 +337,51 @@ split; [|split].
   by case: h => [|[|[|[|h]]]] // [] // _ nh _; try (by case: nh); [exists 1 | exists 0].
 move=> H; have [_ /(_ erefl)[n]] := H 0 2 isT isT.
 by rewrite (_ : iter n _ _ = Some 0) //; elim: n => //= n ->.
+Qed.
+
+(** ** Lists: F2 by their lengths
+
+    Of a list it is enough that each entry is a boundary component that says so, and that the list is as long as there are boundary
+    components that say that the face lists them inside: then none is missing, and none is there twice. *)
+
+Definition says_inside t f b := same_link (boundary_face t b) (Some f) && if boundary_place t b is Some (Inner _) then true else false.
+
+Theorem lists_by_length t :
+  (forall b, boundary t b -> exists f p, boundary_face t b = Some f /\ boundary_place t b = Some p) ->
+  (forall f i, i < inner_count t f -> exists b,
+     [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) ->
+  (forall f, inner_count t f = count (says_inside t f) (iota 0 (boundary_slots t))) ->
+  (forall f b, outer t f = Some b <-> boundary_face t b = Some f /\ boundary_place t b = Some Outer) -> f2_listed t.
+Proof.
+move=> placed entries lengths outers.
+have names f p b : listed t f p = Some b -> boundary_face t b = Some f /\ boundary_place t b = Some p.
+  case: p => [/outers //|i] /= E; have [c [Ec F P]] := entries f i (inner_lt E).
+  by move: E; rewrite Ec => -[<-].
+move=> b lb; have [f [p [F P]]] := placed b lb; exists f, p; split=> // f' p'; split=> [/names[F' P']|[-> ->]].
+  by move: F' P'; rewrite F P => -[->] [->].
+case: p P => [|i] P; first exact/outers.
+pose all_of := [seq odflt 0 (inner t f j) | j <- iota 0 (inner_count t f)].
+have allP c : c \in all_of -> exists2 j, inner t f j = Some c & boundary_face t c = Some f /\ boundary_place t c = Some (Inner j).
+  case/mapP=> j; rewrite mem_iota => lt ->; have [d [E Fd Pd]] := entries f j lt; by exists j; rewrite E.
+have u : uniq all_of.
+  rewrite map_inj_in_uniq ?iota_uniq // => j k; rewrite !mem_iota => lj lk.
+  have [c [-> _ Pc]] := entries f j lj; have [d [-> _ Pd]] := entries f k lk => /= cd.
+  by move: Pd; rewrite -cd Pc => -[].
+have sub : {subset all_of <= [seq c <- iota 0 (boundary_slots t) | says_inside t f c]}.
+  move=> c /allP[j _ [Fc Pc]]; rewrite mem_filter mem_iota (boundary_below (heard_live Fc)) andbT.
+  by rewrite /says_inside Fc Pc /= eqxx.
+have sz : size [seq c <- iota 0 (boundary_slots t) | says_inside t f c] <= size all_of.
+  by rewrite size_map size_iota lengths size_filter.
+have [_ same] := uniq_min_size u sub sz; have : b \in all_of.
+  by rewrite same mem_filter mem_iota (boundary_below lb) andbT /says_inside F P /= eqxx.
+by case/allP=> j E [_]; rewrite P => -[->].
+Qed.
+
+Example edge_alone_lists : f2_listed edge_alone.
+Proof.
+apply: lists_by_length.
+- by move=> [|b] // _; exists 0, (Inner 0).
+- by move=> [|f] [|i] // _; exists 0.
+- by move=> [|f].
+by move=> [|f] [|b]; split=> // -[].
 Qed.

@@ -85,6 +85,25 @@ Check filled_recorded : forall v prev_stored leaving_stored places holes unbound
   let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
   rules_of Expectations.surface s <-> surface_with_faces (answers (filled Expectations.surface s)) true.
 
+(** So it is in the plane where no lists of inner boundary components are stored: the rotation system can be drawn, then. *)
+
+Check named_faces_plane : forall t places unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true true false places false unbounded) sf so si) <->
+  is_plane t /\ faces_are_cycles t sf so.
+
+Check recorded_faces_plane : forall t places unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true true true places false unbounded) sf so si) <->
+  is_plane t /\ surface_with_faces t places.
+
+Check filled_named_plane : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places false unbounded) sf so si in
+  rules_of Expectations.plane s <-> is_plane (answers (filled Expectations.plane s)) /\ faces_are_cycles v sf so.
+
+Check filled_recorded_plane : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places false unbounded) sf so si in
+  rules_of Expectations.plane s <->
+  is_plane (answers (filled Expectations.plane s)) /\ surface_with_faces (answers (filled Expectations.plane s)) true.
+
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
 Check near_half_edges : forall t t' (changed : pred nat),
@@ -118,6 +137,15 @@ Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next 
   b1_cycle t <-> one_cycle_each t /\ forall b, boundary t b ->
     (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
     forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
+
+(** F2 is a count of each list, if each entry says so itself. *)
+
+Check lists_by_length : forall t,
+  (forall b, boundary t b -> exists f p, boundary_face t b = Some f /\ boundary_place t b = Some p) ->
+  (forall f i, i < inner_count t f -> exists b,
+     [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) ->
+  (forall f, inner_count t f = count (says_inside t f) (iota 0 (boundary_slots t))) ->
+  (forall f b, outer t f = Some b <-> boundary_face t b = Some f /\ boundary_place t b = Some Outer) -> f2_listed t.
 
 (** The rules mean planar subdivisions. *)
 
