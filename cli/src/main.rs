@@ -16,7 +16,6 @@ mod extension;
 mod fuzz_template;
 mod input;
 mod measured;
-mod outline;
 mod output;
 mod output_file;
 mod postgis;

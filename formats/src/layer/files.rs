@@ -30,8 +30,8 @@ impl Files {
     }
 
     /// The bytes of a file, for somebody who keeps them.
-    #[cfg(feature = "shapefile")]
-    pub(super) fn share(&self, name: &Path) -> Option<Arc<[u8]>> {
+    #[must_use]
+    pub fn share(&self, name: &Path) -> Option<Arc<[u8]>> {
         self.0.get(name).map(Arc::clone)
     }
 
