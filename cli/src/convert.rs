@@ -9,6 +9,7 @@ use std::borrow::Cow;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use twinedge_formats::layer::{Format, Layer, Loss, WriteError, files, losses, refuse_losses, write, write_path};
+use twinedge_report::clean::Written;
 
 /// Write a layer in another format, with nothing lost.
 ///
@@ -146,12 +147,6 @@ impl LayerOutput {
         }
         Ok(Some(Written { name, format }))
     }
-}
-
-/// The file that was written.
-pub(crate) struct Written {
-    pub(crate) name: String,
-    pub(crate) format: Format,
 }
 
 impl Convert {

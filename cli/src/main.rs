@@ -17,7 +17,6 @@ mod fuzz_template;
 mod input;
 mod judged;
 mod measured;
-mod outline;
 mod output;
 mod output_file;
 mod postgis;

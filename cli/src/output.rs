@@ -3,7 +3,7 @@
 use clap::{ColorChoice, ValueEnum};
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
-pub(crate) use twinedge_report::words::{counted, decimals, grouped, json, measure, place, plain, style};
+pub(crate) use twinedge_report::words::{counted, grouped, json, measure, plain, style};
 use twinedge_trials::Shard;
 
 /// The output format.

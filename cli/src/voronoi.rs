@@ -2,18 +2,15 @@
 
 use crate::extension::format_of;
 use crate::input::LayerFile;
-use crate::outline::ring;
-use crate::output::{counted, plain, print, print_answer};
+use crate::output::{plain, print, print_answer};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
-use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
-use twinedge::algorithm::voronoi::{Delaunay, Voronoi, delaunay, voronoi};
-use twinedge::dcel::FaceKey;
+use twinedge::algorithm::voronoi::{Voronoi, delaunay, voronoi};
 use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};
 use twinedge::map::PlanarMap;
-use twinedge_formats::layer::{Layer, Shape};
+use twinedge_report::voronoi::{Sites, cells, triangles};
 
 /// Make the Voronoi diagram of points: for each the part of the plane that is nearest to it.
 ///
@@ -46,13 +43,6 @@ pub(crate) struct MakeVoronoi {
     /// File to write, GeoJSON or, by the ending .svg, a picture; `-` is GeoJSON on standard output, and the default.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-}
-
-/// Points and the properties of their features.
-#[derive(Default)]
-struct Sites {
-    points: Vec<Point>,
-    properties: Vec<Map<String, Value>>,
 }
 
 impl MakeVoronoi {
@@ -89,71 +79,6 @@ impl MakeVoronoi {
         let sites = Sites::new(&layer).map_err(|error| Failure(format!("{name}: {error}")))?;
         Ok((name, sites))
     }
-}
-
-/// Why a layer has no points.
-#[derive(Debug, thiserror::Error)]
-#[error("feature {feature}: its geometry is no point but {kind}")]
-struct OtherGeometry {
-    feature: usize,
-    kind: &'static str,
-}
-
-impl Sites {
-    fn new(layer: &Layer) -> Result<Self, OtherGeometry> {
-        let mut sites = Self::default();
-        for (number, feature) in layer.features.iter().enumerate() {
-            let Some(geometry) = &feature.geometry else { continue };
-            if !matches!(geometry.shape, Shape::Point(_) | Shape::MultiPoint(_)) {
-                return Err(OtherGeometry { feature: number, kind: geometry.shape.name() });
-            }
-            let attributes = feature.attributes.iter().map(|(name, value)| (name.to_string(), value.to_json()));
-            let properties: Map<String, Value> = attributes.collect();
-            geometry.shape.visit(&mut |position| {
-                sites.points.push(Point::new(position.x, position.y));
-                sites.properties.push(properties.clone());
-            });
-        }
-        Ok(sites)
-    }
-}
-
-/// A polygon without holes, closed.
-fn polygon(map: &PlanarMap, face: FaceKey, properties: &Map<String, Value>) -> Result<Value, Failure> {
-    let geometry = json!({"type": "Polygon", "coordinates": [ring(map, face)?]});
-    Ok(json!({"type": "Feature", "properties": properties, "geometry": geometry}))
-}
-
-/// The cells, and what they are in a line.
-fn cells(found: &Voronoi, sites: &Sites) -> Result<(String, String), Failure> {
-    let mut features = Vec::new();
-    let mut seen = std::collections::HashSet::new();
-    for (site, cell) in found.cells.iter().enumerate().filter(|(_, cell)| seen.insert(**cell)) {
-        let mut properties = sites.properties[site].clone();
-        properties.insert("site".to_owned(), json!(site));
-        features.push(polygon(&found.map, *cell, &properties)?);
-    }
-    let [low, high] = found.bounds;
-    let (points, cells) = (counted(found.cells.len(), "point"), counted(features.len(), "cell"));
-    let what = format!("{points}, {cells} in the box from ({}, {}) to ({}, {})", low.x, low.y, high.x, high.y);
-    let collection = json!({"type": "FeatureCollection", "bbox": [low.x, low.y, high.x, high.y], "features": features});
-    Ok((collection.to_string() + "\n", what))
-}
-
-/// The triangles, and what they are in a line.
-fn triangles(found: &Delaunay) -> Result<(String, String), Failure> {
-    let mut first = std::collections::HashMap::new();
-    for (site, vertex) in found.vertices.iter().enumerate() {
-        first.entry(*vertex).or_insert(site);
-    }
-    let mut features = Vec::new();
-    for face in found.map.dcel().faces().filter(|face| !face.is_unbounded()) {
-        let sites: Vec<usize> = face.half_edges().filter_map(|h| first.get(&h.origin().key()).copied()).collect();
-        let properties = Map::from_iter([("sites".to_owned(), json!(sites))]);
-        features.push(polygon(&found.map, face.key(), &properties)?);
-    }
-    let what = format!("{}, {}", counted(found.vertices.len(), "point"), counted(features.len(), "triangle"));
-    Ok((json!({"type": "FeatureCollection", "features": features}).to_string() + "\n", what))
 }
 
 /// The map with a feature for each cell, so that neighbours are drawn in different colours.

@@ -156,12 +156,14 @@ impl Audited {
         findings_geojson::layer(self.drawn()?.0)
     }
 
-    /// The structure and what was found in one file, which a browser shows.
+    /// The structure and what was found in one file, which a browser shows. A mesh is not drawn.
     ///
     /// # Errors
-    /// [`Error::NoPicture`] for meshes and files of tables, and [`Error::Json`].
+    /// [`Error::NoPicture`] for files of tables, and [`Error::Json`].
     pub fn page(&self) -> Result<String, Error> {
-        let (report, subject) = self.drawn()?;
+        let Outcome::Report(report, subject) = &self.0 else {
+            return Err(Error::NoPicture(InputKind::Tables.words()));
+        };
         let picture = match subject {
             Subject::Map(imported) => map::picture(imported, report),
             Subject::Textbook(tables) => textbook::picture(tables, report),

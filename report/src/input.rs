@@ -6,7 +6,8 @@ use std::ffi::OsStr;
 use std::fmt::Display;
 use std::io::BufRead;
 use std::path::{Path, PathBuf};
-use twinedge_formats::layer::{Format, ReadOptions, format_of};
+use std::sync::Arc;
+use twinedge_formats::layer::{Files, Format, ReadOptions, format_of};
 use twinedge_formats::mesh::Format as MeshFormat;
 
 /// An input, opened.
@@ -19,6 +20,8 @@ pub struct Input {
     pub path: Option<PathBuf>,
     /// The layer that was asked for, if the file may have several.
     pub layer: Option<String>,
+    /// The files among which the path leads, if it is in memory.
+    pub files: Option<Arc<Files>>,
     /// Something that is kept until the input is read, such as a folder to which it was unpacked.
     pub kept: Option<Box<dyn Any>>,
 }
@@ -26,13 +29,13 @@ pub struct Input {
 impl Input {
     /// An input with this name. Its path tells the format, where the content does not, and some formats are read by their path.
     pub fn new(name: impl Into<String>, reader: Box<dyn BufRead>, path: Option<&Path>) -> Self {
-        Self { name: name.into(), reader, path: path.map(Path::to_owned), layer: None, kept: None }
+        Self { name: name.into(), reader, path: path.map(Path::to_owned), layer: None, files: None, kept: None }
     }
 
     /// The way to read its layer.
     #[must_use]
     pub fn options(&self) -> ReadOptions {
-        ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() }
+        ReadOptions { layer: self.layer.clone(), files: self.files.clone(), ..ReadOptions::default() }
     }
 
     /// Its first bytes, without reading them.

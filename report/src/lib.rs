@@ -20,6 +20,9 @@
 //! ```
 
 mod audit;
+mod borders;
+pub mod certificate;
+pub mod clean;
 mod coverage;
 mod coverage_words;
 pub mod diagnosis_text;
@@ -37,6 +40,7 @@ pub mod names;
 pub mod noding_text;
 mod noted;
 mod options;
+pub mod outline;
 mod packed;
 mod page;
 mod reader_words;
@@ -48,9 +52,11 @@ mod topology;
 mod trace;
 mod units;
 mod verdict;
+pub mod voronoi;
 pub mod words;
 
 pub use audit::{Audited, audit};
+pub use borders::{Border, borders};
 pub use coverage::{Coverage, CoverageOptions, Row, row};
 pub use error::Error;
 pub use imported::{Imported, MapOptions};

@@ -1,20 +1,16 @@
 //! The folder of a certificate, as `proofs/coq/CERTIFICATE.md` specifies it.
 
 use super::notes::Notes;
-use super::paged::{POINT_FILES, Paged, file_name};
+use super::paged::Paged;
 use crate::status::Failure;
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 use twinedge::validate::certificate::{
-    Certificate, Column, Columns, Drawing, Failure as FailedTest, Labels, SurfaceCertificate, check_drawing,
+    Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate,
 };
+use twinedge_report::certificate::{Claimed, FIRST_LINE, POINT_FILES, check_plane, check_surface, file_name};
 
-/// The first line of `claim.txt`; the second one is the claim.
-pub(super) const FIRST_LINE: &str = "twinedge certificate 1\n";
-const PLANE: &str = "plane\n";
-const DRAWING: &str = "drawing\n";
-const SURFACE: &str = "surface\n";
 /// More bytes than the first two lines of a claim have.
 const LINES: u64 = 64;
 pub(super) const CLAIM_FILE: &str = "claim.txt";
@@ -46,9 +42,9 @@ impl Claim {
     /// The second line of its claim.
     pub(super) fn line(&self) -> &'static str {
         match self {
-            Self::Plane(folder) if folder.drawing.is_some() => DRAWING,
-            Self::Plane(_) => PLANE,
-            Self::Surface(_) => SURFACE,
+            Self::Plane(folder) if folder.drawing.is_some() => Claimed::Drawing.line(),
+            Self::Plane(_) => Claimed::Plane.line(),
+            Self::Surface(_) => Claimed::Surface.line(),
         }
     }
 
@@ -75,42 +71,11 @@ pub(super) fn check(folder: &Path, memory: u64) -> Result<Result<String, Vec<Fai
     let mut lines = Vec::new();
     let read = File::open(&file).and_then(|file| file.take(LINES).read_to_end(&mut lines));
     read.map_err(|error| Failure(format!("{}: {error}", file.display())))?;
-    let claimed = lines.strip_prefix(FIRST_LINE.as_bytes()).unwrap_or_default();
-    let claims = |line: &str| claimed.starts_with(line.as_bytes());
-    let [is_surface, is_drawing] = [SURFACE, DRAWING].map(claims);
-    if !is_surface && !is_drawing && !claims(PLANE) {
-        return Err(Failure(format!("{}: no claim that is known", file.display())));
-    }
-    let mut wanted = if is_surface { Column::of_surface() } else { Column::of_subdivision() }.to_vec();
-    if is_drawing {
-        wanted.extend(Column::of_drawing());
-    }
-    let paged = Paged::open(folder, &wanted, is_drawing, memory)?;
-    let checked = if is_surface {
-        SurfaceCertificate::from_columns(&paged).map(|certificate| check_surface(&certificate))
-    } else {
-        Certificate::from_columns(&paged).map(|plane| check_plane(&plane, is_drawing.then_some(&paged)))
-    };
+    let claimed = Claimed::of(&lines).ok_or_else(|| Failure(format!("{}: no claim that is known", file.display())))?;
+    let paged = Paged::open(folder, &claimed.columns(), claimed == Claimed::Drawing, memory)?;
+    let checked = claimed.check(&paged);
     let lengths = || Failure(format!("{}: columns of one kind of record have different lengths", folder.display()));
     paged.failure().map_or_else(|| checked.ok_or_else(lengths), Err)
-}
-
-fn check_plane<C: Columns, D: Columns>(
-    certificate: &Certificate<C>,
-    drawing: Option<&D>,
-) -> Result<String, Vec<FailedTest>> {
-    let plane = "a plane subdivision";
-    match drawing {
-        None => certificate.check().map(|()| plane.to_owned()),
-        Some(drawing) => {
-            let checked = check_drawing(certificate, certificate.columns(), drawing);
-            checked.map(|()| format!("{plane}, drawn without crossings"))
-        }
-    }
-}
-
-fn check_surface<C: Columns>(certificate: &SurfaceCertificate<C>) -> Result<String, Vec<FailedTest>> {
-    certificate.check().map(|counts| counts.to_string())
 }
 
 impl Folder {

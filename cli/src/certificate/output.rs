@@ -1,12 +1,13 @@
 //! The folder that a certificate is written to.
 
-use super::folder::{self, CLAIM_FILE, Claim, FIRST_LINE, write_file};
+use super::folder::{self, CLAIM_FILE, Claim, write_file};
 use super::notes::Notes;
 use super::sql::{self, Engine};
 use crate::status::Failure;
 use std::ffi::OsString;
 use std::path::Path;
 use std::{fs, io};
+use twinedge_report::certificate::FIRST_LINE;
 
 /// Writes all columns, the tables if they are asked for, and then the claim with these notes below it. A certificate that is there is
 /// replaced.

@@ -6,8 +6,7 @@ use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use twinedge::validate::certificate::{Column, Columns, Numbers};
-
-pub(super) const POINT_FILES: [&str; 2] = ["point_x.i64", "point_y.i64"];
+use twinedge_report::certificate::{POINT_FILES, file_name};
 
 /// Numbers on a page.
 const PAGE: usize = 4096;
@@ -145,8 +144,4 @@ impl Columns for Paged {
         let [x, y] = self.points.as_ref()?;
         Some([i64::from_le_bytes(x.get(i)?), i64::from_le_bytes(y.get(i)?)])
     }
-}
-
-pub(super) fn file_name(column: Column) -> String {
-    format!("{}.u32", column.name())
 }

@@ -194,7 +194,7 @@ fn geojson(map: &PlanarMap, pieces: impl Iterator<Item = (FeatureId, FaceKey)>) 
         features.push(Piece {
             r#type: "Feature",
             properties: Properties { feature: feature.index(), name: map.name(feature).map(str::to_owned) },
-            geometry: Geometry { r#type: "Polygon", coordinates: [crate::outline::ring(map, piece)?] },
+            geometry: Geometry { r#type: "Polygon", coordinates: [twinedge_report::outline::ring(map, piece)?] },
         });
     }
     Ok(serde_json::to_string(&Collection { r#type: "FeatureCollection", features })? + "\n")

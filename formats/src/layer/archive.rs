@@ -1,15 +1,17 @@
-//! Layers in zip archives and in gzip data, unpacked to a folder for temporary files.
+//! Layers in zip archives and in gzip data, unpacked to a folder for temporary files or in memory.
 
 use super::error::{ArchiveError, ReadError};
-use flate2::read::MultiGzDecoder;
-use std::cell::Cell;
+use super::files::Files;
+use flate2::bufread::MultiGzDecoder;
+use std::cell::{Cell, RefCell};
 use std::fs::File;
-use std::io::{self, BufReader, ErrorKind, Read, Seek as _};
+use std::io::{self, BufRead, BufReader, Cursor, ErrorKind, Read, Seek, Write as _};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use twinedge::io::{ForeignFormat, Format};
-use zip::ZipArchive;
 use zip::result::ZipError;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 /// Bytes to which any archive may expand.
 const SMALL: u64 = 64 << 20;
@@ -49,34 +51,120 @@ pub fn unpack(
     path: Option<&Path>,
     wanted: Option<&str>,
 ) -> Result<Option<Unpacked>, ReadError> {
-    let unpack = match ForeignFormat::of_content(head) {
-        Some(ForeignFormat::Zip) => unpack_zip,
-        Some(ForeignFormat::Gzip) => unpack_gzip,
-        _ => return Ok(None),
-    };
+    let Some(packing) = Packing::of(head) else { return Ok(None) };
     let mut packed = tempfile::tempfile()?;
     let size = io::copy(reader, &mut packed)?;
     packed.rewind()?;
-    let target = Target { folder: TempDir::new()?, room: Cell::new(SMALL + RATIO.saturating_mul(size)) };
-    let (name, layer) = unpack(packed, path, wanted, &target)?;
-    Ok(Some(Unpacked { path: target.folder.path().join(name), layer, _folder: target.folder }))
+    let folder = TempDir::new()?;
+    let target = Target { place: Place::Folder(folder.path()), room: Cell::new(room(size)) };
+    let (name, layer) = packing.unpack(BufReader::new(packed), path, wanted, &target)?;
+    Ok(Some(Unpacked { path: folder.path().join(name), layer, _folder: folder }))
+}
+
+/// A layer that was unpacked in memory.
+#[derive(Clone, Debug)]
+pub struct UnpackedFiles {
+    /// The files of the layer, without folders.
+    pub files: Files,
+    /// The main one.
+    pub path: PathBuf,
+    /// The layer that is to be read of the file, if that still is to be chosen.
+    pub layer: Option<String>,
+}
+
+/// Unpacks as [`unpack`] does, from memory to memory.
+///
+/// # Errors
+/// [`ReadError::Archive`] and [`ReadError::Layers`].
+pub fn unpack_bytes(
+    packed: &[u8],
+    path: Option<&Path>,
+    wanted: Option<&str>,
+) -> Result<Option<UnpackedFiles>, ReadError> {
+    let Some(packing) = Packing::of(packed) else { return Ok(None) };
+    let files = RefCell::new(Files::default());
+    let target = Target { place: Place::Memory(&files), room: Cell::new(room(packed.len() as u64)) };
+    let (path, layer) = packing.unpack(Cursor::new(packed), path, wanted, &target)?;
+    Ok(Some(UnpackedFiles { files: files.into_inner(), path, layer }))
+}
+
+/// A zip archive of files.
+///
+/// # Errors
+/// Those of [`zip::ZipWriter`], if there are too many files or bytes.
+pub fn zip(files: &Files) -> io::Result<Vec<u8>> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+    for (path, bytes) in files.iter() {
+        archive.start_file(path.to_string_lossy(), options)?;
+        archive.write_all(bytes)?;
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+/// The way in which an archive is packed.
+#[derive(Clone, Copy)]
+enum Packing {
+    Zip,
+    Gzip,
+}
+
+impl Packing {
+    fn of(head: &[u8]) -> Option<Self> {
+        match ForeignFormat::of_content(head) {
+            Some(ForeignFormat::Zip) => Some(Self::Zip),
+            Some(ForeignFormat::Gzip) => Some(Self::Gzip),
+            _ => None,
+        }
+    }
+
+    fn unpack(
+        self,
+        packed: impl BufRead + Seek,
+        path: Option<&Path>,
+        wanted: Option<&str>,
+        target: &Target<'_>,
+    ) -> Result<Main, ReadError> {
+        match self {
+            Self::Zip => unpack_zip(packed, wanted, target),
+            Self::Gzip => unpack_gzip(packed, path, wanted, target),
+        }
+    }
 }
 
 /// The name of the main file, and the layer that is still to be chosen in it.
 type Main = (PathBuf, Option<String>);
 
-/// The folder to which files are unpacked.
-struct Target {
-    folder: TempDir,
+/// The bytes to which an archive of this size may expand.
+const fn room(size: u64) -> u64 {
+    SMALL + RATIO.saturating_mul(size)
+}
+
+/// The place to which files are unpacked.
+struct Target<'a> {
+    place: Place<'a>,
     /// The number of bytes that there is room for.
     room: Cell<u64>,
 }
 
-impl Target {
+enum Place<'a> {
+    Folder(&'a Path),
+    Memory(&'a RefCell<Files>),
+}
+
+impl Target<'_> {
     fn put(&self, name: &Path, mut content: impl Read) -> Result<(), ReadError> {
         let room = self.room.get();
-        let mut file = File::create(self.folder.path().join(name))?;
-        let written = io::copy(&mut content.by_ref().take(room), &mut file).map_err(damaged)?;
+        let mut limited = content.by_ref().take(room);
+        let written = match self.place {
+            Place::Folder(folder) => io::copy(&mut limited, &mut File::create(folder.join(name))?).map_err(damaged)?,
+            Place::Memory(files) => {
+                let mut bytes = Vec::new();
+                let written = limited.read_to_end(&mut bytes).map_err(damaged)?;
+                files.borrow_mut().insert(name, bytes);
+                written as u64
+            }
+        };
         self.room.set(room - written);
         if written == room && content.read(&mut [0]).map_err(damaged)? > 0 {
             return Err(ArchiveError::Expands { times: RATIO }.into());
@@ -94,15 +182,20 @@ fn damaged(error: io::Error) -> ReadError {
     }
 }
 
-fn unpack_gzip(packed: File, path: Option<&Path>, wanted: Option<&str>, target: &Target) -> Result<Main, ReadError> {
+fn unpack_gzip(
+    packed: impl BufRead,
+    path: Option<&Path>,
+    wanted: Option<&str>,
+    target: &Target<'_>,
+) -> Result<Main, ReadError> {
     // The content tells the format of a stream.
     let name: PathBuf = path.and_then(Path::file_stem).unwrap_or("layer".as_ref()).into();
-    target.put(&name, MultiGzDecoder::new(BufReader::new(packed)))?;
+    target.put(&name, MultiGzDecoder::new(packed))?;
     Ok((name, wanted.map(str::to_owned)))
 }
 
-fn unpack_zip(packed: File, _: Option<&Path>, wanted: Option<&str>, target: &Target) -> Result<Main, ReadError> {
-    let mut archive = ZipArchive::new(BufReader::new(packed))?;
+fn unpack_zip(packed: impl Read + Seek, wanted: Option<&str>, target: &Target<'_>) -> Result<Main, ReadError> {
+    let mut archive = ZipArchive::new(packed)?;
     let mut files: Vec<(usize, PathBuf)> = Vec::new();
     for number in 0..archive.len() {
         let entry = archive.by_index(number)?;

@@ -32,6 +32,7 @@ mod crs;
 mod each;
 mod epsg;
 mod error;
+mod files;
 #[cfg(feature = "flatgeobuf")]
 mod flatgeobuf;
 #[cfg(feature = "geojson")]
@@ -62,10 +63,11 @@ mod wkt;
 mod write;
 
 #[cfg(feature = "archive")]
-pub use archive::{Unpacked, unpack};
+pub use archive::{Unpacked, UnpackedFiles, unpack, unpack_bytes, zip};
 pub use crs::Crs;
 pub use each::Each;
 pub use error::{ArchiveError, Cause, Place, ReadError, WriteError};
+pub use files::Files;
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{
@@ -75,4 +77,4 @@ pub use model::{
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;
 pub use twinedge::io::Format;
-pub use write::{files, refuse_losses, write, write_path};
+pub use write::{files, refuse_losses, write, write_files, write_path};

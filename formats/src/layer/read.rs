@@ -2,10 +2,12 @@
 
 use super::each::Each;
 use super::error::ReadError;
+use super::files::Files;
 use super::model::{Header, Layer};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
+use std::sync::Arc;
 use twinedge::io::{ForeignFormat, Format};
 
 /// The number of bytes that are looked at to tell the format.
@@ -18,6 +20,8 @@ pub struct ReadOptions {
     pub format: Option<Format>,
     /// The layer to read, by its name, of a file with several. Those of TopoJSON are its objects.
     pub layer: Option<String>,
+    /// The files among which paths lead, in memory. Without them, these are on disk. `GeoPackage` and `GeoParquet` are read from disk only.
+    pub files: Option<Arc<Files>>,
 }
 
 /// Reads a layer, handing over its features in the order of the file. Data of a format that is made of several files is read
@@ -72,7 +76,11 @@ pub fn read(
         #[cfg(feature = "flatgeobuf")]
         Format::FlatGeobuf => super::flatgeobuf::read(&mut all, each),
         #[cfg(feature = "shapefile")]
-        Format::Shapefile => super::shapefile::read(path.ok_or(ReadError::NeedsFile(format))?, each),
+        Format::Shapefile => {
+            let path = path.ok_or(ReadError::NeedsFile(format))?;
+            let storage = super::shapefile::Storage::of(options.files.as_deref());
+            super::shapefile::read(storage, path, each)
+        }
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => {
             let path = path.ok_or(ReadError::NeedsFile(format))?;

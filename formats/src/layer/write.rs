@@ -1,6 +1,7 @@
 //! Writing a layer in any of the formats.
 
 use super::error::WriteError;
+use super::files::Files;
 use super::losses::losses;
 use super::model::Layer;
 use std::fs::File;
@@ -40,7 +41,10 @@ pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), Writ
     match format {
         Format::TopoJson => Err(WriteError::ReadOnly(format)),
         #[cfg(feature = "shapefile")]
-        Format::Shapefile => super::shapefile::write(layer, path),
+        Format::Shapefile => {
+            let files = super::shapefile::write(layer, path)?;
+            Ok(files.iter().try_for_each(|(path, bytes)| std::fs::write(path, bytes))?)
+        }
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => super::geopackage::write(layer, path),
         #[cfg(feature = "geoparquet")]
@@ -51,6 +55,20 @@ pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), Writ
             Ok(out.flush()?)
         }
     }
+}
+
+/// Writes a layer to memory, whatever the format loses ([`losses`]): the [`files`] of this path.
+///
+/// # Errors
+/// [`WriteError`], and [`WriteError::NeedsFile`] for `GeoPackage` and `GeoParquet`.
+pub fn write_files(layer: &Layer, path: &Path, format: Format) -> Result<Files, WriteError> {
+    #[cfg(feature = "shapefile")]
+    if format == Format::Shapefile {
+        return super::shapefile::write(layer, path);
+    }
+    let mut bytes = Vec::new();
+    write(layer, &mut bytes, format)?;
+    Ok([(path.to_owned(), bytes)].into_iter().collect())
 }
 
 /// Writes a layer to a stream. The writer is not buffered inside.

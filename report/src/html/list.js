@@ -117,6 +117,7 @@ class FindingList {
       option.append(who);
     }
     option.append(element("span", { className: "what", textContent: sentence ?? message }));
+    if (finding.accepted) option.append(element("span", { className: "accepted", textContent: `Accepted: ${finding.accepted}` }));
     return option;
   }
 
@@ -127,6 +128,16 @@ class FindingList {
     this.describe();
     this.mark();
     this.onChoose(finding);
+  }
+
+  /** Notes why a finding is accepted; null if it is not. */
+  accept(number, reason) {
+    const finding = this.all[number - 1];
+    if ((finding.accepted ?? null) === reason) return;
+    finding.accepted = reason;
+    const option = document.getElementById("finding-" + number);
+    option?.replaceWith(this.option(finding, Number(option.dataset.place)));
+    this.mark();
   }
 
   /** Chooses the finding so many places further on. */

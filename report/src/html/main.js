@@ -147,6 +147,9 @@ list = new FindingList(data, structure, chose, (found, features, half) => {
   redraw();
 });
 
+// A page that this one stands in says which findings are accepted, and why.
+document.addEventListener("accept", ({ detail: { number, reason } }) => list.accept(number, reason));
+
 /** Tells what is at a pixel. */
 function tell(px, py) {
   const [x, y] = view.at(px, py);

@@ -12,20 +12,23 @@ mod dbf;
 mod failed;
 mod record;
 mod rings;
+mod storage;
 
 use super::crs::Crs;
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
+use super::files::Files;
 use super::model::{Feature, Field, Geometry, Header, Layer};
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
 use failed::{content, truncated};
-use std::fs::{self, File};
-use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, Read, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
+use storage::ReadSeek;
 use twinedge::io::Format;
 
 pub(super) use columns::losses;
+pub(super) use storage::Storage;
 
 /// The bytes of the header of `.shp` and `.shx`.
 const HEADER: usize = 100;
@@ -36,34 +39,34 @@ const FILE_CODE: [u8; 4] = 9_994_i32.to_be_bytes();
 const VERSION: i32 = 1_000;
 
 /// The file of the same name with another extension, in small letters or capitals, if there is one.
-fn beside(path: &Path, extension: &str) -> Option<PathBuf> {
+fn beside(storage: Storage<'_>, path: &Path, extension: &str) -> Option<PathBuf> {
     let all = [extension.to_owned(), extension.to_ascii_uppercase()];
-    all.iter().map(|extension| path.with_extension(extension)).find(|path| path.exists())
+    all.iter().map(|extension| path.with_extension(extension)).find(|path| storage.has(path))
 }
 
 /// The text of a small file beside.
-fn text_beside(path: &Path, extension: &str) -> io::Result<Option<String>> {
+fn text_beside(storage: Storage<'_>, path: &Path, extension: &str) -> io::Result<Option<String>> {
     const LARGEST: u64 = 1 << 20;
-    let Some(path) = beside(path, extension) else { return Ok(None) };
+    let Some(path) = beside(storage, path, extension) else { return Ok(None) };
     let mut bytes = Vec::new();
-    File::open(path)?.take(LARGEST).read_to_end(&mut bytes)?;
+    storage.open(&path)?.0.take(LARGEST).read_to_end(&mut bytes)?;
     let text = String::from_utf8_lossy(&bytes);
     Ok(Some(text.trim_start_matches('\u{FEFF}').trim().to_owned()))
 }
 
 /// Reads the Shapefile of which `path` is a part. Records are read by the index if there is one. Those that the table marks as
 /// deleted are left out.
-pub(super) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
+pub(super) fn read(storage: Storage<'_>, path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let missing =
         |extension: &str| content(Place::Header, Cause::Missing(path.with_extension(extension).display().to_string()));
-    let shp = beside(path, "shp").ok_or_else(|| missing("shp"))?;
-    let charset = text_beside(path, "cpg")?;
-    let wkt = text_beside(path, "prj")?.filter(|text| !text.is_empty());
-    let mut table = match beside(path, "dbf") {
+    let shp = beside(storage, path, "shp").ok_or_else(|| missing("shp"))?;
+    let charset = text_beside(storage, path, "cpg")?;
+    let wkt = text_beside(storage, path, "prj")?.filter(|text| !text.is_empty());
+    let mut table = match beside(storage, path, "dbf") {
         None => None,
-        Some(dbf) => Some(Table::open(BufReader::new(File::open(dbf)?), charset.as_deref())?),
+        Some(dbf) => Some(Table::open(BufReader::new(storage.open(&dbf)?.0), charset.as_deref())?),
     };
-    let mut shapes = Shapes::open(&shp, beside(path, "shx").as_deref())?;
+    let mut shapes = Shapes::open(storage, &shp, beside(storage, path, "shx").as_deref())?;
     let mut number = 0;
     while let Some(Record { geometry }) = shapes.next(number)? {
         let mut feature = Feature { geometry, ..Feature::default() };
@@ -105,7 +108,7 @@ struct Record {
 
 /// The records of `.shp`.
 struct Shapes {
-    file: BufReader<File>,
+    file: BufReader<Box<dyn ReadSeek>>,
     length: u64,
     /// The place where the next record begins.
     at: u64,
@@ -115,11 +118,11 @@ struct Shapes {
 }
 
 impl Shapes {
-    fn open(shp: &Path, shx: Option<&Path>) -> Result<Self, ReadError> {
-        let mut file = BufReader::new(File::open(shp)?);
-        let length = file.get_ref().metadata()?.len();
+    fn open(storage: Storage<'_>, shp: &Path, shx: Option<&Path>) -> Result<Self, ReadError> {
+        let (file, length) = storage.open(shp)?;
+        let mut file = BufReader::new(file);
         check_header(&mut file)?;
-        let index = shx.map(read_index).transpose()?;
+        let index = shx.map(|shx| read_index(storage, shx)).transpose()?;
         Ok(Self { file, length, at: HEADER as u64, index, buffer: Vec::new() })
     }
 
@@ -163,8 +166,8 @@ fn check_header(file: &mut impl Read) -> Result<(), ReadError> {
     }
 }
 
-fn read_index(shx: &Path) -> Result<Vec<u64>, ReadError> {
-    let mut file = BufReader::new(File::open(shx)?);
+fn read_index(storage: Storage<'_>, shx: &Path) -> Result<Vec<u64>, ReadError> {
+    let mut file = BufReader::new(storage.open(shx)?.0);
     check_header(&mut file)?;
     let mut bytes = Vec::new();
     file.read_to_end(&mut bytes)?;
@@ -175,31 +178,28 @@ fn read_index(shx: &Path) -> Result<Vec<u64>, ReadError> {
     Ok(bytes.chunks_exact(8).map(start).collect())
 }
 
-/// Writes a Shapefile: `.shp` at the path, and the others beside it.
-pub(super) fn write(layer: &Layer, path: &Path) -> Result<(), WriteError> {
+/// Makes the files of a Shapefile: `.shp` at the path, and the others beside it.
+pub(super) fn write(layer: &Layer, path: &Path) -> Result<Files, WriteError> {
     let impossible = |what| WriteError::Impossible { format: Format::Shapefile, what };
     let kind = shape_kind(layer).map_err(impossible)?;
     let fields: Vec<Field> = layer.fields();
     let (columns, _) = columns::plan(layer, &fields);
     dbf::check_size(&columns).map_err(impossible)?;
-    let create = |extension: &str| File::create(path.with_extension(extension)).map(BufWriter::new);
-    write_shapes(layer, kind, create("shp")?, create("shx")?)?;
-    let mut table = create("dbf")?;
+    let [shp, shx] = write_shapes(layer, kind)?;
+    let mut table = Vec::new();
     dbf::write(layer, &columns, &mut table)?;
-    table.flush()?;
-    fs::write(path.with_extension("cpg"), "UTF-8\n")?;
-    if let Some(wkt) = layer.header.crs.as_ref().and_then(Crs::wkt1) {
-        fs::write(path.with_extension("prj"), wkt)?;
+    let mut files = Files::default();
+    for (extension, bytes) in [("shp", shp), ("shx", shx), ("dbf", table), ("cpg", b"UTF-8\n".to_vec())] {
+        files.insert(path.with_extension(extension), bytes);
     }
-    Ok(())
+    if let Some(wkt) = layer.header.crs.as_ref().and_then(Crs::wkt1) {
+        files.insert(path.with_extension("prj"), wkt.into_bytes());
+    }
+    Ok(files)
 }
 
-fn write_shapes(
-    layer: &Layer,
-    kind: ShapeKind,
-    mut shp: BufWriter<File>,
-    mut shx: BufWriter<File>,
-) -> Result<(), WriteError> {
+/// The content of `.shp` and of `.shx`.
+fn write_shapes(layer: &Layer, kind: ShapeKind) -> Result<[Vec<u8>; 2], WriteError> {
     let too_large =
         || WriteError::Impossible { format: Format::Shapefile, what: "more than 4 gigabytes of geometries".to_owned() };
     let mut records = Vec::new();
@@ -216,13 +216,11 @@ fn write_shapes(
         index.extend(offset.to_be_bytes());
         index.extend(words.to_be_bytes());
     }
-    for (out, body) in [(&mut shp, &records), (&mut shx, &index)] {
+    let with_header = |body: Vec<u8>| -> Result<Vec<u8>, WriteError> {
         let words = i32::try_from(HEADER / 2 + body.len() / 2).map_err(|_| too_large())?;
-        out.write_all(&header(words, kind, &bounds))?;
-        out.write_all(body)?;
-        out.flush()?;
-    }
-    Ok(())
+        Ok([header(words, kind, &bounds), body].concat())
+    };
+    Ok([with_header(records)?, with_header(index)?])
 }
 
 fn header(words: i32, kind: ShapeKind, bounds: &record::Bounds) -> Vec<u8> {

@@ -1,20 +1,15 @@
 //! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
 
-mod cleaning;
-mod json;
-mod text;
-
 use crate::convert::LayerOutput;
 use crate::coverage_arguments::AcceptedGaps;
 use crate::input::LayerFile;
 use crate::output::{Format, json, print, print_json};
-use crate::status::{Failure, Verdict};
-use cleaning::{Cleaning, Names};
-use std::collections::BTreeMap;
+use crate::status::{Failure, Verdict, named};
 use std::time::Instant;
 use twinedge::algorithm::clean::{Options, Winner};
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::layer::clean::{CleanOptions, LayerChange, clean};
+use twinedge_formats::layer::clean::{CleanOptions, clean};
+use twinedge_report::clean::{Cleaning, Names};
 
 /// Repair a layer of polygons: cut borders where they meet, and resolve overlaps, small gaps and slivers.
 ///
@@ -121,7 +116,7 @@ impl Clean {
         }
         let (name, mut layer) = self.input.read()?;
         let names = Names { from: self.name_from.as_deref() };
-        names.refuse_unknown(&name, &layer)?;
+        names.refuse_unknown(&layer).map_err(named(&name))?;
         self.output.refuse(&layer)?;
         let assign = Options {
             winner: self.overlap.into(),
@@ -131,27 +126,12 @@ impl Clean {
             sliver_area: self.sliver,
             ..Options::default()
         };
-        let report = clean(&mut layer, &CleanOptions { snap: self.snap, assign })
-            .map_err(|error| Failure(format!("{name}: {error}")))?;
+        let report = clean(&mut layer, &CleanOptions { snap: self.snap, assign }).map_err(named(&name))?;
         let written = self.output.write(&layer, self.input.path())?;
-        let elapsed = start.elapsed().as_secs_f64() * 1000.0;
-        let mut changes: BTreeMap<usize, Vec<&LayerChange>> = BTreeMap::new();
-        for change in &report.changes {
-            let won = change.to.filter(|to| !change.from.contains(to));
-            for feature in change.from.iter().copied().chain(won) {
-                changes.entry(feature).or_default().push(change);
-            }
-        }
-        let cleaned = Cleaning {
-            name: &name,
-            names,
-            layer: &layer,
-            report: &report,
-            written: written.as_ref(),
-            greatest_gap: self.accepted.lake_width.or(self.gap_width),
-            changes,
-            elapsed,
-        };
+        let mut cleaned = Cleaning::new(&name, names, &layer, &report);
+        cleaned.written = written.as_ref();
+        cleaned.greatest_gap = self.accepted.lake_width.or(self.gap_width);
+        cleaned.elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
             // Standard output has the layer.
             Format::Text if self.output.is_stdout() => anstream::eprint!("{}", cleaned.text(self.list)?),

@@ -1,14 +1,16 @@
 //! The report as JSON.
 
-use super::cleaning::Cleaning;
+use super::Cleaning;
 use serde_json::json;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures};
 use twinedge_formats::layer::clean::{AddedVertex, FeatureChange, LayerChange, Remaining};
 
 impl Cleaning<'_> {
-    pub(super) fn json(&self) -> serde_json::Value {
+    /// The report as JSON.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
         let decimals = self.decimals();
-        let Self { name, names, report, layer, written, elapsed, .. } = self;
+        let Self { name, names, report, layer, written, elapsed_ms, .. } = self;
         let named = |number: &usize| {
             let feature = layer.features.get(*number);
             FeatureName {
@@ -82,7 +84,7 @@ impl Cleaning<'_> {
             "wider_gaps": all(&report.wider_gaps),
             "accepted_gaps": all(&report.accepted_gaps),
             "warnings": self.warnings(),
-            "elapsed_ms": elapsed,
+            "elapsed_ms": elapsed_ms,
         }))
     }
 }

@@ -1,16 +1,19 @@
 //! The report as text.
 
-use super::cleaning::Cleaning;
-use crate::convert::Written;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, measure, place, plain};
+use super::{Cleaning, Written};
+use crate::noding_text;
+use crate::words::style::{BAD, GOOD, QUIET};
+use crate::words::{counted, grouped, measure, place, plain};
 use std::fmt::Write as _;
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
-use twinedge_report::noding_text;
 
 impl Cleaning<'_> {
-    pub(super) fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
+    /// The report as text, with so many changes.
+    ///
+    /// # Errors
+    /// None that happens: writing to a string does not fail.
+    pub fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
         let Self { name, report, layer, .. } = self;
         let mut out = String::new();
         writeln!(out, "{}", plain(name))?;
@@ -92,8 +95,13 @@ impl Cleaning<'_> {
             writeln!(out, "written to {} ({format})", plain(name))?;
         }
         match &report.left {
+<<<<<<< HEAD:cli/src/clean/text.rs
             None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed),
+=======
+            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C6 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
+            Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed_ms),
+>>>>>>> 04d034ea:report/src/clean/text.rs
         }?;
         Ok(out)
     }

@@ -1,40 +1,54 @@
-//! A layer that was cleaned, in words: the names of its features, why each has changed, and what is left.
+//! A layer that was cleaned, in words and as JSON: the names of its features, why each has changed, and what is left.
 
-use crate::convert::Written;
-use crate::output::{decimals, measure, place, plain};
-use crate::status::Failure;
+mod json;
+mod text;
+
+use crate::error::Error;
+use crate::words::{decimals, measure, place, plain};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge_formats::layer::clean::{CleanReport, FeatureChange, LayerChange, Remaining};
-use twinedge_formats::layer::{Feature, Layer, Value};
+use twinedge_formats::layer::{Feature, Format, Layer, Value};
 
 /// The number of columns that an error lists.
 const COLUMNS: usize = 20;
 
 /// A layer, cleaned.
-pub(super) struct Cleaning<'a> {
-    pub(super) name: &'a str,
-    pub(super) names: Names<'a>,
-    pub(super) layer: &'a Layer,
-    pub(super) report: &'a CleanReport,
-    pub(super) written: Option<&'a Written>,
+#[derive(Debug)]
+pub struct Cleaning<'a> {
+    name: &'a str,
+    names: Names<'a>,
+    layer: &'a Layer,
+    report: &'a CleanReport,
+    /// The file that was written.
+    pub written: Option<&'a Written>,
     /// The width from which on gaps are accepted.
-    pub(super) greatest_gap: Option<f64>,
+    pub greatest_gap: Option<f64>,
     /// The changes that each feature has a part in.
-    pub(super) changes: BTreeMap<usize, Vec<&'a LayerChange>>,
-    pub(super) elapsed: f64,
+    changes: BTreeMap<usize, Vec<&'a LayerChange>>,
+    /// The time that it took, in milliseconds.
+    pub elapsed_ms: f64,
+}
+
+/// A file that was written.
+#[derive(Clone, Debug)]
+pub struct Written {
+    /// Its name.
+    pub name: String,
+    /// Its format.
+    pub format: Format,
 }
 
 /// The source of the names of features.
-#[derive(Clone, Copy)]
-pub(super) struct Names<'a> {
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Names<'a> {
     /// The column that was asked for.
-    pub(super) from: Option<&'a str>,
+    pub from: Option<&'a str>,
 }
 
 impl Names<'_> {
-    pub(super) fn of(self, feature: &Feature) -> Option<String> {
+    fn of(self, feature: &Feature) -> Option<String> {
         match self.from {
             Some(column) => feature.get(column).and_then(Value::text),
             None => feature.name(),
@@ -42,18 +56,17 @@ impl Names<'_> {
     }
 
     /// Refuses a column that no feature has.
-    pub(super) fn refuse_unknown(self, name: &str, layer: &Layer) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`].
+    pub fn refuse_unknown(self, layer: &Layer) -> Result<(), Error> {
         let Some(column) = self.from else { return Ok(()) };
         if layer.features.iter().any(|feature| self.of(feature).is_some()) {
             return Ok(());
         }
         let columns: BTreeSet<String> =
             layer.features.iter().flat_map(|feature| &feature.attributes).map(|(name, _)| plain(name)).collect();
-        let known = match columns.into_iter().take(COLUMNS).collect::<Vec<_>>() {
-            columns if columns.is_empty() => "there are no columns".to_owned(),
-            columns => format!("there are {}", columns.join(", ")),
-        };
-        Err(Failure(format!("{name}: no feature has a value in the column {column}; {known}")))
+        Err(Error::NoColumn { column: column.to_owned(), known: columns.into_iter().take(COLUMNS).collect() })
     }
 }
 
@@ -70,17 +83,32 @@ fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
     })
 }
 
+impl<'a> Cleaning<'a> {
+    /// A layer after it was cleaned, and the report of that.
+    #[must_use]
+    pub fn new(name: &'a str, names: Names<'a>, layer: &'a Layer, report: &'a CleanReport) -> Self {
+        let mut changes: BTreeMap<usize, Vec<&LayerChange>> = BTreeMap::new();
+        for change in &report.changes {
+            let won = change.to.filter(|to| !change.from.contains(to));
+            for feature in change.from.iter().copied().chain(won) {
+                changes.entry(feature).or_default().push(change);
+            }
+        }
+        Self { name, names, layer, report, written: None, greatest_gap: None, changes, elapsed_ms: 0.0 }
+    }
+}
+
 impl Cleaning<'_> {
-    pub(super) fn label(&self, number: usize) -> String {
+    fn label(&self, number: usize) -> String {
         label(self.names, self.layer, number)
     }
 
-    pub(super) fn labels(&self, numbers: &[usize]) -> String {
+    fn labels(&self, numbers: &[usize]) -> String {
         numbers.iter().map(|number| self.label(*number)).collect::<Vec<_>>().join(", ")
     }
 
     /// Why a feature has another geometry.
-    pub(super) fn reasons(&self, feature: &FeatureChange) -> Vec<String> {
+    fn reasons(&self, feature: &FeatureChange) -> Vec<String> {
         let number = feature.feature;
         let mut reasons = Vec::new();
         for change in self.changes.get(&number).into_iter().flatten() {
@@ -116,7 +144,7 @@ impl Cleaning<'_> {
     }
 
     /// The features that have no geometry any more, each in a sentence.
-    pub(super) fn warnings(&self) -> Vec<String> {
+    fn warnings(&self) -> Vec<String> {
         let gone = self.report.features.iter().filter(|feature| feature.points_after == 0);
         let warning = |feature: &FeatureChange| {
             let number = feature.feature;
@@ -133,7 +161,7 @@ impl Cleaning<'_> {
     }
 
     /// Something that was left, and what would take it.
-    pub(super) fn remaining(&self, one: &Remaining, decimals: usize) -> String {
+    fn remaining(&self, one: &Remaining, decimals: usize) -> String {
         let hint = match one.rule {
             CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(one.width)),
             CoverageRule::NearMiss => "; --gap-width would fill it, from its greatest width on".to_owned(),
@@ -143,7 +171,7 @@ impl Cleaning<'_> {
     }
 
     /// Something that was left.
-    pub(super) fn described(&self, one: &Remaining, decimals: usize) -> String {
+    fn described(&self, one: &Remaining, decimals: usize) -> String {
         let Remaining { rule, features, area, width, at, .. } = one;
         let what = match features.len() {
             0 => rule.name().to_owned(),
@@ -157,7 +185,7 @@ impl Cleaning<'_> {
     }
 
     /// With how many decimal places a place is shown.
-    pub(super) fn decimals(&self) -> usize {
+    fn decimals(&self) -> usize {
         let mut greatest: f64 = 0.0;
         for geometry in self.layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
             geometry.shape.visit(&mut |position| greatest = greatest.max(position.x.abs()).max(position.y.abs()));

@@ -1,0 +1,47 @@
+//! The files of a Shapefile, on disk or in memory.
+
+use super::super::files::Files;
+use std::fs::File;
+use std::io::{self, Cursor, ErrorKind, Read, Seek};
+use std::path::Path;
+
+/// The place where paths lead.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::layer) enum Storage<'a> {
+    Memory(&'a Files),
+    Disk,
+}
+
+/// Bytes that are read in any order.
+pub(in crate::layer) trait ReadSeek: Read + Seek {}
+
+impl<T: Read + Seek> ReadSeek for T {}
+
+impl<'a> Storage<'a> {
+    pub(in crate::layer) fn of(files: Option<&'a Files>) -> Self {
+        files.map_or(Self::Disk, Self::Memory)
+    }
+
+    pub(in crate::layer) fn has(self, path: &Path) -> bool {
+        match self {
+            Self::Memory(files) => files.get(path).is_some(),
+            Self::Disk => path.exists(),
+        }
+    }
+
+    /// A file, and its length.
+    pub(in crate::layer) fn open(self, path: &Path) -> io::Result<(Box<dyn ReadSeek>, u64)> {
+        match self {
+            Self::Memory(files) => {
+                let bytes = files.share(path).ok_or_else(|| io::Error::from(ErrorKind::NotFound))?;
+                let length = bytes.len() as u64;
+                Ok((Box::new(Cursor::new(bytes)), length))
+            }
+            Self::Disk => {
+                let file = File::open(path)?;
+                let length = file.metadata()?.len();
+                Ok((Box::new(file), length))
+            }
+        }
+    }
+}
