@@ -9,6 +9,7 @@ mod convert;
 mod corrupt;
 mod coverage_arguments;
 mod decompose;
+mod diff;
 mod document;
 mod draw;
 mod effort;
@@ -72,6 +73,7 @@ struct Arguments {
 enum Command {
     Audit(audit::Audit),
     Clean(clean::Clean),
+    Diff(diff::Diff),
     Certify(certificate::Certify),
     Check(certificate::Check),
     Convert(convert::Convert),
@@ -114,6 +116,7 @@ fn run(command: Command) -> Result<Verdict, Failure> {
     match command {
         Command::Audit(audit) => audit.run(),
         Command::Clean(clean) => clean.run(),
+        Command::Diff(diff) => diff.run(),
         Command::Certify(certify) => certify.run(),
         Command::Check(check) => check.run(),
         Command::Convert(convert) => convert.run(),

@@ -1,5 +1,6 @@
 //! The audit of an input of any kind.
 
+use crate::accepted::Accepted;
 use crate::error::Error;
 use crate::imported::Imported;
 use crate::input::Input;
@@ -11,7 +12,7 @@ use crate::report::AuditReport;
 use crate::tables::TablesReport;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
-use crate::{findings_geojson, map, mesh, page, tables, text, textbook, topology};
+use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, topology};
 use twinedge::io::tables::Textbook;
 use twinedge_formats::layer::topojson::ArcTopology;
 use twinedge_formats::postgis::Topology;
@@ -74,6 +75,9 @@ pub fn audit(
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options = options.json(kind);
     report.identify();
+    if let Some(accepted) = &options.accepted {
+        accepted.apply(&mut report);
+    }
     Ok(Audited(Outcome::Report(Box::new(report), subject)))
 }
 
@@ -146,6 +150,39 @@ impl Audited {
             Outcome::Report(report, _) => json(&report.json())?,
             Outcome::Tables(report) => json(report)?,
         })
+    }
+
+    /// The findings of the coverage that are listed, as a list of accepted ones, in JSON. Those that `before` has keep their reason and date.
+    ///
+    /// # Errors
+    /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
+    pub fn accept_all(&self, before: Option<&Accepted>, reason: &str, date: &str) -> Result<Vec<u8>, Error> {
+        Ok(json(&Accepted::of(self.of_structure()?, before, reason, date))?)
+    }
+
+    /// The report as SARIF, which code hosts show.
+    ///
+    /// # Errors
+    /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
+    pub fn sarif(&self) -> Result<Vec<u8>, Error> {
+        Ok(json(&sarif::sarif(self.of_structure()?))?)
+    }
+
+    /// The report as XML in the form of `JUnit`: a test case for each rule.
+    ///
+    /// # Errors
+    /// [`Error::NoReport`] for files of tables.
+    pub fn junit(&self) -> Result<String, Error> {
+        // Writing to a string does not fail.
+        Ok(junit::junit(self.of_structure()?).unwrap_or_default())
+    }
+
+    /// The report of a single structure.
+    const fn of_structure(&self) -> Result<&AuditReport, Error> {
+        match &self.0 {
+            Outcome::Report(report, _) => Ok(report),
+            Outcome::Tables(_) => Err(Error::NoReport),
+        }
     }
 
     /// The findings as a layer of GeoJSON, and warnings about it.

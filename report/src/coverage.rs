@@ -9,6 +9,7 @@ use crate::units::Units;
 use crate::words::style::{BAD, GOOD, QUIET};
 use crate::words::{counted, grouped, measure, plain};
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
@@ -155,9 +156,9 @@ impl Coverage {
     pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<FeatureId>) -> bool {
         let has = |feature: usize| features.iter().any(|one| one.index() == feature);
         places.iter().map(|place| position(*place)).any(|place| {
-            let first = self.missing.partition_point(|(at, _)| *at < place);
-            let here = self.missing[first..].iter().take_while(|(at, _)| *at == place);
-            here.into_iter().any(|(_, pair)| pair.iter().all(|feature| has(*feature)))
+            let first = self.missing.partition_point(|(at, _)| compare(at, &place).is_lt());
+            let mut here = self.missing[first..].iter().take_while(|(at, _)| compare(at, &place).is_eq());
+            here.any(|(_, pair)| pair.iter().all(|feature| has(*feature)))
         })
     }
 
@@ -197,9 +198,19 @@ impl Coverage {
         self.counts().iter().map(|(_, count, _)| count).sum()
     }
 
+    /// The number of findings of a rule that were accepted.
+    pub(crate) fn accepted(&self, rule: CoverageRule) -> usize {
+        self.findings.iter().filter(|one| one.rule == Some(rule.id()) && one.accepted.is_some()).count()
+    }
+
+    /// The number of findings that were not accepted.
+    pub(crate) fn open(&self) -> usize {
+        self.total() - self.findings.iter().filter(|one| one.accepted.is_some()).count()
+    }
+
     /// The number of findings beside violations, in words.
     pub(crate) fn beside(&self) -> String {
-        match self.total() {
+        match self.open() {
             0 => String::new(),
             n => format!("; C1 to C7 have {}, which --coverage counts as violations", counted(n, "finding")),
         }
@@ -250,6 +261,7 @@ impl Coverage {
                     writeln!(out, "{QUIET}not checked: {}{QUIET:#}", plain(why))?;
                 }
                 (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{limit}")?,
+                (n, _) if n == self.accepted(rule) => writeln!(out, "{GOOD}ok{GOOD:#}  {}{limit}", self.found(rule))?,
                 _ => {
                     let broken = if is_rule { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
                     writeln!(out, "{broken}{}{limit}", self.found(rule))?;
@@ -263,12 +275,16 @@ impl Coverage {
     fn found(&self, rule: CoverageRule) -> String {
         let of_rule = self.counts().into_iter().find(|(other, ..)| *other == rule);
         let (_, count, what) = of_rule.unwrap_or((rule, 0, "finding"));
-        match (count, what) {
+        let found = match (count, what) {
             (1, _) => format!("1 {what}"),
             (n, "near miss") => format!("{} near misses", grouped(n)),
             (n, "mismatch") => format!("{} mismatches", grouped(n)),
             (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
             (n, what) => counted(n, what),
+        };
+        match self.accepted(rule) {
+            0 => found,
+            n => format!("{found}, {} accepted", grouped(n)),
         }
     }
 
@@ -314,11 +330,11 @@ impl Coverage {
     /// The worst of each rule.
     pub(crate) fn write_worst(&self, out: &mut String, list: usize, decimals: usize) -> std::fmt::Result {
         for (rule, count, _) in self.counts() {
-            let of_rule = self.findings.iter().filter(|one| one.rule == Some(rule.id()));
+            let of_rule = self.findings.iter().filter(|one| one.rule == Some(rule.id()) && one.accepted.is_none());
             let shown: Vec<&Diagnosis> = of_rule.take(list).collect();
             shown.iter().try_for_each(|one| write(out, one, decimals))?;
             write_explanations(out, shown.iter().copied())?;
-            let more = count - shown.len();
+            let more = count - self.accepted(rule) - shown.len();
             if more > 0 && !shown.is_empty() {
                 writeln!(out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
             }
@@ -407,8 +423,13 @@ fn missing_vertices(findings: &[(Finding, Option<&'static str>)]) -> Vec<(Positi
         finding.missing.iter().map(|vertex| (position(vertex.at), pair)).collect::<Vec<_>>()
     };
     let mut all: Vec<_> = findings.iter().flat_map(|(finding, _)| of(finding)).collect();
-    all.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    all.sort_by(|(a, _), (b, _)| compare(a, b));
     all
+}
+
+/// The order of places: by x, then by y.
+fn compare(a: &Position, b: &Position) -> Ordering {
+    a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
 }
 
 /// The missing vertices of a mismatch.

@@ -67,6 +67,9 @@ reference system"
     /// It is a mesh or a file of tables, which are not drawn.
     #[error("{0} is not drawn, so that there is no page and no layer of findings")]
     NoPicture(&'static str),
+    /// It is a file of tables, each of which has a verdict of its own.
+    #[error("a file of tables has a report in text and JSON only")]
+    NoReport,
     /// The findings could not be written as a layer.
     #[error(transparent)]
     Write(#[from] layer::WriteError),

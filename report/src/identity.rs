@@ -27,21 +27,18 @@ impl Identities {
             one.features.iter().flatten().filter_map(|f| f.id.as_deref().or(f.name.as_deref())).collect();
         features.sort_unstable();
         let mut text = format!("{rule}\n{}\n", one.kind.name());
-        match one.kind {
-            // The vertex that names the component depends on the order.
-            Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) => {
-                let _ = write!(text, "{vertices} {edges} {cycles} {genus}");
+        // The vertex that names the component depends on the order.
+        if let Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) = one.kind {
+            let _ = write!(text, "{vertices} {edges} {cycles} {genus}");
+        } else {
+            // Each with its length, so that different lists are different texts.
+            for feature in features {
+                let _ = write!(text, "{}:{feature}", feature.len());
             }
-            _ => {
-                // Each with its length, so that different lists are different texts.
-                features.iter().for_each(|feature| {
-                    let _ = write!(text, "{}:{feature}", feature.len());
-                });
-                text.push('\n');
-                match first_corner(one) {
-                    Some(at) => text.push_str(&on_grid(at)),
-                    None => text.push_str(&one.records.names().join(",")),
-                }
+            text.push('\n');
+            match first_corner(one) {
+                Some(at) => text.push_str(&on_grid(at)),
+                None => text.push_str(&one.records.names().join(",")),
             }
         }
         let digest = Sha256::digest(text.as_bytes());

@@ -19,6 +19,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod accepted;
 mod audit;
 mod borders;
 pub mod certificate;
@@ -26,12 +27,14 @@ pub mod clean;
 mod coverage;
 mod coverage_words;
 pub mod diagnosis_text;
+mod diff;
 mod error;
 mod findings_geojson;
 mod identity;
 mod imported;
 mod input;
 mod input_kind;
+mod junit;
 mod map;
 mod map_json;
 mod map_notes;
@@ -45,6 +48,7 @@ mod packed;
 mod page;
 mod reader_words;
 mod report;
+mod sarif;
 mod tables;
 mod text;
 mod textbook;
@@ -55,9 +59,11 @@ mod verdict;
 pub mod voronoi;
 pub mod words;
 
+pub use accepted::{Accepted, AcceptedError, AcceptedFinding};
 pub use audit::{Audited, audit};
 pub use borders::{Border, borders};
 pub use coverage::{Coverage, CoverageOptions, Row, row};
+pub use diff::{Compared, Difference, DifferenceError};
 pub use error::Error;
 pub use imported::{Imported, MapOptions};
 pub use input::Input;

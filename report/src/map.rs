@@ -36,10 +36,10 @@ pub(crate) fn audit(
     let is_rule = asked.coverage.is_rule;
     let of_coverage = if is_rule { coverage.total() } else { 0 };
     // What cannot be checked is not known to hold.
-    let is_coverage = of_coverage == 0 && (!is_rule || coverage.not_checked().is_none());
+    let is_checked = !is_rule || coverage.not_checked().is_none();
     let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
     Ok(AuditReport {
-        valid: report.is_valid() && is_coverage,
+        valid: report.is_valid() && is_checked,
         found: counted(report.violation_count() as usize + of_coverage, "violation"),
         json: JsonForm {
             counts: to_value(report.counts())?,

@@ -1,5 +1,6 @@
 //! The options of an audit.
 
+use crate::accepted::Accepted;
 use crate::coverage::CoverageOptions;
 use crate::imported::MapOptions;
 use crate::input_kind::InputKind;
@@ -21,6 +22,8 @@ pub struct Options {
     pub map: MapOptions,
     /// The limits by which a coverage is judged.
     pub coverage: CoverageOptions,
+    /// The findings of the coverage that are accepted. Those that are not listed are not.
+    pub accepted: Option<Accepted>,
     /// Lengths in metres along geodesics.
     pub geodesic: bool,
     /// The properties that a mesh must have.
@@ -34,6 +37,7 @@ impl Default for Options {
             explain: false,
             map: MapOptions::default(),
             coverage: CoverageOptions::default(),
+            accepted: None,
             geodesic: false,
             mesh: HalfEdgeMesh::expectation(),
         }

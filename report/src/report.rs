@@ -1,5 +1,6 @@
 //! The report of an audit, which all writers take.
 
+use crate::accepted::AcceptedSummary;
 use crate::coverage::Coverage;
 use crate::identity::Identities;
 use crate::packed::Window;
@@ -21,6 +22,8 @@ pub(crate) struct AuditReport {
     /// Why more is to be known, in sentences, whatever the rules say.
     pub(crate) doubts: Vec<String>,
     pub(crate) judged: Option<Judged>,
+    /// What became of accepted findings, if there is a list of them.
+    pub(crate) accepted: Option<AcceptedSummary>,
     /// The options, as JSON.
     pub(crate) options: Map<String, Value>,
     /// The numbers of findings, if it is not valid.
@@ -87,6 +90,7 @@ impl AuditReport {
             valid: false,
             doubts: Vec::new(),
             judged: None,
+            accepted: None,
             options: Map::new(),
             found: String::new(),
             notes: Vec::new(),
@@ -131,7 +135,7 @@ impl AuditReport {
 
     /// The verdict.
     pub(crate) fn verdict(&self) -> Verdict {
-        let of_coverage = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::total);
+        let of_coverage = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::open);
         // Those of a mesh may be no faults, if they are listed.
         let of_faces = self.finding_count > 0
             && (self.findings.is_empty() || self.findings.iter().any(|finding| finding.is_violation));
@@ -172,7 +176,7 @@ impl AuditReport {
     }
 
     /// Why the verdict is not known, in sentences.
-    fn unknown(&self) -> Vec<String> {
+    pub(crate) fn unknown(&self) -> Vec<String> {
         if self.verdict() != Verdict::Unknown {
             return Vec::new();
         }
@@ -228,6 +232,8 @@ impl AuditReport {
             first: Option<First<'a>>,
             judged: Option<&'a Judged>,
             version: &'static str,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            accepted: Option<&'a AcceptedSummary>,
             options: &'a Map<String, Value>,
             #[serde(flatten)]
             document: Document<'a, &'a Value>,
@@ -255,6 +261,7 @@ impl AuditReport {
             first: self.first().map(|one| First { rule: one.rule, id: one.id.as_deref(), at: one.look }),
             judged: self.judged.as_ref(),
             version: env!("CARGO_PKG_VERSION"),
+            accepted: self.accepted.as_ref(),
             options: &self.options,
             document,
             extra,

@@ -5,7 +5,8 @@ use super::mesh_options::MeshOptions;
 use crate::coverage_arguments::CoverageArguments;
 use crate::input::MapFile;
 use crate::measured::Measured;
-use twinedge_report::Options;
+use std::path::PathBuf;
+use twinedge_report::{Accepted, Options};
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -57,6 +58,19 @@ pub(crate) struct Audit {
     #[arg(long)]
     pub(super) explain: bool,
 
+    /// Accept the findings of C1 … C7 that are listed in this file, as long as they do not grow: with --coverage they break nothing. The report says which
+    /// of them no longer occur. `--accept-all` writes such a file.
+    #[arg(long, value_name = "FILE")]
+    pub(super) accept: Option<PathBuf>,
+
+    /// Write all findings of C1 … C7 to this file, as accepted ones. Those that the file of --accept has keep their reason and date.
+    #[arg(long, value_name = "FILE")]
+    pub(super) accept_all: Option<PathBuf>,
+
+    /// The reason that --accept-all writes.
+    #[arg(long, value_name = "TEXT", requires = "accept_all", default_value = "accepted as it is")]
+    pub(super) reason: String,
+
     /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. Text and JSON say so; of the other formats nothing is
     /// written.
     #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
@@ -83,9 +97,12 @@ pub(crate) struct Audit {
 }
 
 impl Audit {
-    pub(super) fn options(&self) -> Options {
+    /// The options; with lists of accepted findings, all findings are listed.
+    pub(super) fn options(&self, accepted: Option<Accepted>) -> Options {
+        let is_all = self.accept.is_some() || self.accept_all.is_some();
         Options {
-            list: self.list,
+            list: if is_all { Some(usize::MAX) } else { self.list },
+            accepted,
             explain: self.explain,
             map: self.map.options(),
             coverage: self.coverage.options(),

@@ -17,15 +17,21 @@ pub(super) enum ReportFormat {
     Json,
     /// The findings as a layer of points, lines and polygons (RFC 7946).
     Geojson,
+    /// SARIF 2.1.0, for code hosts.
+    Sarif,
+    /// XML in the form of `JUnit`, for continuous integration: a test case for each rule.
+    Junit,
     /// The map and what was found side by side, in one file that a browser shows without network.
     Html,
 }
 
 /// The extensions that say a format.
-const EXTENSIONS: [(&str, ReportFormat); 5] = [
+const EXTENSIONS: [(&str, ReportFormat); 7] = [
     ("txt", ReportFormat::Text),
     ("json", ReportFormat::Json),
     ("geojson", ReportFormat::Geojson),
+    ("sarif", ReportFormat::Sarif),
+    ("xml", ReportFormat::Junit),
     ("html", ReportFormat::Html),
     ("htm", ReportFormat::Html),
 ];
@@ -33,7 +39,7 @@ const EXTENSIONS: [(&str, ReportFormat); 5] = [
 /// The arguments.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Output format. Default: what the extension of the output says (.txt, .json, .geojson, .html), else text. geojson and html are for
+    /// Output format. Default: what the extension of the output says (.txt, .json, .geojson, .sarif, .xml, .html), else text. geojson and html are for
     /// maps, topologies of PostGIS and the tables of a textbook.
     #[arg(long, value_enum)]
     format: Option<ReportFormat>,

@@ -10,13 +10,14 @@ mod write;
 pub(crate) use arguments::Audit;
 
 use crate::judged::Counted;
+use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Audited, InputKind, Judged, audit};
+use twinedge_report::{Accepted, Audited, InputKind, Judged, audit};
 use write::write;
 
 impl Audit {
@@ -39,7 +40,9 @@ impl Audit {
             input.reader = Box::new(reader);
             counter = Some(counted);
         }
-        let mut audited = busy(|stage| audit(input, kind, &self.options(), stage)).map_err(named(&name))?;
+        let accepted = self.accept.as_deref().map(accepted).transpose()?;
+        let mut audited =
+            busy(|stage| audit(input, kind, &self.options(accepted.clone()), stage)).map_err(named(&name))?;
         let judged: Option<Judged> = match counter {
             Some(counter) => Some(counter.judged()),
             None => self.map.judged()?,
@@ -52,6 +55,11 @@ impl Audit {
         }
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         claim.take();
+        if let Some(path) = &self.accept_all {
+            let today = chrono::Utc::now().date_naive().to_string();
+            let all = audited.accept_all(accepted.as_ref(), &self.reason, &today).map_err(named(&name))?;
+            write_file(path, self.map.path(), &all)?;
+        }
         write(&audited, &to)?;
         Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
@@ -61,10 +69,17 @@ impl Audit {
         let name = self.map.path().map_or_else(|| "standard input".to_owned(), |path| path.display().to_string());
         let seconds = self.timeout.unwrap_or_default();
         let why = format!("time was up after {seconds} s");
-        let audited = Audited::unfinished(&name, Some(InputKind::Map), &self.options(), &why);
+        let audited = Audited::unfinished(&name, Some(InputKind::Map), &self.options(None), &why);
         write(&audited, &self.destination.destination(self.map.path())?)?;
         Ok(Verdict::Wrong)
     }
+}
+
+/// Reads a list of accepted findings.
+fn accepted(path: &Path) -> Result<Accepted, Failure> {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(named(&name))?;
+    Accepted::read(&text).map_err(named(&name))
 }
 
 /// That by which one sees that a file has changed: its length, and when it was written.

@@ -10,7 +10,7 @@ use twinedge_report::{Input, InputKind};
 enum Options {
     /// `--snap`.
     Snap,
-    /// Those under "Coverage", and `--geodesic`.
+    /// Those under "Coverage", `--geodesic`, and lists of accepted findings.
     Coverage,
     /// Those under "Meshes".
     Mesh,
@@ -34,7 +34,10 @@ impl Options {
     fn are_given(self, asked: &Audit, to: &Destination<'_>) -> bool {
         match self {
             Self::Snap => asked.map.is_snapped(),
-            Self::Coverage => asked.coverage.is_any() || asked.measured.is_geodesic(),
+            Self::Coverage => {
+                let of_lists = asked.accept.is_some() || asked.accept_all.is_some();
+                asked.coverage.is_any() || asked.measured.is_geodesic() || of_lists
+            }
             Self::Mesh => asked.mesh.is_any(),
             Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
         }
@@ -44,7 +47,9 @@ impl Options {
     fn refusal(self, what: &str) -> String {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
-            Self::Coverage => format!("--coverage, its limits and --geodesic are for maps, and this is {what}"),
+            Self::Coverage => format!(
+                "--coverage, its limits, --accept, --accept-all and --geodesic are for maps, and this is {what}"
+            ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Picture => format!(
                 "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"

@@ -19,6 +19,8 @@ pub(super) fn write(audited: &Audited, to: &Destination<'_>) -> Result<(), Failu
             }
             to.bytes(&layer)?;
         }
+        ReportFormat::Sarif => to.bytes(&audited.sarif()?)?,
+        ReportFormat::Junit => to.bytes(audited.junit()?.as_bytes())?,
         ReportFormat::Html => to.bytes(audited.page()?.as_bytes())?,
     }
     if let (ReportFormat::Geojson | ReportFormat::Html, Some(file)) = (to.format, to.file()) {

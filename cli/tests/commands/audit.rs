@@ -97,7 +97,8 @@ fn machines_get_these_keys() {
         assert_eq!(keys(rule), ["checked", "id", "unchecked", "violations"]);
     }
     for violation in found["violations"].as_array().unwrap() {
-        assert_eq!(keys(violation), ["at", "features", "fields", "kind", "message", "records", "rule"]);
+        let of_all = ["at", "features", "fields", "id", "kind", "message", "records", "rule"];
+        assert_eq!(keys(violation).into_iter().filter(|key| *key != "follows_from").collect::<Vec<_>>(), of_all);
     }
 }
 
@@ -380,7 +381,8 @@ fn a_crossing_beside_a_missing_vertex_does_not_follow_from_it() {
         all.filter(|one| one.get("follows_from").cloned().unwrap_or(Value::Null) == follows).count()
     };
     assert_eq!((of("G4", json!("C7")), of("G4", Value::Null)), (2, 2));
-    assert_eq!((of("T3", json!("G4")), of("T3", json!("C7"))), (2, 0));
+    // The two squares are components of their own, and have no handle.
+    assert_eq!((of("T3", json!("G4")), of("T3", json!("C7"))), (1, 0));
 }
 
 /// Two lakes in one parcel, of a mean width of 2 and 10, and a strip of 0.25 between two parcels.

@@ -32,6 +32,8 @@ struct Entry<'a> {
     missing: &'a [MissingVertex],
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accepted: Option<&'a str>,
     message: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     follows_from: Option<&'static str>,
@@ -87,6 +89,7 @@ impl Serialize for Diagnosis {
             defects: &self.defects,
             missing: &self.missing,
             snapping: self.snapping,
+            accepted: self.accepted.as_deref(),
             message: &self.message,
             follows_from: self.follows_from,
             cause: self.cause,

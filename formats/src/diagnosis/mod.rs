@@ -79,6 +79,8 @@ pub struct Diagnosis {
     pub snapping: Option<&'static str>,
     /// The id of the rule from whose violations this one follows.
     pub follows_from: Option<&'static str>,
+    /// The reason for which it was accepted, if it was.
+    pub accepted: Option<String>,
     /// It makes the input invalid.
     pub is_violation: bool,
 }

@@ -1,0 +1,164 @@
+//! Findings of a coverage that were accepted, as lakes and disputed areas are.
+
+use crate::report::{AuditReport, Note};
+use crate::words::{counted, plain};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Position};
+
+/// The version of the form.
+const SCHEMA: &str = "twinedge-accepted/1";
+
+/// A measure may be greater by this part of it, since it is rounded.
+const ROUNDING: f64 = 1e-9;
+
+/// Findings that were accepted. Each is known by its id, and is accepted as long as it does not grow.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Accepted {
+    schema: String,
+    accepted: Vec<AcceptedFinding>,
+}
+
+/// A finding that was accepted.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct AcceptedFinding {
+    /// The id.
+    pub id: String,
+    /// The reason, a sentence.
+    #[serde(default)]
+    pub reason: String,
+    /// The day on which it was accepted.
+    #[serde(default)]
+    pub date: String,
+    /// The rule.
+    #[serde(default)]
+    pub rule: String,
+    /// The features, by id, or else by name.
+    #[serde(default)]
+    pub features: Vec<String>,
+    /// The place to look at.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<Position>,
+    /// The area that it had; without one, any is accepted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area: Option<f64>,
+    /// The length of the borders that it had; without one, any is accepted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// The number of missing vertices that it had; without one, any is accepted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub missing: Option<usize>,
+}
+
+/// What became of accepted findings.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub(crate) struct AcceptedSummary {
+    /// The number of those that occur.
+    pub(crate) count: usize,
+    /// The ids of those that have grown, and count as findings.
+    pub(crate) grown: Vec<String>,
+    /// The ids of those that no longer occur.
+    pub(crate) gone: Vec<String>,
+}
+
+/// Why a file is no list of accepted findings.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum AcceptedError {
+    /// It is no JSON of this form.
+    #[error("no list of accepted findings: {0}")]
+    Json(#[from] serde_json::Error),
+    /// It has another version.
+    #[error("no list of accepted findings: its schema is {0:?}, not {SCHEMA:?}")]
+    Schema(String),
+    /// An id is there twice.
+    #[error("the finding {0} is accepted twice")]
+    Twice(String),
+}
+
+impl Accepted {
+    /// Reads a file. O(its length).
+    ///
+    /// # Errors
+    /// [`AcceptedError`].
+    pub fn read(text: &str) -> Result<Self, AcceptedError> {
+        let read: Self = serde_json::from_str(text)?;
+        if read.schema != SCHEMA {
+            return Err(AcceptedError::Schema(read.schema));
+        }
+        let mut ids = std::collections::HashSet::new();
+        match read.accepted.iter().find(|one| !ids.insert(&*one.id)) {
+            Some(one) => Err(AcceptedError::Twice(one.id.clone())),
+            None => Ok(read),
+        }
+    }
+
+    /// All findings of the coverage of a report. Those that are in `before` keep their reason and date, unless they grew.
+    pub(crate) fn of(report: &AuditReport, before: Option<&Self>, reason: &str, date: &str) -> Self {
+        let of = |one: &Diagnosis| {
+            let id = one.id.clone().unwrap_or_default();
+            let known = before.iter().flat_map(|before| &before.accepted).find(|known| known.id == id);
+            let (reason, date) =
+                known.filter(|known| known.covers(one)).map_or((reason, date), |known| (&known.reason, &known.date));
+            AcceptedFinding {
+                id,
+                reason: reason.to_owned(),
+                date: date.to_owned(),
+                rule: one.rule.unwrap_or_default().to_owned(),
+                features: one.features.iter().flatten().map(FeatureName::key).collect(),
+                at: one.look,
+                area: one.measures.area,
+                length: one.measures.length,
+                missing: Some(one.missing.len()).filter(|count| *count > 0),
+            }
+        };
+        let all = report.coverage.iter().flat_map(|coverage| coverage.findings());
+        Self { schema: SCHEMA.to_owned(), accepted: all.map(of).collect() }
+    }
+
+    /// Marks the findings of a report that are accepted, and notes which are no longer there, and which grew.
+    pub(crate) fn apply(&self, report: &mut AuditReport) {
+        let known: HashMap<&str, &AcceptedFinding> = self.accepted.iter().map(|one| (&*one.id, one)).collect();
+        let mut found = std::collections::HashSet::new();
+        let mut summary = AcceptedSummary::default();
+        let mut lines = Vec::new();
+        for one in report.coverage.iter_mut().flat_map(|coverage| coverage.findings_mut()) {
+            let Some(accepted) = one.id.as_deref().and_then(|id| known.get(id)) else { continue };
+            found.insert(&*accepted.id);
+            if accepted.covers(one) {
+                summary.count += 1;
+                one.accepted = Some(accepted.reason.clone());
+                one.is_violation = false;
+            } else {
+                summary.grown.push(accepted.id.clone());
+                lines.push(format!("{}: it was accepted on {}, and has grown", accepted.title(), accepted.date));
+            }
+        }
+        for gone in self.accepted.iter().filter(|one| !found.contains(&*one.id)) {
+            summary.gone.push(gone.id.clone());
+            lines.push(format!("{}: it was accepted on {}, and no longer occurs", gone.title(), gone.date));
+        }
+        report.notes.push(Note::Plain(format!("{} accepted", counted(summary.count, "finding"))));
+        report.notes.extend(lines.iter().map(|line| Note::Plain(plain(line))));
+        let open = report.coverage.as_ref().filter(|_| report.style.is_rule).map_or(0, |coverage| coverage.open());
+        report.found = counted(report.violation_count as usize + open, "violation");
+        report.accepted = Some(summary);
+    }
+}
+
+impl AcceptedFinding {
+    /// Returns true if a finding is no greater.
+    fn covers(&self, one: &Diagnosis) -> bool {
+        let is_within = |now: Option<f64>, then: Option<f64>| match (now, then) {
+            (Some(now), Some(then)) => now <= then * (1.0 + ROUNDING),
+            _ => true,
+        };
+        let is_as_few = self.missing.is_none_or(|count| one.missing.len() <= count);
+        is_within(one.measures.area, self.area) && is_within(one.measures.length, self.length) && is_as_few
+    }
+
+    /// The id and the features.
+    fn title(&self) -> String {
+        if self.features.is_empty() { self.id.clone() } else { format!("{} ({})", self.id, self.features.join(", ")) }
+    }
+}

@@ -1,0 +1,122 @@
+//! A report as XML in the form of `JUnit`, which servers of continuous integration show: a test case for each rule.
+
+use crate::diagnosis_text::full_message;
+use crate::report::AuditReport;
+use crate::verdict::Verdict;
+use crate::words::plain;
+use std::fmt::Write as _;
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
+
+/// The outcome of a test case.
+enum Outcome {
+    Passed,
+    Failed(String),
+    /// Why it was not run.
+    Skipped(String),
+    /// Why nothing is known.
+    Error(String),
+}
+
+/// The report. A rule fails where it makes the input invalid; a verdict that is not known is an error.
+///
+/// # Errors
+/// None that happens: writing to a string does not fail.
+pub(crate) fn junit(report: &AuditReport) -> Result<String, std::fmt::Error> {
+    let cases = cases(report);
+    let count = |is: fn(&Outcome) -> bool| cases.iter().filter(|(_, outcome)| is(outcome)).count();
+    let failures = count(|outcome| matches!(outcome, Outcome::Failed(_)));
+    let skipped = count(|outcome| matches!(outcome, Outcome::Skipped(_)));
+    let errors = count(|outcome| matches!(outcome, Outcome::Error(_)));
+    let (tests, time) = (cases.len(), report.elapsed_ms / 1000.0);
+    let name = escaped(&report.input);
+    let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    writeln!(out, "<testsuites tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\" time=\"{time:.3}\">")?;
+    writeln!(
+        out,
+        "  <testsuite name=\"{name}\" tests=\"{tests}\" failures=\"{failures}\" errors=\"{errors}\" skipped=\"{skipped}\" time=\"{time:.3}\">"
+    )?;
+    for (case, outcome) in &cases {
+        write!(out, "    <testcase classname=\"twinedge\" name=\"{}\" time=\"0\"", escaped(case))?;
+        match outcome {
+            Outcome::Passed => writeln!(out, "/>")?,
+            Outcome::Skipped(why) => writeln!(out, "><skipped message=\"{}\"/></testcase>", escaped(why))?,
+            Outcome::Error(why) => {
+                writeln!(out, "><error type=\"unknown\" message=\"{}\"/></testcase>", escaped(why))?;
+            }
+            Outcome::Failed(lines) => {
+                let first = lines.lines().next().unwrap_or_default();
+                let [first, lines] = [first, lines].map(escaped);
+                writeln!(out, "><failure type=\"violation\" message=\"{first}\">{lines}</failure></testcase>")?;
+            }
+        }
+    }
+    out.push_str("  </testsuite>\n</testsuites>\n");
+    Ok(out)
+}
+
+fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
+    let lines = |of: &dyn Fn(&Diagnosis) -> bool| {
+        report.listed().filter(|one| of(one)).map(line).collect::<Vec<_>>().join("\n")
+    };
+    let own = report.rules.iter().filter(|rule| rule.applies()).map(|rule| {
+        let outcome = match (rule.violations, rule.not_checked()) {
+            (0, None) => Outcome::Passed,
+            (0, Some(why)) => Outcome::Skipped(why),
+            (n, _) => Outcome::Failed(match lines(&|one| one.rule == Some(rule.id)) {
+                listed if listed.is_empty() => format!("{n} violations"),
+                listed => listed,
+            }),
+        };
+        (format!("{} {}", rule.id, rule.name), outcome)
+    });
+    let of_coverage = report.coverage.iter().filter(|_| report.style.is_rule).flat_map(|coverage| {
+        coverage.counts().map(|(rule, count, _)| {
+            let outcome = match (count - coverage.accepted(rule), coverage.not_checked()) {
+                (_, Some(why)) if rule != CoverageRule::Validity => Outcome::Skipped(why.to_owned()),
+                (0, _) => Outcome::Passed,
+                (n, _) => Outcome::Failed(match lines(&|one| one.is_violation && one.rule == Some(rule.id())) {
+                    listed if listed.is_empty() => format!("{n} findings"),
+                    listed => listed,
+                }),
+            };
+            (rule.to_string(), outcome)
+        })
+    });
+    let mut all: Vec<_> = own.chain(of_coverage).collect();
+    let of_faces = lines(&|one| one.rule.is_none() && one.is_violation);
+    if report.finding_count > 0 && !of_faces.is_empty() {
+        all.push(("faces".to_owned(), Outcome::Failed(of_faces)));
+    }
+    if report.verdict() == Verdict::Unknown {
+        all.push(("verdict".to_owned(), Outcome::Error(report.sentence())));
+    }
+    all
+}
+
+/// A finding in a line.
+fn line(one: &Diagnosis) -> String {
+    let features: Vec<String> = one.features.iter().flatten().map(FeatureName::title).collect();
+    let who = if features.is_empty() { String::new() } else { format!(" ({})", features.join(", ")) };
+    let place = one.look.map_or_else(String::new, |[x, y]| format!(", at {x}, {y}"));
+    let id = one.id.as_deref().unwrap_or_default();
+    plain(&format!("{id}{who}: {}{place}", full_message(one)))
+}
+
+/// Text as it may stand in XML 1.0, in an element or an attribute.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\n' => out.push_str("&#10;"),
+            // XML has no way to write the others.
+            c if (c < ' ' && c != '\t') || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push('\u{fffd}'),
+            c => out.push(c),
+        }
+    }
+    out
+}
