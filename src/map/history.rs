@@ -28,7 +28,7 @@ use std::ops::Range;
 ///     map.insert_point([1.0, 3.0])?;
 ///     map.insert_segment([1.0, 3.0], [3.0, 1.0])
 /// });
-/// assert!(matches!(refused, Err(EditError::EdgeInTheWay { .. })));
+/// assert!(matches!(refused, Err(EditError::Crosses(_))));
 /// assert_eq!(history.get().dcel().vertex_count(), 4);
 ///
 /// assert_eq!(history.undo_name(), Some("divide it"));
