@@ -44,9 +44,13 @@ use core::ops::Range;
 /// # Keys
 ///
 /// The structure after `undo` *equals* that before the change, keys included. The key of a record that the change removed is live
-/// again, and names the same record; the key of a record that it made is stale, until `redo`. Data kept in a
-/// [`SecondaryMap`](super::SecondaryMap) need not be touched when records come and go, if nothing but their keys counts. A key that a
-/// change has issued never names another record: not when the change was taken back, nor when it can no longer be done again.
+/// again, and names the same record; the key of a record that it made is stale, until `redo`. A key that a change has issued never
+/// names another record: not when the change was taken back, nor when it can no longer be done again.
+///
+/// So data beside the structure need not be undone. Keep it by key in a `HashMap`, add an entry for each record that is made, and leave
+/// those of removed records: whichever records are live after `undo` and `redo`, their entries are there. (A
+/// [`SecondaryMap`](super::SecondaryMap) has room for one entry in each slot. A record that takes the slot of another one takes its place there,
+/// too.) The example `undo` is an editor of parcels whose owners follow like this.
 ///
 /// # One line, no branches
 ///
@@ -102,7 +106,7 @@ impl History {
         &self.past.recorder.store.dcel
     }
 
-    /// The structure, for good. O(1).
+    /// The structure, for good. O(1). It knows nothing of what was undone, so it may issue a key again that an undone change had issued.
     #[must_use]
     pub fn into_dcel(self) -> Dcel {
         self.past.recorder.store.dcel
@@ -110,7 +114,8 @@ impl History {
 
     /// Changes the structure by one operator or more, which are undone and redone together.
     ///
-    /// The time that the operators take, and O(1) for each link that they write. Changes that could be redone are dropped.
+    /// The time that the operators take, and O(1) for each link that they write. Changes that could be redone are dropped; if it
+    /// fails, they are kept, which takes O(their entries).
     ///
     /// A structure that the closure puts in place of the other, as by [`core::mem::swap`], begins a history of its own: nothing before
     /// it can be undone, and an error does not bring the other one back.

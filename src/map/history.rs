@@ -28,7 +28,7 @@ use std::ops::Range;
 ///     map.insert_point([1.0, 3.0])?;
 ///     map.insert_segment([1.0, 3.0], [3.0, 1.0])
 /// });
-/// assert!(matches!(refused, Err(EditError::EdgeInTheWay { .. })));
+/// assert!(matches!(refused, Err(EditError::Crosses(_))));
 /// assert_eq!(history.get().dcel().vertex_count(), 4);
 ///
 /// assert_eq!(history.undo_name(), Some("divide it"));
@@ -68,7 +68,7 @@ impl History {
         &self.past.recorder
     }
 
-    /// The map, for good. O(1).
+    /// The map, for good. O(1). It knows nothing of what was undone, so it may issue a key again that an undone change had issued.
     #[must_use]
     pub fn into_map(self) -> PlanarMap {
         let mut map = self.past.recorder;
@@ -78,7 +78,8 @@ impl History {
 
     /// Changes the map by one edit or more, which are undone and redone together.
     ///
-    /// The time that the edits take, and O(1) for each link, point and set of features that they write. Changes that could be redone are dropped.
+    /// The time that the edits take, and O(1) for each link, point and set of features that they write. Changes that could be redone are dropped; if it
+    /// fails, they are kept, which takes O(their entries).
     ///
     /// A map that the closure puts in place of the other, as by assignment, begins a history of its own: nothing before it can be undone, and
     /// an error does not bring the other one back.

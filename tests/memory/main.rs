@@ -5,6 +5,7 @@
 mod counting;
 mod coverage;
 mod geojson;
+mod history;
 mod pointer_model;
 mod stores;
 mod validator;

@@ -119,6 +119,7 @@ impl Journal {
     /// Starts anew with the store as it is, as another journal. The keys stay those that must not be issued again.
     pub(crate) fn begin(&mut self, store: &SlotStore) {
         self.entries.clear();
+        self.saves_vacant = false;
         self.token = Some(structure_offset());
         self.follow(store);
     }
@@ -222,6 +223,12 @@ impl Journal {
         self.entries.push(Entry { written, slot, number });
     }
 
+    /// Logs several at once, which takes less time.
+    #[inline]
+    fn log_all<const N: usize>(&mut self, entries: [(Written, u32, u32); N]) {
+        self.entries.extend(entries.map(|(written, slot, number)| Entry { written, slot, number }));
+    }
+
     /// Logs what is in the slot that is issued next, if it has ever been used.
     fn save(&mut self, columns: &[Written], slot: u32, store: &mut SlotStore) {
         for column in columns {
@@ -313,17 +320,22 @@ impl Watch<SlotStore> for Journal {
 
     fn remove_edge(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
         for h in [h, store.twin(h)] {
-            self.set_origin(store, h);
-            self.join(store, h, h);
-            self.set_boundary(store, h);
+            self.log_all([
+                (Written::Origin, h.0, store.origin(h).0),
+                (Written::Next, h.0, store.next(h).0),
+                (Written::Prev, h.0, store.prev(h).0),
+                (Written::Boundary, h.0, store.boundary(h).0),
+            ]);
         }
         self.retired(&store.edges, Kind::Edge, h.0 >> 1);
     }
 
     fn remove_boundary(&mut self, store: &SlotStore, b: BoundarySlot) {
-        self.log(Written::Start, b.0, store.start[b.0 as usize]);
-        self.log(Written::BoundaryFace, b.0, store.face(b).0);
-        self.set_place(store, b);
+        self.log_all([
+            (Written::Start, b.0, store.start[b.0 as usize]),
+            (Written::BoundaryFace, b.0, store.face(b).0),
+            (Written::Place, b.0, store.place(b)),
+        ]);
         self.retired(&store.boundaries, Kind::Boundary, b.0);
     }
 
@@ -337,8 +349,7 @@ impl Watch<SlotStore> for Journal {
     }
 
     fn join(&mut self, store: &SlotStore, h: HalfEdgeSlot, n: HalfEdgeSlot) {
-        self.log(Written::Next, h.0, store.next(h).0);
-        self.log(Written::Prev, n.0, store.prev(n).0);
+        self.log_all([(Written::Next, h.0, store.next(h).0), (Written::Prev, n.0, store.prev(n).0)]);
     }
 
     fn set_boundary(&mut self, store: &SlotStore, h: HalfEdgeSlot) {
@@ -362,15 +373,19 @@ impl Watch<SlotStore> for Journal {
     }
 
     fn list_outer(&mut self, store: &SlotStore, f: FaceSlot, b: BoundarySlot) {
-        self.log(Written::Outer, f.0, store.outer[f.0 as usize]);
-        self.log(Written::BoundaryFace, b.0, store.face(b).0);
-        self.set_place(store, b);
+        self.log_all([
+            (Written::Outer, f.0, store.outer[f.0 as usize]),
+            (Written::BoundaryFace, b.0, store.face(b).0),
+            (Written::Place, b.0, store.place(b)),
+        ]);
     }
 
     fn list_inner(&mut self, store: &SlotStore, f: FaceSlot, b: BoundarySlot) {
-        self.log(Written::BoundaryFace, b.0, store.face(b).0);
-        self.set_place(store, b);
-        self.log(Written::Listed, f.0, b.0);
+        self.log_all([
+            (Written::BoundaryFace, b.0, store.face(b).0),
+            (Written::Place, b.0, store.place(b)),
+            (Written::Listed, f.0, b.0),
+        ]);
     }
 
     fn unlist(&mut self, store: &SlotStore, b: BoundarySlot) {
