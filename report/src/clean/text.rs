@@ -95,13 +95,8 @@ impl Cleaning<'_> {
             writeln!(out, "written to {} ({format})", plain(name))?;
         }
         match &report.left {
-<<<<<<< HEAD:cli/src/clean/text.rs
-            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed),
-            Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed),
-=======
-            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C6 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
+            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed_ms),
->>>>>>> 04d034ea:report/src/clean/text.rs
         }?;
         Ok(out)
     }
