@@ -291,7 +291,7 @@ let refused t words =
       match (corner a, corner b) with
       | At a, At b -> [ SplitVertex (prev_at t a, prev_at t b, t.vertex_slots, free_h, free_k) ]
       | _ -> [])
-  | "connect" :: a :: b :: _ -> (
+  | [ "connect"; a; b; _ ] -> (
       match (corner a, corner b) with
       | At a, At b when boundary_of t a <> boundary_of t b ->
           let kept = said "a component" (boundary_of t a) and dropped = said "a component" (boundary_of t b) in
