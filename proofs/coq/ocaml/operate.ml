@@ -67,9 +67,15 @@ let same name rv view table =
       if List.sort compare (list view i) <> List.sort compare (list table j) then
         fail "%s: face %d: inner differs" name j)
 
+(* The records that are live. *)
+let numbers slots live t = List.filter (live t) (List.init (slots t) Fun.id)
+let half_edges = numbers (fun t -> t.half_edge_slots) half_edge
+let boundaries = numbers (fun t -> t.boundary_slots) boundary
+let faces = numbers (fun t -> t.face_slots) face
+
 (* The only record that is live in one table and not in the other. *)
 let only kind slots live one other =
-  match List.filter (fun i -> live one i && not (live other i)) (List.init (slots one) Fun.id) with
+  match List.filter (fun i -> not (live other i)) (numbers slots live one) with
   | [ i ] -> i
   | found -> fail "%d instead of one new or old %s" (List.length found) kind
 
@@ -159,7 +165,6 @@ let contract name t t' n =
 (* An inner boundary component that starts at a vertex to which half-edges lead from u, but those of the edge of n and m; and
    these half-edges. *)
 let way_out t n m u =
-  let live is slots = List.filter (is t) (List.init (slots t) Fun.id) in
   let outsides =
     List.filter_map
       (fun b ->
@@ -167,9 +172,9 @@ let way_out t n m u =
         | Some (Inner _), Some (AtVertex w) -> Some (w, b)
         | Some (Inner _), Some (AtHalfEdge i) -> Some (said "an origin" (origin t i), b)
         | _ -> None)
-      (live boundary (fun t -> t.boundary_slots))
+      (boundaries t)
   in
-  let edges = List.filter (fun i -> i <> n && i <> m) (live half_edge (fun t -> t.half_edge_slots)) in
+  let edges = List.filter (fun i -> i <> n && i <> m) (half_edges t) in
   let rec search met = function
     | [] -> fail "no way leads to the outside of a part"
     | (w, way) :: waiting -> (
@@ -265,12 +270,11 @@ let proved t t' = function
 (* Operations that must be refused where an operator of `Dcel` was: none if its test is about keys or sizes, or if the proved operator
    does more. *)
 let refused t words =
-  let live is slots = List.filter (is t) (List.init (slots t) Fun.id) in
   let boundary_at = function At h -> boundary_of t h | Isolated v -> isolated t v in
   let free_h = t.half_edge_slots and free_k = t.half_edge_slots + 1 in
   match words with
   | [ "remove_isolated_vertex"; v ] ->
-      List.map (fun b -> Remove (tail v, b)) (live boundary (fun t -> t.boundary_slots))
+      List.map (fun b -> Remove (tail v, b)) (boundaries t)
   | [ "move_inner"; inner; g ] -> (
       match boundary_at (corner inner) with
       | None -> []
@@ -285,8 +289,7 @@ let refused t words =
   | [ "flip_edge"; n; _ ] ->
       let n = tail n in
       let m = said "a twin" (twin t n) and b = said "a component" (boundary_of t n) in
-      let faces = live face (fun t -> t.face_slots) in
-      List.concat_map (fun f -> List.map (fun g -> MergeFaces (n, m, f, g, b, b)) faces) faces
+      List.concat_map (fun f -> List.map (fun g -> MergeFaces (n, m, f, g, b, b)) (faces t)) (faces t)
   | [ "split_vertex"; a; b ] -> (
       match (corner a, corner b) with
       | At a, At b -> [ SplitVertex (prev_at t a, prev_at t b, t.vertex_slots, free_h, free_k) ]
