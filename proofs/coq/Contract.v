@@ -114,7 +114,7 @@ by move=> ue; case I: (isolated t u) => [b|] //; have [B _ _] := core_isolated c
   [case: (B n live_n)|case: (B m live_m)]; rewrite E.
 Qed.
 
-(** What is isolated then: the edge that was alone, or what was isolated. *)
+(** An isolated vertex is what is left of the edge that was alone, or was isolated. *)
 Lemma isolated_is u b : isolated t' u = Some b -> [/\ u = kept, alone & b = bn] \/ [/\ u <> un, u <> um & isolated t u = Some b].
 Proof.
 move=> I; have lu := heard_live I; move: I; rewrite isolatedE //; case: ifP => [/andP[/eqP-> al] [<-]|_ I]; [by left|right].
@@ -308,7 +308,7 @@ Qed.
 
 End Contraction.
 
-(** What makes contracting right: the edge of [n] and [m] has the ends [kept] and [dropped], which are two. *)
+(** The edge of [n] and [m] has the ends [kept] and [dropped], which are two. *)
 Definition is_contractible t n m kept dropped := [&& twin t n == Some m, kept != dropped
   & (origin t n == Some kept) && (origin t m == Some dropped) || (origin t n == Some dropped) && (origin t m == Some kept)].
 

@@ -21,7 +21,7 @@ Unset Printing Implicit Defensive.
 Definition flip_edge t n m f g kept dropped a b new_left moved :=
   split_face (merge_faces t n m f g kept dropped) a b n m f g kept dropped false new_left moved.
 
-(** What makes it right: the edge is between two faces, and the corners are of its two cycles. *)
+(** The edge is between two faces, and the corners are of its two cycles. *)
 Definition is_flip t n m f g kept dropped a b :=
   is_seam t n m f g kept dropped && all (fun i => [&& i != n, i != m & (boundary_of t i == Some kept) || (boundary_of t i == Some dropped)]) [:: a; b].
 

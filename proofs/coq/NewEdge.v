@@ -16,7 +16,7 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** Where there is one live slot more, or two. *)
+(** One live slot more, and two. *)
 Lemma one_more n (live : nat -> bool) v i : (forall j, live j -> j < n) ->
   (i < maxn n v.+1) && ((i == v) || live i) = (i == v) || live i.
 Proof.

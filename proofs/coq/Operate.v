@@ -74,7 +74,7 @@ Definition is_right t o : bool :=
 Lemma free_edgeP t h k : is_free_edge t h k -> free_edge t h k.
 Proof. by case/and3P. Qed.
 
-(** What is run is a step of a program. *)
+(** An operation is a step of a program. *)
 Theorem operation_is_step t o : rules t -> is_right t o -> step t (after t o).
 Proof.
 case: o => /= [leaves starts|v b f|v b|b f i g|o v b h k|a b h k f kept dropped|

@@ -133,7 +133,7 @@ Hypothesis size_k : size vs + size hs <= k.+1.
 Hypothesis smaller : forall t1 vs1 hs1, rules t1 -> lists vs1 (vertex t1) -> lists hs1 (half_edge t1) -> size vs1 + size hs1 <= k ->
   program nothing t1.
 
-(** What is made of something smaller is made. *)
+(** A step from something smaller is enough. *)
 Lemma reach_by t1 t2 vs1 hs1 : rules t1 -> lists vs1 (vertex t1) -> lists hs1 (half_edge t1) -> size vs1 + size hs1 <= k ->
   (rules t1 -> step t1 t2) -> same_core t2 t -> program nothing t.
 Proof.

@@ -100,7 +100,7 @@ have [b by_] := slotP below (on_orbit_live below total O); rewrite -by_ in O *.
 by move: O; rewrite !(on_orbit_step below total) fconnect_sym.
 Qed.
 
-(** Where [prev] takes back each step along [next], it is right. *)
+(** [prev] is right if it takes back each step along [next]. *)
 Lemma prev_of_next t' i : (forall i, half_edge t' i -> exists2 y, next t' i = Some y & half_edge t' y) ->
   (forall i y, half_edge t' i -> next t' i = Some y -> prev t' y = Some i) ->
   half_edge t' i -> leads_to (half_edge t') (prev t' i) /\ prev t' i >>= next t' = Some i.

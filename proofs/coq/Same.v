@@ -105,7 +105,7 @@ move=> lf lt; have [_ _ _ /(_ f lf)[_ /(_ i lt)[b E _]]] := low_r1 l.
 by rewrite (nth_map 0) ?size_iota // nth_iota // add0n E.
 Qed.
 
-(** Where the list of [t'] has what the list of [t] has at [i]. *)
+(** The place in the list of [t'] of what the list of [t] has at [i]. *)
 Definition place_in f i := seq.index (nth 0 (inner_list t f) i) (inner_list t' f).
 
 Lemma kept_renames : renaming kept t' id id id id place_in.

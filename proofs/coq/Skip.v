@@ -9,7 +9,7 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** Where [step] leads if it leaves out [n] and [m]: [x] itself, if it is another one, or what follows. *)
+(** The first from [x] on, along [step], that is neither [n] nor [m]. *)
 Definition skip (step : nat -> link) n m x : link :=
   if x == n then (if step n == Some m then step m else step n) else
   if x == m then (if step m == Some n then step n else step m) else Some x.
@@ -17,7 +17,7 @@ Definition skip (step : nat -> link) n m x : link :=
 (** Nothing but the edge is in its component. *)
 Definition alone t n m := (next t n == Some m) && (next t m == Some n).
 
-(** Where a boundary component starts that started at [s]. *)
+(** The start of a boundary component that started at [s]. *)
 Definition skip_start t n m (s : option start) : option start :=
   if s is Some (AtHalfEdge i) then omap AtHalfEdge (skip (next t) n m i) else s.
 

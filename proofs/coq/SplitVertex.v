@@ -253,7 +253,7 @@ Qed.
 Let live_o : vertex t o. Proof. by have [[u + lu] _ _ _ _] := links_of live_na; rewrite origin_na => -[->]. Qed.
 Let o_not_v : o <> v. Proof. by move=> E; move: free_vertex; rewrite -E live_o. Qed.
 
-(** Where a half-edge begins. *)
+(** A half-edge begins at the new vertex, at the old one, or elsewhere. *)
 Variant begins i : Prop :=
   | AtNew of origin t' i = Some v & on_orbit (turn t') k i
   | AtOld of origin t' i = Some o & on_orbit (turn t') h i
@@ -482,7 +482,7 @@ Qed.
 
 End SplitVertex.
 
-(** What makes splitting right: the corners after [a] and after [b] are at one vertex, and [v], [h] and [k] are free slots. *)
+(** The corners after [a] and after [b] are at one vertex, and [v], [h] and [k] are free slots. *)
 Definition is_splittable t a b v h k := [&& isSome (target t a), target t a == target t b, ~~ vertex t v,
   ~~ half_edge t h, ~~ half_edge t k & h != k].
 

@@ -74,7 +74,7 @@ have [w wi] := slotP below li; rewrite -wi in N *; move: N; rewrite saysE => -[/
 by right; split; [apply/inE; exists l => //; apply: ltnW|apply: before].
 Qed.
 
-(** What leads to [x] is [z], or is not there. *)
+(** The last before [x] is [z], or is not there. *)
 Lemma stretch_before i : i <> z -> says i = Some x -> i \notin s.
 Proof.
 have [y [m [_ yz _ inE last]]] := stretch_is; move=> ne N; apply/negP=> /inE[j jm E]; apply: ne.

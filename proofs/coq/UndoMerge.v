@@ -27,7 +27,7 @@ Hypothesis origin_m : origin t m = Some um.
 
 Notation t1 := (merge_faces t n m f g bn bm).
 Notation inn := (inn_of t).
-(** What is put into the face [g]. *)
+(** The inner boundary components that go back to the face [g]. *)
 Definition moved_back : pred nat := fun d => boundary_face t d == Some g.
 
 Let sides : bn = bn /\ bm = bm \/ bn = bm /\ bm = bn := or_introl (conj erefl erefl).

@@ -11,7 +11,9 @@
    taken from the table after. Some operators of `Dcel` are several operations, and some keep other half-edges than the proved one
    does (Keep.v). The arguments of each operation must be right (is_right), all rules must hold before, and the view after the last
    one must be the table after: all links of all records. The lists of inner boundary components may have another order, and
-   where it is said other records may have exchanged their numbers (Renaming.v). *)
+   where it is said two vertices may have exchanged their numbers (Renaming.v).
+
+   A line that begins with "refused" has the same table twice, and the proved operator must refuse, too. *)
 
 open Checker
 open Tables
@@ -65,9 +67,15 @@ let same name rv view table =
       if List.sort compare (list view i) <> List.sort compare (list table j) then
         fail "%s: face %d: inner differs" name j)
 
+(* The records that are live. *)
+let numbers slots live t = List.filter (live t) (List.init (slots t) Fun.id)
+let half_edges = numbers (fun t -> t.half_edge_slots) half_edge
+let boundaries = numbers (fun t -> t.boundary_slots) boundary
+let faces = numbers (fun t -> t.face_slots) face
+
 (* The only record that is live in one table and not in the other. *)
 let only kind slots live one other =
-  match List.filter (fun i -> live one i && not (live other i)) (List.init (slots one) Fun.id) with
+  match List.filter (fun i -> not (live other i)) (numbers slots live one) with
   | [ i ] -> i
   | found -> fail "%d instead of one new or old %s" (List.length found) kind
 
@@ -90,7 +98,7 @@ let boundary_at t = function
 let face_at t b = said "the face of a boundary component" (boundary_face t b)
 let prev_at t h = said "the half-edge before another" (prev t h)
 
-(* What an operator of `Dcel` is: the name of the case, the operations, and the numbers of the vertices in the table after. *)
+(* An operator of `Dcel`: the name of the case, the operations, and the numbers of the vertices in the table after. *)
 let operations name list = (name, list, fun v -> v)
 
 (* The half-edges that are kept in the table after, where the vertex v is rv v. *)
@@ -157,7 +165,6 @@ let contract name t t' n =
 (* An inner boundary component that starts at a vertex to which half-edges lead from u, but those of the edge of n and m; and
    these half-edges. *)
 let way_out t n m u =
-  let live is slots = List.filter (is t) (List.init (slots t) Fun.id) in
   let outsides =
     List.filter_map
       (fun b ->
@@ -165,9 +172,9 @@ let way_out t n m u =
         | Some (Inner _), Some (AtVertex w) -> Some (w, b)
         | Some (Inner _), Some (AtHalfEdge i) -> Some (said "an origin" (origin t i), b)
         | _ -> None)
-      (live boundary (fun t -> t.boundary_slots))
+      (boundaries t)
   in
-  let edges = List.filter (fun i -> i <> n && i <> m) (live half_edge (fun t -> t.half_edge_slots)) in
+  let edges = List.filter (fun i -> i <> n && i <> m) (half_edges t) in
   let rec search met = function
     | [] -> fail "no way leads to the outside of a part"
     | (w, way) :: waiting -> (
@@ -183,7 +190,7 @@ let way_out t n m u =
 
 let part t t' n m kept =
   let made = only_boundary t' t in
-  (* What the boundary component of an end is afterwards. *)
+  (* The boundary component of an end afterwards. *)
   let at_end n m =
     match next t m with
     | Some i when i <> n -> boundary_at t' (At i)
@@ -260,6 +267,48 @@ let proved t t' = function
       connect t t' (corner from) (corner into) side inner h
   | _ -> raise (Unreadable "an operator")
 
+(* Operations that must be refused where an operator of `Dcel` was: none if its test is about keys or sizes, or if the proved operator
+   does more. *)
+let refused t words =
+  let boundary_at = function At h -> boundary_of t h | Isolated v -> isolated t v in
+  let free_h = t.half_edge_slots and free_k = t.half_edge_slots + 1 in
+  match words with
+  | [ "remove_isolated_vertex"; v ] ->
+      List.map (fun b -> Remove (tail v, b)) (boundaries t)
+  | [ "move_inner"; inner; g ] -> (
+      match boundary_at (corner inner) with
+      | None -> []
+      | Some b ->
+          let i = match boundary_place t b with Some (Inner i) -> i | _ -> 0 in
+          [ Move (b, face_at t b, i, tail g) ])
+  | [ "contract_edge"; n ] ->
+      let n = tail n in
+      let m = said "a twin" (twin t n) in
+      let un = said "an origin" (origin t n) and um = said "an origin" (origin t m) in
+      [ ContractEdge (n, m, un, um); ContractEdge (n, m, um, un) ]
+  | [ "flip_edge"; n; _ ] ->
+      let n = tail n in
+      let m = said "a twin" (twin t n) and b = said "a component" (boundary_of t n) in
+      List.concat_map (fun f -> List.map (fun g -> MergeFaces (n, m, f, g, b, b)) (faces t)) (faces t)
+  | [ "split_vertex"; a; b ] -> (
+      match (corner a, corner b) with
+      | At a, At b -> [ SplitVertex (prev_at t a, prev_at t b, t.vertex_slots, free_h, free_k) ]
+      | _ -> [])
+  | [ "connect"; a; b; _ ] -> (
+      match (corner a, corner b) with
+      | At a, At b when boundary_of t a <> boundary_of t b ->
+          let kept = said "a component" (boundary_of t a) and dropped = said "a component" (boundary_of t b) in
+          List.map (fun f -> Bridge (prev_at t a, prev_at t b, free_h, free_k, f, kept, dropped)) [ face_at t kept; face_at t dropped ]
+      | _ -> [])
+  | _ -> []
+
+(* An operator that was refused has changed nothing, and is refused here, too. *)
+let compare_refused words t t' =
+  same "refused" (fun v -> v) t t';
+  let right = List.filter (is_right t) (refused t words) in
+  if right <> [] then fail "refused, though the arguments are those of the theorem";
+  if refused t words = [] then "refused, nothing else compared" else "refused: " ^ List.hd words
+
 let compare_step words t t' =
   let name, list, rv = proved t t' words in
   if first_broken t <> None then fail "a rule is broken before";
@@ -278,7 +327,8 @@ let () =
       | [ step; t; t' ] -> (
           let words = List.filter (( <> ) "") (String.split_on_char ' ' step) in
           incr steps;
-          try count (compare_step words (read_view (reader t)) (read_view (reader t')))
+          let t = read_view (reader t) and t' = read_view (reader t') in
+          try count (match words with "refused" :: words -> compare_refused words t t' | _ -> compare_step words t t')
           with Differs said ->
             incr differences;
             if !differences <= 10 then Printf.printf "%s: %s\n" line said)
