@@ -38,7 +38,7 @@ use twinedge_trials::{Outcome, tables};
 /// without holes, whatever is asked for. The number of runs and the time are estimated first, from some thousand random runs, and said on standard
 /// error; the numbers differ from those found by less than a factor of two, as a rule. A mesh is asked for in words: `surface asking simple sides 3 genus 0`.
 ///
-/// With --lazy --certificates the labels of certificates are free as well, and so are the lengths of their columns: ranks and positions from 0 to the number of half-edges less 1, or nil. The reference goes through
+/// With --lazy --certificates the labels of certificates are free as well, and so are the lengths of their columns: ranks and positions from 0 to the number of half-edges less 1, or nil. A run stands for all that are in the same order. The reference goes through
 /// all tables, and those that it accepts must pass with the labels that are made for them. The checker goes through all tables with all labels, and the reference
 /// judges those that pass. Both together go through them again, and must accept as many. Where tables store no boundary components or faces, labels have up to --boundaries and --faces of them. Certificates
 /// are of the plane, or of closed surfaces of a genus: `surface asking genus 1`.

@@ -1,13 +1,14 @@
 //! Certificates: what is right has labels that pass, and nothing else has.
 
 use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
+use std::cell::Cell;
 use std::collections::BTreeSet;
 use twinedge::validate::certificate::{
     Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
-    passes,
+    passes, passes_surface,
 };
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{BoundaryPlace, Expectation, Part, Parts, Rule, Table, View};
+use twinedge::validate::{BoundaryPlace, Expectation, Part, Parts, Rule, Start, Table, View};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::{CorruptWork, abort};
 use twinedge_trials::enumerate::for_each_corruption;
@@ -155,6 +156,7 @@ fn surfaces_are_certified_with_their_genus() {
         for table in [Part::Prev, Part::Leaving, Part::Faces].map(|part| mesh.without(part)).iter().chain([&mesh]) {
             let (labels, genus) = Labels::of_surface(table).unwrap();
             assert_eq!((check_surface(table, &labels, genus), genus), (Ok(()), parts), "{table}");
+            assert!(passes_surface(table, &labels, genus), "{table}");
             assert_eq!(
                 labels.column(Column::HalfEdgeComponent).len(),
                 if parts == 1 { 1 } else { 36 * 2 * parts },
@@ -163,6 +165,7 @@ fn surfaces_are_certified_with_their_genus() {
             for wrong in (0..5).filter(|wrong| *wrong != genus) {
                 let failures = check_surface(table, &labels, wrong).unwrap_err();
                 assert_eq!(check_surface_parallel(table, &labels, wrong).unwrap_err(), failures);
+                assert!(!passes_surface(table, &labels, wrong), "{table}");
                 assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::GenusOk]);
             }
         }
@@ -180,9 +183,10 @@ fn positions_find_a_vertex_with_two_rotations_and_a_face_with_two_cycles() {
     assert_eq!(check_surface(&right, &labels, genus), Ok(()));
     let tests = |table: &Table| {
         let (own, own_genus) = Labels::of_surface(table).unwrap();
-        let failing = |labels: &Labels, genus| match check_surface(table, labels, genus) {
-            Ok(()) => panic!("certified: {table}"),
-            Err(failures) => failures.iter().map(|failure| failure.test()).collect::<BTreeSet<_>>(),
+        let failing = |labels: &Labels, genus| {
+            let failures = check_surface(table, labels, genus).unwrap_err();
+            assert!(!passes_surface(table, labels, genus), "{table}");
+            failures.iter().map(|failure| failure.test()).collect::<BTreeSet<_>>()
         };
         // The genus is one that would make the sums right.
         [failing(&labels, genus), failing(&own, own_genus), failing(&own, own_genus + 1)]
@@ -346,8 +350,56 @@ fn half_edges_that_are_their_own_twins_are_no_handle() {
     assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::TwinOk]);
 }
 
-fn failing(table: &Table, labels: &Labels) -> Vec<Test> {
-    check(table, labels).unwrap_err().iter().map(|failure| failure.test()).collect()
+fn failing(view: &impl View, labels: &Labels) -> Vec<Test> {
+    check(view, labels).unwrap_err().iter().map(|failure| failure.test()).collect()
+}
+
+/// The columns of entries of a face are longer than that of faces: the boundary component lies in a face that is not there.
+#[test]
+fn a_face_past_the_last_one_holds_nothing() {
+    let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let edge = edge.without(Part::Faces);
+    let mut labels = Labels::new(&edge).unwrap();
+    assert_eq!(check(&edge, &labels), Ok(()));
+    *labels.column_mut(Column::BoundaryFace) = vec![1];
+    *labels.column_mut(Column::FaceEnd) = vec![0, 1];
+    assert_eq!(failing(&edge, &labels), [Test::PlaceOk]);
+    labels.column_mut(Column::FaceOuter).push(u32::MAX);
+    assert_eq!(failing(&edge, &labels), [Test::OneUnbounded]);
+}
+
+/// An isolated vertex whose boundary component is always where it was last looked for, in a list without end.
+struct Everywhere(Cell<usize>);
+
+impl View for Everywhere {
+    twinedge::view_answers! { |this|
+        parts => Parts::ALL,
+        vertex_slots => 1,
+        half_edge_slots => 0,
+        boundary_slots => 1,
+        face_slots => 1,
+        origin(_h) => None,
+        twin(_h) => None,
+        next(_h) => None,
+        prev(_h) => None,
+        boundary(_h) => None,
+        leaving(_v) => None,
+        isolated(_v) => Some(0),
+        boundary_face(_b) => Some(0),
+        boundary_start(_b) => Some(Start::Vertex(0)),
+        boundary_place(_b) => Some(BoundaryPlace::Inner(this.0.get())),
+        outer(_f) => None,
+        inner_count(_f) => usize::MAX,
+        inner(_f, i) => {
+            this.0.set(i);
+            Some(0)
+        },
+    }
+}
+
+#[test]
+fn a_list_without_end_is_not_read_to_its_end() {
+    assert_eq!(failing(&Everywhere(Cell::default()), &Labels::default()), [Test::FaceOk]);
 }
 
 /// A face that an isolated vertex bounds: nothing else is wrong.

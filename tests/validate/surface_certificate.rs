@@ -94,7 +94,10 @@ fn open_meshes() -> Vec<Table> {
     let torus = textbook_mesh(9, &torus([3, 3]));
     let all = subsets(4, 4).map(|faces| (&tetrahedron, faces)).chain(subsets(6, 18).map(|faces| (&torus, faces)));
     all.flat_map(|(mesh, faces)| [Border::NoTwin, Border::NoFace].map(|border| opened(mesh, &faces, border)))
-        .flat_map(|table| [table.without(Part::Prev).without(Part::Leaving), by_record(&table), table])
+        .flat_map(|table| {
+            let bare = [table.without(Part::Prev).without(Part::Leaving), table.without(Part::Faces)];
+            bare.into_iter().chain([by_record(&table), table])
+        })
         .collect()
 }
 
@@ -111,7 +114,8 @@ fn an_open_mesh_is_certified_if_and_only_if_its_border_is_simple() {
         }
         *if is_right { &mut certified } else { &mut refused } += 1;
     }
-    assert_eq!((certified, refused, holes.len()), (180, 300, 3));
+    // Without faces a mesh is open only where twins are missing: 45 of 80 are right then, and all 80 where none is.
+    assert_eq!((certified, refused, holes.len()), (180 + 45 + 80, 300 + 35, 3));
 }
 
 #[test]
