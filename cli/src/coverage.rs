@@ -12,7 +12,7 @@ use crate::trace::{of_finding, position};
 use crate::units::Units;
 use serde::Serialize;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{CoverageRule, Defect, Finding, Limits, check};
+use twinedge::algorithm::coverage::{Coverage as Found, CoverageRule, Defect, Finding, Limits, check};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Noding, PlanarMap};
@@ -22,7 +22,7 @@ use twinedge_formats::diagnosis::{Diagnosis, Flaw, Kind, Measures, Trace};
 pub(crate) const SHOWN: usize = 3;
 
 /// The options by which a coverage is judged.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Default, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
 pub(crate) struct CoverageOptions {
     /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
@@ -47,7 +47,7 @@ pub(crate) struct CoverageOptions {
 }
 
 /// The gaps that are meant.
-#[derive(Clone, Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args)]
 pub(crate) struct AcceptedGaps {
     /// Greatest mean width of a gap that is reported, where it is not --gap-width: wider ones are accepted, as lakes.
     #[arg(long, value_name = "W", value_parser = positive)]
@@ -75,6 +75,17 @@ impl CoverageOptions {
         let AcceptedGaps { lake_width, accept_gap } = &self.accepted;
         let is_limited = self.gap_width.is_some() || lake_width.is_some() || self.sliver.is_some();
         self.coverage || is_limited || !accept_gap.is_empty()
+    }
+
+    /// The limits that were given.
+    pub(crate) fn limits(&self) -> Limits {
+        Limits {
+            gap_width: self.gap_width,
+            lake_width: self.accepted.lake_width,
+            accepted_gaps: self.accepted.accept_gap.clone(),
+            sliver_area: self.sliver,
+            ..Limits::default()
+        }
     }
 
     /// Returns true if findings make a map invalid.
@@ -128,13 +139,35 @@ impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
     /// grid was asked for, what it removed or made is found by comparing.
     pub(crate) fn new(imported: &Imported, asked: &CoverageOptions, units: &Units, list: usize) -> Self {
-        let limits = Limits {
-            gap_width: asked.gap_width,
-            lake_width: asked.accepted.lake_width,
-            accepted_gaps: asked.accepted.accept_gap.clone(),
-            sliver_area: asked.sliver,
-            ..Limits::default()
+        Self::of(imported, asked, units, list, judged(imported, &asked.limits(), units))
+    }
+
+    /// The findings of a map that was seen by its tiles, or why there are none.
+    pub(crate) fn of_tiles(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        found: Result<Found, Failure>,
+    ) -> Self {
+        let judgement = |found: Found| Judgement {
+            wider_gaps: found.wider_gaps.len(),
+            accepted_gaps: found.accepted_gaps.len(),
+            gap_width: found.gap_width,
+            sliver_area: found.sliver_area,
+            findings: found.findings.into_iter().map(|finding| (finding, None)).collect(),
+            of_input: None,
         };
+        Self::of(imported, asked, units, list, found.map(judgement))
+    }
+
+    fn of(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        judgement: Result<Judgement, Failure>,
+    ) -> Self {
         let mut found = Self {
             overlaps: 0,
             gaps: 0,
@@ -153,7 +186,7 @@ impl Coverage {
             has_polygons: imported.read.polygons > 0,
             of_input: None,
         };
-        match judged(imported, &limits, units) {
+        match judgement {
             Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
                 (found.wider_gaps, found.accepted_gaps) = (wider_gaps, accepted_gaps);
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));

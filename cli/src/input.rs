@@ -13,7 +13,7 @@ use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
-use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge::map::{BuildError, BuildSummary, Builder, Feature, Noding, PlanarMap};
 use twinedge_formats::layer::{
     Crs, Format, Layer, ReadError, ReadOptions, Unpacked, format_of, read, read_layer, to_map, unpack,
 };
@@ -58,6 +58,8 @@ pub(crate) struct Imported {
     /// The numbers of what was read and dropped.
     pub(crate) read: ReadSummary,
     pub(crate) map: PlanarMap,
+    /// What was found while it was gathered.
+    pub(crate) summary: BuildSummary,
     /// The notes on the features.
     pub(crate) noted: Noted,
     /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
@@ -144,22 +146,36 @@ impl Input {
     }
 }
 
+/// What was gathered of a file.
+struct Gathered {
+    name: String,
+    builder: Builder,
+    read: ReadSummary,
+    noted: Noted,
+    crs: Option<Crs>,
+    orients_rings: bool,
+}
+
+/// Reads features into a builder, and hands each on.
 fn gather(
     reader: &mut dyn Read,
     path: Option<&Path>,
     options: &ReadOptions,
-    mut noted: Noted,
+    noted: &mut Noted,
     keep: Keep<'_>,
-) -> Result<(Builder, ReadSummary, Noted, Option<Crs>), InputError> {
+    each: &mut dyn FnMut(Feature),
+) -> Result<(Builder, ReadSummary, Option<Crs>), InputError> {
     let mut builder = Builder::new();
     let mut summary = ReadSummary::default();
     let header = read(reader, path, options, &mut |feature| {
         let mut of_map = to_map(&feature, &mut summary);
         noted.note(&mut of_map, &feature, keep);
-        builder.feature(&of_map).map(drop).map_err(ReadError::refused)
+        builder.feature(&of_map).map_err(ReadError::refused)?;
+        each(of_map);
+        Ok(())
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
-    Ok((builder, summary, noted, header.crs))
+    Ok((builder, summary, header.crs))
 }
 
 /// The SHA-256 in hexadecimal digits.
@@ -300,17 +316,38 @@ impl MapFile {
         self.cutting.snap.is_some()
     }
 
-    /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, mut input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+    fn gather(&self, mut input: Input, keep: Keep<'_>, each: &mut dyn FnMut(Feature)) -> Result<Gathered, Failure> {
         let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
         let options = input.options();
         let Input { name, mut reader, path, unpacked: _folder, .. } = input;
-        let failed = |error: InputError| Failure(format!("{name}: {error}"));
-        let noted = Noted::new(self.name_from.clone());
-        let (builder, read, noted, crs) =
-            gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
+        let mut noted = Noted::new(self.name_from.clone());
+        let (builder, read, crs) = gather(&mut reader, path.as_deref(), &options, &mut noted, keep, each)
+            .map_err(|error| Failure(format!("{name}: {error}")))?;
         self.refuse_empty(&name, &read)?;
         noted.refuse_unknown_columns(&name, keep)?;
+        Ok(Gathered { name, builder, read, noted, crs, orients_rings })
+    }
+
+    /// Reads the features that were opened, and builds no map of them: it has only their names.
+    pub(crate) fn features_from(&self, input: Input, keep: Keep<'_>) -> Result<(Imported, Vec<Feature>), Failure> {
+        let mut features = Vec::new();
+        let gathered = self.gather(input, keep, &mut |feature| features.push(feature))?;
+        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let summary = builder.summary().clone();
+        drop(builder);
+        let mut names = Builder::new();
+        for feature in &features {
+            names.feature(&Feature { name: feature.name.clone(), ..Feature::default() })?;
+        }
+        let map = names.build()?;
+        Ok((Imported { name, read, map, summary, noted, builder: None, crs, orients_rings }, features))
+    }
+
+    /// Builds the map that was opened.
+    pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let gathered = self.gather(input, keep, &mut drop)?;
+        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let failed = |error: InputError| Failure(format!("{name}: {error}"));
         let built = busy("building the map", || match self.cutting.snap {
             None if keep.coverage => builder.build_keeping(),
             None => Ok((builder.build()?, None)),
@@ -322,7 +359,8 @@ impl MapFile {
             Some(snap) => Ok((builder.build_with(Noding::Snap(snap))?, None)),
         });
         let (map, builder) = built.map_err(|error| failed(error.into()))?;
-        Ok(Imported { name, read, map, noted, builder, crs, orients_rings })
+        let summary = map.summary().clone();
+        Ok(Imported { name, read, map, summary, noted, builder, crs, orients_rings })
     }
 
     /// Refuses a file of which no map can be built.

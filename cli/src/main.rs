@@ -38,6 +38,7 @@ mod structures;
 mod sum;
 mod tables;
 mod tables_lazy;
+mod tile;
 mod trace;
 mod units;
 mod voronoi;
@@ -80,6 +81,7 @@ enum Command {
     Clean(clean::Clean),
     Certify(certificate::Certify),
     Check(certificate::Check),
+    Tile(tile::Tile),
     Convert(convert::Convert),
     Postgis(postgis::Postgis),
     Query(query::Query),
@@ -124,6 +126,7 @@ fn run(command: Command) -> Result<Verdict, Failure> {
         Command::Clean(clean) => clean.run(),
         Command::Certify(certify) => certify.run(),
         Command::Check(check) => check.run(),
+        Command::Tile(tile) => tile.run(),
         Command::Convert(convert) => convert.run(),
         Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),

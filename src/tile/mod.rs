@@ -33,7 +33,7 @@
 //!
 //! # What a tile is given
 //!
-//! All features whose boxes meet the tile, whole, with their numbers in the map; [`Grid::tiles_of`] says which tiles these are. So a tile knows by
+//! All features whose boxes meet the tile, whole, with their numbers in the map; [`Grid::tiles_of`] says which tiles a feature is to be given to. So a tile knows by
 //! itself which features cover its faces, also where there is no edge in it, and neighbours must agree on that.
 //! Edges are taken as they are: they should meet at shared endpoints only.
 //!
@@ -89,6 +89,7 @@ mod claimed;
 mod clip;
 mod ends;
 mod error;
+mod extent;
 mod fault;
 mod findings;
 mod finish;

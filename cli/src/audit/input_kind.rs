@@ -35,10 +35,12 @@ enum Options {
     Mesh,
     /// `--format geojson` and `html`.
     Picture,
+    /// `--tiles`.
+    Tiles,
 }
 
 impl Options {
-    const ALL: [Self; 4] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture];
+    const ALL: [Self; 5] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles];
 
     fn are_given(self, run: &Run<'_>) -> bool {
         match self {
@@ -46,6 +48,7 @@ impl Options {
             Self::Coverage => run.asked.coverage.is_any() || run.asked.measured.is_geodesic(),
             Self::Mesh => run.asked.mesh.is_any(),
             Self::Picture => matches!(run.to.format, ReportFormat::Geojson | ReportFormat::Html),
+            Self::Tiles => run.asked.tiles.is_some(),
         }
     }
 
@@ -55,6 +58,7 @@ impl Options {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
             Self::Coverage => format!("--coverage, its limits and --geodesic are for maps, and this is {what}"),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
+            Self::Tiles => format!("--tiles is for maps, and this is {what}"),
             Self::Picture => format!(
                 "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
             ),
@@ -86,7 +90,7 @@ impl InputKind {
     /// The kind in words, and the options that it takes.
     const fn options(self) -> (&'static str, &'static [Options]) {
         match self {
-            Self::Map => ("a map", &[Options::Snap, Options::Coverage, Options::Picture]),
+            Self::Map => ("a map", &[Options::Snap, Options::Coverage, Options::Picture, Options::Tiles]),
             Self::Mesh(_) => ("a mesh", &[Options::Mesh]),
             Self::Textbook => ("a textbook's tables", &[Options::Picture]),
             Self::Tables => ("a file of tables", &[]),
@@ -103,6 +107,18 @@ impl InputKind {
             input.refuse_layer(what)?;
         }
         let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(run));
+        let with_tiles = if run.asked.tiles.is_none() {
+            None
+        } else if Options::Snap.are_given(run) {
+            Some("--snap")
+        } else if Options::Picture.are_given(run) {
+            Some("the formats geojson and html")
+        } else {
+            Some("--geodesic").filter(|_| run.asked.measured.is_geodesic())
+        };
+        if let Some(other) = with_tiles.filter(|_| refused.is_none()) {
+            return Err(Failure(format!("{}: {other} and --tiles do not go together", input.name)));
+        }
         refused.map_or(Ok(()), |options| Err(Failure(format!("{}: {}", input.name, options.refusal(what)))))
     }
 }

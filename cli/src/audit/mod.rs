@@ -16,11 +16,13 @@ mod report;
 mod table_file;
 mod text;
 mod textbook;
+mod tiles;
 mod topology_file;
 mod write;
 
 pub(crate) use arguments::Audit;
 pub(crate) use input_kind::InputKind;
+pub(crate) use tiles::sum as sum_tiles;
 
 use crate::status::{Failure, Verdict};
 use arguments::Run;
@@ -34,7 +36,10 @@ impl Audit {
         let run = &Run { asked: self, to: self.destination.destination(self.map.path())?, start };
         kind.refuse_options(run, &input)?;
         match kind {
-            InputKind::Map => map::audit(run, input),
+            InputKind::Map => match self.tiles {
+                Some(across) => tiles::audit(run, input, across),
+                None => map::audit(run, input),
+            },
             InputKind::Mesh(format) => mesh_file::audit(run, input, format),
             InputKind::Textbook => textbook::audit(run, input),
             InputKind::Tables => table_file::audit(run, input),

@@ -24,3 +24,4 @@ mod schema;
 mod soak;
 mod sum;
 mod tables;
+mod tile;
