@@ -9,7 +9,7 @@ const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
 {"type": "Feature", "properties": {"name": "east"}, "geometry": {"type": "Polygon", "coordinates": [[[4,0],[8,0],[8,4],[4,4],[5,2],[4,0]]]}},
 {"type": "Feature", "properties": {"name": "north"}, "geometry": {"type": "Polygon", "coordinates": [[[0,4],[4,4],[8,4],[8,8],[4,8],[0,8],[0,4]]]}},
 {"type": "Feature", "properties": {"name": "twin"}, "geometry": {"type": "Polygon", "coordinates": [[[4,4],[8,4],[8,8],[4,8],[4,4]]]}},
-{"type": "Feature", "properties": {"name": "strip"}, "geometry": {"type": "Polygon", "coordinates": [[[8,0],[8.001,0],[8.001,8],[8,8],[8,4],[8,0]]]}},
+{"type": "Feature", "properties": {"name": "strip"}, "geometry": {"type": "Polygon", "coordinates": [[[8,0],[8.0001,0],[8.0001,8],[8,8],[8,4],[8,0]]]}},
 {"type": "Feature", "properties": {"name": "one"}, "geometry": {"type": "Polygon", "coordinates": [[[10,3],[12,3],[12,5],[10,5],[10,3]]]}},
 {"type": "Feature", "properties": {"name": "same"}, "geometry": {"type": "Polygon", "coordinates": [[[10,3],[12,3],[12,5],[10,5],[10,3]]]}},
 {"type": "Feature", "properties": {"name": "touching"}, "geometry": {"type": "Polygon", "coordinates": [[[13,3],[15,3],[14,4],[15,5],[13,5],[14,4],[13,3]]]}}
