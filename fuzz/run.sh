@@ -11,7 +11,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-all=(programs in_step stale_keys validator_total certificates segments noding edits geojson layer flatgeobuf shapefile topojson postgis)
+all=(programs in_step stale_keys validator_total certificates segments noding edits history geojson layer flatgeobuf shapefile topojson postgis)
 misused() {
   printf '%s\nusage: fuzz/run.sh [RUNS|still [TARGET…]]\ntargets: %s\n' "$1" "${all[*]}" >&2
   exit 2

@@ -1,7 +1,7 @@
 //! `twinedge draw`: a picture of a map.
 
 use crate::extension::format_of;
-use crate::input::{Imported, MapFile};
+use crate::input::MapFile;
 use crate::output::style::BAD;
 use crate::output::{grouped, print_answer};
 use crate::output_file::write_file;
@@ -13,6 +13,7 @@ use twinedge::io::tables::Textbook;
 use twinedge::map::PlanarMap;
 use twinedge::validate::validate_embedding;
 use twinedge::validate::{Collect, Expectation};
+use twinedge_report::Imported;
 
 /// With `--detail`, a picture of more half-edges than this is not legible.
 const LEGIBLE: usize = 1_000;

@@ -49,8 +49,11 @@ impl Effort {
         if self.force || self.seconds(estimate) <= Self::MOST_SECONDS {
             return Ok(());
         }
-        let refused =
-            format!("the job is {} by the usual speed of a core; --force runs it all the same", self.said(estimate));
+        let refused = format!(
+            "the job is {} at {} of them a second on each core; --force runs it all the same",
+            self.said(estimate),
+            grouped(estimate.per_second),
+        );
         if format == Format::Json {
             print_json(&Refusal { ok: false, refused: &refused })?;
         }

@@ -7,19 +7,16 @@ mod certificate;
 mod clean;
 mod convert;
 mod corrupt;
-mod coverage;
-mod coverage_words;
+mod coverage_arguments;
 mod decompose;
-mod diagnosis_text;
 mod document;
 mod draw;
 mod effort;
 mod extension;
 mod fuzz_template;
 mod input;
-mod names;
-mod noding_text;
-mod noted;
+mod judged;
+mod measured;
 mod outline;
 mod output;
 mod output_file;
@@ -39,13 +36,11 @@ mod sum;
 mod tables;
 mod tables_lazy;
 mod tile;
-mod trace;
-mod units;
 mod voronoi;
 
 use clap::{ColorChoice, CommandFactory as _, Parser, Subcommand};
 use clap_complete::Shell;
-use status::{FAILED, Failure, Verdict};
+use status::{Failure, Verdict};
 use std::process::ExitCode;
 
 /// Audits planar maps and meshes, and tests the structures that keep them.
@@ -112,12 +107,10 @@ fn main() -> ExitCode {
     output::set_color(color);
     output::set_quiet(quiet);
     match run(command) {
-        Ok(verdict) => verdict.into(),
-        Err(Failure(message)) => {
-            eprintln!("twinedge: {}", output::plain(&message));
-            ExitCode::from(FAILED)
-        }
+        Ok(verdict) => verdict.status(),
+        Err(failure) => failure.tell(),
     }
+    .into()
 }
 
 fn run(command: Command) -> Result<Verdict, Failure> {

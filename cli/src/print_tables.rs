@@ -7,6 +7,7 @@ use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use twinedge::validate::certificate::Column;
 use twinedge::validate::{Expectation, Table};
+use twinedge_report::EXPECT;
 use twinedge_trials::{Certificates, Checker, FastPath, Validator, Verdict, certificates_of};
 
 /// The validator that judges tables.
@@ -24,6 +25,10 @@ pub(crate) struct Judge {
 }
 
 impl Judge {
+    pub(crate) const fn is_by_certificates(self) -> bool {
+        self.certificates
+    }
+
     pub(crate) const fn checker(self) -> &'static dyn Checker {
         match self {
             Self { certificates: true, .. } => &Certificates,
@@ -43,9 +48,6 @@ impl Judge {
         format!("{table} = {said}\n")
     }
 }
-
-/// Begins a comment that says what the tables below it are held to.
-pub(crate) const EXPECT: &str = "# expect:";
 
 /// A validator, which prints each table that it judged to standard output.
 pub(crate) struct Printer {

@@ -65,25 +65,33 @@ pub(crate) static BARS: Bars = Bars(Mutex::new(None));
 
 pub(crate) struct Bars(Mutex<Option<ProgressBar>>);
 
-/// Does work that may take long, and says so after a second, if standard error is a terminal.
-pub(crate) fn busy<T>(doing: &'static str, work: impl FnOnce() -> T) -> T {
+/// Does work that may take long. It says which stage begins, and what it said last is shown after a second, if standard error is a terminal.
+pub(crate) fn busy<T>(work: impl FnOnce(&mut dyn FnMut(&'static str)) -> T) -> T {
     std::thread::scope(|scope| {
-        let (done, waits) = std::sync::mpsc::channel::<()>();
+        let (begins, stages) = std::sync::mpsc::channel();
         scope.spawn(move || {
-            if waits.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
-                let bar = ProgressBar::new_spinner().with_message(doing);
-                if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed}") {
-                    bar.set_style(style);
-                }
-                bar.enable_steady_tick(Duration::from_millis(250));
-                // Until the other end is dropped.
-                let _ = waits.recv();
-                bar.finish_and_clear();
+            let mut stage = stages.recv().ok();
+            while let Some(doing) = stage {
+                stage = match stages.recv_timeout(Duration::from_secs(1)) {
+                    Err(RecvTimeoutError::Timeout) => {
+                        let bar = ProgressBar::new_spinner().with_message(doing);
+                        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed}") {
+                            bar.set_style(style);
+                        }
+                        bar.enable_steady_tick(Duration::from_millis(250));
+                        // Until the next stage, or the end.
+                        let next = stages.recv();
+                        bar.finish_and_clear();
+                        next.ok()
+                    }
+                    next => next.ok(),
+                };
             }
         });
-        let out = work();
-        drop(done);
-        out
+        work(&mut |stage| {
+            // The other end is there as long as this one.
+            let _ = begins.send(stage);
+        })
     })
 }
 

@@ -116,6 +116,8 @@ fn per_second(on: &[StructureName], steps: u32) -> u64 {
     let seconds = |on: &StructureName| match on {
         // It is soon full.
         StructureName::Fixed => 0.025 * thousands,
+        // Copies are kept and compared.
+        StructureName::History => 0.4 * thousands.powf(2.4),
         StructureName::RotationSystem => 1.7 * thousands.powf(2.8),
         _ => 0.1 * thousands.powf(2.4),
     };

@@ -1,6 +1,6 @@
 //! The result of a command and its exit status.
 
-use std::process::ExitCode;
+use crate::output::plain;
 
 /// The result of a command, as its exit status tells it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,15 +20,29 @@ impl<E: std::error::Error> From<E> for Failure {
     }
 }
 
-impl From<Verdict> for ExitCode {
-    fn from(verdict: Verdict) -> Self {
-        Self::from(match verdict {
-            Verdict::Sound => 0,
-            Verdict::Wrong => 1,
-            Verdict::Interrupted => 130,
-        })
+/// Makes an error about an input a failure that names the input.
+pub(crate) fn named<E: std::fmt::Display>(input: &str) -> impl Fn(E) -> Failure + '_ {
+    move |error| Failure(format!("{input}: {error}"))
+}
+
+impl Verdict {
+    /// The exit status.
+    pub(crate) const fn status(self) -> u8 {
+        match self {
+            Self::Sound => 0,
+            Self::Wrong => 1,
+            Self::Interrupted => 130,
+        }
+    }
+}
+
+impl Failure {
+    /// Says it on standard error, and returns the exit status.
+    pub(crate) fn tell(&self) -> u8 {
+        eprintln!("twinedge: {}", plain(&self.0));
+        FAILED
     }
 }
 
 /// The exit status of a command that could not be carried out.
-pub(crate) const FAILED: u8 = 2;
+const FAILED: u8 = 2;

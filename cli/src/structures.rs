@@ -9,7 +9,7 @@ use twinedge_trials::planted::Planted;
 use twinedge_trials::regression::TestSource;
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::soak::Comparable;
-use twinedge_trials::{Erased, ReportAudit, RotationSystem};
+use twinedge_trials::{Erased, ReportAudit, Rewound, RotationSystem};
 
 /// A structure that programs can be run on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -23,6 +23,8 @@ pub(crate) enum StructureName {
     Fixed,
     /// The default store, validated locally after each operator.
     Audited,
+    /// The default store with a history: after each operator some changes are undone and redone, and compared with copies.
+    History,
     /// A second independent model: a rotation system.
     #[value(name = "model")]
     RotationSystem,
@@ -61,6 +63,7 @@ const AUDITED: TestSource = source(
     &["twinedge::dcel::{Audited, Dcel}", PROGRAM, EXPECTATION],
     r#"Audited::new(Dcel::new()).expect("the empty map is valid")"#,
 );
+const HISTORY: TestSource = source(&[PROGRAM, EXPECTATION, "twinedge_trials::Rewound"], "Rewound::default()");
 const ROTATION_SYSTEM: TestSource =
     source(&[PROGRAM, EXPECTATION, "twinedge_trials::RotationSystem"], "RotationSystem::new()");
 const PLANTED: TestSource =
@@ -88,6 +91,7 @@ impl StructureName {
             Self::Pointers => "pointers",
             Self::Fixed => "fixed",
             Self::Audited => "audited",
+            Self::History => "history",
             Self::RotationSystem => "model",
             Self::Planted => "planted",
             Self::Panicking => "panicking",
@@ -101,6 +105,7 @@ impl StructureName {
             Self::Pointers => task.run(self.made(|| Erased::new(Dcel::<PointerStore>::default()), POINTERS)),
             Self::Fixed => task.run(self.made(|| Erased::new(Dcel::<Arrays>::default()), FIXED)),
             Self::Audited => task.run(self.made(|| Erased::new(audited()), AUDITED)),
+            Self::History => task.run(self.made(|| Erased::new(Rewound::default()), HISTORY)),
             Self::RotationSystem => task.run(self.made(RotationSystem::new, ROTATION_SYSTEM)),
             Self::Planted => task.run(self.made(|| Erased::new(Planted::<false>::default()), PLANTED)),
             Self::Panicking => task.run(self.made(|| Erased::new(Planted::<true>::default()), PLANTED)),
@@ -123,7 +128,7 @@ impl StructureName {
                 Box::new(self.made(|| Erased::new(ReportAudit::<PointerStore>::default()), AUDITED_POINTERS))
             }
             Self::Fixed => Box::new(self.made(|| Erased::new(ReportAudit::<Arrays>::default()), AUDITED_FIXED)),
-            Self::Audited | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
+            Self::Audited | Self::History | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
         }
     }
 
@@ -160,6 +165,7 @@ mod tests {
         pointers: Pointers;
         fixed: Fixed;
         audited: Audited;
+        history: History;
         model: RotationSystem;
         planted: Planted;
     }

@@ -1,14 +1,14 @@
 //! `twinedge sum`: adds up the parts of one work.
 
-use crate::audit::sum_tiles;
 use crate::document::{Document, Printed};
-use crate::output::Format;
+use crate::output::{Format, print, print_bytes};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
-use crate::tile::{Saved, merged};
+use crate::tile::Saved;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::time::Instant;
+use twinedge_report::{audit_summary, merged};
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::lazy::LazyOutcome;
 use twinedge_trials::meshes::MeshesOutcome;
@@ -95,11 +95,21 @@ impl Sum {
             let saved: Saved = serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
             Ok(saved.summary)
         };
-        let whole = merged(parts.into_iter().map(summary).collect())?;
+        let summaries = parts.into_iter().map(summary).collect::<Result<Vec<_>, Failure>>()?;
+        let whole = merged(summaries)?.ok_or_else(|| Failure("there is no summary".to_owned()))?;
         match &self.output {
-            None => sum_tiles(whole, self.format, start),
-            Some(path) => write_file(path, None, &Saved::bytes(whole)?).map(|()| Verdict::Sound),
+            Some(path) => write_file(path, None, &Saved::bytes(whole)?)?,
+            None => {
+                let mut audited = audit_summary(whole)?;
+                audited.took(start.elapsed().as_secs_f64() * 1000.0);
+                match self.format {
+                    Format::Text => print(&audited.text()?)?,
+                    Format::Json => print_bytes(&audited.json()?)?,
+                }
+                return Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong });
+            }
         }
+        Ok(Verdict::Sound)
     }
 }
 

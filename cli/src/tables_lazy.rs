@@ -29,11 +29,11 @@ pub(crate) struct Size {
     #[arg(long, value_name = "N", default_value_t = 2, requires = "lazy", value_parser = slots())]
     vertices: u8,
 
-    /// With --lazy: the number of boundary components, where there are records for these.
+    /// With --lazy: the number of boundary components, where there are records for these. With --certificates also the most in labels.
     #[arg(long, value_name = "N", default_value_t = 0, requires = "lazy", value_parser = slots())]
     boundaries: u8,
 
-    /// With --lazy: the number of faces, where there are faces.
+    /// With --lazy: the number of faces, where there are faces. With --certificates also the most in labels.
     #[arg(long, value_name = "N", default_value_t = 0, requires = "lazy", value_parser = slots())]
     faces: u8,
 
@@ -61,7 +61,13 @@ fn parts(text: &str) -> Result<Parts, String> {
 }
 
 impl Size {
-    pub(crate) fn run(&self, half_edges: u8, effort: &Effort, format: Format) -> Result<Verdict, Failure> {
+    pub(crate) fn run(
+        &self,
+        half_edges: u8,
+        certificates: bool,
+        effort: &Effort,
+        format: Format,
+    ) -> Result<Verdict, Failure> {
         let work = LazyWork {
             expectation: self.expect,
             parts: self.parts,
@@ -70,9 +76,13 @@ impl Size {
             boundaries: self.boundaries.into(),
             faces: self.faces.into(),
             vacant: self.vacant,
+            certificates,
         };
         let run = effort.start()?;
-        let estimate = busy("estimating", || work.estimate(&Validator))?;
+        let estimate = busy(|stage| {
+            stage("estimating");
+            work.estimate(&Validator)
+        })?;
         effort.refuse_too_much(estimate, format)?;
         effort.say(estimate);
         let start = Instant::now();
@@ -99,7 +109,10 @@ impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, seconds) = self;
         let is_whole = outcome.shard.is_whole();
-        writeln!(f, "Tables: {}\n", outcome.tables)?;
+        match &outcome.with_labels {
+            None => writeln!(f, "Tables: {}\n", outcome.tables)?,
+            Some(all) => writeln!(f, "Tables: {}, with labels {all}\n", outcome.tables)?,
+        }
         f.write_str(&table(&outcome.judges, is_whole))?;
         for finding in &outcome.findings {
             writeln!(f, "\n{BAD}difference{BAD:#}: {finding}")?;
@@ -107,7 +120,12 @@ impl fmt::Display for Text<'_> {
         match (outcome.interrupted, outcome.is_ok(), is_whole) {
             (true, ..) => writeln!(f, "\n{BAD}not finished{BAD:#} ({seconds:.1} s)"),
             (_, true, true) => {
-                writeln!(f, "\n{GOOD}agreed{GOOD:#}: both accept the same tables of all ({seconds:.1} s)")
+                let what = if outcome.with_labels.is_some() {
+                    "the tables that have labels that pass are those that the reference accepts"
+                } else {
+                    "both accept the same tables of all"
+                };
+                writeln!(f, "\n{GOOD}agreed{GOOD:#}: {what} ({seconds:.1} s)")
             }
             (_, true, false) => {
                 writeln!(f, "\n{GOOD}agreed{GOOD:#}: in this part; `twinedge sum` compares the counts ({seconds:.1} s)")

@@ -5,6 +5,7 @@
 mod certificates;
 mod drawings;
 mod edits;
+mod histories;
 mod layers;
 mod maps;
 mod postgis;
@@ -15,6 +16,7 @@ mod topologies;
 pub use certificates::certificates;
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
+pub use histories::history;
 pub use layers::{flatgeobuf, layer};
 pub use maps::{in_step, programs, stale_keys};
 pub use postgis::postgis;

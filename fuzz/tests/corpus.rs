@@ -23,4 +23,4 @@ macro_rules! replays {
     )*};
 }
 
-replays! { programs in_step stale_keys validator_total certificates segments noding edits geojson layer flatgeobuf shapefile topojson postgis }
+replays! { programs in_step stale_keys validator_total certificates segments noding edits history geojson layer flatgeobuf shapefile topojson postgis }

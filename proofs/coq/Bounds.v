@@ -99,6 +99,30 @@ rewrite !mem_cat => /or3P[/inr yr|/mapP[z /inr/step zr ->] //|/mapP[z /inr/step/
 exact/eqP.
 Qed.
 
+(** Over all components with edges. *)
+Lemma pieces_bound es : lists_one_of_each es (same_edge t) (half_edge t) ->
+  size es + 5 * size (pieces t) <= 3 * size (rotations t).
+Proof.
+move=> He; have [_ liveV _ _] := rotations_each low; have [_ liveE _ _] := He.
+have each r : r \in pieces t -> size (in_part t r es) + 5 <= 3 * size (in_part t r (rotations t)).
+  by move=> rp; have [|[-> ->]] := part_bound He rp; arith.
+have := sumn_le each; rewrite sumn_add sumn_const (sum_parts low liveE) -(sum_parts low liveV).
+rewrite (_ : sumn [seq 3 * size _ | r <- _] = 3 * sumn [seq size (in_part t r (rotations t)) | r <- pieces t]) //.
+by elim: (pieces t) => //= r s ->; arith.
+Qed.
+
+(** Without T1 nothing is said of faces. *)
+Lemma edges_bound vs es : lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> 3 <= size vs ->
+  size es + 6 <= 3 * size vs.
+Proof.
+move=> Hv He V3; have sizeV := vertices_size Hv; have sizeR : size (rotations t) = size (with_edges t) by exact: size_map.
+have total := pieces_bound He; have [_ liveV _ _] := rotations_each low; have [_ liveE _ _] := He.
+have sumV := sum_parts low liveV; have sumE := sum_parts low liveE.
+case P: (pieces t) => [|r [|q s]] in sumV sumE total *; rewrite /= in sumV sumE total; [by arith| |by arith].
+have rp : r \in pieces t by rewrite P mem_head.
+by have [b|[b1 b2]] := part_bound He rp; arith.
+Qed.
+
 Lemma bounds : t1_outside t -> t4_bounds t.
 Proof.
 move=> t1 V E F H _ V3; have := H; case=> vs [es [fs [Hv He Hf [VE EE FE]]]].
@@ -134,12 +158,7 @@ have sizeV := vertices_size Hv; have sizeC := components_size low Hc.
 have sizeR : size (rotations t) = size (with_edges t) by exact: size_map.
 have [_ liveV _ _] := rotations_each low; have [_ liveE _ _] := He.
 have sumV := sum_parts low liveV; have sumE := sum_parts low liveE.
-have each r : r \in pieces t -> size (in_part t r es) + 5 <= 3 * size (in_part t r (rotations t)).
-  by move=> rp; have [|[-> ->]] := part_bound He rp; arith.
-have total := sumn_le each; rewrite sumn_add sumn_const sumE in total.
-have sumV3 : sumn [seq 3 * size (in_part t r (rotations t)) | r <- pieces t] = 3 * size (rotations t).
-  by rewrite -sumV; elim: (pieces t) => //= r s ->; arith.
-rewrite sumV3 in total.
+have total := pieces_bound He.
 case P: (pieces t) => [|r [|q s]] in sumV sumE sizeC total *; rewrite /= in sumV sumE sizeC total.
 - by rewrite -EE in sumE total *; split; arith.
 - have rp : r \in pieces t by rewrite P mem_head.

@@ -1,17 +1,17 @@
-(** * ConnectIsolated: connecting two isolated vertices keeps all rules (dcel/operators/connect.rs)
+(** * ConnectIsolated: attaching a new vertex to an isolated one keeps all rules (`split_vertex` in dcel/operators/split_vertex.rs)
 
-    `connect` joins two corners of one face by an edge. Here both are corners of isolated vertices, [o] and [v]. The
-    boundary component of [o] becomes the cycle of the two new half-edges, and that of [v] is gone.
+    The boundary component of [o] becomes the cycle of the two new half-edges. If [v] was isolated, too, and was removed first, this
+    connects two isolated vertices (Connect.v).
 
 <<
       f ┌─────────────┐         f ┌─────────────┐       half-edge h: from o, twin k, next k
-        │  · o   · v  │   ──►     │  · ────── · │       half-edge k: from v, twin h, next h
+        │  · o        │   ──►     │  · ────── · │       half-edge k: from v, twin h, next h
         └─────────────┘           └─────────────┘       boundary b, which started at o, starts at h
 >>
 *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map Lists Verdict AddVertex RemoveVertex NewEdge.
+From twinedge Require Import View Rules Map Lists Verdict NewEdge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -314,13 +314,3 @@ Theorem attach_to_isolated_keeps_rules t o v b h k : isolated t o = Some b ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (attach_to_isolated t o v b h k).
 Proof. by move=> io fv fh fk hk keeps; apply: attach_rules. Qed.
-
-(** The bridge between two isolated vertices: [t] with the isolated vertex [v], as the boundary component [c] of the face
-    [f], is before, and [t] with the edge from [o] to [v] is after. *)
-Theorem bridge_between_isolated_vertices_keeps_rules t o v b c f h k : isolated t o = Some b -> face t f ->
-  ~~ vertex t v -> ~~ boundary t c -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules (add_isolated_vertex t v c f) -> rules (attach_to_isolated t o v b h k).
-Proof.
-move=> io lf fv fc fh fk hk keeps; apply: attach_to_isolated_keeps_rules => //.
-exact: (remove_isolated_vertex_keeps_rules fv fc lf).
-Qed.

@@ -18,17 +18,13 @@
     [g]: each is told, and it is right whatever is told. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import Arith View Rules Loops LoopsProof Map Counting Lists Genus Verdict NewEdge NewFace ConnectCorners.
+From twinedge Require Import Arith View Rules Loops LoopsProof Map Counting Lists Genus Verdict NewEdge NewFace ConnectCorners Stretch.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** The half-edges from [x] to [z], by `next`; at most so many. *)
-Fixpoint stretch t most x z : seq nat :=
-  if most is m.+1 then x :: (if x == z then [::] else if next t x is Some y then stretch t m y z else [::]) else [::].
-
 (** The half-edges to the left of the new edge. *)
-Definition left_side t a b := if next t b is Some x then stretch t (half_edge_slots t) x a else [::].
+Definition left_side t a b := if next t b is Some x then stretch (next t) (half_edge_slots t) x a else [::].
 
 (** The view [t] with the edge [h], [k] between the corners after [a] and after [b], which are on the cycle of [kept], and
     with the boundary components [left] and [right], one of which is [kept], to its left and right. *)
@@ -65,42 +61,6 @@ Definition split_face t a b h k f g kept made (made_left new_left : bool) moved 
   let right := if made_left then kept else made in
   new_face t (split_cycle t a b h k kept left right) f g kept made
     (if new_left then right else left) (if new_left then left else right) moved.
-
-(** ** The left side, as a piece of a cycle *)
-
-Section Side.
-Variable t : view.
-Hypothesis map : is_map t.
-Implicit Types x y z : dart t.
-
-Lemma stretchE m n x z : iter m (@nx t) x = z -> (forall j, j < m -> iter j (@nx t) x <> z) -> m < n ->
-  stretch t n (num x) (num z) = [seq num y | y <- traject (@nx t) x m.+1].
-Proof.
-elim: m n x => [|m IH] [//|n] x /=; first by move=> -> _ _; rewrite eqxx.
-move=> E first lt; case: eqP => [/num_inj xz|_]; first by case: (first 0 isT).
-by rewrite (Map.nextE map) (IH n (nx x)) // -?iterSr // => j jm; rewrite -iterSr; apply: (first j.+1).
-Qed.
-
-Variables x z : dart t.
-Hypothesis xz : fconnect (@nx t) x z.
-Let m := findex (@nx t) x z.
-
-Lemma before_end j : j < m -> iter j (@nx t) x <> z.
-Proof.
-move=> jm E; have := findex_iter (ltn_trans jm (findex_max xz)); rewrite E => mj.
-by move: jm; rewrite /m mj ltnn.
-Qed.
-
-Lemma stretch_in i : i \in stretch t (half_edge_slots t) (num x) (num z) <-> exists2 j, j <= m & i = num (iter j (@nx t) x).
-Proof.
-have lt : m < half_edge_slots t.
-  by apply: leq_trans (findex_max xz) (leq_trans (max_card _) (card_slot _ _)).
-rewrite (stretchE (iter_findex xz) before_end lt); split=> [/mapP[y /trajectP[j jm ->] ->]|[j jm ->]].
-  by exists j.
-by apply: map_f; apply/trajectP; exists j.
-Qed.
-
-End Side.
 
 Section Split.
 Variables (t : view) (a b h k f g kept made left right of_old of_new : nat) (moved : pred nat).
@@ -166,27 +126,16 @@ Lemma side_facts :
       forall i n, n \in side -> next t i = Some n -> n = nb \/ i \in side /\ i <> a
     & (a <> b -> b \notin side) /\ forall i, i \in side -> boundary_of t i = Some kept].
 Proof.
-have [x xa] := dartP live_a; have [y yb] := dartP live_b; move: next_b boundary_a boundary_b.
-rewrite -xa -yb (Map.nextE map) !(Map.boundaryE map) => -[ynb] [bx] [by_].
-have c : fconnect (@nx t) (nx y) x by rewrite -(bndE low) (bnd_nx low) bx by_.
-have inE i : i \in left_side t (num x) (num y) <-> exists2 j, j <= findex (@nx t) (nx y) x & i = num (iter j (@nx t) (nx y)).
-  rewrite /left_side (Map.nextE map); exact: (stretch_in map c).
-have bnd_iter j : bnd (iter j (@nx t) (nx y)) = kept by elim: j => [|j IH]; rewrite ?iterS ?(bnd_nx low).
-split; last split.
-- by apply/inE; exists 0.
-- by apply/inE; exists (findex (@nx t) (nx y) x); rewrite ?iter_findex.
-- move=> i n /inE[j jm ->] ne; rewrite (Map.nextE map) => -[<-]; apply/inE; exists j.+1 => //.
-  by rewrite ltn_neqAle jm andbT; apply/eqP=> E; apply: ne; rewrite E iter_findex.
-- move=> i n /inE[[|j] jm ->] N; first by left; rewrite -ynb.
-  have [z zi] := dartP (heard_live N); rewrite -zi in N *; move: N; rewrite (Map.nextE map) => -[/num_inj /= /(nx_inj map) ->].
-  right; split; first by apply/inE; exists j => //; apply: ltnW.
-  by move/num_inj; apply: (before_end c).
-- move=> xy; apply/negP=> /inE[j jm /num_inj E]; have lt := findex_max c.
-  have jlt : j < findex (@nx t) (nx y) x.
-    by rewrite ltn_neqAle jm andbT; apply/eqP=> jE; apply: xy; rewrite E jE iter_findex.
-  have := findex_iter (leq_ltn_trans jlt lt); rewrite iterS -E.
-  by rewrite findex0.
-by move=> i /inE[j _ ->]; rewrite (Map.boundaryE map) bnd_iter.
+have Bnb : boundary_of t nb = Some kept by rewrite (next_boundary next_b).
+have total i : half_edge t i -> exists2 n, next t i = Some n & half_edge t n by case/links_of.
+have inj i j : half_edge t i -> half_edge t j -> next t i = next t j -> i = j.
+  by move=> li lj; have [n N _] := total i li; rewrite N => /esym; apply: (next_one keeps).
+have below := @half_edge_below t; have C := cycle_of keeps Bnb boundary_a; have live_nb := heard_live Bnb.
+rewrite /left_side next_b; have [nb_in a_in] := stretch_ends below total live_nb C; split=> //.
+- by move=> i n; apply: (stretch_step below total live_nb C).
+- by move=> i n ns N; apply: (stretch_back below total inj live_nb C (heard_live N) ns N).
+split=> [ab|i /(stretch_on below total live_nb C)]; first by apply: (stretch_before below total live_nb C) next_b; apply: nesym.
+by move/(constant_on_cycle (keeps B1).1)=> ->.
 Qed.
 
 Let side_b : a <> b -> b \notin side. Proof. by have [_ _ _ _ []] := side_facts. Qed.

@@ -5,13 +5,10 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
-From twinedge Require Import ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge FastPath Programs.
+From twinedge Require Import ConnectSplit ConnectLoop Connect RemoveMerge RemovePart Contract SplitVertex Flip FastPath Programs.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
-
-Notation "'nil" := (None : link) (at level 0).
-Notation "# i" := (Some i) (at level 0, i at level 0).
 
 (** ** One edge, and an isolated vertex, in the unbounded face: a subdivision
 
@@ -108,10 +105,6 @@ Definition faces_only n := view_of {|
 
 Example empty_map_keeps_all : rules (faces_only 1).
 Proof. by apply/first_broken_none; vm_compute. Qed.
-
-(** So what a program makes of nothing is a planar subdivision. *)
-Example program_from_nothing t : program (faces_only 1) t -> exists s, represents t s.
-Proof. by move=> p; apply: (program_makes_subdivision p); apply/rules_mean_subdivision; apply: empty_map_keeps_all. Qed.
 
 Example two_unbounded_break_f1_first : ~ f1_outer (faces_only 2) /\ forall q, index q < index F1 -> holds (faces_only 2) q.
 Proof. by apply/(first_broken_some (faces_only 2) F1); vm_compute. Qed.
@@ -231,35 +224,81 @@ Example loop_added_rows : let t := loop_at_isolated edge_and_point 2 2 3 0 1 1 2
     & first_broken t = None].
 Proof. by split; vm_compute. Qed.
 
-(** ** A new vertex on the edge
+(** ** A new vertex at an end of the edge
 
 <<
-        0 ─────h0────► 1        · 2            0 ──h0──► 3 ──h2──► 1        · 2
+        0 ─────h0────► 1        · 2            0 ──h0──► 1 ──h2──► 3        · 2
 >>
 *)
 
-Example vertex_on_edge : rules (split_edge edge_and_point 0 3 2 3).
-Proof. by apply: split_edge_keeps_rules edge_and_point_keeps_all. Qed.
+Example vertex_on_edge : rules (split_vertex edge_and_point 0 0 3 2 3).
+Proof. by apply: split_vertex_keeps_rules edge_and_point_keeps_all. Qed.
 
-Example vertex_on_edge_rows : let t := split_edge edge_and_point 0 3 2 3 in
-  [/\ [seq next t i | i <- iota 0 4] = [:: #2; #0; #3; #1], [seq origin t i | i <- iota 0 4] = [:: #0; #3; #3; #1],
-      [seq leaving t i | i <- iota 0 4] = [:: #0; #3; 'nil; #2] & first_broken t = None].
+Example vertex_on_edge_rows : let t := split_vertex edge_and_point 0 0 3 2 3 in
+  [/\ [seq next t i | i <- iota 0 4] = [:: #2; #0; #3; #1], [seq origin t i | i <- iota 0 4] = [:: #0; #1; #1; #3],
+      [seq leaving t i | i <- iota 0 4] = [:: #0; #1; 'nil; #3] & first_broken t = None].
 Proof. by split; vm_compute. Qed.
 
 (** ** … and without it again: all is as it was *)
 
-Example vertex_off_edge : rules (join_edges (split_edge edge_and_point 0 3 2 3) 0 3 2 3).
-Proof. by apply: join_edges_keeps_rules vertex_on_edge. Qed.
+Example vertex_off_edge : rules (contract_edge (split_vertex edge_and_point 0 0 3 2 3) 2 3 1 3).
+Proof. by apply: contract_edge_keeps_rules vertex_on_edge. Qed.
 
-Example vertex_off_edge_rows : let t := join_edges (split_edge edge_and_point 0 3 2 3) 0 3 2 3 in
+Example vertex_off_edge_rows : let t := contract_edge (split_vertex edge_and_point 0 0 3 2 3) 2 3 1 3 in
   [/\ [seq half_edge t i | i <- iota 0 4] = [:: true; true; false; false], [seq next t i | i <- iota 0 2] = [:: #1; #0],
       [seq origin t i | i <- iota 0 2] = [:: #0; #1], [seq leaving t i | i <- iota 0 4] = [:: #0; #1; 'nil; 'nil]
     & first_broken t = None].
 Proof. by split; vm_compute. Qed.
 
-(** A loop with one vertex is not joined with itself, and a vertex at the end of one edge is not taken away. *)
+(** ** … and without the edge that was there first: an isolated vertex *)
 
-Example no_joints : ~~ is_joint point_in_loop 1 0 1 3 /\ ~~ is_joint edge_and_point 0 1 1 0.
+Example edge_contracted_rows : let t := contract_edge edge_and_point 0 1 1 0 in
+  [/\ is_contractible edge_and_point 0 1 1 0, [seq isolated t i | i <- iota 0 3] = [:: 'nil; #0; #1] & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** A loop is not contracted, and corners at two vertices split none. *)
+
+Example not_contracted : ~~ is_contractible point_in_loop 1 3 0 0 /\ ~~ is_splittable edge_and_point 0 1 3 2 3.
+Proof. by split; vm_compute. Qed.
+
+(** ** An end of two edges is split between them: h1 leaves the new vertex
+
+<<
+        0 ─────h0────► 1                       0 ─────h0────► 3
+        │              │                       │              │ h4 leads from 1 to 3
+        └──────◄──h2───┘                       └──────◄──h2── 1
+>>
+*)
+
+Definition digon := split_face edge_and_point 0 1 2 3 0 1 0 2 true true (fun c => c == 1).
+
+Example vertex_split : rules (split_vertex digon 0 3 3 4 5).
+Proof. by apply: split_vertex_keeps_rules edge_split. Qed.
+
+Example vertex_split_rows : let t := split_vertex digon 0 3 3 4 5 in
+  [/\ [seq next t i | i <- iota 0 6] = [:: #5; #3; #0; #4; #1; #2], [seq origin t i | i <- iota 0 6] = [:: #0; #3; #1; #0; #1; #3],
+      [seq boundary_of t i | i <- iota 0 6] = [:: #2; #0; #2; #0; #0; #2] & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** One of the two edges is flipped: its ends change places *)
+
+Example edge_flipped : rules (flip_edge digon 0 1 0 1 2 0 3 2 true (fun c => c == 1)).
+Proof. by apply: flip_edge_keeps_rules edge_split. Qed.
+
+Example edge_flipped_rows : let t := flip_edge digon 0 1 0 1 2 0 3 2 true (fun c => c == 1) in
+  [/\ [seq next t i | i <- iota 0 4] = [:: #3; #2; #1; #0], [seq origin t i | i <- iota 0 4] = [:: #1; #0; #1; #0],
+      [seq boundary_of t i | i <- iota 0 4] = [:: #2; #0; #0; #2], [seq inner_list t x | x <- iota 0 2] = [:: [:: 0]; [:: 1]]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** The isolated vertex is connected to an end of the edge *)
+
+Example points_connected : rules (connect_isolated edge_and_point 0 2 1 2 3).
+Proof. by apply: connect_isolated_keeps_rules edge_and_point_keeps_all. Qed.
+
+Example points_connected_rows : let t := connect_isolated edge_and_point 0 2 1 2 3 in
+  [/\ [seq next t i | i <- iota 0 4] = [:: #2; #0; #3; #1], [seq origin t i | i <- iota 0 4] = [:: #0; #1; #1; #2],
+      [seq isolated t i | i <- iota 0 3] = [:: 'nil; 'nil; 'nil], inner_list t 0 = [:: 0] & first_broken t = None].
 Proof. by split; vm_compute. Qed.
 
 (** ** The loop is removed: its vertex is isolated, and the one inside lies in the unbounded face
@@ -283,3 +322,24 @@ Proof. by split; vm_compute. Qed.
 
 Example no_seam : ~~ is_seam point_in_loop 1 3 2 0 0 1.
 Proof. by vm_compute. Qed.
+
+(** ** The edge is removed: its ends are two isolated vertices, one of which has the new boundary component
+
+<<
+        0 ─────h0────► 1        · 2            · 0            · 1        · 2
+>>
+*)
+
+Example bridge_removed : rules (part_component edge_and_point 0 1 0 0 2 0 2 0).
+Proof. by apply: (@part_component_keeps_rules _ 0 1 0 0 2 0 2 0 0 [::]) edge_and_point_keeps_all. Qed.
+
+Example bridge_removed_rows : let t := part_component edge_and_point 0 1 0 0 2 0 2 0 in
+  [/\ [seq half_edge t i | i <- iota 0 2] = [:: false; false], [seq isolated t i | i <- iota 0 3] = [:: #0; #2; #1],
+      inner_list t 0 = [:: 0; 1; 2] & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** A bridge inside a face that its own component bounds: the part with the outside stays the outer one, and no other does. *)
+
+Example hair_removed : let t := split_vertex point_in_loop 1 1 3 4 5 in
+  is_bridge t 4 5 2 0 3 0 3 0 1 [::] /\ ~~ is_bridge t 4 5 2 0 3 0 3 3 1 [::].
+Proof. by split; vm_compute. Qed.

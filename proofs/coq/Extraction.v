@@ -8,7 +8,7 @@
 
 From Coq Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Loops Reference FastPath.
+From twinedge Require Import View Rules Loops Reference FastPath Expectations ExpectationsCheck.
 
 Extract Constant addn => "(+)".
 Extract Constant muln => "( * )".
@@ -23,4 +23,4 @@ Extract Inlined Constant blank => "Memory.blank".
 Extract Inlined Constant read => "Memory.read".
 Extract Inlined Constant write => "Memory.write".
 
-Extraction "checker.ml" first_broken fast_path check_t2 labels.
+Extraction "checker.ml" first_broken fast_path check_t2 labels first_broken_of plane surface.

@@ -14,14 +14,6 @@ Unset Printing Implicit Defensive.
 
 (** ** Lists *)
 
-Definition code (p : place) : option nat := if p is Inner i then Some i else None.
-Definition uncode (c : option nat) : place := if c is Some i then Inner i else Outer.
-
-Lemma codeK : cancel code uncode. Proof. by case. Qed.
-
-Definition place_eqMixin := CanEqMixin codeK.
-Canonical place_eqType := EqType place place_eqMixin.
-
 (** As many different ones as there are: hence all. *)
 Lemma all_met (A : eqType) (s s' : seq A) : uniq s -> {subset s <= s'} -> size s = size s' -> s =i s'.
 Proof. by move=> u sub E; have [] := uniq_min_size u sub _; rewrite ?E. Qed.

@@ -9,7 +9,7 @@
     T2 is not settled here: the validator checks it next, and then all rules are known to hold. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Lists Verdict FastPath FastPathAccepted FastPathKept FastPathComponents.
+From twinedge Require Import View Rules Lists ReferenceProof Verdict FastPath FastPathAccepted FastPathKept FastPathComponents.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

@@ -1,8 +1,8 @@
 (** * NewEdge: a new vertex at the end of a new edge
 
-    Two operators give a vertex [v], which is new or was isolated, an edge: its half-edges are [h], from a vertex [o] to
-    [v], and [k], back. What both have in common is here: whatever is connected to [v] is what is connected to [o]. So it
-    is where [v] is put on an edge that ends at [o] (SplitEdge.v), and T1 to T3 are proved for all of them at once.
+    A new vertex [v] is given an edge: its half-edges are [h], from a vertex [o] to [v], and [k], back. Whatever is connected to
+    [v] is what is connected to [o], and so T1 to T3 hold (ConnectIsolated.v). What is said of half-edges serves every operator
+    that makes an edge.
 
 <<
       o ·   v       o ·─────· v       h: from o, twin k

@@ -4,5 +4,5 @@
 
 From twinedge Require Import View Rules Reference Extraction Operate.
 
-Extraction "operators/checker.ml" first_broken before after is_right vertex half_edge boundary face origin twin next prev
+Extraction "operators/checker.ml" first_broken after is_right vertex half_edge boundary face origin twin next prev
   boundary_of leaving isolated boundary_face boundary_start boundary_place outer inner_count inner.

@@ -1,18 +1,19 @@
 (** * Programs: what operators make of a planar subdivision, one after another, is one (dcel/operators/)
 
     A step is one operator with arguments for which it is not refused, or a renaming: other numbers, and lists in another
-    order. A program is any number of steps. Each keeps all rules, so a program does.
+    order; or other half-edges are kept. A program is any number of steps. Each keeps all rules, so a program does.
 
 <<
       nothing ──add──► · v ──attach──► ·────· ──split──► ·──·──· ──bridge──► …        each represents a planar subdivision
 >>
 
-    Not among the steps: removing a bridge (RemovePart.v); contracting edges, splitting vertices, and flipping edges, of which nothing is
-    proved. *)
+    Some operators of the Rust code are several steps here. Connecting to an isolated vertex removes it first (Connect.v), and
+    flipping an edge takes it out and puts it back (Flip.v). Splitting an edge is splitting one of its ends, and joining two is
+    contracting one of them. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Subdivision Verdict AddVertex RemoveVertex MoveInner Renaming AnyInner.
-From twinedge Require Import Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop SplitEdge JoinEdges RemoveMerge.
+From twinedge Require Import ConnectIsolated ConnectBridge ConnectSplit ConnectLoop RemoveMerge RemovePart Contract SplitVertex Keep.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -22,17 +23,12 @@ Definition free_edge t h k := [/\ ~~ half_edge t h, ~~ half_edge t k & h != k].
 
 Inductive step : view -> view -> Prop :=
   | step_rename t t' rv rd rb rf rp : renaming t t' rv rd rb rf rp -> step t t'
+  | step_keep_others t leaves starts : step t (keep_others t leaves starts)
   | step_add t v b f : ~~ vertex t v -> ~~ boundary t b -> face t f -> step t (add_isolated_vertex t v b f)
-  | step_remove t v b f : ~~ vertex t v -> ~~ boundary t b -> face t f -> step (add_isolated_vertex t v b f) t
+  | step_remove t v b : isolated t v = Some b -> step t (remove_isolated_vertex t v b)
   | step_move t b f i g : boundary_face t b = Some f -> boundary_place t b = Some (Inner i) -> face t g -> g != f ->
       ~ inside t b g -> step t (move_inner (exchange t f i (inner_count t f).-1) b f g)
-  | step_attach t a v h k : half_edge t a -> ~~ vertex t v -> free_edge t h k -> step t (attach_vertex t a v h k)
-  | step_bridge_to_isolated t a v b f h k : half_edge t a -> face t f -> ~~ vertex t v -> ~~ boundary t b ->
-      free_edge t h k -> step (add_isolated_vertex t v b f) (attach_vertex t a v h k)
-  | step_attach_to_isolated t o v b h k : isolated t o = Some b -> ~~ vertex t v -> free_edge t h k ->
-      step t (attach_to_isolated t o v b h k)
-  | step_bridge_between_isolated t o v b c f h k : isolated t o = Some b -> face t f -> ~~ vertex t v -> ~~ boundary t c ->
-      free_edge t h k -> step (add_isolated_vertex t v c f) (attach_to_isolated t o v b h k)
+  | step_attach t o v b h k : isolated t o = Some b -> ~~ vertex t v -> free_edge t h k -> step t (attach_to_isolated t o v b h k)
   | step_bridge t a b h k f kept dropped :
       boundary_of t a = Some kept /\ boundary_of t b = Some dropped \/
       boundary_of t a = Some dropped /\ boundary_of t b = Some kept ->
@@ -44,32 +40,31 @@ Inductive step : view -> view -> Prop :=
   | step_loop t v h k f g kept made made_left new_left moved :
       isolated t v = Some kept -> boundary_face t kept = Some f -> free_edge t h k -> ~~ boundary t made -> ~~ face t g ->
       step t (loop_at_isolated t v h k f g kept made made_left new_left moved)
-  | step_split_edge t e v h k : half_edge t e -> ~~ vertex t v -> free_edge t h k -> step t (split_edge t e v h k)
-  | step_join_edges t e v h k : is_joint t e v h k -> step t (join_edges t e v h k)
-  | step_merge_faces t n m f g kept dropped : is_seam t n m f g kept dropped -> step t (merge_faces t n m f g kept dropped).
+  | step_merge_faces t n m f g kept dropped : is_seam t n m f g kept dropped -> step t (merge_faces t n m f g kept dropped)
+  | step_part_component t n m f kept made at_n at_m stays bo way : is_bridge t n m f kept made at_n at_m stays bo way ->
+      step t (part_component t n m f kept made at_n at_m stays)
+  | step_split_vertex t a b v h k : is_splittable t a b v h k -> step t (split_vertex t a b v h k)
+  | step_contract_edge t n m kept dropped : is_contractible t n m kept dropped -> step t (contract_edge t n m kept dropped).
 
 Theorem step_keeps_rules t t' : step t t' -> rules t -> rules t'.
 Proof.
-case=> {t t'} => [t t' rv rd rb rf rp same|t v b f fv fb lf|t v b f fv fb lf|t b f i g E P lg gf no keeps|
-  t a v h k la fv [fh fk hk]|t a v b f h k la lf fv fb [fh fk hk]|t o v b h k I fv [fh fk hk]|
-  t o v b c f h k I lf fv fc [fh fk hk]|t a b h k f kept dropped ab kd kf df [fh fk hk]|
+case=> {t t'} => [t t' rv rd rb rf rp same|t leaves starts|t v b f fv fb lf|t v b I|t b f i g E P lg gf no keeps|
+  t o v b h k I fv [fh fk hk]|t a b h k f kept dropped ab kd kf df [fh fk hk]|
   t a b h k f g kept made ml nl moved ak bk kf [fh fk hk] fm fg|t v h k f g kept made ml nl moved I kf [fh fk hk] fm fg|
-  t e v h k le fv [fh fk hk]|t e v h k joint|
-  t n m f g kept dropped seam].
+  t n m f g kept dropped seam|t n m f kept made at_n at_m stays bo way bridge|t a b v h k right|t n m kept dropped right].
 - exact: renaming_keeps same.
+- exact: keep_others_keeps_rules.
 - exact: add_isolated_vertex_keeps_rules.
 - exact: remove_isolated_vertex_keeps_rules.
 - exact/(move_any_inner_keeps_rules keeps E P lg gf).
-- exact: attach_vertex_keeps_rules.
-- exact: bridge_to_isolated_vertex_keeps_rules.
 - exact: attach_to_isolated_keeps_rules.
-- exact: bridge_between_isolated_vertices_keeps_rules.
 - exact: bridge_keeps_rules.
 - exact: split_face_keeps_rules.
 - exact: loop_at_isolated_keeps_rules.
-- exact: split_edge_keeps_rules.
-- exact: join_edges_keeps_rules.
-exact: merge_faces_keeps_rules.
+- exact: merge_faces_keeps_rules.
+- exact: part_component_keeps_rules bridge.
+- exact: split_vertex_keeps_rules.
+exact: contract_edge_keeps_rules.
 Qed.
 
 Inductive program t : view -> Prop :=

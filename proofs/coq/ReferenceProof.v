@@ -6,6 +6,16 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
+(** ** Places can be compared *)
+
+Definition code (p : place) : option nat := if p is Inner i then Some i else None.
+Definition uncode (c : option nat) : place := if c is Some i then Inner i else Outer.
+
+Lemma codeK : cancel code uncode. Proof. by case. Qed.
+
+Definition place_eqMixin := CanEqMixin codeK.
+Canonical place_eqType := EqType place place_eqMixin.
+
 Section Checks.
 Variable t : view.
 

@@ -100,6 +100,19 @@ have [b by_] := slotP below (on_orbit_live below total O); rewrite -by_ in O *.
 by move: O; rewrite !(on_orbit_step below total) fconnect_sym.
 Qed.
 
+(** Where [prev] takes back each step along [next], it is right. *)
+Lemma prev_of_next t' i : (forall i, half_edge t' i -> exists2 y, next t' i = Some y & half_edge t' y) ->
+  (forall i y, half_edge t' i -> next t' i = Some y -> prev t' y = Some i) ->
+  half_edge t' i -> leads_to (half_edge t') (prev t' i) /\ prev t' i >>= next t' = Some i.
+Proof.
+move=> total back l; have [y Y ly] := total i l; have C : on_cycle t' y i.
+  apply: (orbit_back (@half_edge_below t') total _ l) (orbit_step (orbit_refl _ _) Y) => g j lg lj.
+  by have [x X _] := total g lg; rewrite X => /esym/(back j x lj); rewrite (back g x lg X) => -[].
+suff [x X lx] : exists2 x, next t' x = Some i & half_edge t' x by rewrite (back x i lx X) /=; split=> //; exists x.
+case: C => -[|k] /=; first by case=> yi; exists i; rewrite // Y yi.
+by case E: (iter k _ _) => [u|] //= U; exists u => //; apply: heard_live U.
+Qed.
+
 Section TakenOut.
 Variables (t t' : view) (n m at_n at_m : nat).
 Hypothesis keeps : rules t.
@@ -218,14 +231,7 @@ Lemma cycle_back i j : half_edge t' i -> on_cycle t' i j -> on_cycle t' j i.
 Proof. exact: orbit_back (@half_edge_below t') next_left out_next. Qed.
 
 Lemma out_prev i : half_edge t' i -> leads_to (half_edge t') (prev t' i) /\ prev t' i >>= next t' = Some i.
-Proof.
-move=> l; have [y Y ly] := next_left l; have C : on_cycle t' y i.
-  by apply: cycle_back => //; apply: orbit_step (orbit_refl _ _) Y.
-suff [x X lx] : exists2 x, next t' x = Some i & half_edge t' x.
-  by rewrite (out_prev_next lx X) /=; split=> //; exists x.
-case: C => -[|k] /=; first by case=> yi; exists i; rewrite // Y yi.
-by case E: (iter k _ _) => [u|] //= U; exists u => //; apply: heard_live U.
-Qed.
+Proof. exact: prev_of_next next_left out_prev_next. Qed.
 
 Lemma origin_next i x : next t i = Some x -> origin t x = target t i.
 Proof. by move=> N; have := keeps L3 i (heard_live N); rewrite N. Qed.

@@ -1,248 +1,148 @@
-(** * RemoveVertex: removing an isolated vertex keeps all rules (isolated.rs)
+(** * RemoveVertex: removing an isolated vertex keeps all rules (dcel/operators/isolated.rs)
 
-    Removing is adding backwards: if a view with the isolated vertex [v] keeps all rules, then so does the view without.
+    The isolated vertex [v] and its boundary component [b] are taken away, and the lists are made anew. Adding the vertex makes the
+    same again (AddVertex.v).
 
 <<
       f ┌────────────┐          f ┌────────────┐
         │    · v     │    ──►     │            │
         └────────────┘            └────────────┘
 >>
-
-    Here [v] is the last one that its face lists. Wherever it is listed, and whether the last one takes its place or the
-    others move up: the order of a list does not matter (Renaming.v). *)
+*)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map Counting Lists TopologyProof Verdict AddVertex.
+From twinedge Require Import Arith View Rules Map Counting Lists Core Tidy.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Section RemoveVertex.
-Variables (t : view) (v b f : nat).
-Hypothesis free_vertex : ~~ vertex t v.
-Hypothesis free_boundary : ~~ boundary t b.
-Hypothesis live_face : face t f.
+(** The view [t] without [v] and [b]; places and lists are as they were. *)
+Definition without t v b : view := {|
+  vertex_slots := vertex_slots t;
+  half_edge_slots := half_edge_slots t;
+  boundary_slots := boundary_slots t;
+  face_slots := face_slots t;
+  is_vertex := fun u => (u != v) && is_vertex t u;
+  is_half_edge := is_half_edge t;
+  is_boundary := fun d => (d != b) && is_boundary t d;
+  is_face := is_face t;
+  says_origin := says_origin t;
+  says_twin := says_twin t;
+  says_next := says_next t;
+  says_prev := says_prev t;
+  says_boundary := says_boundary t;
+  says_leaving := says_leaving t;
+  says_isolated := says_isolated t;
+  says_boundary_face := says_boundary_face t;
+  says_boundary_start := says_boundary_start t;
+  says_boundary_place := says_boundary_place t;
+  says_outer := says_outer t;
+  says_inner_count := says_inner_count t;
+  says_inner := says_inner t
+|}.
 
-Notation t' := (add_isolated_vertex t v b f).
-Hypothesis keeps : rules t'.
+Definition remove_isolated_vertex t v b := relist (without t v b) (inn_of t).
 
-Let low : lower t'. Proof. by move=> q _; apply: keeps. Qed.
-Let map : is_map t' := low_map low.
+Section Without.
+Variables (t : view) (v b : nat).
+Hypothesis keeps : rules t.
+Hypothesis isolated_v : isolated t v = Some b.
 
-(** What half-edges say, and what faces say of their outer boundary components, is the same in both. *)
+Notation t' := (without t v b).
+Notation inn := (inn_of t).
+Let low : lower t. Proof. by move=> q _; apply: keeps. Qed.
+Let map : is_map t := low_map low.
+Let c : core t inn := core_of_rules keeps.
+Let r : rest t inn := rest_of_rules keeps.
+Let bare_v : bare t v. Proof. by have [] := core_isolated c isolated_v. Qed.
+Let inner_b : inn b. Proof. by have [] := core_isolated c isolated_v. Qed.
+Let none_on_b i : boundary_of t i <> Some b. Proof. by have [_ _] := core_isolated c isolated_v; apply. Qed.
 
-Lemma vertex_heard T (says : nat -> option T) x u :
-  heard (vertex t') (fun u => if u == v then x else says u) u = if u == v then x else heard (vertex t) says u.
-Proof. by rewrite /heard vertex_more; case: (u == v). Qed.
+Lemma vertexE u : vertex t' u = (u != v) && vertex t u. Proof. by rewrite /vertex /= andbCA. Qed.
+Lemma boundaryE d : boundary t' d = (d != b) && boundary t d. Proof. by rewrite {1}/boundary /= andbCA. Qed.
 
-Lemma boundary_heard T (says : nat -> option T) x c :
-  heard (boundary t') (fun c => if c == b then x else says c) c = if c == b then x else heard (boundary t) says c.
-Proof. by rewrite /heard boundary_more; case: (c == b). Qed.
+Lemma isolatedE u : isolated t' u = if u == v then None else isolated t u.
+Proof. by rewrite {1}/isolated /heard vertexE; case: (u == v). Qed.
+Lemma boundary_faceE d : boundary_face t' d = if d == b then None else boundary_face t d.
+Proof. by rewrite {1}/boundary_face /heard boundaryE; case: (d == b). Qed.
 
-Lemma leaving_same u : leaving t' u = leaving t u.
-Proof. by rewrite /leaving vertex_heard; case: (u =P v) => // ->; rewrite /heard (negPf free_vertex). Qed.
+Lemma passes_v u : passes t b u -> u = v.
+Proof. by case=> [[i /none_on_b]|I] //; apply: (core_one c I). Qed.
 
-Lemma isolated_less u : isolated t' u = if u == v then Some b else isolated t u. Proof. exact: vertex_heard. Qed.
-Lemma face_less c : boundary_face t' c = if c == b then Some f else boundary_face t c.
-Proof. exact: boundary_heard. Qed.
-Lemma start_less c : boundary_start t' c = if c == b then Some (AtVertex v) else boundary_start t c.
-Proof. exact: boundary_heard. Qed.
-Lemma place_less c : boundary_place t' c = if c == b then Some (Inner (inner_count t f)) else boundary_place t c.
-Proof. exact: boundary_heard. Qed.
-
-Lemma vertexE u : vertex t' u = (u == v) || vertex t u. Proof. exact: vertex_more. Qed.
-Lemma boundaryE c : boundary t' c = (c == b) || boundary t c. Proof. exact: boundary_more. Qed.
-Lemma old_v u : vertex t u -> u == v = false. Proof. exact: old_vertex. Qed.
-Lemma old_b c : boundary t c -> c == b = false. Proof. exact: old_boundary. Qed.
-Lemma live_v : vertex t' v. Proof. by rewrite vertex_more // eqxx. Qed.
-Lemma live_b : boundary t' b. Proof. by rewrite boundary_more // eqxx. Qed.
-Lemma up_vertex u : vertex t u -> vertex t' u. Proof. by rewrite vertex_more // orbC => ->. Qed.
-Lemma up_boundary c : boundary t c -> boundary t' c. Proof. by rewrite boundary_more // orbC => ->. Qed.
-
-Lemma listed_less g p c : c <> b -> listed t' g p = Some c <-> listed t g p = Some c.
+Lemma passes_left d u : d <> b -> passes t d u -> passes t' d u.
 Proof.
-move=> cb; case: p => [//|i] /=; rewrite inner_more //; case: andP => // -[/eqP-> /eqP->].
-by split=> [[bc]|]; [case: cb | rewrite /inner ltnn].
+move=> db [P|I]; [by left|right]; rewrite isolatedE; case: eqP => // uv.
+by case: db; move: I; rewrite uv isolated_v => -[].
 Qed.
 
-(** ** Nothing else leads to [v] or [b] *)
+Lemma connected_left u w : connected t u w -> connected t' u w.
+Proof. by elim=> [|i x y _ IH X Y]; [apply: connected_self|apply: (@connected_edge t' u i x y)]. Qed.
 
-Lemma bare_v : bare t v.
+Lemma connected_v u : connected t u v -> u = v.
+Proof. by move/(connected_sym map)/(connected_bare map (low_v2 low) bare_v). Qed.
+
+Lemma no_outer_left f : no_outer t' inn f <-> no_outer t inn f.
 Proof.
-have [_ N] := keeps B2 v live_v; case: (vertexP low live_v) => [x _ xv|//].
-have [|I _] := N; first by rewrite -xv; apply: not_bare low x.
-by move: I; rewrite isolated_less eqxx.
+split=> no d F; last by apply: no; move: F; rewrite boundary_faceE; case: ifP.
+by case: (d =P b) => [-> //|db]; apply: no; rewrite boundary_faceE (introF eqP db).
 Qed.
 
-Lemma only_b c : starts_at_vertex t' v c -> c = b.
+Lemma without_out f : steps_out t inn f -> steps_out t' inn f.
 Proof.
-have [A _] := keeps B2 v live_v; have [d [E S]] := A bare_v => /(S c).1 ->.
-by move: E; rewrite isolated_less eqxx => -[->].
+elim=> {f} [f lf no|f d u e w g F I P J Q C G _ IH]; first by apply: out_here => //; apply/no_outer_left.
+have db : d <> b by move=> E; move: I; rewrite E inner_b.
+have eb : e <> b.
+  move=> E; rewrite E in Q; have wv := passes_v Q; rewrite wv in C; have uv := connected_v C.
+  case: P => [[i _ O]|K]; first by case: (bare_v (heard_live O)); rewrite O uv.
+  by case: db; move: K; rewrite uv isolated_v => -[].
+apply: (@out_through t' inn f d u e w g) => //; try exact: passes_left; try exact: connected_left;
+  by rewrite boundary_faceE ?(introF eqP db) ?(introF eqP eb).
 Qed.
 
-Lemma not_on_b h : half_edge t h -> boundary_of t h <> Some b.
-Proof. by move=> lh; have [_ C] := keeps B1; move/(C b h live_b lh).1=> [g]; rewrite start_less eqxx. Qed.
-
-Lemma listed_once g p : listed t' g p = Some b -> g = f /\ p = Inner (inner_count t f).
+Lemma without_core : core t' inn.
 Proof.
-have [g' [p' [_ _ L]]] := keeps F2 b live_b.
-have [fg fp] : f = g' /\ Inner (inner_count t f) = p' by apply/L; rewrite /= inner_more // !eqxx.
-by move/L=> [-> ->]; rewrite -fg -fp.
+split; try by [apply: (core_twin c)|apply: (core_next c)|apply: (core_target c)|apply: (core_rotation c)|apply: (core_side c)
+  |apply: (core_cycle c)].
+- move=> i li; have [[u U lu] T N [d B ld]] := core_live c li; split=> //.
+    by exists u => //; rewrite vertexE lu andbT; apply/eqP=> uv; case: (bare_v li); rewrite -uv.
+  by exists d => //; rewrite boundaryE ld andbT; apply/eqP=> db; case: (@none_on_b i); rewrite -db.
+- move=> u; rewrite vertexE isolatedE => /andP[/eqP uv lu] B; rewrite (introF eqP uv).
+  have [d I ld] := core_bare c lu B; exists d => //; rewrite boundaryE ld andbT; apply/eqP=> db.
+  by apply: uv; apply: (core_one c I); rewrite db.
+- by move=> u d; rewrite isolatedE; case: eqP => // _; apply: (core_isolated c).
+- by move=> u w d; rewrite !isolatedE; case: eqP => // _; case: eqP => // _; apply: (core_one c).
+- move=> d; rewrite boundaryE => /andP[/eqP db ld]; have [u P] := core_used c ld; exists u; exact: passes_left.
+- by move=> d; rewrite boundaryE boundary_faceE => /andP[/negPf-> ld]; apply: (core_face c).
+- move=> d e Id Ie; have no x : ~~ inn x -> x == b = false by move=> I; apply/eqP=> E; move: I; rewrite E inner_b.
+  by rewrite !boundary_faceE !no // boundaryE => F /andP[_]; apply: (core_outer c).
+- have [f [[lf no] one]] := core_unbounded c; exists f; split; first by split=> //; apply/no_outer_left.
+  by move=> g [lg /no_outer_left]; move=> no'; apply: one.
+- move=> u; rewrite vertexE => /andP[/eqP uv lu]; have [d [w [ld I P C]]] := core_inside c lu.
+  have db : d <> b by move=> E; rewrite E in P; apply: uv; apply: connected_v; rewrite -(passes_v P).
+  by exists d, w; split=> //; [rewrite boundaryE ld andbT; apply/eqP|apply: passes_left|apply: connected_left].
+- by move=> f lf; apply/without_out/(core_out c).
+have [vs [hs [fs [bs [Hv Hh Hf Hb eq]]]]] := core_counts c.
+have lb : boundary t b /\ inn b by split=> //; have [d + ld] := core_bare c (heard_live isolated_v) bare_v; rewrite isolated_v => -[->].
+exists (rem v vs), hs, fs, (rem b bs); split=> //.
+- by apply: lists_iff (lists_rem v Hv) => u; rewrite vertexE; split=> [[/eqP->]|/andP[/eqP]].
+- apply: lists_iff (lists_rem b Hb) => d; rewrite boundaryE.
+  by split=> [[/eqP-> []]|[/andP[/eqP db ld] I]].
+by move: eq; rewrite (size_lists_rem Hv (heard_live isolated_v)) (size_lists_rem Hb lb); arith.
 Qed.
 
-Lemma not_connected u : vertex t u -> ~ connected t' u v.
+Lemma without_rules : rules (relist t' inn).
 Proof.
-move=> lu /(connected_sym map) /(connected_bare map (low_v2 low) bare_v) uv.
-by move: lu; rewrite uv (negPf free_vertex).
+apply: relist_rules without_core _ _ _ => [i li|u|d]; first exact: (rest_prev r).
+  rewrite vertexE => /andP[uv lu]; have -> : leaving t' u = leaving t u by rewrite /leaving /heard vertexE uv lu.
+  exact: (rest_leaving r lu).
+move=> ld'; have := ld'; rewrite boundaryE => /andP[/eqP db ld].
+have -> : boundary_start t' d = boundary_start t d by rewrite /boundary_start /heard ld' ld.
+case: (rest_start r ld) => [|[u S I]]; [by left|right; exists u => //].
+by rewrite isolatedE; case: eqP => // uv; case: db; move: I; rewrite uv isolated_v => -[].
 Qed.
 
-Lemma down (P Q : nat -> bool) l i : (forall j, Q j = (j == i) || P j) -> l <> Some i -> leads_to Q l -> leads_to P l.
-Proof. by move=> QP li [j E]; rewrite QP => /orP[/eqP ji|Pj]; [case: li; rewrite E ji | exists j]. Qed.
+End Without.
 
-(** ** R1 to F2 *)
-
-Lemma remove_links : links_live t.
-Proof.
-have [[H V B F] _] := keeps R1; split.
-- move=> h lh; have [o w n p c] := H h lh; split=> //.
-    exact: (down (i := v) vertexE) (bare_v lh) o.
-  exact: (down (i := b) boundaryE) (not_on_b lh) c.
-- move=> u lu; have [L I] := V u (up_vertex lu); rewrite leaving_same in L.
-  split; first by case: L => [L|L]; [left|right].
-  move: I; rewrite isolated_less old_v // => -[->|I]; [by left|right].
-  apply: (down (i := b) boundaryE) I => E; have S : starts_at_vertex t' u b.
-    have E' : isolated t' u = Some b by rewrite isolated_less old_v.
-    case: (vertexP low (up_vertex lu)) => [x _ xu|c _ _ + S]; last by rewrite E' => -[/esym cb]; rewrite cb in S.
-    have [_ N] := keeps B2 u (up_vertex lu); have [|I _] := N; first by rewrite -xu; apply: not_bare low x.
-    by move: E'; rewrite I.
-  by move: S; rewrite /starts_at_vertex start_less eqxx => -[vu]; move: lu; rewrite -vu (negPf free_vertex).
-- move=> c lc; have [] := B c (up_boundary lc); rewrite face_less start_less old_b // => L S; split=> //.
-  case E: (boundary_start t c) S => [[h|u]|] //=; rewrite vertex_more // => /orP[/eqP uv|] //.
-  have /only_b cb : starts_at_vertex t' v c by rewrite /starts_at_vertex start_less old_b // E uv.
-  by move: lc; rewrite cb (negPf free_boundary).
-move=> g lg; have [O I] := F g lg; split.
-  case: O => [O|O]; [by left|right]; apply: (down (i := b) boundaryE) O => E.
-  by have [_] := @listed_once g Outer E.
-move=> i lt; have lt' : i < inner_count t' g by rewrite inner_count_more //; case: eqP lt => // -> /ltnW.
-have ni : (g == f) && (i == inner_count t f) = false.
-  by case: (g =P f) lt => //= -> lt; rewrite ltn_eqF.
-have E : inner t' g i = inner t g i by rewrite inner_more // ni.
-rewrite -E; apply: (down (i := b) boundaryE) (I i lt') => /(@listed_once g (Inner i))[gf [ii]].
-by move: ni; rewrite gf ii !eqxx.
-Qed.
-
-Lemma remove_b1 : b1_cycle t.
-Proof.
-have [C D] := keeps B1; split=> // c h lc lh; have := D c h (up_boundary lc) lh.
-by rewrite start_less old_b.
-Qed.
-
-Lemma starts_less u c : u <> v -> starts_at_vertex t' u c <-> starts_at_vertex t u c.
-Proof.
-move=> uv; rewrite /starts_at_vertex start_less; case: (c =P b) => [->|_] //; split=> [[vu]|S]; first by case: uv.
-by have := old_b (heard_live S); rewrite eqxx.
-Qed.
-
-Lemma remove_b2 : b2_isolated t.
-Proof.
-move=> u lu; have uv : u <> v by move=> uv; move: lu; rewrite uv (negPf free_vertex).
-have [A N] := keeps B2 u (up_vertex lu); rewrite isolated_less old_v // in A N; split=> [/A|/N] [].
-  by move=> c [E S]; exists c; split=> // d; rewrite -S; apply: iff_sym; apply: starts_less.
-by move=> E S; split=> // c /(starts_less _ uv); apply: S.
-Qed.
-
-Lemma remove_f1 : f1_outer t.
-Proof.
-have [U O] := keeps F1; split=> // g c u E S; apply: (O g c u E).
-by rewrite /starts_at_vertex start_less old_b // (heard_live S).
-Qed.
-
-Lemma remove_f2 : f2_listed t.
-Proof.
-move=> c lc; have cb : c <> b by move=> cb; move: lc; rewrite cb (negPf free_boundary).
-have [g [p [E P L]]] := keeps F2 c (up_boundary lc); exists g, p; move: E P.
-rewrite face_less place_less old_b // => -> ->; split=> // g' p'; rewrite -L; apply: iff_sym; exact: listed_less.
-Qed.
-
-(** ** T1 *)
-
-Lemma connected_less u w : connected t' u w <-> connected t u w.
-Proof.
-split; first by elim=> [|h x y _ IH O T]; [apply: connected_self|apply: connected_edge IH O T].
-by elim=> [|h x y _ IH O T]; [apply: connected_self|apply: (@connected_edge t') IH O T].
-Qed.
-
-Lemma vertex_at_less c : vertex_at t' c = if c == b then Some v else vertex_at t c.
-Proof. by rewrite /vertex_at start_less; case: (c == b). Qed.
-
-Lemma outside_less u c : vertex t u -> outside_of t' u c <-> outside_of t u c.
-Proof.
-move=> lu; rewrite /outside_of /is_inner place_less vertex_at_less; case: (c =P b) => [->|_]; last first.
-  by split=> -[P [w W /connected_less uw]]; split=> //; exists w => //; apply/connected_less; apply/connected_less.
-split=> [[_ [w [<-] /(not_connected lu)]]|[[i P] _]] //.
-by have := old_b (heard_live P); rewrite eqxx.
-Qed.
-
-Lemma remove_t1 : t1_outside t.
-Proof.
-move=> u lu; have [c [O one]] := keeps T1 u (up_vertex lu); exists c; split; first exact/outside_less.
-by move=> d /(outside_less _ lu); apply: one.
-Qed.
-
-(** ** T2 *)
-
-Lemma rooted_less g : rooted t' g -> rooted t g.
-Proof.
-elim=> [h U|h c w d h' E W O D _ IH]; first exact: rooted_here.
-have cb : c == b = false by apply/eqP=> cb; rewrite cb in E; have [_] := @listed_once h Outer E.
-rewrite vertex_at_less cb in W.
-have lw : vertex t w.
-  have [H _ B _] := remove_links; move: W; rewrite /vertex_at; case S: (boundary_start t c) => [[k|x]|] //=.
-    by move=> K; have [[x + lx] _ _ _ _] := H k (heard_live K); rewrite K => -[->].
-  by case=> <-; have [_] := B c (heard_live S); rewrite S.
-have O' : outside_of t w d by apply/outside_less.
-have db : boundary t d by case: O' => -[i P] _; apply: heard_live P.
-by rewrite face_less old_b // in D; apply: (@rooted_out t h c w d h') IH.
-Qed.
-
-Lemma remove_t2 : t2_nesting t.
-Proof.
-move=> u c g lu O D; apply: rooted_less; apply: (keeps T2 u c g (up_vertex lu)).
-  exact/outside_less.
-by rewrite face_less old_b // (heard_live D).
-Qed.
-
-(** ** T3 *)
-
-Lemma lists_iff (s : seq nat) (P Q : nat -> Prop) : (forall x, P x <-> Q x) -> lists s P -> lists s Q.
-Proof. by move=> PQ [u all]; split=> // x; rewrite all. Qed.
-
-Lemma lists_one_iff (s : seq nat) same (P Q : nat -> Prop) : (forall x, P x <-> Q x) ->
-  lists_one_of_each s same P -> lists_one_of_each s same Q.
-Proof. by move=> PQ [u ok one all]; split=> // [x /ok/PQ|x /PQ/all]. Qed.
-
-Lemma half_edge_of_less u h : half_edge_of t' u h <-> half_edge_of t u h.
-Proof. by split=> -[w O C]; exists w => //; apply/connected_less. Qed.
-
-Lemma remove_t3 : t3_euler t.
-Proof.
-move=> u lu; have [V [E [cycles [[vs [es [cs [Vs Es Cs N]]]] eq]]]] := keeps T3 u (up_vertex lu).
-exists V, E, cycles; split=> //; exists vs, es, cs; split=> //.
-- exact: lists_iff (connected_less u) Vs.
-- exact: lists_one_iff (half_edge_of_less u) Es.
-exact: lists_one_iff (half_edge_of_less u) Cs.
-Qed.
-
-(** Where [v] and [b] are free slots of [t] and [f] is a face: if all rules hold with the isolated vertex, they hold
-    without. *)
-Theorem remove_isolated_vertex_keeps_rules : rules t.
-Proof.
-have H r : index r < index T4 -> holds t r.
-  case: r => // _; [by split; [exact: remove_links|exact: lists_short_listed remove_links remove_f2]|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|idtac|exact: (keeps V2)|
-    exact: remove_b1|exact: remove_b2|exact: remove_f1|exact: remove_f2|exact: remove_t1|exact: remove_t2|
-    exact: remove_t3].
-  by move=> u h lu; rewrite -leaving_same; apply: (keeps V1 u h) (up_vertex lu).
-by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.
-Qed.
-
-End RemoveVertex.
+(** If all rules held before, they hold after. *)
+Theorem remove_isolated_vertex_keeps_rules t v b : isolated t v = Some b -> rules t -> rules (remove_isolated_vertex t v b).
+Proof. by move=> I keeps; apply: without_rules. Qed.

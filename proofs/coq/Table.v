@@ -48,3 +48,7 @@ Definition view_of (t : table) : view := {|
   says_inner_count := fun f => if row (face_rows t) f is Some r then size (inner_cells r) else 0;
   says_inner := fun f i => if row (face_rows t) f is Some r then nth None (inner_cells r) i else None
 |}.
+
+(** Links as a table shows them. *)
+Notation "'nil" := (None : link) (at level 0).
+Notation "# i" := (Some i) (at level 0, i at level 0).

@@ -4,10 +4,11 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge JoinEdges RemoveMerge RemovePart AnyInner Operate Core Tidy Programs Orientation Triangulation Plane Coordinates CoordinatesSound.
+From twinedge Require Import ConnectLoop RemoveMerge RemovePart Contract SplitVertex Flip Keep AnyInner Operate Core Tidy Programs Reach Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -18,6 +19,105 @@ Check first_broken_some : forall t r,
   first_broken t = Some r <-> ~ holds t r /\ forall q, index q < index r -> holds t q.
 
 Check first_broken_none : forall t, first_broken t = None <-> rules t.
+
+(** So does the checker of all expectations, whatever parts are stored, M1 to M8 included: it decides each rule. *)
+
+Check decideP : forall e s r, reflect (holds_of e s r) (decide e s r).
+
+Check first_broken_of_some : forall e s r, first_broken_of e s = Some r <->
+  ~ holds_of e s r /\ forall q, Expectations.position q < Expectations.position r -> holds_of e s q.
+
+Check first_broken_of_none : forall e s, first_broken_of e s = None <-> rules_of e s.
+
+(** Of the closed plane, where every part is stored, these rules are those of Rules.v. *)
+
+Check plane_rule : forall t sf so si r, holds_before t r ->
+  holds_of Expectations.plane (Structure t all_parts sf so si) (Basic r) <-> holds t r.
+
+Check plane_rules : forall t sf so si, rules_of Expectations.plane (Structure t all_parts sf so si) <-> rules t.
+
+Check plane_first_broken : forall t sf so si,
+  first_broken_of Expectations.plane (Structure t all_parts sf so si) = omap Basic (first_broken t).
+
+(** Where no faces are stored, they mean rotation systems on closed surfaces, and in the plane those that can be drawn edge by edge. *)
+
+Check faceless_surface : forall t records places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  exists r, represents_rotations t r.
+
+Check faceless_plane : forall t records places holes unbounded sf so si,
+  rules_of Expectations.plane (Structure t (Parts true true false records places holes unbounded) sf so si) <->
+  exists r, represents_rotations t r /\ plane_system r.
+
+(** `prev`, the half-edges that vertices keep, and places need not be stored: they are filled in. *)
+
+Check filled_rules : forall e s, ~~ border_kept e -> rules_of e s <-> rules_of e (filled e s).
+
+Check filled_plane : forall v prev_stored leaving_stored places_stored sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places_stored true true) sf so si in
+  rules_of Expectations.plane s <-> exists u, represents (answers (filled Expectations.plane s)) u.
+
+Check filled_faceless_surface : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
+  rules_of Expectations.surface s <-> exists r, represents_rotations (answers (filled Expectations.surface s)) r.
+
+Check filled_faceless_plane : forall v prev_stored leaving_stored records places_stored holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
+  rules_of Expectations.plane s <-> exists r, represents_rotations (answers (filled Expectations.plane s)) r /\ plane_system r.
+
+(** Where faces are stored, the rules of closed surfaces mean that each face is one cycle of the rotation system, without records for
+    boundary components and with them. *)
+
+Check named_faces : forall t places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  surface_rules t /\ faces_are_cycles t sf so.
+
+Check recorded_faces : forall t places holes unbounded sf so si,
+  rules_of Expectations.surface (Structure t (Parts true true true true places holes unbounded) sf so si) <->
+  surface_with_faces t places.
+
+Check filled_named : forall v prev_stored leaving_stored places holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places holes unbounded) sf so si in
+  rules_of Expectations.surface s <->
+  (exists r, represents_rotations (answers (filled Expectations.surface s)) r) /\ faces_are_cycles v sf so.
+
+Check filled_recorded : forall v prev_stored leaving_stored places holes unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
+  rules_of Expectations.surface s <-> surface_with_faces (answers (filled Expectations.surface s)) true.
+
+(** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
+
+Check near_half_edges : forall t t' (changed : pred nat),
+  (forall h, half_edge t h -> Near.fine t h) -> (forall h, ~~ changed h -> Near.same_half_edge t t' h) ->
+  (forall h, half_edge t' h -> changed h -> Near.fine t' h) ->
+  (forall g h, changed h -> half_edge t g -> ~~ changed g -> twin t g = Some h \/ next t g = Some h -> Near.fine t' g) ->
+  (forall v, vertex t v -> ~~ vertex t' v -> bare t' v) ->
+  (forall b h, boundary t b -> ~~ boundary t' b -> half_edge t' h -> boundary_of t' h <> Some b) ->
+  Map.is_map t' /\ forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h.
+
+(** V2 holds if those that are new around a vertex, or are followed by another one, are on one orbit, and one of them was there
+    before if any is left of those before; and so it is with B1 along cycles. *)
+
+Check near_rotations : forall t t', Map.is_map t' ->
+  let member := Near.member (half_edge t) (half_edge t') (View.turn t) (View.turn t') (origin t) (origin t') in
+  let was_here := was_here (half_edge t) (origin t) (origin t') in
+  v2_rotation t ->
+  (forall g h, member g -> member h -> origin t' g = origin t' h -> on_orbit (View.turn t') g h) ->
+  (forall h m, half_edge t' h -> was_here h -> member m -> origin t' m = origin t' h ->
+     exists m', [/\ member m', was_here m' & origin t' m' = origin t' h]) -> v2_rotation t'.
+
+Check near_cycles : forall t t', Map.is_map t' ->
+  let member := Near.member (half_edge t) (half_edge t') (next t) (next t') (boundary_of t) (boundary_of t') in
+  let was_here := was_here (half_edge t) (boundary_of t) (boundary_of t') in
+  one_cycle_each t -> (forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h) ->
+  (forall g h, member g -> member h -> boundary_of t' g = boundary_of t' h -> on_cycle t' g h) ->
+  (forall h m, half_edge t' h -> was_here h -> member m -> boundary_of t' m = boundary_of t' h ->
+     exists m', [/\ member m', was_here m' & boundary_of t' m' = boundary_of t' h]) -> one_cycle_each t'.
+
+Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next t h >>= boundary_of t = boundary_of t h) ->
+  b1_cycle t <-> one_cycle_each t /\ forall b, boundary t b ->
+    (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
+    forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
 
 (** The rules mean planar subdivisions. *)
 
@@ -128,8 +228,8 @@ Check add_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boun
 
 (** So does removing one. *)
 
-Check remove_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boundary t b -> face t f ->
-  rules (add_isolated_vertex t v b f) -> rules t.
+Check remove_isolated_vertex_keeps_rules : forall t v b, isolated t v = Some b ->
+  rules t -> rules (remove_isolated_vertex t v b).
 
 (** Moving an inner boundary component keeps all rules exactly if its new face is not inside its component. *)
 
@@ -156,25 +256,21 @@ Check tidy_rules : forall n inn, Core.core n inn -> rules (Tidy.tidy n inn).
 
 Check renaming_keeps : forall t t' rv rd rb rf rp, renaming t t' rv rd rb rf rp -> rules t -> rules t'.
 
-(** Connecting a corner to an isolated vertex keeps all rules; so does attaching a new vertex to a corner. *)
+(** Which half-edge a vertex or a boundary component keeps does not matter. *)
 
-Check attach_vertex_keeps_rules : forall t a v h k, half_edge t a ->
-  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules t -> rules (attach_vertex t a v h k).
+Check keep_others_keeps_rules : forall t leaves starts, rules t -> rules (keep_others t leaves starts).
 
-Check bridge_to_isolated_vertex_keeps_rules : forall t a v b f h k, half_edge t a -> face t f ->
-  ~~ vertex t v -> ~~ boundary t b -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules (add_isolated_vertex t v b f) -> rules (attach_vertex t a v h k).
-
-(** Connecting two isolated vertices keeps all rules; so does attaching a new vertex to an isolated one. *)
+(** Attaching a new vertex to an isolated one keeps all rules; so does connecting two isolated vertices, or a corner to one. *)
 
 Check attach_to_isolated_keeps_rules : forall t o v b h k, isolated t o = Some b ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (attach_to_isolated t o v b h k).
 
-Check bridge_between_isolated_vertices_keeps_rules : forall t o v b c f h k, isolated t o = Some b -> face t f ->
-  ~~ vertex t v -> ~~ boundary t c -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules (add_isolated_vertex t v c f) -> rules (attach_to_isolated t o v b h k).
+Check connect_two_isolated_keeps_rules : forall t o v b d h k, isolated t o = Some b -> isolated t v = Some d -> o != v ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> rules t -> rules (connect_two_isolated t o v b d h k).
+
+Check connect_isolated_keeps_rules : forall t a v b h k, half_edge t a -> isolated t v = Some b ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> rules t -> rules (connect_isolated t a v b h k).
 
 (** Connecting two cycles of a face keeps all rules, whichever of the two boundary components is kept. *)
 
@@ -200,15 +296,12 @@ Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_
   ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
   rules t -> rules (loop_at_isolated t v h k f g kept made made_left new_left moved).
 
-(** Splitting an edge keeps all rules. *)
+(** Splitting a vertex keeps all rules, and so does contracting an edge that is no loop. *)
 
-Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
-  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
-  rules t -> rules (split_edge t e v h k).
+Check split_vertex_keeps_rules : forall t a b v h k, is_splittable t a b v h k -> rules t -> rules (split_vertex t a b v h k).
 
-(** So does joining two edges at a vertex that has no other. *)
-
-Check join_edges_keeps_rules : forall t e v h k, is_joint t e v h k -> rules t -> rules (join_edges t e v h k).
+Check contract_edge_keeps_rules : forall t n m kept dropped, is_contractible t n m kept dropped ->
+  rules t -> rules (contract_edge t n m kept dropped).
 
 (** So does removing an edge with different boundary components on both sides: the two faces become one. *)
 
@@ -221,21 +314,37 @@ Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo w
   is_bridge t n m f kept made at_n at_m stays bo way ->
   rules t -> rules (part_component t n m f kept made at_n at_m stays).
 
+(** So does flipping an edge, and putting it anywhere between the corners of its two cycles. *)
+
+Check flip_edge_keeps_rules : forall t n m f g kept dropped a b new_left moved, is_flip t n m f g kept dropped a b ->
+  rules t -> rules (flip_edge t n m f g kept dropped a b new_left moved).
+
 (** So does a program of these operators, whatever their arguments and their order; it makes subdivisions of subdivisions. *)
 
 Check step_keeps_rules : forall t t', Programs.step t t' -> rules t -> rules t'.
 
 Check program_keeps_rules : forall t t', program t t' -> rules t -> rules t'.
 
-(** An operation, an operator with its arguments as data, is such a step if its arguments pass a test: [Operate.v] is run beside
-    the Rust code. *)
+(** An operation, an operator with its arguments as data, is such a step if its arguments pass a test, and is refused otherwise.
+    Whatever the operations and their arguments: all rules hold after them. [Operate.v] is run beside the Rust code. *)
 
-Check operation_is_step : forall t o, rules (Operate.before t o) -> Operate.is_right t o ->
-  Programs.step (Operate.before t o) (Operate.after t o).
+Check operation_is_step : forall t o, rules t -> Operate.is_right t o -> Programs.step t (Operate.after t o).
 
-Check operation_keeps_rules : forall t o, rules (Operate.before t o) -> Operate.is_right t o -> rules (Operate.after t o).
+Check refused_changes_nothing : forall t o, ~~ Operate.is_right t o -> Operate.operate t o = t.
+
+Check operate_keeps_rules : forall t o, rules t -> rules (Operate.operate t o).
+
+Check operate_all_keeps_rules : forall t os, rules t -> rules (foldl Operate.operate t os).
+
+(** A program makes subdivisions of subdivisions. *)
 
 Check program_makes_subdivision : forall t t', program t t' -> (exists s, represents t s) -> exists s, represents t' s.
+
+(** Of nothing, programs make the planar subdivisions: all, and no other. *)
+
+Check rules_are_made : forall t, rules t -> program nothing t.
+
+Check programs_make_subdivisions : forall t, program nothing t <-> exists s, represents t s.
 
 (** Positive triangles inside a negative one are drawn without crossings: at every rational point p / k. *)
 

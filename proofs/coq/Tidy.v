@@ -78,6 +78,13 @@ Definition relist n (inn : pred nat) : view := {|
   says_inner := fun f i => nth None [seq Some b | b <- inner_of n inn f] i
 |}.
 
+(** Which boundary components are inner ones is told. *)
+Lemma relist_inn n inn b : boundary n b -> inn_of (relist n inn) b = inn b.
+Proof.
+move=> lb; rewrite /inn_of /boundary_place /heard -[boundary (relist n inn) b]/(boundary n b) lb /=.
+by case: (inn b) => //; case: boundary_face.
+Qed.
+
 (** The view [n], with [prev] and kept half-edges that say what its core says. *)
 Definition refind n : view := {|
   vertex_slots := vertex_slots n;

@@ -94,7 +94,7 @@ static COMMANDS_RUN: Mutex<()> = Mutex::new(());
 const PROVED: &str = "proofs/coq";
 
 /// The checks of the program `twinedge`.
-const COMMANDS: [(&str, &[&str]); 8] = [
+const COMMANDS: [(&str, &[&str]); 10] = [
     ("corrupt", &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1"]),
     (
         "certificates",
@@ -104,6 +104,48 @@ const COMMANDS: [(&str, &[&str]); 8] = [
     (
         "tables-lazy",
         &["tables", "--lazy", "--expect", "plane", "--parts", "prev,leaving", "--half-edges", "4", "--threads", "1"],
+    ),
+    (
+        "certificates-lazy",
+        &[
+            "tables",
+            "--lazy",
+            "--certificates",
+            "--expect",
+            "plane",
+            "--parts",
+            "all",
+            "--vertices",
+            "1",
+            "--half-edges",
+            "2",
+            "--boundaries",
+            "2",
+            "--faces",
+            "2",
+            "--threads",
+            "1",
+        ],
+    ),
+    (
+        "surfaces-lazy",
+        &[
+            "tables",
+            "--lazy",
+            "--certificates",
+            "--expect",
+            "surface asking genus 0",
+            "--parts",
+            "places,prev,leaving",
+            "--half-edges",
+            "2",
+            "--boundaries",
+            "2",
+            "--faces",
+            "2",
+            "--threads",
+            "1",
+        ],
     ),
     ("sample", &["sample", "--tables", "1000", "--seed", "1", "--threads", "1"]),
     ("prove", &["prove", "--edges", "2", "--threads", "1"]),
@@ -282,9 +324,18 @@ impl Check {
     fn is_near(&self, fault: &Fault) -> bool {
         let near: &[&str] = match fault.file.as_str() {
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
-            file if file.starts_with("src/validate/") => {
-                &["validate", "map", "corrupt", "certificates", "tables", "tables-lazy", "sample", "commands"]
-            }
+            file if file.starts_with("src/validate/") => &[
+                "validate",
+                "map",
+                "corrupt",
+                "certificates",
+                "tables",
+                "tables-lazy",
+                "certificates-lazy",
+                "surfaces-lazy",
+                "sample",
+                "commands",
+            ],
             file if file.starts_with("src/algorithm/") => &["algorithm"],
             _ => &["dcel", "program", "prove", "soak", "audited"],
         };

@@ -6,7 +6,7 @@ use pyo3::pybacked::PyBackedBytes;
 use serde::Serialize;
 use serde_json::json;
 use std::collections::BTreeSet;
-use twinedge::algorithm::coverage::{Coverage, CoverageRule, Defect, Limits, check, defects};
+use twinedge::algorithm::coverage::{self, Coverage, CoverageRule, Defect, Limits, check, defects, mismatches};
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::{Format, ReadError, read};
@@ -43,10 +43,20 @@ struct Finding {
     /// The defects of a feature that is not valid by the rules of the OGC.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     defects: Vec<Flaw>,
+    /// The vertices that a mismatch is about.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    missing: Vec<MissingVertex>,
     message: String,
 }
 
-/// The options of C1 … C6.
+/// A vertex that the border of a feature lacks.
+#[derive(Serialize)]
+struct MissingVertex {
+    at: [f64; 2],
+    feature: usize,
+}
+
+/// The options of C1 … C7.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Options {
@@ -119,13 +129,18 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict
         ..Limits::default()
     };
     // The faces that features cover are known on a plane map only: borders that cross are cut first.
-    let coverage = if map.is_plane() {
-        check(&map, &limits).map_err(|error| Refusal(error.to_string()))?
+    let refused = |error: &dyn ToString| Refusal(error.to_string());
+    // Of a map that is plane without noding, borders meet at vertices only.
+    let unmatched =
+        if map.is_plane() && noding == Noding::None { Vec::new() } else { kept.unmatched() };
+    let map = if map.is_plane() {
+        map
     } else {
-        let snapped = kept.build_with(Noding::Snap(Snap::Auto)).map_err(|error| Refusal(error.to_string()))?;
-        check(&snapped, &limits).map_err(|error| Refusal(error.to_string()))?
+        kept.build_with(Noding::Snap(Snap::Auto)).map_err(|error| refused(&error))?
     };
-    let found = findings(&coverage, &invalid);
+    let coverage = check(&map, &limits).map_err(|error| refused(&error))?;
+    let mismatches = mismatches(&map, &unmatched).map_err(|error| refused(&error))?;
+    let found = findings(&coverage, &invalid, &mismatches);
     if asked.coverage && !found.is_empty() || !asked.not_finite.is_empty() {
         document["valid"] = json!(false);
     }
@@ -160,8 +175,12 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
     found
 }
 
-/// Returns the findings of C1 … C6, in order.
-fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Finding> {
+/// Returns the findings of C1 … C7, in order.
+fn findings(
+    coverage: &Coverage,
+    invalid: &[(usize, Vec<Defect>)],
+    mismatches: &[coverage::Finding],
+) -> Vec<Finding> {
     let of_map = coverage.findings.iter().map(|finding| {
         let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
         let (name, area, width) = (finding.rule.name(), finding.area, finding.width);
@@ -175,9 +194,34 @@ fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Findin
             width: Some(width),
             length: Some(finding.length),
             defects: Vec::new(),
+            missing: Vec::new(),
         }
     });
-    of_map.chain(invalid.iter().map(|(feature, defects)| not_valid(*feature, defects))).collect()
+    let invalid = invalid.iter().map(|(feature, defects)| not_valid(*feature, defects));
+    of_map.chain(invalid).chain(mismatches.iter().map(mismatch)).collect()
+}
+
+/// Borders that lack vertices of each other.
+fn mismatch(finding: &coverage::Finding) -> Finding {
+    let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
+    let count = finding.missing.len();
+    let vertices = if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
+    Finding {
+        rule: finding.rule.id(),
+        kind: finding.rule.name(),
+        message: format!("{vertices} missing where the borders of features {features:?} meet"),
+        features,
+        at: Some(finding.at.into()),
+        area: None,
+        width: None,
+        length: Some(finding.length),
+        defects: Vec::new(),
+        missing: finding
+            .missing
+            .iter()
+            .map(|vertex| MissingVertex { at: vertex.at.into(), feature: vertex.feature.index() })
+            .collect(),
+    }
 }
 
 /// A feature that is not valid by the rules of the OGC. Without defects, a coordinate is not finite.
@@ -201,6 +245,7 @@ fn not_valid(feature: usize, defects: &[Defect]) -> Finding {
         width: None,
         length: None,
         defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
+        missing: Vec::new(),
         message: format!("feature {feature} is not valid: {why}"),
     }
 }

@@ -1,7 +1,8 @@
 //! A structure that is validated after each change.
 
 use super::structure::Dcel;
-use crate::store::{SlotStore, Store, WatchedStore};
+use super::watched::Watched;
+use crate::store::{SlotStore, Store};
 use crate::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use crate::validate::{Expectation, Report};
 use alloc::boxed::Box;
@@ -23,7 +24,7 @@ use alloc::boxed::Box;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Audited<S: Store = SlotStore> {
-    dcel: Dcel<WatchedStore<S>>,
+    dcel: Dcel<Watched<S>>,
     baseline: Baseline,
     /// True if the last change passed validation; the baseline has then followed it.
     is_right: bool,
@@ -36,17 +37,13 @@ impl<S: Store> Audited<S> {
     /// The structure is not valid.
     pub fn new(dcel: Dcel<S>) -> Result<Self, BaselineError> {
         let baseline = Baseline::new(&dcel, &Expectation::plane())?;
-        Ok(Self {
-            dcel: Dcel { store: WatchedStore { store: dcel.store, written: WriteSet::default() } },
-            baseline,
-            is_right: true,
-        })
+        Ok(Self { dcel: Dcel::watched_by(dcel, WriteSet::default()), baseline, is_right: true })
     }
 
     /// The structure. O(1).
     #[must_use]
-    pub const fn dcel(&self) -> &Dcel<WatchedStore<S>> {
-        &self.dcel
+    pub const fn dcel(&self) -> &Dcel<S> {
+        &self.dcel.store.dcel
     }
 
     /// Changes the structure by one operator or more, and validates what was written. O(k log k) for k records that were written,
@@ -54,13 +51,13 @@ impl<S: Store> Audited<S> {
     ///
     /// # Errors
     /// The report of a full validation, if a rule is broken. The structure stays as it is then.
-    pub fn change<T>(&mut self, change: impl FnOnce(&mut Dcel<WatchedStore<S>>) -> T) -> Result<T, Box<Report>> {
+    pub fn change<T>(&mut self, change: impl FnOnce(&mut Dcel<Watched<S>>) -> T) -> Result<T, Box<Report>> {
         if self.is_right {
-            self.dcel.store.written.clear();
+            self.dcel.store.watch.clear();
         }
         let answer = change(&mut self.dcel);
         self.is_right = false;
-        validate_near(&mut self.baseline, &self.dcel, &self.dcel.store.written)?;
+        validate_near(&mut self.baseline, &self.dcel.store.dcel, &self.dcel.store.watch)?;
         self.is_right = true;
         Ok(answer)
     }
@@ -68,28 +65,12 @@ impl<S: Store> Audited<S> {
     /// The records that the last change wrote, some of them several times. O(1).
     #[must_use]
     pub const fn written(&self) -> &WriteSet {
-        &self.dcel.store.written
+        &self.dcel.store.watch
     }
 
     /// The structure, in the store that it came in. O(1).
     #[must_use]
     pub fn into_dcel(self) -> Dcel<S> {
-        Dcel { store: self.dcel.store.store }
-    }
-}
-
-#[cfg(feature = "map")]
-impl Dcel {
-    /// Changes the structure, and notes what is written. O(1) beside the change.
-    pub(crate) fn watched<T>(
-        &mut self,
-        written: &mut WriteSet,
-        change: impl FnOnce(&mut Dcel<WatchedStore<SlotStore>>) -> T,
-    ) -> T {
-        let store = core::mem::replace(&mut self.store, SlotStore::hollow());
-        let mut watched = Dcel { store: WatchedStore { store, written: core::mem::take(written) } };
-        let answer = change(&mut watched);
-        (self.store, *written) = (watched.store.store, watched.store.written);
-        answer
+        self.dcel.store.dcel
     }
 }

@@ -49,6 +49,9 @@
 //! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes what a condition does not hold for, as the
 //! operators would one by one, and [`compact`](Dcel::compact) closes the gaps that removed records leave.
 //!
+//! What was changed can be taken back: with the feature `near`, `History` has changes of one or more operators that are undone and redone,
+//! keys included.
+//!
 //! # Data of your own
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept
@@ -87,10 +90,18 @@ mod circulators;
 mod elements;
 mod equality;
 mod error;
+#[cfg(feature = "near")]
+mod history;
 mod import;
 mod operators;
+#[cfg(feature = "near")]
+mod past;
 mod structure;
+#[cfg(feature = "near")]
+mod timeline;
 mod view;
+#[cfg(feature = "near")]
+mod watched;
 
 pub use access::ElementKey;
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
@@ -101,12 +112,20 @@ pub use bulk::{MergedFace, Renamed, Retained};
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};
+#[cfg(feature = "near")]
+pub use history::{History, Recorded};
 pub use import::{FacesError, ImportError, Keys, Outside, Placement, RotationsError};
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
 };
+#[cfg(all(feature = "near", feature = "map"))]
+pub(crate) use past::{Past, Recorder};
 pub use structure::Dcel;
+#[cfg(feature = "near")]
+pub use timeline::Mark;
+#[cfg(feature = "near")]
+pub use watched::Watched;
 
 pub use crate::store::links::RecordKind;
 pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};

@@ -82,6 +82,11 @@ impl<S: Store> Dcel<S> {
     }
 
     #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    pub(crate) const fn store(&self) -> &S {
+        &self.store
+    }
+
+    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
     pub(crate) const fn store_mut(&mut self) -> &mut S {
         &mut self.store
     }

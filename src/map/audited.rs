@@ -1,5 +1,6 @@
 //! A map that is validated after each edit.
 
+use super::notes::Notes;
 use super::planar_map::PlanarMap;
 use crate::validate::near::{BaselineError, EmbeddingBaseline, WriteSet, validate_embedding_near};
 use crate::validate::{Expectation, Report};
@@ -38,7 +39,7 @@ impl Audited {
     /// The map is not valid, as where it is [not plane](PlanarMap::is_plane).
     pub fn new(mut map: PlanarMap) -> Result<Self, BaselineError> {
         let baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
-        map.notes.0 = Some(Box::default());
+        map.notes = Notes { written: Some(Box::default()), journal: None };
         Ok(Self { map, baseline, is_right: true })
     }
 
@@ -57,7 +58,7 @@ impl Audited {
     /// # Errors
     /// The report of a full validation, if a rule is broken. The map stays as it is then.
     pub fn change<T>(&mut self, change: impl FnOnce(&mut PlanarMap) -> T) -> Result<T, Box<Report>> {
-        let mark = self.map.notes.0.as_deref_mut().map(|notes| {
+        let mark = self.map.notes.written.as_deref_mut().map(|notes| {
             if self.is_right {
                 notes.clear();
             }
@@ -65,17 +66,17 @@ impl Audited {
         });
         let answer = change(&mut self.map);
         self.is_right = false;
-        if let Some(notes) = self.map.notes.0.as_deref().filter(|notes| mark == Some(ptr::from_ref(*notes))) {
+        if let Some(notes) = self.map.notes.written.as_deref().filter(|notes| mark == Some(ptr::from_ref(*notes))) {
             validate_embedding_near(&mut self.baseline, &self.map, notes)?;
         } else {
             // It is another map, whose edits were not noted, or for others.
-            self.map.notes.0 = None;
+            self.map.notes = Notes::default();
             let baseline = EmbeddingBaseline::new(&self.map, self.baseline.expectation());
             self.baseline = baseline.map_err(|error| match error {
                 BaselineError::Invalid(report) => report,
                 _ => Box::new(self.map.validate()),
             })?;
-            self.map.notes.0 = Some(Box::default());
+            self.map.notes.written = Some(Box::default());
         }
         self.is_right = true;
         Ok(answer)
@@ -84,13 +85,13 @@ impl Audited {
     /// The records that the last change wrote, some of them several times; none if it put another map in place that is not right. O(1).
     #[must_use]
     pub fn written(&self) -> Option<&WriteSet> {
-        self.map.notes.0.as_deref()
+        self.map.notes.written.as_deref()
     }
 
     /// The map, for good. O(1).
     #[must_use]
     pub fn into_map(mut self) -> PlanarMap {
-        self.map.notes.0 = None;
+        self.map.notes.written = None;
         self.map
     }
 }

@@ -12,7 +12,7 @@ use std::collections::hash_map::Entry;
 
 /// The number of a set of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
-pub(super) struct SetId(u32);
+pub(crate) struct SetId(u32);
 
 const EMPTY: SetId = SetId(0);
 

@@ -24,6 +24,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! With the feature `near`, `History` has edits that are undone and redone, and `Audited` validates after each.
+//!
 //! | module | purpose |
 //! | --- | --- |
 //! | `certificate` (feature `spade`) | a triangulation by which anyone can check that a map is drawn in the plane |
@@ -48,6 +50,8 @@ mod construct;
 mod feature;
 mod feature_sets;
 mod feature_tries;
+#[cfg(feature = "near")]
+mod history;
 mod import;
 mod index;
 mod not_plane;
@@ -60,8 +64,10 @@ mod summary;
 
 #[cfg(feature = "near")]
 pub use audited::Audited;
-pub use construct::{BuildError, Builder, Noding};
+pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
 pub use feature::{Feature, FeatureId, Shape};
+#[cfg(feature = "near")]
+pub use history::History;
 pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use not_plane::NotPlane;

@@ -91,6 +91,42 @@ impl Issuer {
         self.free.push(slot);
     }
 
+    /// Returns the slot that is issued next.
+    #[cfg(feature = "near")]
+    pub(super) fn next(&self) -> u32 {
+        self.free.last().copied().unwrap_or(self.generations.len() as u32)
+    }
+
+    /// Takes back that the last slot was issued, which was never used before.
+    #[cfg(feature = "near")]
+    pub(super) fn forget_last(&mut self) {
+        self.generations.pop();
+    }
+
+    /// Issues the slot after the last one, in a generation.
+    #[cfg(feature = "near")]
+    pub(super) fn issue_last(&mut self, generation: u32) {
+        self.generations.push(generation);
+    }
+
+    /// Exchanges the generation of a slot for another, by which it becomes live or vacant, in the opposite order of the calls
+    /// that made it what it is.
+    #[cfg(feature = "near")]
+    pub(super) fn exchange(&mut self, slot: u32, generation: &mut u32) {
+        core::mem::swap(&mut self.generations[slot as usize], generation);
+        if self.is_live(slot) {
+            self.free.pop();
+        } else {
+            self.free.push(slot);
+        }
+    }
+
+    /// Gives a slot that has just been issued another generation.
+    #[cfg(feature = "near")]
+    pub(super) fn set_generation(&mut self, slot: u32, generation: u32) {
+        self.generations[slot as usize] = generation;
+    }
+
     /// The generation of a slot: odd if live, even if not.
     #[inline]
     pub(super) fn generation(&self, slot: u32) -> u32 {

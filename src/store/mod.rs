@@ -43,7 +43,7 @@ mod pointers;
 pub(crate) mod slots;
 #[forbid(unsafe_code)]
 #[cfg(feature = "near")]
-mod watched_store;
+mod watch;
 
 pub use fixed::FixedStore;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
@@ -52,4 +52,6 @@ pub use links::Store;
 pub use pointers::PointerStore;
 pub use slots::SlotStore;
 #[cfg(feature = "near")]
-pub use watched_store::WatchedStore;
+pub(crate) use slots::{Entry, Journal, Way};
+#[cfg(feature = "near")]
+pub(crate) use watch::Watch;

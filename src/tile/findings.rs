@@ -26,6 +26,7 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
         at: sliver.at,
         faces: Vec::new(),
         stretches: Vec::new(),
+        missing: Vec::new(),
     });
     let mut gaps = Gaps::default();
     let mut searched = Vec::new();

@@ -9,6 +9,7 @@ mod audited;
 mod bulk;
 mod elements;
 mod equality;
+mod history;
 mod import;
 mod operator_laws;
 mod operators;

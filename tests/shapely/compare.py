@@ -1,4 +1,4 @@
-"""C1 … C6 of `twinedge audit` beside shapely, on random coverages, random polygons and the maps of the repository.
+"""C1 … C7 of `twinedge audit` beside shapely, on random coverages, random polygons and the maps of the repository.
 
     compare.py PROGRAM [--seed N] [--cases N] [--self-test]
 

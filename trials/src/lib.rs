@@ -26,7 +26,7 @@
 //! | [`meshes()`] | tries every operator with every argument on every small triangulation | operators of meshes, or others, that do the wrong thing on them |
 //! | [`corrupt()`] | sets every field of every small map to every other value | wrong tables that a validator misses, false alarms, hangs, panics |
 //! | [`tables()`] | judges every small table, right or wrong | the same, and counts that differ from the published ones |
-//! | [`lazy()`] | judges all tables of a size, every cell free, a run for all that agree in the cells that were read | the same in 10^20 tables and more |
+//! | [`lazy()`] | judges all tables of a size, every cell free, a run for all that agree in the cells that were read | the same in 10^20 tables and more; certificates that pass although the table is wrong, and right tables without any |
 //! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
 //! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
 //!
@@ -40,6 +40,7 @@
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
 //! | [`RotationSystem`] | a second model of the operators, simple and slow |
 //! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
+//! | [`Rewound`] | a `Dcel` with a history, whose changes are undone and redone after each operator |
 //! | [`Erased`] | structures of several types as one: the engines are compiled once for them |
 //!
 //! # Long runs
@@ -67,6 +68,7 @@ mod progress;
 mod published;
 mod random;
 mod report_audit;
+mod rewound;
 mod rotation_system;
 mod rows;
 mod run;
@@ -99,6 +101,7 @@ pub use progress::{Progress, Silent};
 pub use prove::prove;
 pub use replay::replay;
 pub use report_audit::ReportAudit;
+pub use rewound::Rewound;
 pub use rotation_system::RotationSystem;
 pub use rows::{Cell, Column, Row};
 pub use run::{Estimate, Run};

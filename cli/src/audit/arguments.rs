@@ -1,12 +1,11 @@
 //! The arguments of `twinedge audit`.
 
-use super::destination::{self, Destination};
+use super::destination;
 use super::mesh_options::MeshOptions;
-use crate::coverage::CoverageOptions;
+use crate::coverage_arguments::CoverageArguments;
 use crate::input::MapFile;
-use crate::units::Measured;
-use std::time::Instant;
-use twinedge::validate::Collect;
+use crate::measured::Measured;
+use twinedge_report::Options;
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -48,8 +47,8 @@ pub(crate) struct Audit {
     #[command(flatten)]
     pub(super) destination: destination::Arguments,
 
-    /// Greatest number of violations to list, and of findings of each rule C1 … C6; all are counted. Default: 1000, and in the text 3
-    /// findings of each of C1 … C6.
+    /// Greatest number of violations to list, and of findings of each rule C1 … C7; all are counted. Default: 1000, and in the text 3
+    /// findings of each of C1 … C7.
     #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     pub(super) list: Option<usize>,
 
@@ -57,6 +56,11 @@ pub(crate) struct Audit {
     /// `remedy`. Of a topology of PostGIS: the SQL that shows the rows, and the SQL that mends what can be mended in one way only (key `sql`).
     #[arg(long)]
     pub(super) explain: bool,
+
+    /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. Text and JSON say so; of the other formats nothing is
+    /// written.
+    #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
+    pub(super) timeout: Option<f64>,
 
     /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
     /// with it nothing else is accepted.)
@@ -69,12 +73,12 @@ pub(crate) struct Audit {
     pub(super) arcs: bool,
 
     /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report. Edges are not cut where they cross, so
-    /// of a map on which they do, C1 to C5 are not checked, and violations do not name records.
+    /// of a map on which they do, C6 alone of C1 to C7 is checked, and violations do not name records.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(super) tiles: Option<u32>,
 
     #[command(flatten)]
-    pub(super) coverage: CoverageOptions,
+    pub(super) coverage: CoverageArguments,
 
     #[command(flatten)]
     pub(super) measured: Measured,
@@ -84,21 +88,15 @@ pub(crate) struct Audit {
 }
 
 impl Audit {
-    /// Greatest number of violations to list.
-    pub(super) fn most(&self) -> usize {
-        self.list.unwrap_or(Collect::DEFAULT_CAP)
-    }
-}
-
-/// A run of the command.
-pub(super) struct Run<'a> {
-    pub(super) asked: &'a Audit,
-    pub(super) to: Destination<'a>,
-    pub(super) start: Instant,
-}
-
-impl Run<'_> {
-    pub(super) fn elapsed_ms(&self) -> f64 {
-        self.start.elapsed().as_secs_f64() * 1000.0
+    pub(super) fn options(&self) -> Options {
+        Options {
+            list: self.list,
+            explain: self.explain,
+            map: self.map.options(),
+            coverage: self.coverage.options(),
+            tiles: self.tiles,
+            geodesic: self.measured.is_geodesic(),
+            mesh: self.mesh.expectation(),
+        }
     }
 }

@@ -1,12 +1,11 @@
 //! The format of a report, and where it goes.
 
 use crate::extension::format_of;
-use crate::output::{json, print, print_bytes};
+use crate::output::{print, print_bytes};
 use crate::output_file::write_file;
 use crate::status::Failure;
 use anstream::adapter::strip_str;
 use clap::ValueEnum;
-use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// The format of a report.
@@ -74,11 +73,6 @@ impl Destination<'_> {
             None => print(text),
             Some(path) => write_file(path, self.input, strip_str(text).to_string().as_bytes()),
         }
-    }
-
-    /// Writes one JSON object.
-    pub(super) fn json(&self, value: &impl Serialize) -> Result<(), Failure> {
-        self.bytes(&json(value)?)
     }
 
     /// Writes bytes as they are.

@@ -6,16 +6,15 @@ use super::notes::Notes;
 use super::output;
 use super::source::{self, Source};
 use super::sql::Engine;
-use crate::audit::InputKind;
-use crate::input::{Input, MapFile};
-use crate::noted::Keep;
+use crate::input::MapFile;
 use crate::output::{counted, print};
 use crate::progress::busy;
-use crate::status::{Failure, Verdict};
+use crate::status::{Failure, Verdict, named};
 use std::path::PathBuf;
 use twinedge::map::certificate::{self, DrawingError};
 use twinedge::validate::View;
 use twinedge::validate::certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate};
+use twinedge_report::{Input, InputKind, Keep};
 
 /// Write a certificate: labels by which anyone can check that a map is a planar subdivision, and drawn without crossings; or that a mesh is a
 /// surface.
@@ -65,8 +64,12 @@ pub(crate) struct Certify {
 impl Certify {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let mut input = self.map.open()?;
-        let kind = if self.table { InputKind::Tables } else { InputKind::of(self.postgis, false, &mut input)? };
         let name = input.name.clone();
+        let kind = if self.table {
+            InputKind::Tables
+        } else {
+            InputKind::of(self.postgis, false, &mut input).map_err(named(&name))?
+        };
         if matches!(kind, InputKind::Map) {
             return self.certify_map(input);
         }
@@ -86,7 +89,10 @@ impl Certify {
         if self.topology_only {
             return self.certify_plane(&name, &map, None);
         }
-        let drawing = busy("triangulating the map", || certificate::draw(&map));
+        let drawing = busy(|stage| {
+            stage("triangulating the map");
+            certificate::draw(&map)
+        });
         let drawing = drawing.map_err(|error| Failure(format!("{name}: {error}; {}", remedy(error))))?;
         self.certify_plane(&name, &map, Some(drawing))
     }
@@ -122,7 +128,7 @@ impl Certify {
             Ok(words) => words,
             Err(failures) => return refuse(name, &lines(&failures)),
         };
-        let notes = Notes::new(name, self.map.sha256()?, counts, exponent);
+        let notes = Notes::new(name, self.map.judged()?.map(|judged| judged.sha256), counts, exponent);
         output::write(&self.output, claim, &notes, self.sql)?;
         print(&format!("{}: certificate that {name} is {words}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)

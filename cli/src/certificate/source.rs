@@ -1,8 +1,5 @@
 //! Structures that are certified as they are: meshes, topologies of PostGIS, and tables.
 
-use crate::audit::InputKind;
-use crate::input::Input;
-use crate::print_tables::EXPECT;
 use crate::status::{Failure, Verdict};
 use std::fmt::Display;
 use std::io::{BufRead, Read};
@@ -10,6 +7,7 @@ use twinedge::io::tables::Textbook;
 use twinedge::validate::{Collect, Expectation, Surface, Table, View, validate};
 use twinedge_formats::mesh::{self, Format, HalfEdgeMesh};
 use twinedge_formats::postgis::{self, Listed};
+use twinedge_report::{EXPECT, Input, InputKind};
 
 /// A structure by what it is to be, or, line by line, what is wrong with it.
 pub(super) enum Source<'a> {

@@ -99,6 +99,11 @@ impl Cleaning<'_> {
                 _ => None,
             });
         }
+        let of: BTreeSet<usize> =
+            self.report.added.iter().filter(|vertex| vertex.to == number).map(|vertex| vertex.of).collect();
+        if !of.is_empty() {
+            reasons.push(format!("vertices of {} added", self.labels(&of.into_iter().collect::<Vec<_>>())));
+        }
         if !feature.defects.is_empty() {
             let kinds: Vec<String> = feature.defects.iter().map(ToString::to_string).collect();
             reasons.push(format!("it was not valid ({})", kinds.join(", ")));

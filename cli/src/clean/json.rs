@@ -3,7 +3,7 @@
 use super::cleaning::Cleaning;
 use serde_json::json;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures};
-use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Remaining};
+use twinedge_formats::layer::clean::{AddedVertex, FeatureChange, LayerChange, Remaining};
 
 impl Cleaning<'_> {
     pub(super) fn json(&self) -> serde_json::Value {
@@ -41,6 +41,7 @@ impl Cleaning<'_> {
                 "at": [change.at.x, change.at.y],
             })
         };
+        let added = |vertex: &AddedVertex| json!({ "at": [vertex.at.x, vertex.at.y], "to": named(&vertex.to), "of": named(&vertex.of) });
         let changed = |feature: &FeatureChange| {
             let FeatureName { number, id, name, .. } = named(&feature.feature);
             without_null(json!({
@@ -74,6 +75,7 @@ impl Cleaning<'_> {
             "cell": report.noding.map(|noding| noding.cell).filter(|cell| *cell > 0.0),
             "sliver_area": report.sliver_area,
             "changes": report.changes.iter().map(change).collect::<Vec<_>>(),
+            "added_vertices": report.added.iter().map(added).collect::<Vec<_>>(),
             "changed": report.features.iter().map(changed).collect::<Vec<_>>(),
             "left": left,
             // Gaps that are wider than `--lake-width`, or `--gap-width`.

@@ -5,7 +5,7 @@ mod json;
 mod text;
 
 use crate::convert::LayerOutput;
-use crate::coverage::AcceptedGaps;
+use crate::coverage_arguments::AcceptedGaps;
 use crate::input::LayerFile;
 use crate::output::{Format, json, print, print_json};
 use crate::status::{Failure, Verdict};
@@ -65,7 +65,7 @@ pub(crate) struct Clean {
 
     /// Greatest mean width of a gap that is filled, in the units of the coordinates, and greatest distance between two borders that
     /// face each other where the space between them is open to the outside or to a wider gap: it is filled as well. Default: only gaps smaller than --sliver are.
-    #[arg(long, value_name = "W", value_parser = crate::coverage::positive)]
+    #[arg(long, value_name = "W", value_parser = crate::coverage_arguments::positive)]
     gap_width: Option<f64>,
 
     #[command(flatten)]
@@ -73,7 +73,7 @@ pub(crate) struct Clean {
 
     /// Area below which gaps are filled and thin parts of features given away. A part is thin if 4π · area / perimeter² is below 0.2: a
     /// rectangle 14 times as long as wide. Default: a thousandth of the median area of all parts, measured after overlaps are resolved.
-    #[arg(long, value_name = "A", value_parser = crate::coverage::positive)]
+    #[arg(long, value_name = "A", value_parser = crate::coverage_arguments::positive)]
     sliver: Option<f64>,
 
     /// Output format of the report.

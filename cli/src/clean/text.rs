@@ -2,12 +2,12 @@
 
 use super::cleaning::Cleaning;
 use crate::convert::Written;
-use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, measure, place, plain};
 use std::fmt::Write as _;
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
+use twinedge_report::noding_text;
 
 impl Cleaning<'_> {
     pub(super) fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
@@ -32,6 +32,7 @@ impl Cleaning<'_> {
             let area = if area > 0.0 { format!("  area {}", measure(area)) } else { String::new() };
             writeln!(out, "  {what:38} {:>9}{area}{beside}", grouped(found.count()))?;
         }
+        writeln!(out, "  {:38} {:>9}", "vertices of neighbours added", grouped(report.added.len()))?;
         let gone = report.features.iter().filter(|feature| feature.area_after == 0.0).count();
         for (what, count) in
             [("features with another geometry", report.features.len()), ("of these, without area now", gone)]
@@ -45,6 +46,14 @@ impl Cleaning<'_> {
         let more = report.changes.len().saturating_sub(list);
         if more > 0 {
             writeln!(out, "… and {} more; see --list", grouped(more))?;
+        }
+        for vertex in report.added.iter().take(list) {
+            let at = place([vertex.at.x, vertex.at.y], decimals);
+            writeln!(out, "vertex of {} added to {}: at {at}", self.label(vertex.of), self.label(vertex.to))?;
+        }
+        let more = report.added.len().saturating_sub(list);
+        if more > 0 {
+            writeln!(out, "… and {} more vertices; see --list", grouped(more))?;
         }
         for feature in report.features.iter().take(list) {
             let FeatureChange { feature: number, area_before, area_after, points_before, points_after, .. } = feature;
@@ -83,7 +92,7 @@ impl Cleaning<'_> {
             writeln!(out, "written to {} ({format})", plain(name))?;
         }
         match &report.left {
-            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C6 hold{} ({:.0} ms)", self.wider(), self.elapsed),
+            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed),
         }?;
         Ok(out)

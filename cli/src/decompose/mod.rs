@@ -3,8 +3,7 @@
 mod steps;
 
 use crate::extension::format_of;
-use crate::input::{Imported, MapFile};
-use crate::names::label;
+use crate::input::MapFile;
 use crate::output::style::QUIET;
 use crate::output::{grouped, plain, print_answer};
 use crate::output_file::write_file;
@@ -20,6 +19,8 @@ use twinedge::algorithm::convex::{Decomposition, decompose};
 use twinedge::algorithm::coverage::faces_by_feature;
 use twinedge::dcel::FaceKey;
 use twinedge::map::{FeatureId, PlanarMap};
+use twinedge_report::Imported;
+use twinedge_report::names::label;
 
 /// Cut the features of a map into convex pieces, by edges between their vertices.
 ///

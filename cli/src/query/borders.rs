@@ -2,17 +2,17 @@
 
 use super::list::{Limit, TableFormat, csv, greatest_first};
 use super::source::Source;
-use crate::names::label;
 use crate::output::style::QUIET;
 use crate::output::{measure, print_answer, print_json};
 use crate::status::Failure;
-use crate::units::Units;
 use clap::ValueEnum;
 use serde::Serialize;
 use std::fmt::Write as _;
 use twinedge::algorithm::neighbours::pairs;
 use twinedge::dcel::Face;
 use twinedge::map::FeatureId;
+use twinedge_report::Units;
+use twinedge_report::names::label;
 
 /// The order of a table of neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

@@ -2,8 +2,6 @@
 
 use super::source::Source;
 use super::which::Which;
-use crate::names::label;
-use crate::noted::Condition;
 use crate::output::{grouped, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
@@ -12,6 +10,8 @@ use twinedge::algorithm::contour::{Contour as Outline, of_feature};
 use twinedge::geometry::Point;
 use twinedge::io::{geojson, wkt};
 use twinedge::map::Feature;
+use twinedge_report::Condition;
+use twinedge_report::names::label;
 
 /// The outline of a feature: polygons with holes, without the borders inside it.
 #[derive(Debug, clap::Args)]

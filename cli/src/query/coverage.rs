@@ -1,18 +1,20 @@
 //! `twinedge query … coverage`.
 
 use super::list::{Limit, TableFormat, csv, greatest_first};
-use crate::coverage::{Coverage, CoverageOptions, row};
-use crate::diagnosis_text::write;
-use crate::input::Imported;
+use crate::coverage_arguments::CoverageArguments;
+use crate::measured::Measured;
 use crate::output::style::QUIET;
 use crate::output::{print_answer, print_json};
+use crate::progress::busy;
 use crate::status::Failure;
-use crate::units::Measured;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge_formats::diagnosis::{Diagnosis, Measures};
+use twinedge_report::Imported;
+use twinedge_report::diagnosis_text::write;
+use twinedge_report::{Coverage, row};
 
-/// Overlaps, gaps, near misses, slivers, duplicates and features that are not valid by the OGC: what breaks C1 … C6, as a table.
+/// Overlaps, gaps, near misses, slivers, duplicates, features that are not valid by the OGC, and mismatches: what breaks C1 … C7, as a table.
 ///
 /// The map need not be plane: borders that cross are cut on the finest grid.
 #[derive(Debug, clap::Args)]
@@ -27,13 +29,13 @@ Exit status: 0 there is an answer, if only that there is nothing; 2 the input co
 )]
 pub(super) struct CoverageOf {
     #[command(flatten)]
-    asked: CoverageOptions,
+    asked: CoverageArguments,
 
     #[command(flatten)]
     measured: Measured,
 
-    /// List findings of this rule only: C1 to C6. Can be given several times.
-    #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6"])]
+    /// List findings of this rule only: C1 to C7. Can be given several times.
+    #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6", "C7"])]
     rule: Vec<String>,
 
     /// The column to sort by. Within each rule, the largest area comes first anyway.
@@ -74,7 +76,8 @@ const HEADINGS: [&str; 8] = ["rule", "kind", "features", "area", "width", "lengt
 impl CoverageOf {
     pub(super) fn answer(&self, imported: &Imported) -> Result<(), Failure> {
         let units = self.measured.units(imported)?;
-        let mut coverage = Coverage::new(imported, &self.asked, &units, usize::MAX).unexplained();
+        let mut coverage =
+            busy(|stage| Coverage::new(imported, &self.asked.options(), &units, usize::MAX, stage)).unexplained();
         if let Some(why) = coverage.not_checked() {
             return Err(Failure(format!("{}: {why}", imported.name)));
         }
@@ -93,7 +96,7 @@ impl CoverageOf {
         match self.format {
             TableFormat::Text => {
                 let mut out = String::new();
-                coverage.write_rules(&mut out, self.asked.is_rule())?;
+                coverage.write_rules(&mut out, self.asked.options().is_rule)?;
                 out.push('\n');
                 for one in coverage.findings() {
                     write(&mut out, one, imported.noted.decimals())?;

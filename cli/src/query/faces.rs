@@ -2,7 +2,6 @@
 
 use super::list::{Limit, greatest_first};
 use super::source::Source;
-use crate::names::label;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print_answer, print_json};
 use crate::status::Failure;
@@ -12,6 +11,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::algorithm::area::face_area;
 use twinedge::dcel::Face;
+use twinedge_report::names::label;
 
 /// All faces: the features that cover them, their areas, their boundaries and their neighbours.
 #[derive(Debug, clap::Args)]

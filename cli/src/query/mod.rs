@@ -18,12 +18,13 @@ mod which;
 pub(crate) use names::find;
 pub(crate) use source::Source;
 
-use crate::input::{Imported, MapFile};
-use crate::noted::Keep;
+use crate::input::MapFile;
 use crate::output::plain;
 use crate::status::{Failure, Verdict};
-use crate::units::Units;
 use clap::Subcommand;
+use twinedge_report::Imported;
+use twinedge_report::Keep;
+use twinedge_report::Units;
 
 /// Ask a map about neighbours, places, lines, outlines, faces, ways and lattice points.
 #[derive(Debug, clap::Args)]

@@ -4,18 +4,19 @@ use super::borders::{SortBy, print_all};
 use super::list::{Limit, TableFormat};
 use super::source::Source;
 use super::which::Which;
-use crate::names::label;
-use crate::noted::Condition;
+use crate::measured::Measured;
 use crate::output::style::{BAD, QUIET};
 use crate::output::{measure, print_answer, print_json};
 use crate::status::Failure;
-use crate::units::{Measured, Units};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::neighbours::{of_feature, touching_feature};
 use twinedge::map::FeatureId;
+use twinedge_report::Condition;
+use twinedge_report::Units;
+use twinedge_report::names::label;
 
 /// The neighbours of a feature: who shares a border with it, along which lines, and how long these are.
 #[derive(Debug, clap::Args)]

@@ -1,9 +1,9 @@
 //! A face, an edge or a vertex in an answer, with the names of its features.
 
-use crate::names::label;
 use serde::Serialize;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use twinedge::map::{FeatureId, PlanarMap};
+use twinedge_report::names::label;
 
 /// One record of the map.
 #[derive(Debug, Serialize)]

@@ -2,12 +2,12 @@
 
 use super::names::find;
 use super::source::Source;
-use crate::names::label;
 use crate::output::{Format, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge::algorithm::dual::{self, By};
+use twinedge_report::names::label;
 
 /// The features that one crosses on the way from one to another.
 #[derive(Debug, clap::Args)]

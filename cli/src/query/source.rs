@@ -1,8 +1,8 @@
 //! The map that a question is about.
 
-use crate::noted::Noted;
 use crate::output::plain;
 use twinedge::map::PlanarMap;
+use twinedge_report::Noted;
 
 /// A map, the name of its input, and what was noted of its features.
 pub(crate) struct Source {

@@ -2,10 +2,10 @@
 
 use super::names::find;
 use super::source::Source;
-use crate::noted::Condition;
 use crate::output::plain;
 use crate::status::Failure;
 use twinedge::map::FeatureId;
+use twinedge_report::Condition;
 
 /// A feature, by its name, its id or a column.
 #[derive(Debug, clap::Args)]

@@ -50,18 +50,32 @@ fn machines_get_these_keys() {
             "counts",
             "coverage",
             "elapsed_ms",
+            "first",
             "import",
             "input",
+            "judged",
+            "options",
             "rules",
             "schema",
             "valid",
+            "verdict",
+            "version",
             "violation_count",
             "violations",
             "warnings"
         ]
     );
-    let counted =
-        ["accepted_gaps", "duplicates", "findings", "gap_width", "gaps", "near_misses", "ogc_invalid", "overlaps"];
+    let counted = [
+        "accepted_gaps",
+        "duplicates",
+        "findings",
+        "gap_width",
+        "gaps",
+        "mismatches",
+        "near_misses",
+        "ogc_invalid",
+        "overlaps",
+    ];
     assert_eq!(keys(&found["coverage"]), [&counted[..], &["sliver_area", "slivers", "unit", "wider_gaps"]].concat());
     assert_eq!(
         keys(&found["counts"]),
@@ -315,6 +329,58 @@ fn overlaps_and_near_misses_are_reported_on_a_map_that_is_not_plane() {
     assert!(text.contains("\n  C1  overlap      1 overlap\n"), "{text}");
     let worst = "C1 overlap: Meadow (id A-1), id A-2; area 0.5000, width 0.0498, borders of 20.1000; at (9.97";
     assert!(text.contains(worst), "{text}");
+}
+
+/// The input of <https://github.com/libgeos/geos/issues/1525>.
+const MISMATCH: &str = "POLYGON((1 0,1 1,1 3,4 0,1 0))\nPOLYGON((0 4,1 3,1 0,0 4))\n";
+
+#[test]
+fn a_missing_vertex_is_named_and_what_follows_from_it() {
+    let (status, found) = audited(&[], MISMATCH);
+    assert_eq!((status, broken(&found)), (Some(1), vec![("T3", 1), ("G4", 2)]));
+    let follows = found["violations"].as_array().unwrap().iter().map(|one| &one["follows_from"]);
+    assert_eq!(follows.collect::<Vec<_>>(), ["C7"; 3]);
+    assert_eq!(found["coverage"]["mismatches"], 1);
+    let [finding] = &found["coverage"]["findings"].as_array().unwrap()[..] else { panic!("{found}") };
+    let has = |key: &str, value: Value| assert_eq!(finding[key], value, "{key}");
+    has("rule", json!("C7"));
+    has("kind", json!("mismatch"));
+    has("features", json!([{"number": 0, "name": null}, {"number": 1, "name": null}]));
+    has("at", json!([1.0, 1.0]));
+    has("missing", json!([{"at": [1.0, 1.0], "feature": 1}]));
+    has("length", json!(3.0));
+    assert_eq!((finding.get("area"), finding.get("width")), (None, None));
+
+    let text = String::from_utf8(twinedge_reading(&["audit", "-"], MISMATCH.as_bytes()).stdout).unwrap();
+    assert!(text.contains("\n  C7  mismatch     1 mismatch\n"), "{text}");
+    assert!(text.contains("C7 mismatch: feature 0, feature 1; 1 vertex missing in feature 1; at (1, 1)\n"), "{text}");
+    assert_eq!(text.matches("which follows from the missing vertices (C7)").count(), 3, "{text}");
+}
+
+#[test]
+fn snapping_does_not_hide_a_missing_vertex() {
+    for snap in ["auto", "0.5"] {
+        let (status, found) = audited(&["--snap", snap], MISMATCH);
+        assert_eq!((status, broken(&found)), (Some(0), vec![]));
+        assert_eq!(
+            (&found["coverage"]["mismatches"], &found["coverage"]["findings"][0]["snapping"]),
+            (&json!(1), &json!("removed"))
+        );
+        assert_eq!(audited(&["--snap", snap, "--coverage"], MISMATCH).0, Some(1));
+    }
+}
+
+/// A crossing elsewhere does not follow from it.
+#[test]
+fn a_crossing_beside_a_missing_vertex_does_not_follow_from_it() {
+    let crossing = "POLYGON((10 0,14 0,14 4,10 4,10 0))\nPOLYGON((12 2,16 2,16 6,12 6,12 2))\n";
+    let (_, found) = audited(&[], &format!("{MISMATCH}{crossing}"));
+    let of = |rule: &str, follows: Value| {
+        let all = found["violations"].as_array().unwrap().iter().filter(|one| one["rule"] == rule);
+        all.filter(|one| one.get("follows_from").cloned().unwrap_or(Value::Null) == follows).count()
+    };
+    assert_eq!((of("G4", json!("C7")), of("G4", Value::Null)), (2, 2));
+    assert_eq!((of("T3", json!("G4")), of("T3", json!("C7"))), (2, 0));
 }
 
 /// Two lakes in one parcel, of a mean width of 2 and 10, and a strip of 0.25 between two parcels.

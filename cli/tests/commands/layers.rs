@@ -280,7 +280,7 @@ fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {
     let done = text(&["clean", &input, "--dry-run", "--gap-width", "1"]);
     assert!(done.contains("features with another geometry                 0\n"), "{done}");
     assert!(done.contains("left as it is: gap of feature 0, feature 1, area 400.0000, width "), "{done}");
-    assert!(done.contains("clean: C1 to C6 hold; 1 gap wider than 1 is left"), "{done}");
+    assert!(done.contains("clean: C1 to C7 hold; 1 gap wider than 1 is left"), "{done}");
     let (_, done) = run_json(&["clean", &input, "--dry-run", "--gap-width", "1", "--format", "json"]);
     assert_eq!((done["wider_gaps"].as_array().map(Vec::len), &done["wider_gaps"][0]["area"]), (Some(1), &json!(400.0)));
 

@@ -25,3 +25,4 @@ mod soak;
 mod sum;
 mod tables;
 mod tile;
+mod verdict;

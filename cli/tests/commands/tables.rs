@@ -49,6 +49,24 @@ fn lazy_runs_are_estimated_and_refused_if_they_would_not_finish() {
     assert_eq!(output.status.code(), Some(2));
     let complaint = complaint(&output);
     assert!(complaint.contains(" runs, about ") && complaint.contains("--force"), "{complaint}");
+    assert!(complaint.contains(" of them a second on each core"), "{complaint}");
     let refused: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(refused["ok"], false);
+}
+
+#[test]
+fn certificates_are_judged_lazily() {
+    let edge = ["tables", "--lazy", "--certificates", "--parts", "all", "--half-edges", "2", "--faces", "1"];
+    let plane = [&edge[..], &["--boundaries", "1", "--expect", "plane"]].concat();
+    let output = twinedge(&[&plane[..], &["--format", "json"]].concat());
+    assert_eq!(output.status.code(), Some(0));
+    let said: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!([&said["accepted"], &said["differences"], &said["ok"]].map(ToString::to_string), ["4", "0", "true"]);
+    // Each table with 3 orders of ranks.
+    assert_eq!(said["judges"][1]["accepted"], 12);
+    let text = String::from_utf8(twinedge(&plane).stdout).unwrap();
+    assert!(text.starts_with("Tables: 10^11.5, with labels 10^13.1\n"), "{text}");
+    let output = twinedge(&[&edge[..], &["--expect", "plane open"]].concat());
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("certificates are of the plane"), "{}", complaint(&output));
 }

@@ -1,11 +1,13 @@
 //! A diagnosis as JSON. `docs/report.md` describes the keys.
 
-use super::{Diagnosis, FeatureName, Flaw, Kind, Position, Reason, Records, Sql};
+use super::{Diagnosis, FeatureName, Flaw, Kind, MissingVertex, Position, Reason, Records, Sql};
 use serde::{Serialize, Serializer};
 
 /// The entry of a list of violations or findings.
 #[derive(Serialize)]
 struct Entry<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -26,9 +28,13 @@ struct Entry<'a> {
     at: Option<Places>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     defects: &'a [Flaw],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    missing: &'a [MissingVertex],
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
     message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    follows_from: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     cause: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -65,6 +71,7 @@ impl Serialize for Diagnosis {
         let one = self.look.filter(|_| is_coverage).map(|at| Places::One(at.map(unsigned_zero)));
         let all = || self.places.as_ref().map(|all| all.iter().map(|at| at.map(unsigned_zero)).collect());
         Entry {
+            id: self.id.as_deref(),
             line: self.line,
             rule: self.rule,
             kind: self.kind,
@@ -78,8 +85,10 @@ impl Serialize for Diagnosis {
             length: self.measures.length.map(unsigned_zero),
             at: one.or_else(|| all().map(Places::All)),
             defects: &self.defects,
+            missing: &self.missing,
             snapping: self.snapping,
             message: &self.message,
+            follows_from: self.follows_from,
             cause: self.cause,
             remedy: self.remedy,
             sql: self.sql.as_ref(),

@@ -43,6 +43,8 @@ pub type Position = [f64; 2];
 /// More fields may come. One of your own is made from a [`Violation`] or by `..Diagnosis::default()`, so that it compiles then, too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnosis {
+    /// An id that is the same from run to run, if it was given one.
+    pub id: Option<String>,
     /// The line of the file, where each line is a structure of its own.
     pub line: Option<u64>,
     /// The id of the rule, except for findings of meshes.
@@ -71,9 +73,11 @@ pub struct Diagnosis {
     pub measures: Measures,
     /// The defects of a feature that is not valid by the rules of the OGC.
     pub defects: Vec<Flaw>,
+    /// The vertices that a mismatch of borders is about.
+    pub missing: Vec<MissingVertex>,
     /// `removed` by snapping, or `made` by it.
     pub snapping: Option<&'static str>,
-    /// The rule from whose violations this one follows.
+    /// The id of the rule from whose violations this one follows.
     pub follows_from: Option<&'static str>,
     /// It makes the input invalid.
     pub is_violation: bool,
@@ -191,6 +195,16 @@ pub struct Measures {
     pub width: Option<f64>,
     /// The length of the borders.
     pub length: Option<f64>,
+}
+
+/// A vertex that the border of a feature lacks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MissingVertex {
+    /// The place.
+    pub at: Position,
+    /// The number of the feature, counted from 0.
+    pub feature: usize,
 }
 
 /// A feature as it is named.

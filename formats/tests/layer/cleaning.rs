@@ -44,6 +44,44 @@ fn squares(lefts: &[f64]) -> String {
     lefts.iter().map(square).collect()
 }
 
+/// <https://github.com/libgeos/geos/issues/1525>, both rings clockwise, and with a height that rises along the side without the vertex.
+#[test]
+fn a_missing_vertex_is_added_and_nothing_else_changes() {
+    let ring = |points: &str| format!(r#"{{"type":"Polygon","coordinates":[[{points}]]}}"#);
+    let feature = |geometry: &str| format!(r#"{{"type":"Feature","properties":{{}},"geometry":{geometry}}}"#);
+    let text = |lacking: &str| {
+        let having = feature(&ring("[1,0,0],[1,1,1],[1,3,3],[4,0,0],[1,0,0]"));
+        let lacking = feature(&ring(lacking));
+        format!("{{\"type\":\"FeatureCollection\",\n\"features\":[\n{having},\n{lacking}\n]}}\n")
+    };
+    let (layer, report) = cleaned(&from_text(&text("[0,4,0],[1,3,3],[1,0,0],[0,4,0]")), &CleanOptions::default());
+    assert_eq!(to_geojson(&layer), text("[0,4,0],[1,3,3],[1,1,1],[1,0,0],[0,4,0]"));
+    assert!(report.changes.is_empty() && report.left.is_none());
+    let [added] = report.added[..] else { panic!("{:?}", report.added) };
+    assert_eq!((added.at.x, added.at.y, added.to, added.of), (1.0, 1.0, 1, 0));
+    assert_eq!(report.features.iter().map(|change| change.feature).collect::<Vec<_>>(), [1]);
+    let (again, report) = cleaned(&layer, &CleanOptions::default());
+    assert_eq!((again, report.added, report.features), (layer, vec![], vec![]));
+}
+
+/// Parts in their order, a ring that turns clockwise and starts in the middle of a side, two vertices on one side, and a hole.
+#[test]
+fn rings_keep_their_order_and_turn_when_vertices_are_added() {
+    let wall = "[[5,0],[0,0],[0,9],[9,9],[9,0],[5,0]],[[2,2],[6,2],[6,6],[2,6],[2,2]]";
+    let text = |wall: &str| {
+        let parts = format!(r#"{{"type":"MultiPolygon","coordinates":[[[[30,0],[31,0],[31,1],[30,0]]],[{wall}]]}}"#);
+        let east = r#"{"type":"Polygon","coordinates":[[[9,0],[20,0],[20,9],[9,9],[9,7],[9,5],[9,0]]]}"#;
+        let inside = r#"{"type":"Polygon","coordinates":[[[2,2],[6,2],[6,6],[4,6],[2,6],[2,2]]]}"#;
+        let all = [&*parts, east, inside]
+            .map(|geometry| format!(r#"{{"type":"Feature","properties":{{}},"geometry":{geometry}}}"#));
+        format!("{{\"type\":\"FeatureCollection\",\n\"features\":[\n{}\n]}}\n", all.join(",\n"))
+    };
+    let (layer, report) = cleaned(&from_text(&text(wall)), &CleanOptions::default());
+    let expected = "[[5,0],[0,0],[0,9],[9,9],[9,7],[9,5],[9,0],[5,0]],[[2,2],[6,2],[6,6],[4,6],[2,6],[2,2]]";
+    assert_eq!(to_geojson(&layer), text(expected));
+    assert_eq!((report.added.len(), report.features.len(), report.left), (3, 1, None));
+}
+
 #[test]
 fn a_coverage_stays_as_it_is_to_the_byte() {
     // Outer rings clockwise, a start in the middle of a side, a measure, foreign members.

@@ -110,13 +110,13 @@ let read_view word =
     says_inner = (fun f i -> ask faces (fun row -> row.inner.(i)) f);
   }
 
-let each_line judge =
+let each_line ?(comment = ignore) judge =
   let number = ref 0 in
   try
     while true do
       let line = input_line stdin in
       incr number;
-      try if line <> "" && line.[0] <> '#' then judge line
+      try if line <> "" then if line.[0] = '#' then comment line else judge line
       with Unreadable word ->
         Printf.eprintf "line %d cannot be read: %s\n" !number word;
         exit 2

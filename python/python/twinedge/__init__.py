@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from . import adapters as adapters
     from . import testing as testing
 
-#: The kinds of findings: of meshes first, then of coverages, in the order of C1 to C6.
+#: The kinds of findings: of meshes first, then of coverages, in the order of C1 to C7.
 FINDING_KINDS = [*map(finding_kind, _NAMES)]
 
 __all__ = [

@@ -255,7 +255,7 @@ def audit(
 
     Of lines and polygons the planar map is built and every rule is checked on it, those about coordinates too: that edges meet
     at their ends only, that holes lie in the face that lists them. Overlaps, gaps, near misses, slivers and duplicates of the
-    polygons, and polygons that are not valid by the OGC (rules C1 to C6), are :attr:`Report.findings`. ``Report.to_frame`` has both.
+    polygons, those that are not valid by the OGC, and borders that lack vertices of each other (rules C1 to C7), are :attr:`Report.findings`. ``Report.to_frame`` has both.
 
     A geometry with a coordinate that is NaN or infinite is left out: it is a finding of C6, and the report is not valid. One that
     is missing or empty is in :attr:`Report.without_geometry`.
@@ -268,7 +268,7 @@ def audit(
     format : str, optional
         ``"geojson"`` or ``"wkt"``. By default told by the name of the file, or by its content.
     coverage : bool
-        What breaks C1 to C6 makes the map invalid.
+        What breaks C1 to C7 makes the map invalid.
     gap_width : float, optional
         How wide a near miss (C3) is at most, and a gap (C2) that is reported: **a wider gap is then taken as intended, and not
         reported**. Default: gaps of any width, and near misses up to a hundredth of the median length of the edges. The width of a gap

@@ -105,7 +105,7 @@ def _labelled(labels: tuple[Any, ...]) -> str:
 
 @dataclass(frozen=True)
 class Finding:
-    """A fault of a list of faces, or of the polygons of a map as a coverage (rules C1 to C6).
+    """A fault of a list of faces, or of the polygons of a map as a coverage (rules C1 to C7).
 
     Lengths and areas are in the units of the coordinates.
     """
@@ -116,7 +116,7 @@ class Finding:
     message: str
     #: All keys of the JSON form, with their values there: ``kind`` of C3 and C6 is ``"near miss"`` and ``"OGC validity"`` in it.
     fields: dict[str, Any]
-    #: ``"C1"`` to ``"C6"`` of a coverage; ``None`` of a mesh.
+    #: ``"C1"`` to ``"C7"`` of a coverage; ``None`` of a mesh.
     rule: str | None = None
     #: The positions of the features concerned, of a coverage.
     features: tuple[int, ...] = ()
@@ -128,11 +128,11 @@ class Finding:
     vertices: tuple[int, ...] = ()
     #: A point inside it, of a coverage.
     at: tuple[float, float] | None = None
-    #: The area: of the overlap, the gap, the sliver, one duplicate, or the space of a near miss. ``None`` for C6 and meshes.
+    #: The area: of the overlap, the gap, the sliver, one duplicate, or the space of a near miss. ``None`` for C6, C7 and meshes.
     area: float | None = None
     #: The *mean* width, ``2 * area / length``: the width of a strip, half of the side of a square.
     width: float | None = None
-    #: The length of the borders: all around the area, or both sides of a near miss.
+    #: The length of the borders: all around the area, both sides of a near miss, or the segments that lack a vertex.
     length: float | None = None
 
     def __str__(self) -> str:

@@ -43,7 +43,8 @@ pub enum CoverageError {
     NotPlane(#[from] NotPlane),
 }
 
-/// Finds what breaks C1 … C5. C6 is asked of shapes: [`defects`](super::defects).
+/// Finds what breaks C1 … C5. C6 is asked of shapes, and C7 of the input of the map: [`defects`](super::defects),
+/// [`mismatches`](super::mismatches).
 ///
 /// With the feature `rayon`, on the threads of its current pool. O(n log n + c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of edges on the
 /// outside whose boxes come as near as the width asked for.

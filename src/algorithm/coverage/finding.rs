@@ -1,5 +1,6 @@
 //! The rules of a coverage, and what one of them found.
 
+use super::mismatch::MissingVertex;
 use crate::dcel::FaceKey;
 use crate::geometry::Point;
 use crate::map::FeatureId;
@@ -21,14 +22,16 @@ pub enum CoverageRule {
     Duplicate,
     /// C6: the polygons of each feature are valid by the rules of the OGC.
     Validity,
+    /// C7: where borders of two features meet, both have a vertex.
+    Mismatch,
 }
 
 impl CoverageRule {
     /// All, in order of their ids.
-    pub const ALL: [Self; 6] =
-        [Self::Overlap, Self::Gap, Self::NearMiss, Self::Sliver, Self::Duplicate, Self::Validity];
+    pub const ALL: [Self; 7] =
+        [Self::Overlap, Self::Gap, Self::NearMiss, Self::Sliver, Self::Duplicate, Self::Validity, Self::Mismatch];
 
-    /// The id: `C1` to `C6`.
+    /// The id: `C1` to `C7`.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -38,6 +41,7 @@ impl CoverageRule {
             Self::Sliver => "C4",
             Self::Duplicate => "C5",
             Self::Validity => "C6",
+            Self::Mismatch => "C7",
         }
     }
 
@@ -51,6 +55,7 @@ impl CoverageRule {
             Self::Sliver => "sliver",
             Self::Duplicate => "duplicate",
             Self::Validity => "OGC validity",
+            Self::Mismatch => "mismatch",
         }
     }
 }
@@ -68,22 +73,26 @@ pub struct Finding {
     /// The rule.
     pub rule: CoverageRule,
     /// The features involved, in order: those that claim the overlap or the duplicate, those around the gap, the two of a
-    /// near miss, the one of the sliver.
+    /// near miss or a mismatch, the one of the sliver.
     pub features: Vec<FeatureId>,
     /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss,
-    /// without ends where these move apart.
+    /// without ends where these move apart; 0 for a mismatch.
     pub area: f64,
     /// The mean width: twice the area by the length of the borders. For a strip it is the width; for a disk or a square it is
-    /// half of it.
+    /// half of it. 0 for a mismatch.
     pub width: f64,
-    /// The length of the borders involved: all around the faces, or both sides of a near miss.
+    /// The length of the borders involved: all around the faces, both sides of a near miss, or
+    /// the segments that lack a vertex.
     pub length: f64,
-    /// A point inside it.
+    /// A point inside it; the first missing vertex of a mismatch.
     pub at: Point,
-    /// The faces that make it up; none for a near miss, and where the map was seen by its tiles.
+    /// The faces that make it up; none for a near miss or a mismatch, and where the map was seen by its tiles.
     pub faces: Vec<FaceKey>,
-    /// The stretches of borders that face each other, of a near miss; none for the other rules.
+    /// The stretches of borders that face each other, of a near miss; the segments that lack a vertex, of a mismatch; none for the
+    /// other rules.
     pub stretches: Vec<[Point; 2]>,
+    /// The missing vertices of a mismatch, in order of their coordinates; none for the other rules.
+    pub missing: Vec<MissingVertex>,
 }
 
 /// The limits of width and thinness for gaps, near misses and slivers.

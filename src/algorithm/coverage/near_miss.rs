@@ -211,6 +211,7 @@ fn near_miss(
         at: longest.middle(sides),
         faces: Vec::new(),
         stretches,
+        missing: Vec::new(),
     })
 }
 

@@ -11,7 +11,11 @@ use rustc_hash::FxHashSet;
 
 /// The length of an edge.
 pub(in crate::algorithm) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
-    let [a, b] = ends(map, h);
+    segment_length(ends(map, h))
+}
+
+/// The length of a segment.
+pub(super) fn segment_length([a, b]: [Point; 2]) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
 
@@ -71,6 +75,7 @@ pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<Feature
         at: largest.map(|(_, face)| place(face)).unwrap_or_default(),
         faces: faces.iter().map(|f| f.key()).collect(),
         stretches: Vec::new(),
+        missing: Vec::new(),
     }
 }
 

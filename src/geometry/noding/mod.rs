@@ -134,6 +134,37 @@ pub struct NodingSummary {
     pub largest_move: [f64; 2],
 }
 
+impl NodingSummary {
+    /// The vertex that a point of the input became: the middle of its cell, where halves go up; the point itself where nothing was
+    /// rounded. −0 is 0. O(1).
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::geometry::noding::{Snap, node};
+    ///
+    /// let input = [[Point::new(0.1, 0.5), Point::new(7.9, -0.5)]];
+    /// let noded = node(&input, &[], Snap::Size(1.0))?;
+    /// let ends = input[0].map(|p| noded.summary.snapped(p));
+    /// assert_eq!(ends, [Point::new(0.0, 1.0), Point::new(8.0, 0.0)]);
+    /// assert!(ends.iter().all(|p| noded.points.contains(p)));
+    /// # Ok::<(), twinedge::geometry::noding::NodingError>(())
+    /// ```
+    #[must_use]
+    pub fn snapped(&self, p: Point) -> Point {
+        let middle = |number: f64| {
+            if self.cell == 0.0 {
+                return number + 0.0;
+            }
+            let (cells, below) = (number / self.cell, (number / self.cell).floor());
+            // Adding a half could round.
+            let nearest = if cells - below >= 0.5 { below + 1.0 } else { below };
+            // Adding zero turns −0 into 0.
+            nearest * self.cell + 0.0
+        };
+        Point::new(middle(p.x), middle(p.y))
+    }
+}
+
 /// The part of the pool of chains that holds the vertices of a segment.
 #[derive(Clone, Copy, Debug)]
 struct ChainRange {

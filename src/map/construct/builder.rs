@@ -42,11 +42,11 @@ use rustc_hash::FxHashMap;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Builder {
-    points: Vec<Point>,
+    pub(super) points: Vec<Point>,
     /// By [`Point::hash_key`].
     places: FxHashMap<(u64, u64), u32>,
     /// Distinct segments, by their ends in order of vertex numbers.
-    segments: Vec<[u32; 2]>,
+    pub(super) segments: Vec<[u32; 2]>,
     segment_numbers: FxHashMap<(u32, u32), u32>,
     pub(super) features: Vec<GatheredFeature>,
     summary: BuildSummary,

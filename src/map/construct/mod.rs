@@ -14,7 +14,9 @@ mod cut;
 mod error;
 mod gathered;
 mod rings;
+mod unmatched;
 
 pub use builder::Builder;
 pub use cut::Noding;
 pub use error::BuildError;
+pub use unmatched::UnmatchedVertex;

@@ -22,10 +22,10 @@ impl PlanarMap {
         let h = self.dcel.half_edge(connected.half_edge)?;
         let (index, kept) = (h.index(), h.twin().face().index());
         // A slot may have been that of another edge or face.
-        self.features.put_along(index, SetId::default());
+        self.cover_edge(index, SetId::default());
         if let Some(made) = connected.new_face() {
             let made = self.dcel.face(made)?.index();
-            self.features.put_face(made, self.features.of_face(kept));
+            self.cover_face(made, self.features.of_face(kept));
         }
         Ok(connected.half_edge)
     }

@@ -59,7 +59,7 @@ impl PlanarMap {
     pub(super) fn split(&mut self, h: HalfEdgeKey, p: Point, edited: &mut Edited) -> Result<VertexKey, EditError> {
         let made = self.split_at(h, p)?;
         let set = self.features.along(self.dcel.half_edge(h)?.index());
-        self.features.put_along(self.dcel.half_edge(made.half_edge)?.index(), set);
+        self.cover_edge(self.dcel.half_edge(made.half_edge)?.index(), set);
         edited.vertices_made.push(made.vertex);
         edited.edges_split.push((h, made.half_edge));
         Ok(made.vertex)
@@ -98,10 +98,10 @@ impl PlanarMap {
         let connected = self.connect(at_v, at_w, split)?;
         // A slot may have been that of another edge or face.
         let half_edge = connected.half_edge;
-        self.features.put_along(self.dcel.half_edge(half_edge)?.index(), SetId::default());
+        self.cover_edge(self.dcel.half_edge(half_edge)?.index(), SetId::default());
         edited.edges_made.push(half_edge);
         if let (Some(kept), Some(made)) = (face, connected.new_face()) {
-            self.features.put_face(self.dcel.face(made)?.index(), set);
+            self.cover_face(self.dcel.face(made)?.index(), set);
             edited.faces_split.push((kept, made));
         }
         Ok(half_edge)

@@ -4,6 +4,8 @@ use super::error::EditError;
 use crate::dcel::{FaceKey, HalfEdgeKey};
 use crate::map::feature::FeatureId;
 use crate::map::feature_sets::FeatureSets;
+#[cfg(feature = "near")]
+use crate::map::notes::MapEntry;
 use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
@@ -25,6 +27,8 @@ impl PlanarMap {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
+        #[cfg(feature = "near")]
+        self.notes.write(|| MapEntry::Feature(None));
         self.names.push(name);
         FeatureId(self.names.len() as u32 - 1)
     }
@@ -42,7 +46,7 @@ impl PlanarMap {
         let index = self.dcel.face(face)?.index();
         let set = self.checked(features)?;
         let set = self.features.number(set);
-        self.features.put_face(index, set);
+        self.cover_face(index, set);
         Ok(())
     }
 
@@ -59,7 +63,7 @@ impl PlanarMap {
         let index = self.dcel.half_edge(half_edge)?.index();
         let set = self.checked(features)?;
         let set = self.features.number(set);
-        self.features.put_along(index, set);
+        self.cover_edge(index, set);
         Ok(())
     }
 

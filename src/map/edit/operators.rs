@@ -6,16 +6,22 @@ use crate::dcel::{
 };
 use crate::geometry::Point;
 use crate::map::feature_sets::put;
+use crate::map::feature_tries::SetId;
 use crate::map::index::IndexedEdge;
+#[cfg(feature = "near")]
+use crate::map::notes::{MapEntry, Notes};
 use crate::map::planar_map::PlanarMap;
 
 /// Runs an operator of topology, and notes what it writes if the map is to.
 macro_rules! operate {
     ($map:ident.$operator:ident($($argument:expr),*)) => {{
         #[cfg(feature = "near")]
-        let outcome = match &mut $map.notes.0 {
-            None => $map.dcel.$operator($($argument),*),
-            Some(notes) => $map.dcel.watched(notes, |dcel| dcel.$operator($($argument),*)),
+        let outcome = match &mut $map.notes {
+            Notes { written: Some(written), .. } => $map.dcel.watched(&mut **written, |dcel| dcel.$operator($($argument),*)),
+            Notes { journal: Some(journal), .. } => {
+                $map.dcel.watched(&mut journal.links, |dcel| dcel.$operator($($argument),*))
+            }
+            Notes { written: None, journal: None } => $map.dcel.$operator($($argument),*),
         };
         #[cfg(not(feature = "near"))]
         let outcome = $map.dcel.$operator($($argument),*);
@@ -27,8 +33,8 @@ impl PlanarMap {
     /// Adds an isolated vertex at a point in the interior of a face.
     pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
         let key = operate!(self.add_isolated_vertex(face))?.vertex;
+        self.set_point(self.dcel.vertex(key)?.index(), p);
         let v = self.dcel.vertex(key)?;
-        put(&mut self.points, v.index(), p);
         if let Some(index) = self.index.if_built() {
             index.add_vertex(v, &self.points);
         }
@@ -49,7 +55,7 @@ impl PlanarMap {
     pub(super) fn split_at(&mut self, h: HalfEdgeKey, p: Point) -> Result<SplitEdge, OperatorError> {
         let before = self.indexed(h)?;
         let made = operate!(self.split_edge(h))?;
-        put(&mut self.points, self.dcel.vertex(made.vertex)?.index(), p);
+        self.set_point(self.dcel.vertex(made.vertex)?.index(), p);
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
             for part in [h, made.half_edge] {
@@ -89,11 +95,10 @@ impl PlanarMap {
     /// Moves a vertex with its edges. O(degree).
     pub(super) fn put_at(&mut self, vertex: VertexKey, to: Point) -> Result<(), EditError> {
         let v = self.dcel.vertex(vertex)?;
+        let from = self.points[v.index()];
         #[cfg(feature = "near")]
-        if let Some(notes) = &mut self.notes.0 {
-            notes.vertices.push(v.index());
-        }
-        let from = std::mem::replace(&mut self.points[v.index()], to);
+        self.notes.write_point(v.index(), from);
+        self.points[v.index()] = to;
         let Some(index) = self.index.if_built() else { return Ok(()) };
         if v.isolated().is_some() {
             index.remove_vertex(v.index(), from);
@@ -109,6 +114,27 @@ impl PlanarMap {
             index.add_edge(h, &self.points);
         }
         Ok(())
+    }
+
+    /// Puts a vertex that was just made at its point.
+    fn set_point(&mut self, vertex: usize, p: Point) {
+        #[cfg(feature = "near")]
+        self.notes.write_point(vertex, self.points.get(vertex).copied().unwrap_or_default());
+        put(&mut self.points, vertex, p);
+    }
+
+    /// Says what covers a face, by its index.
+    pub(super) fn cover_face(&mut self, face: usize, set: SetId) {
+        #[cfg(feature = "near")]
+        self.notes.write(|| MapEntry::OfFace(face as u32, self.features.of_face(face)));
+        self.features.put_face(face, set);
+    }
+
+    /// Says what runs along an edge, by the index of either half-edge.
+    pub(super) fn cover_edge(&mut self, half_edge: usize, set: SetId) {
+        #[cfg(feature = "near")]
+        self.notes.write(|| MapEntry::Along(half_edge as u32, self.features.along(half_edge)));
+        self.features.put_along(half_edge, set);
     }
 
     /// An edge as the index has it, if there is one.

@@ -90,7 +90,7 @@ impl PlanarMap {
             let index = self.dcel.face(face)?.index();
             let set = known.sets[&face];
             if self.features.of_face(index) != set {
-                self.features.put_face(index, set);
+                self.cover_face(index, set);
                 edited.faces_relabelled.push(face);
             }
         }

@@ -75,7 +75,7 @@ impl PlanarMap {
         if let RemovedEdge::Merged { kept_face, dropped_face, .. } = removed {
             edited.faces_merged.push((kept_face, dropped_face));
             let common = self.features.common(sides[0].1, sides[1].1);
-            self.features.put_face(self.dcel.face(kept_face)?.index(), common);
+            self.cover_face(self.dcel.face(kept_face)?.index(), common);
             for (face, set) in sides {
                 let lost = self.features.differing(set, common);
                 edited.features_dropped.extend(self.features.set(lost).map(|feature| (face, feature)));

@@ -195,7 +195,7 @@ impl PlanarMap {
         let had = self.features.along(index);
         let all = self.features.either(had, more);
         if all != had {
-            self.features.put_along(index, all);
+            self.cover_edge(index, all);
             edited.edges_relabelled.push(h);
         }
         Ok(())

@@ -6,7 +6,7 @@ use super::{BoxedRecord, RecordIndex, is_hub};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
 use crate::map::program::{EditOutcome, EditProgram, EditRunner};
-use crate::map::{LocateError, Located, PlanarMap};
+use crate::map::{History, LocateError, Located, PlanarMap};
 use crate::validate::Embedding;
 use quickcheck::{QuickCheck, TestResult};
 
@@ -82,6 +82,36 @@ fn edits_keep_the_index_as_it_would_be_built_anew() {
     QuickCheck::new().tests(300).quickcheck(edits_keep_the_index as fn(EditProgram) -> TestResult);
 }
 
+/// Each edit is undone, and redone every other time; now and then several are.
+fn a_history_keeps_the_index(program: EditProgram) -> TestResult {
+    let mut history = History::new(PlanarMap::new());
+    history.get().index();
+    for (number, op) in program.0.iter().enumerate() {
+        let edited = history.change("edit", |map| {
+            let mut runner = EditRunner::new(std::mem::take(map));
+            let outcome = runner.step(op);
+            *map = runner.into_map();
+            if matches!(outcome, EditOutcome::Applied(_)) && number % 7 != 0 { Ok(()) } else { Err(()) }
+        });
+        let far = if edited.is_ok() { 1 + number % 5 } else { 1 };
+        for step in 0..2 * far - number % 2 {
+            if let Err(what) = check(history.get()) {
+                return TestResult::error(format!("{step} steps after edit {} (`{op}`): {what}", number + 1));
+            }
+            let _ = if step < far { history.undo() } else { history.redo() };
+        }
+        if let Err(what) = check(history.get()) {
+            return TestResult::error(format!("after edit {} (`{op}`): {what}", number + 1));
+        }
+    }
+    TestResult::passed()
+}
+
+#[test]
+fn a_history_keeps_the_index_as_it_would_be_built_anew() {
+    QuickCheck::new().tests(200).quickcheck(a_history_keeps_the_index as fn(EditProgram) -> TestResult);
+}
+
 /// The same edits on a map with an index from the start and on one that gets its own when it must.
 fn an_index_changes_no_outcome(program: EditProgram) -> bool {
     // Clones, so that their keys are the same.
@@ -114,6 +144,14 @@ fn a_star_that_is_drawn_moved_and_erased_has_a_fan_meanwhile() {
     }
     map.move_vertex(hub, [0.5, 0.5]).unwrap();
     check(&map).unwrap();
+    let mut history = History::new(map);
+    history.change("move it with its spokes", |map| map.move_vertex(hub, [0.25, 0.5])).unwrap();
+    history.change("erase it with its spokes", |map| map.remove_vertex(hub)).unwrap();
+    for step in [History::undo, History::undo, History::redo, History::redo, History::undo, History::undo] {
+        assert!(step(&mut history));
+        check(history.get()).unwrap();
+    }
+    let mut map = history.into_map();
     let spokes: Vec<_> = map.dcel().vertex(hub).unwrap().rotation().map(|h| h.key()).collect();
     for h in spokes {
         map.remove_edge(h).unwrap();

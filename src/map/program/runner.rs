@@ -120,7 +120,7 @@ impl Clone for EditRunner {
             steps: *steps,
             baseline: baseline.clone(),
         };
-        clone.map.notes.0.clone_from(&map.notes.0);
+        clone.map.notes.written.clone_from(&map.notes.written);
         clone
     }
 }
@@ -159,7 +159,7 @@ impl EditRunner {
     pub fn audited(map: PlanarMap) -> Result<Self, BaselineError> {
         let baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
         let mut runner = Self::new(map);
-        runner.map.notes.0 = Some(Box::default());
+        runner.map.notes.written = Some(Box::default());
         runner.baseline = Some(baseline);
         Ok(runner)
     }
@@ -173,7 +173,7 @@ impl EditRunner {
     /// The map, for good.
     #[must_use]
     pub fn into_map(mut self) -> PlanarMap {
-        self.map.notes.0 = None;
+        self.map.notes.written = None;
         self.map
     }
 
@@ -215,7 +215,7 @@ impl EditRunner {
         let before = self.baseline.is_none().then(|| self.map.clone());
         let outcome = self.step(op);
         let (number, op) = (self.steps, op.clone());
-        let is_unchanged = || match (&before, &self.map.notes.0) {
+        let is_unchanged = || match (&before, &self.map.notes.written) {
             (Some(before), _) => self.map == *before,
             (None, notes) => notes.as_ref().is_none_or(|notes| notes.is_empty()),
         };
@@ -234,11 +234,11 @@ impl EditRunner {
 
     /// Validates the map, or what has been written since it was last found right.
     fn validated(&mut self) -> Result<(), Box<Report>> {
-        let (Some(baseline), Some(notes)) = (&mut self.baseline, &self.map.notes.0) else {
+        let (Some(baseline), Some(notes)) = (&mut self.baseline, &self.map.notes.written) else {
             return self.map.validate().into_result().map(|_| ());
         };
         validate_embedding_near(baseline, &self.map, notes)?;
-        self.map.notes.0.as_deref_mut().into_iter().for_each(WriteSet::clear);
+        self.map.notes.written.as_deref_mut().into_iter().for_each(WriteSet::clear);
         Ok(())
     }
 

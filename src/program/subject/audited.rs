@@ -1,8 +1,8 @@
 //! An audited `Dcel` as a subject.
 
 use super::{Refusal, Subject};
-use crate::dcel::{Audited, Dcel};
-use crate::store::{Store, WatchedStore};
+use crate::dcel::{Audited, Dcel, Watched};
+use crate::store::Store;
 use crate::validate::View;
 
 impl<S: Store> View for Audited<S> {
@@ -15,7 +15,7 @@ impl<S: Store> View for Audited<S> {
 /// Panics with the report if a rule is broken after it.
 fn change<S: Store, T>(
     audited: &mut Audited<S>,
-    operator: impl FnOnce(&mut Dcel<WatchedStore<S>>) -> Result<T, Refusal>,
+    operator: impl FnOnce(&mut Dcel<Watched<S>>) -> Result<T, Refusal>,
 ) -> Result<T, Refusal> {
     match audited.change(operator) {
         Ok(answer) => answer,
@@ -26,5 +26,5 @@ fn change<S: Store, T>(
 /// # Panics
 /// The operators panic with the report if a rule is broken after them. See [`Audited::change`] for the report as an error.
 impl<S: Store> Subject for Audited<S> {
-    crate::delegate_subject!(Dcel<WatchedStore<S>>, Self::dcel, change);
+    crate::delegate_subject!(Dcel<Watched<S>>, Self::dcel, change);
 }

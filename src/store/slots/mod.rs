@@ -16,11 +16,15 @@
 
 mod columns;
 mod inner;
+#[cfg(feature = "near")]
+mod journal;
 mod records;
 #[cfg(feature = "serde")]
 mod restore;
 mod store;
 
+#[cfg(feature = "near")]
+pub(crate) use journal::{Entry, Journal, Way};
 pub(crate) use records::{InOrder, Numbered};
 #[cfg(feature = "serde")]
 pub(crate) use restore::{Generations, Live};

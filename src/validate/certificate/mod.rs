@@ -80,7 +80,7 @@ pub use drawing::Drawing;
 pub use parts::{check_parallel, check_surface_parallel};
 pub use saved::Certificate;
 pub use storage::{Columns, Numbers};
-pub use surface::check_surface;
+pub use surface::{check_surface, passes_surface};
 pub use surface_counts::SurfaceCounts;
 pub use surface_saved::SurfaceCertificate;
 pub use test::{Failure, Test};

@@ -50,7 +50,8 @@ where
     if !whole.readable() {
         return check_surface(view, labels, genus);
     }
-    let (sums, mut failures) = in_parts(&whole, |part, failures| Surface(part).scan(false, failures));
+    let (sums, mut failures) =
+        in_parts(&whole, |part, failures| Surface(part).scan(false, failures).unwrap_or_default());
     failures.note(Test::GenusOk, 0, sums.fit(genus));
     failures.into_result()
 }

@@ -7,7 +7,7 @@ use super::answers::Answers;
 use super::columns::{Column, Labels};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use super::sums::Sums;
-use super::test::{Failure, Failures, Noted as _, Test};
+use super::test::{Failure, Failures, Noted, Test, UntilFailure};
 use crate::slots::NIL;
 use crate::validate::structure::{BoundaryPlace, Link, View};
 use alloc::vec::Vec;
@@ -32,14 +32,36 @@ use alloc::vec::Vec;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> Result<(), Vec<Failure>> {
-    let s = Surface(Answers::new(view, labels));
     let mut failures = Failures::new();
-    failures.note(Test::Readable, 0, s.0.readable());
-    if s.0.readable() {
-        let sums = s.scan(false, &mut failures);
-        failures.note(Test::GenusOk, 0, sums.fit(genus));
-    }
+    run(view, labels, genus, &mut failures);
     failures.into_result()
+}
+
+/// Tells whether all tests pass: the same as [`check_surface`] without failures. It ends with the first test that fails, and reads no record after that.
+///
+/// O(n). No memory is allocated.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge::validate::certificate::{Labels, passes_surface};
+/// let torus: Table = "P 3 prev leaving faces V 1 0 - H 4 0 2 1 3 - 0 3 2 0 - 0 0 3 1 - 0 1 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0".parse()?;
+/// let (labels, _) = Labels::of_surface(&torus)?;
+/// assert!(passes_surface(&torus, &labels, 1));
+/// assert!(!passes_surface(&torus, &labels, 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn passes_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> bool {
+    run(view, labels, genus, &mut UntilFailure).is_some()
+}
+
+/// Runs every test. None if the check ended before the last one.
+#[inline(always)]
+fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize, noted: &mut impl Noted) -> Option<()> {
+    let s = Surface(Answers::new(view, labels));
+    let readable = s.0.readable();
+    noted.note(Test::Readable, 0, readable)?;
+    let sums = if readable { s.scan(false, noted)? } else { return None };
+    noted.note(Test::GenusOk, 0, sums.fit(genus))
 }
 
 /// A structure whose faces are taken for boundary components, if it has no records for these.
@@ -47,31 +69,32 @@ pub(super) struct Surface<'a, V: ?Sized, C = Labels>(pub(super) Answers<'a, V, C
 
 impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     /// Runs every test but that of the genus. An open surface may have holes: boundary components without face.
+    /// None if the check ended before the last one.
     #[inline(always)]
-    pub(super) fn scan(&self, open: bool, failures: &mut Failures) -> Sums {
+    pub(super) fn scan(&self, open: bool, noted: &mut impl Noted) -> Option<Sums> {
         let mut sums = Sums::default();
         for h in self.0.share(self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
             sums.half_edges += 1;
             sums.roots += usize::from(self.component(h) == Some(h));
-            self.half_edge(h, open, failures);
+            self.half_edge(h, open, noted)?;
         }
         for v in self.0.share(self.0.vertices).filter(|v| self.0.is_vertex(*v)) {
             let leaving = self.0.leaving(v);
             sums.rotations += usize::from(leaving.is_some());
-            failures.note(Test::SurfaceVertexOk, v, leaving.is_none_or(|h| self.0.origin(h) == Some(v)));
+            noted.note(Test::SurfaceVertexOk, v, leaving.is_none_or(|h| self.0.origin(h) == Some(v)))?;
         }
         for b in self.0.share(self.boundaries()).filter(|b| self.is_boundary(*b)) {
             let is_hole = open && self.0.boundary_face(b).is_none();
             sums.cycles += usize::from(self.start(b).is_some());
             sums.holes += usize::from(is_hole);
             let starts_there = self.start(b).is_some_and(|h| self.boundary(h) == Some(b));
-            failures.note(Test::SurfaceBoundaryOk, b, starts_there && (is_hole || self.bounds_its_face(b)));
+            noted.note(Test::SurfaceBoundaryOk, b, starts_there && (is_hole || self.bounds_its_face(b)))?;
         }
         for f in self.0.share(self.0.faces).filter(|f| self.0.by_record() && self.0.is_face(*f)) {
             let face_ok = self.0.outer(f).is_some_and(|b| self.0.boundary_face(b) == Some(f));
-            failures.note(Test::SurfaceFaceOk, f, face_ok);
+            noted.note(Test::SurfaceFaceOk, f, face_ok)?;
         }
-        sums
+        Some(sums)
     }
 
     pub(super) fn boundaries(&self) -> usize {
@@ -136,18 +159,17 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
 
     /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
     #[inline(always)]
-    fn half_edge(&self, h: usize, open: bool, failures: &mut Failures) {
-        if !self.whole_star(h).is_some_and(|star| self.half_edge_ok(h, star, open, |_, passes| passes)) {
-            self.note_half_edge(h, open, failures);
+    fn half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) -> Option<()> {
+        if self.whole_star(h).is_some_and(|star| self.half_edge_ok(h, star, open, |_, passes| passes)) {
+            Some(())
+        } else {
+            noted.note_each(|noted| self.note_half_edge(h, open, noted))
         }
     }
 
     #[cold]
-    fn note_half_edge(&self, h: usize, open: bool, failures: &mut Failures) {
-        self.half_edge_ok(h, self.star(h), open, |test, passes| {
-            failures.note(test, h, passes);
-            true
-        });
+    fn note_half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) {
+        self.half_edge_ok(h, self.star(h), open, |test, passes| noted.note(test, h, passes).is_some());
     }
 
     /// The star, if nothing of it is nil.

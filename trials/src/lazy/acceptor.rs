@@ -1,6 +1,9 @@
 //! Validators that say yes or no: the one under test, and the reference.
 
+use super::labels::LazyLabels;
+use super::work::Claim;
 use crate::verdict::Validator;
+use twinedge::validate::certificate::{passes, passes_surface};
 use twinedge::validate::reference::first_broken_of;
 use twinedge::validate::{Expectation, Rule, View, accepts};
 
@@ -10,6 +13,18 @@ pub trait Acceptor: Sync {
     ///
     /// The fewer records of a wrong one it reads, the fewer runs there are.
     fn accepts(&self, view: &dyn View, expectation: &Expectation) -> bool;
+
+    /// Tells whether the labels show that the structure keeps all rules. The expectation has no more to it than certificates claim:
+    /// the plane, or closed surfaces of a genus.
+    ///
+    /// By default it is the checker of the library: [`passes`] and [`passes_surface`].
+    fn passes(&self, view: &dyn View, labels: LazyLabels<'_>, expectation: &Expectation) -> bool {
+        match Claim::of(expectation) {
+            Some(Claim::Plane) => passes(view, &labels),
+            Some(Claim::Surface(genus)) => passes_surface(view, &labels, genus),
+            None => false,
+        }
+    }
 }
 
 /// The fast path of the library: [`accepts`].

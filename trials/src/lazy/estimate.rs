@@ -3,7 +3,7 @@
 use super::acceptor::Acceptor;
 use super::open_table::Branch;
 use super::side::Side;
-use super::work::{LazyWork, TooManyTables};
+use super::work::{LazyError, LazyWork};
 use crate::random::Random;
 use crate::run::Estimate;
 use std::time::Instant;
@@ -15,7 +15,7 @@ const BRANCHES: usize = 4096;
 const SEED: u64 = 1975;
 
 impl LazyWork {
-    /// Returns about how many runs both judges make, and how many of them a core of this machine does in a second.
+    /// Returns about how many runs all judges make, and how many of them a core of this machine does in a second.
     ///
     /// Random branches of the tree of all runs are followed, all in step. Of those that are one choice longer 4,096 are kept, drawn at random, and
     /// each stands for as many as there are for each one kept. A run that ends there is counted as often. The mean of the counts is the number of all runs;
@@ -26,15 +26,15 @@ impl LazyWork {
     /// It takes some seconds, and the numbers of runs that were estimated and done so far differ by less than a factor of two.
     ///
     /// # Errors
-    /// [`TooManyTables`] if the tables cannot be counted.
+    /// [`LazyError`], as [`lazy()`](crate::lazy()) says.
     ///
     /// # Panics
     /// If the validator panics.
     #[allow(clippy::cast_sign_loss, reason = "no number of runs or seconds is negative")]
-    pub fn estimate(&self, validator: &dyn Acceptor) -> Result<Estimate, TooManyTables> {
+    pub fn estimate(&self, validator: &dyn Acceptor) -> Result<Estimate, LazyError> {
         let mut random = Random::new(SEED, 0);
         let (mut runs, mut seconds) = (0.0, 0.0);
-        for side in Side::both(self, validator) {
+        for side in Side::all(self, validator) {
             let table = side.table()?;
             let mut branches = vec![Branch::new()];
             // The number of branches for which each of them stands.

@@ -16,32 +16,43 @@
 //! Each run counts the tables for which it stands: the product of the numbers of values of the cells that it has not read. They must add up to
 //! the number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes, the
 //! number of right tables is known by a recount of the maps, whatever of M1 … M8 is asked for, and as many must be accepted.
+//!
+//! # Certificates
+//!
+//! With [`LazyWork::certificates`] the [checker of certificates](twinedge::validate::certificate) is judged: labels are cells, too, as are the lengths of their
+//! columns. Each table that the reference accepts must pass with the labels that are made for it: nothing right is without certificate. The checker goes through all tables with
+//! all labels, and the reference judges each table that passes with some: nothing wrong has a certificate. Then the reference goes through them before the checker does;
+//! as many must be accepted by both.
+//!
+//! A checker compares ranks with ranks, and positions with positions, and does nothing else with these numbers. So a run stands for all that are in the same order.
 
 mod acceptor;
 mod estimate;
+mod labels;
 mod many;
 mod open_table;
+mod order;
 mod outcome;
 mod recount;
 mod side;
 mod work;
 
 pub use acceptor::Acceptor;
+pub use labels::{LazyColumn, LazyLabels};
 pub use many::Many;
 pub use outcome::{JudgeRow, LazyOutcome};
-pub use work::{LazyWork, TooManyTables};
+pub use work::{LazyError, LazyWork};
 
 use crate::rows::{add_findings, narrow};
 use crate::run::Run;
-use open_table::OpenTable;
-use side::{Judgement, Side};
+use side::{Judgement, Side, Tables};
 
 /// Judges all tables of a size by a validator and by the reference.
 ///
 /// Two half-edges take a moment, six half-edges on two vertices about 10^7 runs.
 ///
 /// # Errors
-/// [`TooManyTables`] if they cannot be counted.
+/// [`LazyError`] if they cannot be counted, or certificates are asked for and do not claim what the tables are held to.
 ///
 /// # Panics
 /// If the validator panics.
@@ -60,24 +71,25 @@ use side::{Judgement, Side};
 ///     boundaries: 0,
 ///     faces: 0,
 ///     vacant: false,
+///     certificates: false,
 /// };
 /// let outcome = lazy(work, &Validator, &Run::default())?.into_result()?;
 /// // A loop at one of the vertices, or an edge between both.
 /// assert_eq!(outcome.accepted, 2 + 2);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn lazy(work: LazyWork, validator: &dyn Acceptor, run: &Run<'_>) -> Result<LazyOutcome, TooManyTables> {
-    let all = OpenTable::new(&work)?.agreeing();
+pub fn lazy(work: LazyWork, validator: &dyn Acceptor, run: &Run<'_>) -> Result<LazyOutcome, LazyError> {
     let mut findings = Vec::new();
     let mut rows = Vec::new();
-    for side in Side::both(&work, validator) {
+    for side in Side::all(&work, validator) {
+        let all = side.table()?.agreeing();
         let found = side.judge(run)?;
         let sum = |count: fn(&Judgement) -> u128| found.iter().map(count).sum::<u128>();
         rows.push(JudgeRow {
             judge: side.name.to_owned(),
             runs: narrow(sum(|found| found.runs)),
             accepted: narrow(sum(|found| found.accepted)),
-            right: recount::right(&work),
+            right: if side.tables == Tables::WithLabels { None } else { recount::right(&work) },
             differences: narrow(sum(|found| found.differences)),
             all: Many(all),
             covered: Many(sum(|found| found.covered)),

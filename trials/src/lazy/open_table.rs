@@ -1,8 +1,11 @@
 //! A table whose cells are open: each gets its value when it is first read.
 
-use super::work::{LazyWork, MOST_SLOTS, TooManyTables};
+use super::labels::{Entries, LabelSource, Shape};
+use super::order::Order;
+use super::work::{LazyError, LazyWork, MOST_SLOTS};
 use std::cell::{Cell, RefCell};
-use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, Table, View};
+use twinedge::validate::certificate::Column;
+use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, View};
 
 /// A table of a size, of which the cells that were read have values.
 ///
@@ -14,8 +17,11 @@ pub(super) struct OpenTable {
     half_edges: Records,
     boundaries: Records,
     faces: Records,
+    labels: [Option<Labels>; Column::ALL.len()],
     /// The number of the value of each cell, or [`OPEN`].
     values: Vec<Cell<u8>>,
+    /// The number in each cell that has a place in an order, if it has a value.
+    numbers: Vec<Cell<u32>>,
     domains: Vec<Domain>,
     choices: RefCell<Vec<Choice>>,
     /// The number of tables that agree with the choices.
@@ -46,6 +52,13 @@ struct Records {
     width: usize,
 }
 
+/// A column of labels: the number of cells before it, and the most entries. The first cell is the number of entries.
+#[derive(Clone, Copy)]
+struct Labels {
+    before: usize,
+    longest: usize,
+}
+
 /// The numbers of the cells of a record. The first one says whether it is vacant.
 mod cell {
     pub(super) const VACANT: usize = 0;
@@ -73,6 +86,8 @@ struct Domain {
     all: u128,
     /// The slot to which the value leads, if there is one.
     leads_to: Vec<Option<(Kind, usize)>>,
+    /// The column, if its numbers are only compared with each other. Then a value is a place among those that were read.
+    order_of: Option<Column>,
 }
 
 /// A cell that has a value, the number of tables that agreed before, and the slots that were told apart before.
@@ -89,7 +104,7 @@ pub(super) type Branch = Vec<(usize, u8)>;
 impl Domain {
     fn of(ways: Vec<u128>) -> Option<Self> {
         let all = ways.iter().try_fold(0_u128, |all, ways| all.checked_add(*ways))?;
-        (ways.len() < usize::from(OPEN)).then_some(Self { ways, all, leads_to: Vec::new() })
+        (ways.len() < usize::from(OPEN)).then_some(Self { ways, all, leads_to: Vec::new(), order_of: None })
     }
 
     /// That of a link to slots of this kind: nil, each slot, and the one past the end. One of starts, where there are slots of two kinds.
@@ -112,16 +127,44 @@ impl OpenTable {
     /// The table of this work, with all cells open.
     ///
     /// # Errors
-    /// [`TooManyTables`] if there are more tables than can be counted, or too many slots.
-    pub(super) fn new(work: &LazyWork) -> Result<Self, TooManyTables> {
-        Self::with_cells(work).ok_or(TooManyTables)
+    /// [`LazyError::TooMany`] if there are more tables than can be counted, or too many slots.
+    pub(super) fn new(work: &LazyWork) -> Result<Self, LazyError> {
+        Self::with_cells(work).ok_or(LazyError::TooMany)
+    }
+
+    /// The same with labels, whose cells are open, too: columns of these shapes.
+    ///
+    /// # Errors
+    /// [`LazyError::TooMany`] if there are more tables with labels than can be counted.
+    pub(super) fn with_labels(mut self, shapes: &[Shape]) -> Result<Self, LazyError> {
+        shapes.iter().try_for_each(|shape| self.add_labels(shape)).ok_or(LazyError::TooMany).map(|()| self)
+    }
+
+    fn add_labels(&mut self, shape: &Shape) -> Option<()> {
+        let entry = match shape.entries {
+            Entries::Links(numbers) => Domain::plain(1 + numbers, true)?,
+            Entries::Ordered(numbers) => {
+                let places = Domain::plain(Order::places(shape.longest), true)?;
+                Domain { all: 1 + numbers as u128, order_of: Some(shape.column), ..places }
+            }
+        };
+        let shortest = if shape.is_any_length { 0 } else { shape.longest };
+        let ways = (shortest..=shape.longest).map(|length| entry.all.checked_pow(length as u32));
+        let lengths = Domain::of(ways.collect::<Option<_>>()?)?;
+        self.agreeing.set(self.agreeing.get().checked_mul(lengths.all)?);
+        self.labels[shape.column as usize] = Some(Labels { before: self.domains.len(), longest: shape.longest });
+        self.domains.push(lengths);
+        self.domains.resize(self.domains.len() + shape.longest, entry);
+        self.values.resize(self.domains.len(), Cell::new(OPEN));
+        self.numbers.resize(self.domains.len(), Cell::new(0));
+        Some(())
     }
 
     fn with_cells(work: &LazyWork) -> Option<Self> {
         if [work.vertices, work.half_edges, work.boundaries, work.faces].iter().any(|slots| *slots > MOST_SLOTS) {
             return None;
         }
-        let parts = work.expectation.looks_at(work.parts);
+        let parts = work.parts();
         let has = |part| parts.has(part);
         let (by_record, has_holes) = (has(Part::BoundaryComponents), has(Part::Holes));
         let (to_vertex, to_half_edge) = ((Kind::Vertex, work.vertices), (Kind::HalfEdge, work.half_edges));
@@ -155,7 +198,9 @@ impl OpenTable {
             half_edges: Records { count: 0, before: 0, width: 0 },
             boundaries: Records { count: 0, before: 0, width: 0 },
             faces: Records { count: 0, before: 0, width: 0 },
+            labels: [None; Column::ALL.len()],
             values: Vec::new(),
+            numbers: Vec::new(),
             domains: Vec::new(),
             choices: RefCell::default(),
             agreeing: Cell::new(1),
@@ -224,7 +269,7 @@ impl OpenTable {
         let next = self.choices.borrow().get(branch.len()).map(|choice| choice.cell);
         self.retract(branch.len());
         let values = |cell: usize| (0..self.domains[cell].ways.len() as u8).map(move |value| (cell, value));
-        let choices = next.into_iter().flat_map(values).filter(|(cell, value)| self.stands_for(*cell, *value) > 0);
+        let choices = next.into_iter().flat_map(values).filter(|(cell, value)| self.agreeing_with(*cell, *value) > 0);
         let longer = choices.map(|choice| branch.iter().copied().chain([choice]).collect()).collect();
         self.retract(0);
         longer
@@ -251,12 +296,12 @@ impl OpenTable {
         }
     }
 
-    /// The table, with the first value in each cell that is open.
-    pub(super) fn to_table(&self) -> Option<Table> {
+    /// Reads the table, with the first value in each cell that is open.
+    pub(super) fn read<T>(&self, read: impl FnOnce(&Self) -> T) -> T {
         let depth = self.choices.borrow().len();
-        let table = Table::copy_of(self);
+        let found = read(self);
         self.retract(depth);
-        table
+        found
     }
 
     /// Gives the last cell that has another value that value; false if none has, of those after the first so many.
@@ -276,7 +321,7 @@ impl OpenTable {
     /// Gives the cell the first of the values from this one on, but those that an interchangeable slot stands for; false if there is none.
     fn choose_from(&self, cell: usize, first: u8) -> bool {
         let values = first..self.domains[cell].ways.len() as u8;
-        let value = values.into_iter().find(|value| self.stands_for(cell, *value) > 0);
+        let value = values.into_iter().find(|value| self.agreeing_with(cell, *value) > 0);
         value.is_some_and(|value| {
             self.choose(cell, value);
             true
@@ -284,11 +329,13 @@ impl OpenTable {
     }
 
     fn choose(&self, cell: usize, value: u8) {
-        let Domain { ways, all, .. } = &self.domains[cell];
-        let (agreeing, slots) = (self.agreeing.get(), self.stands_for(cell, value));
+        let agreeing = self.agreeing.get();
         let told_apart = self.told_apart.as_ref().map_or_else(Slots::default, Cell::get);
         self.choices.borrow_mut().push(Choice { cell, agreeing, told_apart });
-        self.agreeing.set(agreeing / all * ways[usize::from(value)] * slots);
+        self.agreeing.set(self.agreeing_with(cell, value));
+        if let Some(column) = self.domains[cell].order_of {
+            self.numbers[cell].set(self.order(column).number(value.into()));
+        }
         self.values[cell].set(value);
         if let Some(told_apart) = &self.told_apart {
             let mut slots = self.with_owner(told_apart.get(), cell);
@@ -297,6 +344,25 @@ impl OpenTable {
             }
             told_apart.set(slots);
         }
+    }
+
+    /// The number of tables that agree so far, and with this value of an open cell; 0 if another value stands for it.
+    fn agreeing_with(&self, cell: usize, value: u8) -> u128 {
+        let (agreeing, Domain { ways, all, order_of, .. }) = (self.agreeing.get(), &self.domains[cell]);
+        match order_of {
+            Some(column) => self.order(*column).agreeing(agreeing, *all, value.into()),
+            None => agreeing / all * ways[usize::from(value)] * self.stands_for(cell, value),
+        }
+    }
+
+    /// The numbers that were read of a column.
+    fn order(&self, column: Column) -> Order {
+        let mut order = Order::default();
+        if let Some(Labels { before, longest }) = self.labels[column as usize] {
+            let read = (before + 1..=before + longest).filter(|cell| self.values[*cell].get() != OPEN);
+            read.for_each(|cell| order.add(self.numbers[cell].get()));
+        }
+        order
     }
 
     fn leads_to(&self, cell: usize, value: u8) -> Option<(Kind, usize)> {
@@ -382,6 +448,25 @@ impl OpenTable {
     /// The link, where it is one of boundary components with records, or of faces without them.
     fn only(&self, by_record: bool, link: impl FnOnce() -> Link) -> Link {
         if by_record == self.parts.has(Part::BoundaryComponents) { link() } else { None }
+    }
+}
+
+/// The first value of a link is nil, and the others are the numbers from 0.
+impl LabelSource for OpenTable {
+    fn count(&self, column: Column) -> usize {
+        match self.labels[column as usize] {
+            None => 0,
+            Some(Labels { before, longest }) if self.domains[before].ways.len() == 1 => longest,
+            Some(Labels { before, .. }) => self.value(before).into(),
+        }
+    }
+
+    fn at(&self, column: Column, entry: usize) -> Option<u32> {
+        let Labels { before, .. } = self.labels[column as usize]?;
+        let cell = before + 1 + entry;
+        let value = if entry < self.count(column) { self.value(cell) } else { return None };
+        let is_link = self.domains[cell].order_of.is_none();
+        Some(if is_link { u32::from(value).checked_sub(1).unwrap_or(u32::MAX) } else { self.numbers[cell].get() })
     }
 }
 

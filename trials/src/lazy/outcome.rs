@@ -17,13 +17,15 @@ pub struct LazyOutcome {
     pub shard: Shard,
     /// About how many tables there are.
     pub tables: String,
-    /// The runs of the validator.
+    /// About how many there are with labels, each with all labels; none if no certificates are judged.
+    pub with_labels: Option<String>,
+    /// The runs of the first judge: the validator, or the reference where certificates are judged.
     pub runs: u64,
     /// The tables that it accepts.
     pub accepted: u64,
-    /// The tables that one of both accepts and the other one rejects.
+    /// The tables that one judge accepts and the other one rejects.
     pub differences: u64,
-    /// The same for each of both.
+    /// The same for each judge.
     pub judges: Vec<JudgeRow>,
     /// The first differences. All are counted in the rows.
     pub findings: Vec<String>,
@@ -39,13 +41,13 @@ rows! {
         label judge: String = "judge" 10;
         /// The number of runs.
         count runs: u64 = "runs" 13;
-        /// The tables that it accepts.
+        /// The tables that it accepts, or the tables with labels.
         count accepted: u64 = "accepted" 12 is right;
         /// The number of right tables, by a recount without the validator, where there is one.
         given right: Option<u64>;
         /// The tables that the other judge rejects.
         zero differences: u64 = "differences" 11;
-        /// The number of all tables.
+        /// The number of all tables, or of all with labels.
         given all: Many;
         /// The tables for which the runs stand.
         count covered: Many;
@@ -55,10 +57,12 @@ rows! {
 impl LazyOutcome {
     pub(super) fn new(work: LazyWork, shard: Shard, judges: Vec<JudgeRow>) -> Self {
         let tables = judges.first().map(|row| row.all.rounded()).unwrap_or_default();
+        let with_labels = judges.last().filter(|_| work.certificates).map(|row| row.all.rounded());
         let mut outcome = Self {
             work,
             shard,
             tables,
+            with_labels,
             runs: 0,
             accepted: 0,
             differences: 0,
@@ -97,12 +101,17 @@ impl Outcome for LazyOutcome {
         if self.interrupted {
             reasons.push(INTERRUPTED.to_owned());
         } else if self.shard.is_whole() {
-            for JudgeRow { judge, accepted, right, all, covered, .. } in &self.judges {
+            for row @ JudgeRow { judge, accepted, right, all, covered, .. } in &self.judges {
                 if covered != all {
                     reasons.push(format!("{judge}: the runs stand for {covered} of {all} tables"));
                 }
-                if *accepted != self.accepted {
-                    reasons.push(format!("{judge}: accepted {accepted}, but the validator {}", self.accepted));
+                // The judges of the same tables accept as many.
+                let first = self.judges.iter().find(|first| first.all == *all).unwrap_or(row);
+                if *accepted != first.accepted {
+                    reasons.push(format!("{judge}: accepted {accepted}, but the {} {}", first.judge, first.accepted));
+                }
+                if *accepted == u64::MAX {
+                    reasons.push(format!("{judge}: accepted more than can be counted"));
                 }
                 if let Some(right) = right.filter(|right| right != accepted) {
                     reasons.push(format!("{judge}: accepted {accepted} instead of {right}"));

@@ -8,7 +8,7 @@ use twinedge::validate::{Expectation, Part, Rule, Surface};
 
 /// The number of right tables of this work: none for open structures and for lists of holes.
 pub(super) fn right(work: &LazyWork) -> Option<u64> {
-    let parts = work.expectation.looks_at(work.parts);
+    let parts = work.parts();
     if work.expectation.is_open() || parts.has(Part::Holes) {
         return None;
     }
@@ -105,7 +105,7 @@ impl Map {
 
     /// The number of tables that keep it with so many vertices, faces and boundary components.
     fn tables(&self, work: &LazyWork, [vertices, faces, boundaries]: [usize; 3]) -> u128 {
-        let parts = work.expectation.looks_at(work.parts);
+        let parts = work.parts();
         let (rotations, cycles) = (self.rotations.len(), self.cycles.len());
         if work.expectation.surface_kind() == Surface::Plane && self.genus() > 0
             || rotations > vertices
@@ -180,7 +180,16 @@ mod tests {
     use twinedge::validate::Parts;
 
     fn work(expectation: Expectation, parts: Parts, [vertices, half_edges]: [usize; 2]) -> LazyWork {
-        LazyWork { expectation, parts, vertices, half_edges, boundaries: 0, faces: 0, vacant: false }
+        LazyWork {
+            expectation,
+            parts,
+            vertices,
+            half_edges,
+            boundaries: 0,
+            faces: 0,
+            vacant: false,
+            certificates: false,
+        }
     }
 
     #[test]

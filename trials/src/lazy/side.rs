@@ -1,11 +1,12 @@
 //! All tables, judged by one judge and, where it accepts them, by the other.
 
 use super::acceptor::{Acceptor, Reference};
+use super::labels::{LazyLabels, shapes};
 use super::open_table::{Branch, OpenTable};
-use super::work::{LazyWork, TooManyTables};
+use super::work::{Claim, LazyError, LazyWork};
 use crate::run::Run;
-
-const REFERENCE: &str = "reference";
+use twinedge::validate::Table;
+use twinedge::validate::certificate::Labels;
 
 /// The number of branches that suffices for all threads and parts.
 const ENOUGH_BRANCHES: usize = 512;
@@ -14,7 +15,21 @@ const ENOUGH_BRANCHES: usize = 512;
 pub(super) struct Side<'a> {
     work: &'a LazyWork,
     pub(super) name: &'static str,
-    judges: [&'a dyn Acceptor; 2],
+    pub(super) tables: Tables,
+    judges: [Judge<'a>; 2],
+}
+
+type Judge<'a> = Box<dyn Fn(&OpenTable) -> bool + Sync + 'a>;
+
+/// The tables of a side.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Tables {
+    /// Each as it is.
+    Plain,
+    /// Those that differ in the numbers of their slots only are one.
+    UpToNumbers,
+    /// Each with all labels.
+    WithLabels,
 }
 
 /// The findings of one thread.
@@ -28,20 +43,46 @@ pub(super) struct Judgement {
 }
 
 impl<'a> Side<'a> {
-    /// The validator before the reference, and the other way round.
-    pub(super) fn both(work: &'a LazyWork, validator: &'a dyn Acceptor) -> [Self; 2] {
-        let side = |name, judges| Self { work, name, judges };
-        [side("validator", [validator, &Reference]), side(REFERENCE, [&Reference, validator])]
+    /// All sides of the work.
+    pub(super) fn all(work: &'a LazyWork, validator: &'a dyn Acceptor) -> Vec<Self> {
+        if work.certificates { Self::of_certificates(work, validator) } else { Self::of_tables(work, validator) }
     }
 
-    /// The table for the first judge. The reference says the same of tables that differ in the numbers of their slots only.
-    pub(super) fn table(&self) -> Result<OpenTable, TooManyTables> {
+    /// The validator before the reference, and the other way round.
+    fn of_tables(work: &'a LazyWork, validator: &'a dyn Acceptor) -> Vec<Self> {
+        let judge = || -> Judge<'a> { Box::new(|table| validator.accepts(table, &work.expectation)) };
+        vec![
+            Self { work, name: "validator", tables: Tables::Plain, judges: [judge(), is_right(work)] },
+            Self { work, name: "reference", tables: Tables::UpToNumbers, judges: [is_right(work), judge()] },
+        ]
+    }
+
+    /// Right tables have labels that pass; tables with labels that pass are right; and right tables with labels that pass, of which there must be as many.
+    fn of_certificates(work: &'a LazyWork, checker: &'a dyn Acceptor) -> Vec<Self> {
+        let passes =
+            || -> Judge<'a> { Box::new(|table| checker.passes(table, LazyLabels::new(table), &work.expectation)) };
+        let (right, pass) = (is_right(work), passes());
+        let both = Box::new(move |table: &OpenTable| right(table) && pass(table));
+        let is_certified = Box::new(|table: &OpenTable| is_certified(table, work, checker));
+        vec![
+            Self { work, name: "reference", tables: Tables::Plain, judges: [is_right(work), is_certified] },
+            Self { work, name: "checker", tables: Tables::WithLabels, judges: [passes(), is_right(work)] },
+            Self { work, name: "both", tables: Tables::WithLabels, judges: [both, passes()] },
+        ]
+    }
+
+    /// The tables for the first judge.
+    pub(super) fn table(&self) -> Result<OpenTable, LazyError> {
         let table = OpenTable::new(self.work)?;
-        Ok(if self.name == REFERENCE { table.up_to_numbers() } else { table })
+        match self.tables {
+            Tables::Plain => Ok(table),
+            Tables::UpToNumbers => Ok(table.up_to_numbers()),
+            Tables::WithLabels => table.with_labels(&shapes(self.work)?),
+        }
     }
 
     /// Judges this part of all tables.
-    pub(super) fn judge(&self, run: &Run<'_>) -> Result<Vec<Judgement>, TooManyTables> {
+    pub(super) fn judge(&self, run: &Run<'_>) -> Result<Vec<Judgement>, LazyError> {
         let branches = self.branches(&self.table()?);
         let ours: Vec<&Branch> = run.part().numbers(branches.len()).map(|number| &branches[number]).collect();
         let threads = run.each(
@@ -58,7 +99,7 @@ impl<'a> Side<'a> {
     }
 
     pub(super) fn accepts(&self, judge: usize, table: &OpenTable) -> bool {
-        self.judges[judge].accepts(table, &self.work.expectation)
+        self.judges[judge](table)
     }
 
     /// Enough branches for all threads, if the runs make as many choices. They depend on the judge alone.
@@ -100,8 +141,25 @@ impl<'a> Side<'a> {
     fn note(&self, table: &OpenTable, judged: &mut Judgement) {
         judged.differences += table.agreeing();
         if judged.finding.is_none() {
-            let text = table.to_table().map(|table| table.to_string()).unwrap_or_default();
-            judged.finding = Some(format!("accepted by the {} alone: {text}", self.name));
+            let (text, labels) = table.read(|table| (Table::copy_of(table), LazyLabels::new(table).to_string()));
+            let text = text.map(|table| table.to_string()).unwrap_or_default();
+            judged.finding = Some(format!("accepted by the {} alone: {text}{labels}", self.name));
         }
     }
+}
+
+/// The reference, which says the same of tables that differ in the numbers of their slots only.
+fn is_right(work: &LazyWork) -> Judge<'_> {
+    Box::new(|table| Reference.accepts(table, &work.expectation))
+}
+
+/// True if the checker accepts the labels that are made for the table. All its cells are read.
+fn is_certified(table: &OpenTable, work: &LazyWork, checker: &dyn Acceptor) -> bool {
+    let Some(table) = Table::copy_of(table) else { return false };
+    let labels = match work.claim() {
+        Ok(Claim::Plane) => Labels::new(&table).ok(),
+        Ok(Claim::Surface(genus)) => Labels::of_surface(&table).ok().filter(|made| made.1 == genus).map(|made| made.0),
+        Err(_) => None,
+    };
+    labels.is_some_and(|labels| checker.passes(&table, LazyLabels::new(&labels), &work.expectation))
 }

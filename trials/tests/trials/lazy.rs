@@ -1,7 +1,7 @@
 //! All tables of a size, every cell free: what the validator and the reference accept.
 
 use twinedge::validate::{Expectation, Only, Part, Parts, View, accepts};
-use twinedge_trials::lazy::{Acceptor, LazyOutcome, LazyWork, TooManyTables};
+use twinedge_trials::lazy::{Acceptor, LazyError, LazyOutcome, LazyWork};
 use twinedge_trials::{Outcome, Run, Shard, Validator, lazy, sum};
 
 /// A validator that does not look at `prev`.
@@ -26,7 +26,7 @@ const MAP: Parts = Parts::NONE.with(Part::Prev).with(Part::Leaving);
 const RECORDS: Parts = MAP.with(Part::Places);
 
 fn work(expectation: Expectation, parts: Parts, [vertices, half_edges, boundaries, faces]: [usize; 4]) -> LazyWork {
-    LazyWork { expectation, parts, vertices, half_edges, boundaries, faces, vacant: false }
+    LazyWork { expectation, parts, vertices, half_edges, boundaries, faces, vacant: false, certificates: false }
 }
 
 fn accepted(work: LazyWork) -> u64 {
@@ -122,9 +122,9 @@ fn tables_that_cannot_be_counted_are_an_error() {
     let sizes = [([6, 10, 6, 6], Parts::ALL), ([16, 1, 0, 0], Parts::NONE), ([usize::MAX, 0, 0, 0], Parts::NONE)];
     for (size, parts) in sizes {
         let outcome = lazy(work(Expectation::plane(), parts, size), &Validator, &Run::default());
-        assert_eq!(outcome.err(), Some(TooManyTables), "{size:?}");
+        assert_eq!(outcome.err(), Some(LazyError::TooMany), "{size:?}");
         let estimate = work(Expectation::plane(), parts, size).estimate(&Validator);
-        assert_eq!(estimate.err(), Some(TooManyTables), "{size:?}");
+        assert_eq!(estimate.err(), Some(LazyError::TooMany), "{size:?}");
     }
 }
 

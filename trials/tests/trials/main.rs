@@ -3,6 +3,7 @@
 mod corrupt;
 mod incomplete;
 mod lazy;
+mod lazy_certificates;
 mod meshes;
 mod prove;
 mod sample;

@@ -1,18 +1,19 @@
 //! The further dimensions of points on new rings.
 
 use super::super::model::{Feature, Geometry, Line, Position};
-use super::restored::{key, rounded};
+use super::restored::key;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use twinedge::geometry::Point;
+use twinedge::geometry::noding::NodingSummary;
 
 type Key = (u64, u64);
 type Known = FxHashMap<Key, Box<[f64]>>;
 
 /// The further dimensions of the points that were there before.
 pub(super) struct Further {
-    /// The width of the cells to whose middles points were rounded.
-    cell: Option<f64>,
+    /// The rounding of the points, if they were rounded.
+    noding: Option<NodingSummary>,
     of_all: Known,
     of_feature: Known,
     /// The number of coordinates that a point of the feature in hand has beyond x and y, if all have as many.
@@ -20,26 +21,26 @@ pub(super) struct Further {
 }
 
 /// Notes a point where it was and where it was rounded to; the first of several at a place counts.
-fn note(known: &mut Known, position: &Position, cell: Option<f64>) {
+fn note(known: &mut Known, position: &Position, noding: Option<NodingSummary>) {
     known.entry(key(position.x, position.y)).or_insert_with(|| position.more.clone());
-    if let Some(cell) = cell {
-        let Point { x, y } = rounded(position, cell);
+    if let Some(noding) = noding {
+        let Point { x, y } = noding.snapped(Point::new(position.x, position.y));
         known.entry(key(x, y)).or_insert_with(|| position.more.clone());
     }
 }
 
 impl Further {
     /// Notes the points of all features that have further dimensions. O(points), expected.
-    pub(super) fn new(features: &[Cow<'_, Feature>], cell: Option<f64>) -> Self {
+    pub(super) fn new(features: &[Cow<'_, Feature>], noding: Option<NodingSummary>) -> Self {
         let mut of_all = Known::default();
         for geometry in features.iter().filter_map(|feature| feature.geometry.as_ref()) {
             geometry.shape.visit(&mut |position| {
                 if !position.more.is_empty() {
-                    note(&mut of_all, position, cell);
+                    note(&mut of_all, position, noding);
                 }
             });
         }
-        Self { cell, of_all, of_feature: Known::default(), count: None }
+        Self { noding, of_all, of_feature: Known::default(), count: None }
     }
 
     /// Turns to a feature: its own points come first.
@@ -50,10 +51,10 @@ impl Further {
             return;
         }
         let mut is_uniform = true;
-        let (known, count, cell) = (&mut self.of_feature, &mut self.count, self.cell);
+        let (known, count, noding) = (&mut self.of_feature, &mut self.count, self.noding);
         geometry.shape.visit(&mut |position| {
             is_uniform &= *count.get_or_insert(position.more.len()) == position.more.len();
-            note(known, position, cell);
+            note(known, position, noding);
         });
         if !is_uniform {
             self.count = None;

@@ -8,7 +8,8 @@
 //!
 //! Ids, attributes, the order of features and foreign members stay. Of a feature whose outline is the same, so does the geometry.
 //! That of the others is made anew: rings are closed, outer ones counter-clockwise, without repeated points and spikes, valid by
-//! the rules of the OGC. Vertices that were there before keep their further dimensions; for the others these are interpolated
+//! the rules of the OGC. Where nothing but vertices of a neighbour was missing (C7), these are put into the rings, which stay as they are
+//! otherwise. Vertices that were there before keep their further dimensions; for the others these are interpolated
 //! along the ring.
 //!
 //! Narrow spaces between two features that are open to the outside or to a wider gap (C3) are filled if a width of gaps is given: quadrangles are drawn
@@ -18,6 +19,7 @@
 
 mod dimensions;
 mod fillers;
+mod missing;
 mod rebuild;
 mod report;
 mod restored;
@@ -25,7 +27,8 @@ mod restored;
 use super::model::{Feature, Layer};
 use dimensions::Further;
 use fillers::fillers;
-use rebuild::{is_same, polygons_of, replace};
+use missing::Missing;
+use rebuild::{is_same, polygons_of, replace, rings_of};
 use restored::Restoration;
 use std::borrow::Cow;
 use twinedge::algorithm::clean::{Cleaned, Options, clean_with_fillers};
@@ -35,7 +38,7 @@ use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
-pub use report::{CleanReport, FeatureChange, LayerChange, Left, Remaining};
+pub use report::{AddedVertex, CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
 /// The way in which a layer is cleaned.
 #[derive(Clone, Debug, Default)]
@@ -102,7 +105,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
             near_misses = left;
             let noding = done.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
             done.changes.extend(next.changes.iter().cloned());
-            done = Pass { changes: done.changes, noding, ..next };
+            done = Pass { changes: done.changes, added: done.added, noding, ..next };
         }
     }
     let mut report = CleanReport {
@@ -110,6 +113,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
         noding: done.noding,
         sliver_area: done.sliver_area,
         changes: done.changes,
+        added: done.added,
         features: Vec::new(),
         left: done.judged.left,
         remaining: done.judged.remaining.iter().map(Remaining::from).collect(),
@@ -143,6 +147,7 @@ struct Pass<'a> {
     /// Those of which nothing changed are borrowed.
     features: Vec<Cow<'a, Feature>>,
     changes: Vec<LayerChange>,
+    added: Vec<AddedVertex>,
     noding: Option<NodingSummary>,
     sliver_area: f64,
     judged: Judgement,
@@ -166,23 +171,24 @@ fn pass<'a>(
     options: &CleanOptions,
 ) -> Result<Pass<'a>, CleanError> {
     let map = build(features, fillers, options.snap)?;
+    let missing = Missing::new(features, &map)?;
     let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
     let (noding, sliver_area) = (map.noding().copied(), cleaned.sliver_area);
     let changes = cleaned.changes.iter().map(LayerChange::from).collect();
     // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
     let restored = match (options.snap, noding) {
-        (None, Some(NodingSummary { cell, .. })) if cell > 0.0 => Some(Restoration::new(features, cell)),
+        (None, Some(noding)) if noding.cell > 0.0 => Some(Restoration::new(features, &noding)),
         _ => None,
     };
-    let mut made = outlined(features, &map, &cleaned, restored.as_ref())?;
+    let mut made = outlined(features, &map, &cleaned, &missing, restored.as_ref())?;
     // The map is not needed beside the one by which the outlines are judged, unless they are made once more.
     let kept = restored.is_some().then_some((map, cleaned));
     let mut found = judged(&made, options)?;
     if let Some((map, cleaned)) = kept.filter(|_| found.left.is_some_and(|left| !left.is_plane)) {
-        made = outlined(features, &map, &cleaned, None)?;
+        made = outlined(features, &map, &cleaned, &missing, None)?;
         found = judged(&made, options)?;
     }
-    Ok(Pass { features: made, changes, noding, sliver_area, judged: found })
+    Ok(Pass { features: made, changes, added: missing.added, noding, sliver_area, judged: found })
 }
 
 /// The features with their outlines.
@@ -190,12 +196,13 @@ fn outlined<'a>(
     features: &[Cow<'a, Feature>],
     map: &PlanarMap,
     cleaned: &Cleaned,
+    missing: &Missing,
     restored: Option<&Restoration>,
 ) -> Result<Vec<Cow<'a, Feature>>, CleanError> {
-    let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
-    let mut further = Further::new(features, cell);
+    let noding = map.noding().copied().filter(|noding| noding.cell > 0.0);
+    let mut further = Further::new(features, noding);
     let mut all = features.to_vec();
-    for (feature, faces) in all.iter_mut().zip(&cleaned.faces) {
+    for (number, (feature, faces)) in all.iter_mut().zip(&cleaned.faces).enumerate() {
         let Some(geometry) = &feature.geometry else { continue };
         let before = polygons_of(geometry);
         if before.is_empty() {
@@ -208,7 +215,9 @@ fn outlined<'a>(
             }
         }
         if !is_same(&before, &after) {
-            let geometry = replace(geometry, &after, &mut further);
+            let with_vertices = missing.inserted(number, &before).filter(|rings| is_same(rings, &after));
+            let rings = with_vertices.unwrap_or_else(|| after.into_iter().map(rings_of).collect());
+            let geometry = replace(geometry, &rings, &mut further);
             feature.to_mut().geometry = geometry;
         }
     }
@@ -263,7 +272,7 @@ struct Judgement {
     accepted_gaps: Vec<Finding>,
 }
 
-/// The findings of C1 … C6 afterwards, judged by the polygons that are written.
+/// The findings of C1 … C7 afterwards, judged by the polygons that are written.
 fn judged(features: &[Cow<'_, Feature>], options: &CleanOptions) -> Result<Judgement, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();

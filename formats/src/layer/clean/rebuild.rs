@@ -26,6 +26,12 @@ pub(super) fn polygons_of(geometry: &Geometry) -> Vec<Rings> {
     found
 }
 
+/// The rings of an outline.
+pub(super) fn rings_of(Polygon { outer, mut holes }: Polygon) -> Rings {
+    holes.insert(0, outer);
+    holes
+}
+
 /// Returns true if polygons are the same, whatever the order of polygons and holes, and where rings start and which way they turn.
 /// O(n log n).
 pub(super) fn is_same(before: &[Rings], after: &[Polygon]) -> bool {
@@ -65,11 +71,11 @@ fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
 
 /// The geometry with these polygons in the place of its own; none if nothing is left. A polygon becomes a multi-polygon if there
 /// are several, and a multi-polygon stays one.
-pub(super) fn replace(geometry: &Geometry, polygons: &[Polygon], further: &mut Further) -> Option<Geometry> {
+pub(super) fn replace(geometry: &Geometry, polygons: &[Rings], further: &mut Further) -> Option<Geometry> {
     let dimensions = geometry.dimensions;
     further.of_feature(geometry);
     let mut polygons: Vec<Vec<Line>> =
-        polygons.iter().map(|polygon| polygon.rings().map(|ring| further.line(ring)).collect()).collect();
+        polygons.iter().map(|rings| rings.iter().map(|ring| further.line(ring)).collect()).collect();
     let shape = match &geometry.shape {
         Shape::Collection(parts) => {
             let mut kept: Vec<Geometry> = parts.iter().filter_map(without_polygons).collect();

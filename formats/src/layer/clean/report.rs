@@ -19,9 +19,11 @@ pub struct CleanReport {
     pub sliver_area: f64,
     /// The changes of hands, in order.
     pub changes: Vec<LayerChange>,
+    /// The vertices of features that their neighbours lacked (C7), and have now: by the two features, then by place.
+    pub added: Vec<AddedVertex>,
     /// The features that have another geometry than before, in order.
     pub features: Vec<FeatureChange>,
-    /// The findings of C1 … C6 that are left, if there are any.
+    /// The findings of C1 … C7 that are left, if there are any.
     pub left: Option<Left>,
     /// Each thing that does, in order of the rules, the largest of a rule first.
     pub remaining: Vec<Remaining>,
@@ -47,6 +49,18 @@ pub struct LayerChange {
     pub width: f64,
     /// A point inside.
     pub at: Point,
+}
+
+/// A vertex that a feature has now, as its neighbour had it before. Features are named by their numbers, counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct AddedVertex {
+    /// The place.
+    pub at: Point,
+    /// The feature that lacked it.
+    pub to: usize,
+    /// The neighbour.
+    pub of: usize,
 }
 
 /// A feature that has another geometry than before.
@@ -102,7 +116,7 @@ impl From<&Finding> for Remaining {
     }
 }
 
-/// The number of findings of C1 … C6 that are left.
+/// The number of findings of C1 … C7 that are left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Left {

@@ -1,0 +1,88 @@
+//! The options that each kind of inputs takes.
+
+use super::arguments::Audit;
+use super::destination::{Destination, ReportFormat};
+use crate::status::{Failure, named};
+use twinedge_report::{Input, InputKind};
+
+/// Options that only some kinds of inputs take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Options {
+    /// `--snap`.
+    Snap,
+    /// Those under "Coverage", and `--geodesic`.
+    Coverage,
+    /// Those under "Meshes".
+    Mesh,
+    /// `--format geojson` and `html`.
+    Picture,
+    /// `--tiles`.
+    Tiles,
+}
+
+impl Options {
+    const ALL: [Self; 5] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles];
+
+    /// Those that a kind of inputs takes.
+    const fn of(kind: InputKind) -> &'static [Self] {
+        match kind {
+            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles],
+            InputKind::Mesh(_) => &[Self::Mesh],
+            InputKind::Textbook | InputKind::Postgis | InputKind::Arcs => &[Self::Picture],
+            InputKind::Tables => &[],
+        }
+    }
+
+    fn are_given(self, asked: &Audit, to: &Destination<'_>) -> bool {
+        match self {
+            Self::Snap => asked.map.is_snapped(),
+            Self::Coverage => asked.coverage.is_any() || asked.measured.is_geodesic(),
+            Self::Mesh => asked.mesh.is_any(),
+            Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
+            Self::Tiles => asked.tiles.is_some(),
+        }
+    }
+
+    /// The words by which they are refused for a kind of input.
+    fn refusal(self, what: &str) -> String {
+        match self {
+            Self::Snap => format!("--snap is for maps, and this is {what}"),
+            Self::Coverage => format!("--coverage, its limits and --geodesic are for maps, and this is {what}"),
+            Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
+            Self::Tiles => format!("--tiles is for maps, and this is {what}"),
+            Self::Picture => format!(
+                "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
+            ),
+        }
+    }
+}
+
+impl Audit {
+    /// Refuses options that were given and are for other kinds.
+    pub(super) fn refuse_options(&self, kind: InputKind, to: &Destination<'_>, input: &Input) -> Result<(), Failure> {
+        // The formats of maps differ.
+        if !matches!(kind, InputKind::Map | InputKind::Arcs) {
+            input.refuse_layer(kind.words()).map_err(named(&input.name))?;
+        }
+        let taken = Options::of(kind);
+        let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(self, to));
+        if refused.is_none() && self.tiles.is_some() {
+            self.refuse_with_tiles(to, input)?;
+        }
+        refused.map_or(Ok(()), |options| Err(Failure(format!("{}: {}", input.name, options.refusal(kind.words())))))
+    }
+
+    /// Refuses options that need the whole map.
+    fn refuse_with_tiles(&self, to: &Destination<'_>, input: &Input) -> Result<(), Failure> {
+        let is_geodesic = self.measured.is_geodesic();
+        let needs = [
+            (Options::Snap.are_given(self, to), "--snap"),
+            (Options::Picture.are_given(self, to), "the formats geojson and html"),
+            (is_geodesic, "--geodesic"),
+        ];
+        match needs.into_iter().find(|(is_given, _)| *is_given) {
+            Some((_, other)) => Err(Failure(format!("{}: {other} and --tiles do not go together", input.name))),
+            None => Ok(()),
+        }
+    }
+}

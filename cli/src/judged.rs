@@ -1,0 +1,113 @@
+//! The bytes that were judged: their number and SHA-256.
+
+use sha2::{Digest as _, Sha256};
+use std::cell::RefCell;
+use std::io::{self, BufRead, Read};
+use std::rc::Rc;
+use twinedge_report::Judged;
+
+/// The digest of bytes, and their number.
+#[derive(Default)]
+struct Count {
+    digest: Sha256,
+    bytes: u64,
+}
+
+impl Count {
+    fn add(&mut self, bytes: &[u8]) {
+        self.digest.update(bytes);
+        self.bytes += bytes.len() as u64;
+    }
+
+    fn judged(self) -> Judged {
+        let digits = self.digest.finalize().iter().fold(String::new(), |digits, byte| format!("{digits}{byte:02x}"));
+        Judged { sha256: digits, bytes: self.bytes }
+    }
+}
+
+/// Judges all bytes of a reader.
+pub(crate) fn of_all(mut reader: impl BufRead) -> io::Result<Judged> {
+    let mut count = Count::default();
+    loop {
+        let bytes = reader.fill_buf()?;
+        if bytes.is_empty() {
+            return Ok(count.judged());
+        }
+        count.add(bytes);
+        let length = bytes.len();
+        reader.consume(length);
+    }
+}
+
+/// The bytes that came through a [`Counted`] reader.
+pub(crate) struct Counter(Rc<RefCell<Count>>);
+
+impl Counter {
+    /// Returns what came through until now.
+    pub(crate) fn judged(self) -> Judged {
+        self.0.take().judged()
+    }
+}
+
+/// A reader that counts the bytes that are read. What nobody read is read when it is dropped.
+pub(crate) struct Counted<R: BufRead> {
+    inner: R,
+    count: Rc<RefCell<Count>>,
+}
+
+impl<R: BufRead> Counted<R> {
+    pub(crate) fn new(inner: R) -> (Self, Counter) {
+        let count = Rc::new(RefCell::new(Count::default()));
+        (Self { inner, count: Rc::clone(&count) }, Counter(count))
+    }
+}
+
+impl<R: BufRead> Read for Counted<R> {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let length = self.fill_buf()?.read(into)?;
+        self.consume(length);
+        Ok(length)
+    }
+}
+
+impl<R: BufRead> BufRead for Counted<R> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        self.inner.fill_buf()
+    }
+
+    fn consume(&mut self, length: usize) {
+        // What is consumed is in the buffer, so nothing is read for it.
+        if let Ok(bytes) = self.inner.fill_buf() {
+            self.count.borrow_mut().add(&bytes[..length.min(bytes.len())]);
+        }
+        self.inner.consume(length);
+    }
+}
+
+impl<R: BufRead> Drop for Counted<R> {
+    fn drop(&mut self) {
+        while let Ok(length @ 1..) = self.fill_buf().map(<[u8]>::len) {
+            self.consume(length);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Counted, of_all};
+    use std::io::Read as _;
+
+    /// The digest of `abc` is an example of FIPS 180-2.
+    #[test]
+    fn what_nobody_reads_counts_and_nothing_counts_twice() {
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        for read in 0..=3 {
+            let (mut reader, counter) = Counted::new(&b"abc"[..]);
+            reader.read_exact(&mut vec![0; read]).expect("there is so much");
+            drop(reader);
+            let judged = counter.judged();
+            assert_eq!((&*judged.sha256, judged.bytes), (abc, 3), "{read}");
+        }
+        assert_eq!(of_all(&b"abc"[..]).expect("it is in memory").sha256, abc);
+    }
+}

@@ -1,0 +1,77 @@
+//! Vertices that borders lack, put into the rings where they are missing.
+
+use super::super::model::Feature;
+use super::CleanError;
+use super::gather;
+use super::rebuild::Rings;
+use super::report::AddedVertex;
+use super::restored::key;
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+use twinedge::algorithm::coverage::mismatches;
+use twinedge::geometry::Point;
+use twinedge::geometry::predicates::compare_lexicographic;
+use twinedge::map::PlanarMap;
+
+type Key = (u64, u64);
+
+/// The vertices that features lack.
+#[derive(Default)]
+pub(super) struct Missing {
+    /// Those of which the border between two features is in want (C7).
+    pub(super) added: Vec<AddedVertex>,
+    /// By feature and ends of the segment, the smaller one first: all points on it, in order.
+    on_segments: FxHashMap<(usize, Key, Key), Vec<Point>>,
+}
+
+impl Missing {
+    /// Looks for them if any segment was cut. O(n log n), in practice.
+    pub(super) fn new(features: &[Cow<'_, Feature>], map: &PlanarMap) -> Result<Self, CleanError> {
+        if map.noding().is_none_or(|noding| noding.split == 0) {
+            return Ok(Self::default());
+        }
+        let unmatched = gather(features, &[])?.unmatched();
+        let mut added = Vec::new();
+        for finding in mismatches(map, &unmatched)? {
+            let both = [finding.features[0].index(), finding.features[1].index()];
+            added.extend(finding.missing.iter().map(|missing| {
+                let to = missing.feature.index();
+                AddedVertex { at: missing.at, to, of: if both[0] == to { both[1] } else { both[0] } }
+            }));
+        }
+        let mut on_segments: FxHashMap<(usize, Key, Key), Vec<Point>> = FxHashMap::default();
+        for one in &unmatched {
+            let [low, high] = one.segment.map(|end| key(end.x, end.y));
+            on_segments.entry((one.lacked_by.index(), low, high)).or_default().push(one.at);
+        }
+        for points in on_segments.values_mut() {
+            points.sort_by(|a, b| compare_lexicographic(*a, *b));
+            points.dedup();
+        }
+        Ok(Self { added, on_segments })
+    }
+
+    /// The rings of a feature with all points in them that were missing; none if none were.
+    pub(super) fn inserted(&self, feature: usize, polygons: &[Rings]) -> Option<Vec<Rings>> {
+        let mut any = false;
+        let mut with = |ring: &Vec<Point>| {
+            let mut points: Vec<Point> = ring.first().copied().into_iter().collect();
+            for pair in ring.windows(2) {
+                let is_forth = compare_lexicographic(pair[0], pair[1]).is_lt();
+                let (low, high) = if is_forth { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
+                if let Some(missing) = self.on_segments.get(&(feature, key(low.x, low.y), key(high.x, high.y))) {
+                    any = true;
+                    points.extend(missing);
+                    if !is_forth {
+                        let start = points.len() - missing.len();
+                        points[start..].reverse();
+                    }
+                }
+                points.push(pair[1]);
+            }
+            points
+        };
+        let all = polygons.iter().map(|rings| rings.iter().map(&mut with).collect()).collect();
+        any.then_some(all)
+    }
+}

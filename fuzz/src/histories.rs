@@ -1,0 +1,38 @@
+//! The target that undoes and redoes.
+
+#[path = "../../tests/map/rewound.rs"]
+mod rewound;
+
+use twinedge::map::PlanarMap;
+use twinedge::map::program::EditProgram;
+use twinedge::program::Program;
+use twinedge::program::conformance::{Conformance, Coverage};
+use twinedge::validate::Expectation;
+use twinedge_trials::Rewound;
+
+/// Longer programs are cut.
+const LONGEST: usize = 60;
+
+/// A program of operators or, if the first byte is odd, of edits, each a change. After each some changes are undone and redone, in step
+/// with copies that were kept; what was written is valid; and what a change wrote that failed is gone.
+///
+/// # Panics
+/// If not.
+pub fn history(bytes: &[u8]) {
+    let Some((first, bytes)) = bytes.split_first() else { return };
+    if first % 2 == 0 {
+        let mut program = Program::from_bytes(bytes);
+        program.0.truncate(LONGEST);
+        let asked = Conformance::of(&Expectation::plane()).coverage(Coverage::Nothing);
+        if let Err(failure) = asked.run(&program, Rewound::default()) {
+            panic!("{failure}\n{program}");
+        }
+    } else {
+        let mut program = EditProgram::from_bytes(bytes);
+        program.0.truncate(LONGEST);
+        let mut rewound = rewound::Rewound::new(PlanarMap::new());
+        for op in &program.0 {
+            rewound.step(op, |_| {});
+        }
+    }
+}

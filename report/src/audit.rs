@@ -1,0 +1,208 @@
+//! The audit of an input of any kind.
+
+use crate::error::Error;
+use crate::imported::Imported;
+use crate::input::Input;
+use crate::input_kind::InputKind;
+use crate::noted::Keep;
+use crate::options::Options;
+use crate::packed::Picture;
+use crate::report::AuditReport;
+use crate::tables::TablesReport;
+use crate::verdict::{Judged, Verdict};
+use crate::words::{counted, json, plain};
+use crate::{findings_geojson, map, mesh, page, tables, text, textbook, tiles, topology};
+use twinedge::io::tables::Textbook;
+use twinedge::tile::Summary;
+use twinedge_formats::layer::topojson::ArcTopology;
+use twinedge_formats::postgis::Topology;
+
+/// An input that was audited.
+#[derive(Debug)]
+pub struct Audited(Outcome);
+
+#[derive(Debug)]
+enum Outcome {
+    Report(Box<AuditReport>, Subject),
+    Tables(TablesReport),
+}
+
+/// The structure that a page shows.
+#[derive(Debug)]
+enum Subject {
+    Map(Box<Imported>),
+    Textbook(Textbook),
+    Postgis(Box<Topology>),
+    Arcs(Box<ArcTopology>),
+    None,
+}
+
+/// Reads an input and judges it. `stage` is told what begins, before work that may take long.
+///
+/// O(n log n) for n segments that cross in O(n) places.
+///
+/// # Errors
+/// [`Error`], if the input could not be read, or cannot be judged as was asked.
+pub fn audit(
+    input: Input,
+    kind: InputKind,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let (report, subject) = match kind {
+        InputKind::Map if options.tiles.is_some() => (tiles::audit(input, options, stage)?, Subject::None),
+        InputKind::Map => {
+            let imported = Imported::read(input, &options.map, Keep { coverage: true, condition: None }, stage)?;
+            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
+        }
+        InputKind::Mesh(format) => (mesh::audit(input, format, options)?, Subject::None),
+        InputKind::Textbook => {
+            let (report, tables) = textbook::audit(input, options)?;
+            (report, Subject::Textbook(tables))
+        }
+        InputKind::Postgis => {
+            let (report, topology) = topology::audit_postgis(input, options)?;
+            (report, Subject::Postgis(Box::new(topology)))
+        }
+        InputKind::Arcs => {
+            let (report, topology) = topology::audit_arcs(input, options)?;
+            (report, Subject::Arcs(Box::new(topology)))
+        }
+        InputKind::Tables => {
+            let report = tables::audit(input, options)?;
+            return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
+        }
+    };
+    let mut report = if options.explain { report } else { report.unexplained() };
+    report.options = options.json(kind);
+    report.identify();
+    Ok(Audited(Outcome::Report(Box::new(report), subject)))
+}
+
+/// Says what the summary of all tiles of a map says, in the words of an audit. Features are known by their numbers.
+///
+/// # Errors
+/// [`Error::Finish`].
+pub fn audit_summary(summary: Summary) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary)?.unexplained();
+    report.identify();
+    Ok(Audited(Outcome::Report(Box::new(report), Subject::None)))
+}
+
+impl Audited {
+    /// The report of an audit that ended before there was an outcome: its verdict is not known. `why` is a sentence without full stop.
+    #[must_use]
+    pub fn unfinished(name: &str, kind: Option<InputKind>, options: &Options, why: &str) -> Self {
+        let report = AuditReport {
+            doubts: vec![why.to_owned()],
+            options: kind.map(|kind| options.json(kind)).unwrap_or_default(),
+            ..AuditReport::new(name)
+        };
+        Self(Outcome::Report(Box::new(report), Subject::None))
+    }
+
+    /// The verdict.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match &self.0 {
+            Outcome::Report(report, _) => report.verdict(),
+            Outcome::Tables(report) => report.verdict(),
+        }
+    }
+
+    /// Returns true if the verdict is [`Verdict::Valid`].
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.verdict() == Verdict::Valid
+    }
+
+    /// Notes the bytes that were judged.
+    pub fn judged(&mut self, judged: Judged) {
+        if let Outcome::Report(report, _) = &mut self.0 {
+            report.judged = Some(judged);
+        }
+    }
+
+    /// Notes a reason for which the verdict cannot be [`Verdict::Valid`], a sentence without full stop.
+    pub fn doubt(&mut self, why: &str) {
+        if let Outcome::Report(report, _) = &mut self.0 {
+            report.doubts.push(why.to_owned());
+        }
+    }
+
+    /// Notes the time that it took, in milliseconds.
+    pub const fn took(&mut self, elapsed_ms: f64) {
+        match &mut self.0 {
+            Outcome::Report(report, _) => report.elapsed_ms = elapsed_ms,
+            Outcome::Tables(report) => report.elapsed_ms = elapsed_ms,
+        }
+    }
+
+    /// The report for people, with the colours of [`words::style`](crate::words::style).
+    ///
+    /// # Errors
+    /// None that happens: writing to a string does not fail.
+    pub fn text(&self) -> Result<String, std::fmt::Error> {
+        match &self.0 {
+            Outcome::Report(report, _) => text::text(report),
+            Outcome::Tables(report) => report.text(),
+        }
+    }
+
+    /// The report as one JSON object, as `docs/report.md` of the library describes it.
+    ///
+    /// # Errors
+    /// [`Error::Json`].
+    pub fn json(&self) -> Result<Vec<u8>, Error> {
+        Ok(match &self.0 {
+            Outcome::Report(report, _) => json(&report.json())?,
+            Outcome::Tables(report) => json(report)?,
+        })
+    }
+
+    /// The findings as a layer of GeoJSON, and warnings about it.
+    ///
+    /// # Errors
+    /// [`Error::NoPicture`] for meshes and files of tables, and [`Error::Write`].
+    pub fn findings(&self) -> Result<(Vec<u8>, Vec<String>), Error> {
+        findings_geojson::layer(self.drawn()?.0)
+    }
+
+    /// The structure and what was found in one file, which a browser shows.
+    ///
+    /// # Errors
+    /// [`Error::NoPicture`] for meshes and files of tables, and [`Error::Json`].
+    pub fn page(&self) -> Result<String, Error> {
+        let (report, subject) = self.drawn()?;
+        let picture = match subject {
+            Subject::Map(imported) => map::picture(imported, report),
+            Subject::Textbook(tables) => textbook::picture(tables, report),
+            Subject::Postgis(topology) => topology::picture(&**topology, |record| topology.name(record), report),
+            Subject::Arcs(topology) => topology::picture(&**topology, |record| topology.name(record), report),
+            Subject::None => Picture::default(),
+        };
+        Ok(page::page(report, &picture)?)
+    }
+
+    /// The verdict, and how many findings there are, in a line.
+    ///
+    /// # Errors
+    /// [`Error::NoPicture`] for meshes and files of tables.
+    pub fn summary(&self) -> Result<String, Error> {
+        let report = self.drawn()?.0;
+        let listed = match (report.listed().count(), report.total()) {
+            (listed, total) if listed as u64 == total => counted(listed, "finding"),
+            (listed, total) => format!("{listed} of {}", counted(total as usize, "finding")),
+        };
+        Ok(format!("{}: {}; {listed}", plain(&report.input), plain(&report.sentence())))
+    }
+
+    /// The report of a structure that can be drawn.
+    const fn drawn(&self) -> Result<(&AuditReport, &Subject), Error> {
+        match &self.0 {
+            Outcome::Report(_, Subject::None) => Err(Error::NoPicture("a mesh")),
+            Outcome::Tables(_) => Err(Error::NoPicture(InputKind::Tables.words())),
+            Outcome::Report(report, subject) => Ok((report, subject)),
+        }
+    }
+}

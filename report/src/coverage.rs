@@ -1,0 +1,504 @@
+//! The rules of a coverage, C1 … C7, in the report of `audit` and as the answer of `query coverage`.
+
+use crate::coverage_words::explanation;
+use crate::diagnosis_text::{size, write, write_explanations};
+use crate::imported::Imported;
+use crate::names::named;
+use crate::trace::{of_finding, position};
+use crate::units::Units;
+use crate::words::style::{BAD, GOOD, QUIET};
+use crate::words::{counted, grouped, measure, plain};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
+use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
+use twinedge::map::{BuildError, FeatureId, Noding, PlanarMap};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
+
+/// The number of findings of each rule that the text shows unless asked.
+pub(crate) const SHOWN: usize = 3;
+
+/// The options by which a coverage is judged.
+#[derive(Clone, Debug, Default)]
+pub struct CoverageOptions {
+    /// What breaks C1 … C7 counts as a violation.
+    pub is_rule: bool,
+    /// The limits.
+    pub limits: Limits,
+}
+
+/// The findings as JSON.
+#[derive(Debug, Serialize)]
+pub struct Coverage {
+    overlaps: usize,
+    gaps: usize,
+    near_misses: usize,
+    slivers: usize,
+    duplicates: usize,
+    /// Features, not defects.
+    ogc_invalid: usize,
+    /// Pairs of features, not vertices.
+    mismatches: usize,
+    /// Of lengths; areas are in its square.
+    unit: &'static str,
+    /// Why all but C6 were not checked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_checked: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_width: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sliver_area: Option<f64>,
+    /// Gaps that are wider than `lake_width`, or `gap_width`, where one of these was asked for. They are not among the findings.
+    wider_gaps: usize,
+    /// The width from which on gaps are wider.
+    #[serde(skip)]
+    greatest_gap: Option<f64>,
+    /// Gaps that were accepted by their place. They are not among the findings either.
+    accepted_gaps: usize,
+    /// The first of each rule, the largest first.
+    findings: Vec<Diagnosis>,
+    #[serde(skip)]
+    has_polygons: bool,
+    /// The missing vertices, sorted by place, each with the two features of its mismatch.
+    #[serde(skip)]
+    missing: Vec<(Position, [usize; 2])>,
+    /// The map of the input with its borders cut, where the findings are of that one.
+    #[serde(skip)]
+    of_input: Option<PlanarMap>,
+}
+
+/// Rule, kind, features, area, width, length, and the coordinates of the place.
+pub type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
+
+/// The number of defects of each kind that are listed of a feature.
+const DEFECTS: usize = 20;
+
+impl Coverage {
+    /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
+    /// grid was asked for, what it removed or made is found by comparing.
+    #[must_use]
+    pub fn new(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        stage: &mut dyn FnMut(&'static str),
+    ) -> Self {
+        let judgement = judged(imported, &asked.limits, units, stage).map_err(|why| why.to_string());
+        Self::of(imported, asked, units, list, judgement)
+    }
+
+    /// The findings of a map that was seen by its tiles, or why there are none. A map that is plane has no mismatches.
+    pub(crate) fn of_tiles(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        found: Result<coverage::Coverage, String>,
+    ) -> Self {
+        let judgement = |found: coverage::Coverage| Judgement {
+            wider_gaps: found.wider_gaps.len(),
+            accepted_gaps: found.accepted_gaps.len(),
+            gap_width: found.gap_width,
+            sliver_area: found.sliver_area,
+            findings: found.findings.into_iter().map(|finding| (finding, None)).collect(),
+            of_input: None,
+        };
+        Self::of(imported, asked, units, list, found.map(judgement))
+    }
+
+    fn of(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        judgement: Result<Judgement, String>,
+    ) -> Self {
+        let mut found = Self {
+            overlaps: 0,
+            gaps: 0,
+            near_misses: 0,
+            slivers: 0,
+            duplicates: 0,
+            ogc_invalid: imported.noted.defects.len(),
+            mismatches: 0,
+            unit: units.name(),
+            not_checked: None,
+            gap_width: None,
+            sliver_area: None,
+            wider_gaps: 0,
+            greatest_gap: asked.limits.lake_width.or(asked.limits.gap_width),
+            accepted_gaps: 0,
+            findings: Vec::new(),
+            missing: Vec::new(),
+            has_polygons: imported.read.polygons > 0,
+            of_input: None,
+        };
+        match judgement {
+            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
+                (found.wider_gaps, found.accepted_gaps) = (wider_gaps, accepted_gaps);
+                (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
+                for (finding, snapping) in &findings {
+                    let count = found.count_of(finding.rule);
+                    *count += 1;
+                    if *count <= list {
+                        let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
+                        let trace = of_finding(map, finding);
+                        let features: Vec<FeatureName> =
+                            finding.features.iter().map(|feature| named(imported, *feature)).collect();
+                        let of_rule = of_rule(finding.rule, asked, finding.at);
+                        let (area, width, length) = (finding.area, finding.width, finding.length);
+                        let is_mismatch = finding.rule == CoverageRule::Mismatch;
+                        let measures = Measures {
+                            area: Some(area).filter(|_| !is_mismatch),
+                            width: Some(width).filter(|_| !is_mismatch),
+                            length: Some(length),
+                        };
+                        let missing = missing(finding);
+                        let message = size(measures).unwrap_or_else(|| lacks(&features, &missing));
+                        found.findings.push(Diagnosis {
+                            message,
+                            features: Some(features),
+                            trace,
+                            measures,
+                            missing,
+                            snapping: *snapping,
+                            ..of_rule
+                        });
+                    }
+                }
+                found.missing = missing_vertices(&findings);
+                found.of_input = of_input;
+            }
+            Err(why) => found.not_checked = Some(why),
+        }
+        for (feature, defects) in imported.noted.defects.iter().take(list) {
+            found.findings.push(invalid(imported, asked, *feature, defects));
+        }
+        found.findings.sort_by_key(|one| one.rule);
+        found
+    }
+
+    /// Returns true if one of these places is a vertex that is missing between two of these features. O(places · log n).
+    pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<FeatureId>) -> bool {
+        let has = |feature: usize| features.iter().any(|one| one.index() == feature);
+        places.iter().map(|place| position(*place)).any(|place| {
+            let first = self.missing.partition_point(|(at, _)| *at < place);
+            let here = self.missing[first..].iter().take_while(|(at, _)| *at == place);
+            here.into_iter().any(|(_, pair)| pair.iter().all(|feature| has(*feature)))
+        })
+    }
+
+    /// Drops causes and remedies.
+    #[must_use]
+    pub fn unexplained(self) -> Self {
+        Self { findings: self.findings.into_iter().map(Diagnosis::unexplained).collect(), ..self }
+    }
+
+    fn count_of(&mut self, rule: CoverageRule) -> &mut usize {
+        match rule {
+            CoverageRule::Overlap => &mut self.overlaps,
+            CoverageRule::Gap => &mut self.gaps,
+            CoverageRule::NearMiss => &mut self.near_misses,
+            CoverageRule::Sliver => &mut self.slivers,
+            CoverageRule::Duplicate => &mut self.duplicates,
+            CoverageRule::Mismatch => &mut self.mismatches,
+            _ => &mut self.ogc_invalid,
+        }
+    }
+
+    /// The number of findings of each rule, in order.
+    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 7] {
+        [
+            (CoverageRule::Overlap, self.overlaps, "overlap"),
+            (CoverageRule::Gap, self.gaps, "gap"),
+            (CoverageRule::NearMiss, self.near_misses, "near miss"),
+            (CoverageRule::Sliver, self.slivers, "sliver"),
+            (CoverageRule::Duplicate, self.duplicates, "set of duplicates"),
+            (CoverageRule::Validity, self.ogc_invalid, "invalid feature"),
+            (CoverageRule::Mismatch, self.mismatches, "mismatch"),
+        ]
+    }
+
+    /// The number of findings.
+    pub(crate) fn total(&self) -> usize {
+        self.counts().iter().map(|(_, count, _)| count).sum()
+    }
+
+    /// The number of findings beside violations, in words.
+    pub(crate) fn beside(&self) -> String {
+        match self.total() {
+            0 => String::new(),
+            n => format!("; C1 to C7 have {}, which --coverage counts as violations", counted(n, "finding")),
+        }
+    }
+
+    /// Returns true if there is anything that could be a coverage.
+    pub(crate) const fn has_polygons(&self) -> bool {
+        self.has_polygons
+    }
+
+    /// Why all rules but C6 could not be checked, if so.
+    #[must_use]
+    pub fn not_checked(&self) -> Option<&str> {
+        self.not_checked.as_deref()
+    }
+
+    /// The listed findings.
+    #[must_use]
+    pub fn findings(&self) -> &[Diagnosis] {
+        &self.findings
+    }
+
+    /// The unit of lengths.
+    pub(crate) const fn unit(&self) -> &'static str {
+        self.unit
+    }
+
+    /// The map of the input with its borders cut, where the findings are of that one.
+    pub(crate) const fn of_input(&self) -> Option<&PlanarMap> {
+        self.of_input.as_ref()
+    }
+
+    /// The listed findings, to be sorted and cut.
+    pub const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
+        &mut self.findings
+    }
+
+    /// Writes a line for each rule.
+    ///
+    /// # Errors
+    /// None that happens: writing to a string does not fail.
+    pub fn write_rules(&self, out: &mut String, is_rule: bool) -> std::fmt::Result {
+        for (rule, count, _) in self.counts() {
+            write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
+            let limit = self.limit(rule).map_or_else(String::new, |limit| format!("  {QUIET}{limit}{QUIET:#}"));
+            match (count, &self.not_checked) {
+                (_, Some(why)) if rule != CoverageRule::Validity => {
+                    writeln!(out, "{QUIET}not checked: {}{QUIET:#}", plain(why))?;
+                }
+                (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{limit}")?,
+                _ => {
+                    let broken = if is_rule { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
+                    writeln!(out, "{broken}{}{limit}", self.found(rule))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The number of findings of a rule, with what they are called.
+    fn found(&self, rule: CoverageRule) -> String {
+        let of_rule = self.counts().into_iter().find(|(other, ..)| *other == rule);
+        let (_, count, what) = of_rule.unwrap_or((rule, 0, "finding"));
+        match (count, what) {
+            (1, _) => format!("1 {what}"),
+            (n, "near miss") => format!("{} near misses", grouped(n)),
+            (n, "mismatch") => format!("{} mismatches", grouped(n)),
+            (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
+            (n, what) => counted(n, what),
+        }
+    }
+
+    /// The outcome of a rule, in words.
+    pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
+        match &self.not_checked {
+            Some(why) if rule != CoverageRule::Validity => format!("not checked: {why}"),
+            _ => {
+                let mark = if rule == CoverageRule::Gap { "; " } else { " " };
+                [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(mark)
+            }
+        }
+    }
+
+    /// The limit of a rule, for its line.
+    fn limit(&self, rule: CoverageRule) -> Option<String> {
+        // Limits are in the units of the coordinates.
+        let degrees = if self.unit == Units::METRES { " degrees" } else { "" };
+        match (rule, self.gap_width, self.sliver_area) {
+            (CoverageRule::Gap, ..) => self.gaps_not_listed(degrees),
+            (CoverageRule::NearMiss, Some(width), _) => Some(format!("up to a width of {}{degrees}", measure(width))),
+            (CoverageRule::Sliver, _, Some(area)) => {
+                let square = if degrees.is_empty() { "" } else { " square" };
+                Some(format!("below an area of {}{square}{degrees}", measure(area)))
+            }
+            _ => None,
+        }
+    }
+
+    /// The number of gaps that are no findings, if there are any.
+    fn gaps_not_listed(&self, degrees: &str) -> Option<String> {
+        let all = [
+            (self.wider_gaps, self.greatest_gap.map(|width| format!("wider than {}{degrees} ", measure(width)))),
+            (self.accepted_gaps, Some("accepted by place ".to_owned())),
+        ];
+        let sentence = |(count, which): (usize, Option<String>)| {
+            let [are, gaps] = if count == 1 { ["is", "gap"] } else { ["are", "gaps"] };
+            which.filter(|_| count > 0).map(|which| format!("{} {gaps} {which}{are} not listed", grouped(count)))
+        };
+        Some(all.into_iter().filter_map(sentence).collect::<Vec<_>>().join(", ")).filter(|all| !all.is_empty())
+    }
+
+    /// The worst of each rule.
+    pub(crate) fn write_worst(&self, out: &mut String, list: usize, decimals: usize) -> std::fmt::Result {
+        for (rule, count, _) in self.counts() {
+            let of_rule = self.findings.iter().filter(|one| one.rule == Some(rule.id()));
+            let shown: Vec<&Diagnosis> = of_rule.take(list).collect();
+            shown.iter().try_for_each(|one| write(out, one, decimals))?;
+            write_explanations(out, shown.iter().copied())?;
+            let more = count - shown.len();
+            if more > 0 && !shown.is_empty() {
+                writeln!(out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Why all rules but C6 were not checked.
+#[derive(Debug, thiserror::Error)]
+enum NotChecked {
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    #[error(transparent)]
+    Coverage(#[from] CoverageError),
+}
+
+/// The findings of all rules but C6.
+struct Judgement {
+    findings: Vec<(Finding, Option<&'static str>)>,
+    gap_width: f64,
+    sliver_area: f64,
+    wider_gaps: usize,
+    accepted_gaps: usize,
+    of_input: Option<PlanarMap>,
+}
+
+fn judged(
+    imported: &Imported,
+    limits: &Limits,
+    units: &Units,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Judgement, NotChecked> {
+    let map = &imported.map;
+    let Some(builder) = imported.builder.clone() else {
+        stage("checking the coverage");
+        let mut found = check(map, limits)?;
+        found.findings.extend(mismatches(map, &imported.unmatched)?);
+        let converted = |mut finding: Finding| {
+            units.convert(map, &mut finding);
+            // The vertices that were missing are those of the noding.
+            let snapping = (finding.rule == CoverageRule::Mismatch).then_some("removed");
+            (finding, snapping)
+        };
+        let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
+        let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
+        let findings = found.findings.into_iter().map(converted).collect();
+        return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
+    };
+    let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
+    let mut found = check(&of_input, limits)?;
+    found.findings.extend(mismatches(&of_input, &imported.unmatched)?);
+    // The same limits for both.
+    let limits = Limits { sliver_area: Some(found.sliver_area), ..limits.clone() };
+    let snapped = match map.noding() {
+        Some(_) => check(map, &limits)?.findings,
+        None => Vec::new(),
+    };
+    let converted = |map: &PlanarMap, finding: &Finding| {
+        let mut finding = finding.clone();
+        units.convert(map, &mut finding);
+        finding
+    };
+    let is_among = |finding: &Finding, others: &[Finding]| {
+        others.iter().any(|other| (other.rule, &other.features) == (finding.rule, &finding.features))
+    };
+    let made = snapped.iter().filter(|finding| !is_among(finding, &found.findings));
+    let made: Vec<(Finding, Option<&'static str>)> =
+        made.map(|finding| (converted(map, finding), Some("made"))).collect();
+    let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
+    let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
+    let on_input = found.findings.into_iter().map(|finding| {
+        let snapping = removed(&finding).then_some("removed");
+        (converted(&of_input, &finding), snapping)
+    });
+    let mut findings: Vec<_> = on_input.chain(made).collect();
+    findings.sort_by_key(|(finding, _)| finding.rule);
+    let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
+    Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
+}
+
+/// The missing vertices of all mismatches, sorted by place.
+fn missing_vertices(findings: &[(Finding, Option<&'static str>)]) -> Vec<(Position, [usize; 2])> {
+    let of = |finding: &Finding| {
+        let pair = [finding.features.first(), finding.features.get(1)].map(|one| one.map_or(0, |one| one.index()));
+        finding.missing.iter().map(|vertex| (position(vertex.at), pair)).collect::<Vec<_>>()
+    };
+    let mut all: Vec<_> = findings.iter().flat_map(|(finding, _)| of(finding)).collect();
+    all.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    all
+}
+
+/// The missing vertices of a mismatch.
+fn missing(finding: &Finding) -> Vec<MissingVertex> {
+    let of =
+        |vertex: &coverage::MissingVertex| MissingVertex { at: position(vertex.at), feature: vertex.feature.index() };
+    finding.missing.iter().map(of).collect()
+}
+
+/// Who lacks how many vertices.
+fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
+    let of = |feature: &FeatureName| {
+        let count = missing.iter().filter(|vertex| vertex.feature == feature.number).count();
+        let vertices = if count == 1 { "1 vertex".to_owned() } else { format!("{} vertices", grouped(count)) };
+        (count > 0).then(|| format!("{vertices} missing in {}", feature.label))
+    };
+    features.iter().filter_map(of).collect::<Vec<_>>().join(", ")
+}
+
+/// The parts that all findings of a rule have in common.
+fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Point) -> Diagnosis {
+    let (cause, remedy) = explanation(rule);
+    Diagnosis {
+        rule: Some(rule.id()),
+        kind: Kind::Named { kind: rule.name() },
+        cause: Some(cause),
+        remedy: Some(remedy),
+        look: Some(position(at)),
+        is_violation: asked.is_rule,
+        ..Diagnosis::default()
+    }
+}
+
+/// A feature that is not valid by the rules of the OGC.
+fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects: &[Defect]) -> Diagnosis {
+    let flaw = |defect: &Defect| Flaw {
+        reason: defect.kind.to_string(),
+        at: position(defect.at),
+        shape: defect.shape,
+        ring: defect.ring,
+    };
+    // They are sorted by kind.
+    let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
+    let reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
+    let points = defects.iter().map(|defect| position(defect.at)).collect();
+    let at = defects.first().map_or_else(|| Point::new(0.0, 0.0), |defect| defect.at);
+    Diagnosis {
+        message: reasons.join(", "),
+        features: Some(imported.map.feature(feature).map(|id| named(imported, id)).into_iter().collect()),
+        trace: Trace { points, ..Trace::default() },
+        defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
+        ..of_rule(CoverageRule::Validity, asked, at)
+    }
+}
+
+/// A finding as a row of a table: the features by their ids, or else names, with semicolons between.
+#[must_use]
+pub fn row(one: &Diagnosis) -> Row<'_> {
+    let features = one.features.iter().flatten().map(|feature| feature.key()).collect::<Vec<_>>().join(";");
+    let kind = one.defects.first().map_or(one.kind.name(), |flaw| &flaw.reason);
+    let (Measures { area, width, length }, [x, y]) = (one.measures, one.look.map_or([None; 2], |at| at.map(Some)));
+    (one.rule.unwrap_or_default(), kind, features, area, width, length, x, y)
+}

@@ -1,0 +1,103 @@
+//! Why there is no report.
+
+use crate::words::counted;
+use std::io;
+use twinedge::io::ReadSummary;
+use twinedge::io::tables::TablesError;
+use twinedge::map::BuildError;
+use twinedge::tile::{FinishError, GridError, MergeError, TileError};
+use twinedge_formats::{layer, mesh, postgis};
+
+/// Why an input has no report. The name of the input is not in the messages.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The input could not be read.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+    /// It could not be read as a layer.
+    #[error(transparent)]
+    Layer(#[from] layer::ReadError),
+    /// No map can be built of it.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// A tile has no summary.
+    #[error(transparent)]
+    Tile(#[from] TileError),
+    /// Summaries of tiles cannot be merged.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    /// Summaries of tiles are missing.
+    #[error(transparent)]
+    Finish(#[from] FinishError),
+    /// There is no such grid.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    /// It could not be read as a mesh.
+    #[error(transparent)]
+    Mesh(#[from] mesh::ReadError),
+    /// It could not be read as a topology of PostGIS.
+    #[error(transparent)]
+    Postgis(#[from] postgis::ReadError),
+    /// It could not be read as the tables of a textbook.
+    #[error(transparent)]
+    Textbook(#[from] TablesError),
+    /// A line of a file of tables could not be read.
+    #[error("line {line}: {message}")]
+    Table {
+        /// The line, counted from 1.
+        line: u64,
+        /// The error.
+        message: String,
+    },
+    /// A layer was asked for of a file that has but one.
+    #[error(
+        "there is no layer {layer:?}: this is {what}, and --layer is for files with several layers: GeoPackage, TopoJSON, and zip archives"
+    )]
+    NoLayer {
+        /// The layer that was asked for.
+        layer: String,
+        /// The input, in words.
+        what: String,
+    },
+    /// No feature has a value in the column that was asked for.
+    #[error("no feature has a value in the column {column}; {}", there_are(known))]
+    NoColumn {
+        /// The column.
+        column: String,
+        /// The first columns that there are.
+        known: Vec<String>,
+    },
+    /// A map is made of lines and polygons, and there are none.
+    #[error("a map is made of lines and polygons, and this file has {}; --allow-empty accepts it", instead(.0))]
+    NoMap(Box<ReadSummary>),
+    /// Lengths along the earth were asked for, and the coordinates are no longitudes and latitudes.
+    #[error(
+        "--geodesic is for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
+reference system"
+    )]
+    NotDegrees,
+    /// It is a mesh or a file of tables, which are not drawn.
+    #[error("{0} is not drawn, so that there is no page and no layer of findings")]
+    NoPicture(&'static str),
+    /// The findings could not be written as a layer.
+    #[error(transparent)]
+    Write(#[from] layer::WriteError),
+    /// The report could not be written as JSON.
+    #[error(transparent)]
+    Json(#[from] serde_json::Error),
+}
+
+fn there_are(columns: &[String]) -> String {
+    if columns.is_empty() { "there are no columns".to_owned() } else { format!("there are {}", columns.join(", ")) }
+}
+
+/// The contents of a file of which no map can be built.
+fn instead(read: &ReadSummary) -> String {
+    let features = counted(read.features, "feature");
+    match (read.features, read.points) {
+        (0, _) => "no features".to_owned(),
+        (_, 0) => format!("{features}, none with a geometry"),
+        (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
+    }
+}

@@ -1,0 +1,126 @@
+//! Ids of findings that are the same from run to run, and whatever the order of the features.
+//!
+//! An id is made of the rule, the kind, the features by their ids, or else names, and a place: the first corner of what was found, in 30
+//! binary digits. What has no place is known by the names of its records. Two findings that have all of this in common are told apart by a number.
+
+use sha2::{Digest as _, Sha256};
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use twinedge::validate::Violation;
+use twinedge_formats::diagnosis::{Diagnosis, Kind, Position};
+
+/// The number of bytes of an id.
+const BYTES: usize = 8;
+
+/// The number of binary digits of the larger coordinate of a place.
+const DIGITS: i32 = 30;
+
+/// Gives ids to findings.
+#[derive(Default)]
+pub(crate) struct Identities(HashMap<String, usize>);
+
+impl Identities {
+    /// Gives its id to a finding. O(its points).
+    pub(crate) fn identify(&mut self, one: &mut Diagnosis) {
+        let rule = one.rule.unwrap_or(one.kind.name());
+        let mut features: Vec<&str> =
+            one.features.iter().flatten().filter_map(|f| f.id.as_deref().or(f.name.as_deref())).collect();
+        features.sort_unstable();
+        let mut text = format!("{rule}\n{}\n", one.kind.name());
+        match one.kind {
+            // The vertex that names the component depends on the order.
+            Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) => {
+                let _ = write!(text, "{vertices} {edges} {cycles} {genus}");
+            }
+            _ => {
+                // Each with its length, so that different lists are different texts.
+                features.iter().for_each(|feature| {
+                    let _ = write!(text, "{}:{feature}", feature.len());
+                });
+                text.push('\n');
+                match first_corner(one) {
+                    Some(at) => text.push_str(&on_grid(at)),
+                    None => text.push_str(&one.records.names().join(",")),
+                }
+            }
+        }
+        let digest = Sha256::digest(text.as_bytes());
+        let mut id = format!("{rule}-");
+        for byte in &digest[..BYTES] {
+            let _ = write!(id, "{byte:02x}");
+        }
+        let count = self.0.entry(id.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            let _ = write!(id, "-{count}");
+        }
+        one.id = Some(id);
+    }
+}
+
+/// The first of all points of a finding, in order of x and then y.
+fn first_corner(one: &Diagnosis) -> Option<Position> {
+    let trace = &one.trace;
+    let rings = trace.polygons.iter().flatten().chain(&trace.lines).flatten();
+    let all = rings.chain(&trace.points).chain(one.places.iter().flatten()).chain(&one.look);
+    let of_trace = all.filter(|at| at.iter().all(|x| x.is_finite())).copied();
+    of_trace.reduce(|a, b| if a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).is_le() { a } else { b })
+}
+
+/// A place in words: both coordinates in units of the last of the digits of the larger one.
+fn on_grid([x, y]: Position) -> String {
+    let largest = x.abs().max(y.abs());
+    if largest == 0.0 {
+        return "0 0".to_owned();
+    }
+    let exponent = largest.log2().floor() as i32 - DIGITS;
+    let cell = f64::from(exponent).exp2();
+    format!("{} {} {exponent}", (x / cell).round() + 0.0, (y / cell).round() + 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Identities, on_grid};
+    use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
+
+    fn feature(number: usize, id: &str) -> FeatureName {
+        FeatureName { number, id: Some(id.to_owned()), name: None, label: String::new() }
+    }
+
+    fn identified(features: Vec<FeatureName>, look: [f64; 2]) -> Diagnosis {
+        Diagnosis { rule: Some("C1"), features: Some(features), look: Some(look), ..Diagnosis::default() }
+    }
+
+    #[test]
+    fn an_id_is_that_of_rule_features_and_place() {
+        let mut all = Identities::default();
+        let mut id = |mut one: Diagnosis| {
+            all.identify(&mut one);
+            one.id.expect("it has one")
+        };
+        let first = id(identified(vec![feature(0, "a"), feature(1, "b")], [1.0, 2.0]));
+        assert!(first.starts_with("C1-") && first.len() == 3 + 16, "{first}");
+        // The numbers of the features do not matter, and neither does the order.
+        let again = id(identified(vec![feature(7, "b"), feature(3, "a")], [1.0, 2.0]));
+        assert_eq!(again, format!("{first}-2"));
+        let others = [
+            identified(vec![feature(0, "a"), feature(1, "c")], [1.0, 2.0]),
+            identified(vec![feature(0, "ab")], [1.0, 2.0]),
+            identified(vec![feature(0, "a"), feature(1, "b")], [1.0, 2.000_001]),
+        ];
+        for other in others {
+            assert!(!id(other).starts_with(&first));
+        }
+    }
+
+    #[test]
+    fn a_place_has_thirty_digits() {
+        assert_eq!(on_grid([3.0, -0.0]), "1610612736 0 -29");
+        assert_eq!(on_grid([-3.0 - 1e-10, 0.5]), "-1610612736 268435456 -29");
+        assert_ne!(on_grid([3.0 + 1e-8, 0.5]), on_grid([3.0, 0.5]));
+        assert_eq!(on_grid([0.0, -0.0]), "0 0");
+        // The smallest and the largest that the predicates take.
+        assert!(on_grid([1e-140, 1e-145]).ends_with(" -496"));
+        assert!(on_grid([1e140, 0.0]).ends_with(" 435"));
+    }
+}

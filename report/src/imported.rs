@@ -1,0 +1,156 @@
+//! A map that was read and built.
+
+use crate::error::Error;
+use crate::input::Input;
+use crate::noted::{Keep, Noted};
+use std::io::Read;
+use std::path::Path;
+use twinedge::geometry::noding::Snap;
+use twinedge::io::ReadSummary;
+use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
+use twinedge_formats::layer::{Crs, Format, ReadError, ReadOptions, read, to_map};
+
+/// The way to build a map.
+#[derive(Clone, Debug, Default)]
+pub struct MapOptions {
+    /// The grid to which points are rounded where segments are cut; without one, nothing is cut.
+    pub snap: Option<Snap>,
+    /// The column that names the features.
+    pub name_from: Option<String>,
+    /// A file without lines and polygons is no error.
+    pub allow_empty: bool,
+}
+
+/// A map that was read and built.
+#[derive(Debug)]
+pub struct Imported {
+    /// The name of the input.
+    pub name: String,
+    /// The numbers of what was read and dropped.
+    pub read: ReadSummary,
+    /// The map.
+    pub map: PlanarMap,
+    /// What was found while the map was gathered.
+    pub summary: BuildSummary,
+    /// The notes on the features.
+    pub noted: Noted,
+    /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
+    pub builder: Option<Builder>,
+    /// The vertices that borders of features lack (C7), if the coverage is judged.
+    pub unmatched: Vec<UnmatchedVertex>,
+    /// The coordinate reference system, if the file names one.
+    pub crs: Option<Crs>,
+    /// True if the format says which way rings turn.
+    pub orients_rings: bool,
+}
+
+impl Imported {
+    /// Reads a map, builds it and keeps what is asked for. `stage` is told what begins.
+    ///
+    /// # Errors
+    /// [`Error`].
+    pub fn read(
+        input: Input,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        stage: &mut dyn FnMut(&'static str),
+    ) -> Result<Self, Error> {
+        let gathered = Gathered::new(input, options, keep, &mut drop)?;
+        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let summary = builder.summary().clone();
+        stage("building the map");
+        let (map, builder, unmatched) = match options.snap {
+            None if keep.coverage => {
+                let (map, builder) = builder.build_keeping()?;
+                // Of a plane map, borders meet at vertices only.
+                let unmatched = builder.as_ref().map(Builder::unmatched).unwrap_or_default();
+                (map, builder, unmatched)
+            }
+            None => (builder.build()?, None, Vec::new()),
+            Some(snap) if keep.coverage => {
+                let unmatched = builder.unmatched();
+                // What a grid that was asked for removed or made is found by comparing.
+                let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
+                (builder.build_with(Noding::Snap(snap))?, kept, unmatched)
+            }
+            Some(snap) => (builder.build_with(Noding::Snap(snap))?, None, Vec::new()),
+        };
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings })
+    }
+
+    /// Reads the features of a map, and builds no map of them: it has only their names.
+    ///
+    /// # Errors
+    /// [`Error`].
+    pub fn features(input: Input, options: &MapOptions, keep: Keep<'_>) -> Result<(Self, Vec<Feature>), Error> {
+        let mut features = Vec::new();
+        let gathered = Gathered::new(input, options, keep, &mut |feature| features.push(feature))?;
+        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let summary = builder.summary().clone();
+        drop(builder);
+        let map = names(features.iter().map(|feature| feature.name.clone()))?;
+        let (builder, unmatched) = (None, Vec::new());
+        Ok((Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings }, features))
+    }
+}
+
+/// A map without anything on it, whose features have these names.
+pub(crate) fn names(names: impl Iterator<Item = Option<String>>) -> Result<PlanarMap, Error> {
+    let mut builder = Builder::new();
+    for name in names {
+        builder.feature(&Feature { name, ..Feature::default() })?;
+    }
+    Ok(builder.build()?)
+}
+
+/// What was gathered of an input.
+struct Gathered {
+    name: String,
+    builder: Builder,
+    read: ReadSummary,
+    noted: Noted,
+    crs: Option<Crs>,
+    orients_rings: bool,
+}
+
+impl Gathered {
+    fn new(
+        mut input: Input,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        each: &mut dyn FnMut(Feature),
+    ) -> Result<Self, Error> {
+        let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
+        let read_options = input.options();
+        let Input { name, mut reader, path, kept: _kept, .. } = input;
+        let noted = Noted::new(options.name_from.clone());
+        let (builder, read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
+        if !options.allow_empty && read.polygons + read.lines == 0 {
+            return Err(Error::NoMap(Box::new(read)));
+        }
+        noted.refuse_unknown_columns(keep)?;
+        Ok(Self { name, builder, read, noted, crs, orients_rings })
+    }
+}
+
+/// Reads features into a builder, and hands each on.
+fn gather(
+    reader: &mut dyn Read,
+    path: Option<&Path>,
+    options: &ReadOptions,
+    mut noted: Noted,
+    keep: Keep<'_>,
+    each: &mut dyn FnMut(Feature),
+) -> Result<(Builder, ReadSummary, Noted, Option<Crs>), ReadError> {
+    let mut builder = Builder::new();
+    let mut summary = ReadSummary::default();
+    let header = read(reader, path, options, &mut |feature| {
+        let mut of_map = to_map(&feature, &mut summary);
+        noted.note(&mut of_map, &feature, keep);
+        builder.feature(&of_map).map_err(ReadError::refused)?;
+        each(of_map);
+        Ok(())
+    })?;
+    summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
+    Ok((builder, summary, noted, header.crs))
+}

@@ -1,0 +1,82 @@
+//! An input, opened.
+
+use crate::error::Error;
+use std::any::Any;
+use std::ffi::OsStr;
+use std::fmt::Display;
+use std::io::BufRead;
+use std::path::{Path, PathBuf};
+use twinedge_formats::layer::{Format, ReadOptions, format_of};
+use twinedge_formats::mesh::Format as MeshFormat;
+
+/// An input, opened.
+pub struct Input {
+    /// The name by which the report calls it.
+    pub name: String,
+    /// Its bytes.
+    pub reader: Box<dyn BufRead>,
+    /// The path, if it is a file.
+    pub path: Option<PathBuf>,
+    /// The layer that was asked for, if the file may have several.
+    pub layer: Option<String>,
+    /// Something that is kept until the input is read, such as a folder to which it was unpacked.
+    pub kept: Option<Box<dyn Any>>,
+}
+
+impl Input {
+    /// An input with this name. Its path tells the format, where the content does not, and some formats are read by their path.
+    pub fn new(name: impl Into<String>, reader: Box<dyn BufRead>, path: Option<&Path>) -> Self {
+        Self { name: name.into(), reader, path: path.map(Path::to_owned), layer: None, kept: None }
+    }
+
+    /// The way to read its layer.
+    #[must_use]
+    pub fn options(&self) -> ReadOptions {
+        ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() }
+    }
+
+    /// Its first bytes, without reading them.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn beginning(&mut self) -> Result<&[u8], Error> {
+        Ok(self.reader.fill_buf()?)
+    }
+
+    /// The format if it is a map.
+    ///
+    /// # Errors
+    /// [`Error::NoLayer`], for a layer that is asked of a format whose files have one, and [`Error::Io`].
+    pub fn map_format(&mut self) -> Result<Option<Format>, Error> {
+        let options = self.options();
+        let Ok(format) = format_of(self.reader.fill_buf()?, self.path.as_deref(), &options) else { return Ok(None) };
+        if !matches!(format, Format::GeoPackage | Format::TopoJson) {
+            self.refuse_layer(format)?;
+        }
+        Ok(Some(format))
+    }
+
+    /// Refuses a layer that was asked for, unless it has the name of the file.
+    ///
+    /// # Errors
+    /// [`Error::NoLayer`].
+    pub fn refuse_layer(&self, what: impl Display) -> Result<(), Error> {
+        let of_file = self.path.as_deref().and_then(Path::file_stem);
+        match self.layer.as_deref().filter(|layer| of_file != Some(OsStr::new(layer))) {
+            None => Ok(()),
+            Some(layer) => Err(Error::NoLayer { layer: layer.to_owned(), what: what.to_string() }),
+        }
+    }
+
+    /// The format if it is a mesh: by its name, or else by how it begins.
+    ///
+    /// # Errors
+    /// [`Error::Io`].
+    pub fn mesh_format(&mut self) -> Result<Option<MeshFormat>, Error> {
+        let path = self.path.as_deref();
+        match (path.and_then(MeshFormat::of_name), path.and_then(Format::of_path)) {
+            (None, None) => Ok(MeshFormat::of_content(self.beginning()?)),
+            (by_name, _) => Ok(by_name),
+        }
+    }
+}

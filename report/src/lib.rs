@@ -1,0 +1,65 @@
+//! The audit of a map, a mesh, a topology or tables, from bytes to a report.
+//!
+//! ```text
+//!   Input ─► InputKind::of ─► audit ─► Audited ─► JSON · text · layer of findings · page
+//! ```
+//!
+//! The program `twinedge` and the package for browsers call [`audit`]: what one of them says of an input, the other says, too. Nothing here
+//! opens a file by itself, starts a thread or looks at the time.
+//!
+//! ```
+//! use twinedge_report::{Input, InputKind, Options, audit};
+//!
+//! let square = r#"{"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]]}"#;
+//! let mut input = Input::new("square.geojson", Box::new(square.as_bytes()), None);
+//! let kind = InputKind::of(false, false, &mut input)?;
+//! let audited = audit(input, kind, &Options::default(), &mut |_| {})?;
+//! assert!(audited.is_valid());
+//! assert!(audited.text()?.contains("every rule that applies holds"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod audit;
+mod coverage;
+mod coverage_words;
+pub mod diagnosis_text;
+mod error;
+mod findings_geojson;
+mod identity;
+mod imported;
+mod input;
+mod input_kind;
+mod map;
+mod map_json;
+mod map_notes;
+mod mesh;
+pub mod names;
+pub mod noding_text;
+mod noted;
+mod options;
+mod packed;
+mod page;
+mod reader_words;
+mod report;
+mod tables;
+mod text;
+mod textbook;
+mod tiles;
+mod topology;
+mod trace;
+mod units;
+mod verdict;
+pub mod words;
+
+pub use audit::{Audited, audit, audit_summary};
+pub use coverage::{Coverage, CoverageOptions, Row, row};
+pub use error::Error;
+pub use imported::{Imported, MapOptions};
+pub use input::Input;
+pub use input_kind::InputKind;
+pub use noted::{Condition, Keep, Noted};
+pub use options::Options;
+pub use tables::EXPECT;
+pub use tiles::{grid_around, merged};
+pub use units::Units;
+pub use verdict::{Judged, Verdict};

@@ -1,0 +1,149 @@
+//! The audit of a map.
+
+use crate::coverage::{Coverage, SHOWN};
+use crate::error::Error;
+use crate::imported::Imported;
+use crate::map_json::extra;
+use crate::map_notes::notes;
+use crate::names::named;
+use crate::options::Options;
+use crate::packed::{Beside, Map, Names, Picture};
+use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
+use crate::trace::placed;
+use crate::units::Units;
+use crate::words::counted;
+use serde_json::to_value;
+use std::collections::BTreeSet;
+use twinedge::algorithm::colouring::feature_colours;
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge::dcel::{Boundary, Face, Vertex};
+use twinedge::map::{FeatureId, PlanarMap};
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, places, validate_embedding};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
+
+/// Validates the map, and judges it as a coverage.
+pub(crate) fn audit(
+    imported: &Imported,
+    asked: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<AuditReport, Error> {
+    let Imported { name, map, noted, crs, .. } = imported;
+    let list = asked.most();
+    stage("validating");
+    let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(list));
+    let units = Units::of(imported, asked.geodesic)?;
+    let coverage = Coverage::new(imported, &asked.coverage, &units, list, stage);
+    let is_rule = asked.coverage.is_rule;
+    let of_coverage = if is_rule { coverage.total() } else { 0 };
+    // What cannot be checked is not known to hold.
+    let is_coverage = of_coverage == 0 && (!is_rule || coverage.not_checked().is_none());
+    let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
+    Ok(AuditReport {
+        valid: report.is_valid() && is_coverage,
+        found: counted(report.violation_count() as usize + of_coverage, "violation"),
+        json: JsonForm {
+            counts: to_value(report.counts())?,
+            bounds: report.figures().and_then(|figures| figures.bounds),
+            extra: extra(imported, &warnings),
+            ..JsonForm::default()
+        },
+        notes: notes(imported, warnings),
+        counts: counts(report.counts()),
+        rules: RuleLine::of(&report),
+        violations: violations(imported, &report, &coverage),
+        violation_count: report.violation_count(),
+        style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
+        crs: crs.clone(),
+        coverage: Some(coverage),
+        ..AuditReport::new(name)
+    })
+}
+
+/// The violations, with their places and the features around, and what mends them by the commands of this program.
+fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<Diagnosis> {
+    let map = &imported.map;
+    let clashes = report.outcome(Rule::G4).map_or(0, |outcome| outcome.violations);
+    let clash = |violation: &Violation| violation.rule() == Rule::G4;
+    let is_mismatch = |violation: &Violation| {
+        // Where two edges cross there is no vertex.
+        let may_be =
+            clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
+        may_be && coverage.lacks_any(&places(map, violation), &features(map, violation))
+    };
+    let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
+    let diagnosis = |violation: &Violation| {
+        let diagnosis = placed(map, violation);
+        // Where borders clash, the map does not fit in the plane.
+        let follows_from = match violation.rule() {
+            Rule::G4 => is_mismatch(violation).then_some(CoverageRule::Mismatch.id()),
+            Rule::T3 if clashes > 0 && of_mismatches == clashes => Some(CoverageRule::Mismatch.id()),
+            Rule::T3 if clashes > 0 => Some(Rule::G4.id()),
+            _ => None,
+        };
+        Diagnosis {
+            features: Some(features(map, violation).into_iter().map(|feature| named(imported, feature)).collect()),
+            remedy: match violation.rule() {
+                // The remedies of the library are its own functions where the map is not plane.
+                Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
+                    Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
+                }
+                Rule::T3 => Some("mend the crossings (G4), from which it follows"),
+                Rule::G4 => Some(
+                    "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
+audited as if they were cut",
+                ),
+                _ => diagnosis.remedy,
+            },
+            follows_from,
+            ..diagnosis
+        }
+    };
+    report.violations().iter().map(diagnosis).collect()
+}
+
+/// The features that a violation touches, in order.
+fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
+    let dcel = map.dcel();
+    let mut found = BTreeSet::new();
+    for record in violation.records().into_iter().flatten() {
+        let half_edges: Vec<_> = match record {
+            Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
+            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
+            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
+            Record::Face(f) => {
+                let face = dcel.face_at(f).map(Face::key);
+                found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten());
+                Vec::new()
+            }
+        };
+        for h in half_edges {
+            found.extend(map.features_along(h.key()).into_iter().flatten());
+        }
+    }
+    found
+}
+
+/// The map for a page. Where it is not plane, the faces that are filled are those of the input with its borders cut.
+pub(crate) fn picture(imported: &Imported, report: &AuditReport) -> Picture {
+    let map = &imported.map;
+    let windows = report.windows();
+    let pack = |map: &PlanarMap| {
+        let features = |face: usize| match map.dcel().face_at(face) {
+            Some(face) if map.is_plane() => {
+                map.features_of(face.key()).into_iter().flatten().map(|f| f.index()).collect()
+            }
+            _ => Vec::new(),
+        };
+        Map::pack(map, Beside { features: &features, names: Names::Indices, windows: &windows })
+    };
+    let mut packed = pack(map);
+    let of_input = report.coverage.as_ref().and_then(Coverage::of_input).filter(|_| !map.is_plane());
+    packed.areas = of_input.map(|of_input| Box::new(pack(of_input)));
+    // Where the map is not plane, it is not known on it which features are neighbours.
+    let colours = feature_colours(of_input.unwrap_or(map));
+    let feature = |(id, colour)| {
+        let FeatureName { id, name, .. } = named(imported, id);
+        (name, id, colour)
+    };
+    Picture { map: packed, features: map.features().zip(colours).map(feature).collect() }
+}

@@ -1,0 +1,74 @@
+//! Auditing a mesh file.
+
+use crate::error::Error;
+use crate::input::Input;
+use crate::options::Options;
+use crate::report::{AuditReport, JsonForm, Note};
+use crate::words::{counted, grouped};
+use serde_json::{Map, to_value};
+use twinedge::validate::{Collect, Violation};
+use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, MeshFile};
+
+/// Reads a mesh, joins its faces, and judges it. At most as many findings of each kind are listed as asked for.
+pub(crate) fn audit(
+    Input { name, reader, .. }: Input,
+    format: MeshFormat,
+    asked: &Options,
+) -> Result<AuditReport, Error> {
+    let file = mesh::read(reader, Some(format))?;
+    let audit = mesh::audit(&file.mesh, &asked.mesh, Collect::AtMost(asked.most()));
+    let (findings, report, first) = (audit.findings(), audit.report(), format.first_number());
+    let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
+    let mut extra = Map::new();
+    extra.insert("format".to_owned(), format.name().into());
+    extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
+    extra.insert("messages_count_from".to_owned(), first.into());
+    Ok(AuditReport {
+        valid: audit.is_valid(),
+        found: numbers.map(|(count, name)| counted(count, name)).join(", "),
+        notes: notes(&file),
+        counts: audit
+            .count_lines()
+            .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))
+            .into(),
+        rules: RuleLine::of(report),
+        violations: report.violations().iter().map(|one| violation(one, first)).collect(),
+        violation_count: report.violation_count(),
+        findings: findings.list().iter().map(|one| finding(one, first)).collect(),
+        finding_count: findings.total() as u64,
+        remarks: audit.remarks(),
+        json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
+        ..AuditReport::new(&name)
+    })
+}
+
+/// A violation with the numbers of the file in its message.
+fn violation(violation: &Violation, first: usize) -> Diagnosis {
+    Diagnosis { message: violation.named(|record| record.index() + first).message(), ..violation.into() }
+}
+
+/// A finding with the numbers of the file in its message.
+fn finding(finding: &Finding, first: usize) -> Diagnosis {
+    Diagnosis { message: finding.counted_from(first).to_string(), ..finding.into() }
+}
+
+/// A number with its thousands set off, and its sign.
+fn signed(count: isize) -> String {
+    let sign = if count < 0 { "-" } else { "" };
+    format!("{sign}{}", grouped(count.unsigned_abs()))
+}
+
+fn notes(file: &MeshFile) -> Vec<Note> {
+    let (points, faces) = (file.mesh.points().len(), file.mesh.face_count());
+    let dropped = file.dropped.iter().map(|dropped| format!("; not used: {} {}", dropped.count, dropped.what));
+    let dropped: String = dropped.collect();
+    let as_the_file = if file.format.first_number() == 1 { ", as the file counts points" } else { "" };
+    vec![
+        Note::Plain(format!("{}, {}, {}{dropped}", file.format, counted(points, "point"), counted(faces, "face"))),
+        Note::Plain(format!(
+            "vertices, faces and corners (half-edges) are counted from {}{as_the_file}",
+            file.format.first_number()
+        )),
+    ]
+}

@@ -1,0 +1,244 @@
+//! Notes on features, taken while they are read, since a map does not keep them: ids, conditions met, defects, places.
+
+use crate::error::Error;
+use crate::words::{counted, decimals, plain};
+use std::collections::{BTreeSet, HashSet};
+use std::str::FromStr;
+use twinedge::algorithm::coverage::{Defect, defects};
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map::{Feature, Shape};
+use twinedge_formats::layer::{Feature as LayerFeature, Value};
+
+/// The number of columns that an error lists.
+const COLUMNS: usize = 20;
+
+/// The number of features without geometry that a warning names.
+const NULL: usize = 5;
+
+/// The greatest longitude, either way: some maps go on beyond the antimeridian.
+const LONGITUDE: f64 = 360.0;
+
+/// The greatest latitude, either way, as rounding may exceed it.
+const LATITUDE: f64 = 90.0 + 1e-6;
+
+/// The latitude from which on an edge counts as one along a pole.
+const POLE: f64 = 89.0;
+
+/// A value that a column of a feature is to have.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// The column.
+    pub column: String,
+    /// The value, as text.
+    pub value: String,
+}
+
+impl FromStr for Condition {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (column, value) = text.split_once('=').ok_or("no COLUMN=VALUE")?;
+        Ok(Self { column: column.to_owned(), value: value.to_owned() })
+    }
+}
+
+/// The notes on the input that are kept beside the map.
+#[derive(Clone, Copy, Default)]
+pub struct Keep<'a> {
+    /// The parts by which the coverage is judged.
+    pub coverage: bool,
+    /// The features that meet a condition.
+    pub condition: Option<&'a Condition>,
+}
+
+/// The notes on the features.
+#[derive(Debug)]
+pub struct Noted {
+    name_from: Option<String>,
+    /// The id of each feature in the file.
+    pub ids: Vec<Option<String>>,
+    /// The numbers of the features that meet the condition.
+    pub matching: Vec<usize>,
+    /// Features that are not valid by the rules of the OGC, by number.
+    pub defects: Vec<(usize, Vec<Defect>)>,
+    /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
+    across_antimeridian: usize,
+    /// The first features without geometry, and how many there are.
+    null: (Vec<String>, usize),
+    /// Columns of text in which no value is missing or repeated so far, while no feature has a name or an id.
+    unique: Option<Vec<(String, HashSet<String>)>>,
+    /// Least and greatest coordinates.
+    low: Point,
+    high: Point,
+    columns: BTreeSet<String>,
+    has_name: bool,
+    has_condition: bool,
+}
+
+impl Noted {
+    /// Nothing yet. Names are taken from the column, if one is given.
+    pub(crate) fn new(name_from: Option<String>) -> Self {
+        let far = f64::INFINITY;
+        Self {
+            name_from,
+            ids: Vec::new(),
+            matching: Vec::new(),
+            defects: Vec::new(),
+            across_antimeridian: 0,
+            null: (Vec::new(), 0),
+            unique: None,
+            low: Point::new(far, far),
+            high: Point::new(-far, -far),
+            columns: BTreeSet::new(),
+            has_name: false,
+            has_condition: false,
+        }
+    }
+
+    /// Notes the next feature, and names it by the column asked for.
+    pub(crate) fn note(&mut self, feature: &mut Feature, read: &LayerFeature, keep: Keep<'_>) {
+        let text = |column: &str| read.get(column).and_then(Value::text);
+        let number = self.ids.len();
+        self.ids.push(feature.id.clone());
+        if let Some(column) = &self.name_from {
+            feature.name = text(column);
+            self.has_name |= feature.name.is_some();
+        }
+        if let Some(Condition { column, value }) = keep.condition {
+            let found = text(column);
+            self.has_condition |= found.is_some();
+            if found.as_ref() == Some(value) {
+                self.matching.push(number);
+            }
+        }
+        if (self.name_from.is_some() || keep.condition.is_some()) && self.columns.len() < COLUMNS {
+            self.columns.extend(read.attributes.iter().map(|(name, _)| name.to_string()));
+        }
+        if keep.coverage {
+            let found = defects(&feature.shapes);
+            if !found.is_empty() {
+                self.defects.push((number, found));
+            }
+        }
+        if read.geometry.is_none() {
+            self.null.1 += 1;
+            if self.null.0.len() < NULL {
+                let name = feature.name.as_ref().or(feature.id.as_ref()).map(|name| plain(name));
+                self.null.0.push(name.unwrap_or_else(|| format!("feature {number}")));
+            }
+        }
+        self.note_unique(number, feature, read);
+        let mut crosses = false;
+        for chain in feature.shapes.iter().flat_map(chains) {
+            for p in chain {
+                self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
+                self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
+            }
+            crosses |= chain.windows(2).any(|pair| goes_around(pair[0], pair[1]));
+        }
+        self.across_antimeridian += usize::from(crosses);
+    }
+
+    /// Notes which columns could name the features.
+    fn note_unique(&mut self, number: usize, feature: &Feature, read: &LayerFeature) {
+        if feature.name.is_some() || feature.id.is_some() || self.name_from.is_some() {
+            self.unique = Some(Vec::new());
+            return;
+        }
+        let of_text = read.attributes.iter().filter_map(|(column, value)| match value {
+            Value::Text(text) => Some((column.to_string(), text)),
+            _ => None,
+        });
+        if number == 0 {
+            self.unique =
+                Some(of_text.take(COLUMNS).map(|(column, text)| (column, HashSet::from([text.clone()]))).collect());
+            return;
+        }
+        let unique = self.unique.get_or_insert_default();
+        unique.retain_mut(|(column, seen)| match read.get(column) {
+            Some(Value::Text(text)) => seen.insert(text.clone()),
+            _ => false,
+        });
+    }
+
+    /// The columns that could name the features, if none has a name.
+    pub(crate) fn hint(&self) -> Option<String> {
+        let columns = self.unique.as_ref().filter(|_| self.ids.len() > 1)?;
+        let mut names = columns.iter().map(|(column, _)| plain(column));
+        let first = names.next()?;
+        let others: Vec<String> = names.collect();
+        let or = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
+        Some(format!("the features have no names: --name-from {first} takes them from a column{or}"))
+    }
+
+    /// With how many decimal places a place is shown in text.
+    #[must_use]
+    pub fn decimals(&self) -> usize {
+        let all = [self.low.x, self.low.y, self.high.x, self.high.y];
+        decimals(all.into_iter().filter(|x| x.is_finite()).fold(0.0, |greatest, x| x.abs().max(greatest)))
+    }
+
+    /// Refuses a column that no feature has.
+    pub(crate) fn refuse_unknown_columns(&self, keep: Keep<'_>) -> Result<(), Error> {
+        let by_name = self.name_from.as_ref().filter(|_| !self.has_name);
+        let by_condition = keep.condition.map(|condition| &condition.column).filter(|_| !self.has_condition);
+        let Some(column) = by_name.or(by_condition) else { return Ok(()) };
+        let known = self.columns.iter().take(COLUMNS).map(|column| plain(column)).collect();
+        Err(Error::NoColumn { column: column.clone(), known })
+    }
+
+    /// Returns true if the coordinates can be longitudes and latitudes, and no other reference system is named.
+    pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
+        read.other_crs == 0
+            && self.low.x >= -LONGITUDE
+            && self.high.x <= LONGITUDE
+            && self.low.y >= -LATITUDE
+            && self.high.y <= LATITUDE
+    }
+
+    /// The features without geometry, and their number.
+    pub(crate) fn without_geometry(&self) -> Option<String> {
+        let (names, count) = &self.null;
+        let more = if *count > names.len() { ", …" } else { "" };
+        (*count > 0).then(|| format!("{} without geometry: {}{more}", counted(*count, "feature"), names.join(", ")))
+    }
+
+    /// Warnings about the coordinates.
+    #[must_use]
+    pub fn warnings(&self, read: &ReadSummary) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if read.other_crs > 0 {
+            warnings.push(
+                "the file names a coordinate reference system (crs) other than longitude and latitude on WGS 84; it was \
+ignored, and lengths and areas are in its units"
+                    .to_owned(),
+            );
+        }
+        if self.look_like_degrees(read) && self.across_antimeridian > 0 {
+            let (count, have) = match self.across_antimeridian {
+                1 => ("1 feature".to_owned(), "has"),
+                n => (format!("{n} features"), "have"),
+            };
+            warnings.push(format!(
+                "{count} {have} edges that span more than 180 degrees of longitude: they probably cross the antimeridian, and run \
+around the whole map here; cut them at 180 degrees"
+            ));
+        }
+        warnings
+    }
+}
+
+/// Returns true if an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
+fn goes_around(a: Point, b: Point) -> bool {
+    (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
+}
+
+/// The rings, lines and points of a shape.
+fn chains(shape: &Shape) -> Box<dyn Iterator<Item = &[Point]> + '_> {
+    match shape {
+        Shape::Polygon(rings) => Box::new(rings.iter().map(Vec::as_slice)),
+        Shape::Line(points) => Box::new(std::iter::once(points.as_slice())),
+        Shape::Point(point) => Box::new(std::iter::once(std::slice::from_ref(point))),
+    }
+}

@@ -1,0 +1,220 @@
+//! The page: one file with its style, its script and its data.
+//!
+//! A policy in the page forbids it to load anything. What comes from the input is in a block of JSON without `<`, `>` and `&`, and
+//! the script sets it as text.
+
+use crate::coverage_words::statement;
+use crate::diagnosis_text::full_message;
+use crate::packed::Picture;
+use crate::reader_words;
+use crate::report::{AuditReport, Note};
+use crate::verdict::Verdict;
+use crate::words::{counted, grouped, plain};
+use serde::Serialize;
+use std::ffi::OsStr;
+use std::fmt::Write as _;
+use std::path::Path;
+use twinedge_formats::diagnosis::{Diagnosis, Measures, Position, RuleLine, Trace};
+
+const PAGE: &str = include_str!("html/page.html");
+const STYLE: &str = include_str!("html/style.css");
+
+/// In the order in which they are run.
+const SCRIPTS: [&str; 12] = [
+    include_str!("html/unpack.js"),
+    include_str!("html/colours.js"),
+    include_str!("html/view.js"),
+    include_str!("html/faces.js"),
+    include_str!("html/half_edges.js"),
+    include_str!("html/names.js"),
+    include_str!("html/findings.js"),
+    include_str!("html/edges.js"),
+    include_str!("html/scale_bar.js"),
+    include_str!("html/insets.js"),
+    include_str!("html/list.js"),
+    include_str!("html/main.js"),
+];
+
+/// The data of the script.
+#[derive(Serialize)]
+struct Data<'a> {
+    input: &'a str,
+    name: &'a str,
+    valid: bool,
+    verdict: &'a str,
+    notes: Vec<String>,
+    counts: &'a [(&'static str, String)],
+    rules: Vec<Rule>,
+    unit: Option<&'static str>,
+    findings: Vec<Finding<'a>>,
+    total: u64,
+    #[serde(flatten)]
+    picture: &'a Picture,
+}
+
+#[derive(Serialize)]
+struct Rule {
+    id: &'static str,
+    name: &'static str,
+    statement: &'static str,
+    outcome: String,
+    found: u64,
+}
+
+#[derive(Serialize)]
+struct Finding<'a> {
+    rule: &'static str,
+    name: &'static str,
+    kind: &'a str,
+    message: String,
+    /// The same in words about features.
+    sentence: Option<String>,
+    violation: bool,
+    records: Vec<String>,
+    features: Vec<usize>,
+    area: Option<f64>,
+    width: Option<f64>,
+    length: Option<f64>,
+    cause: Option<&'static str>,
+    remedy: Option<&'static str>,
+    at: Option<Position>,
+    trace: &'a Trace,
+}
+
+impl<'a> Finding<'a> {
+    fn new(report: &AuditReport, one: &'a Diagnosis) -> Self {
+        let Measures { area, width, length } = one.measures;
+        Self {
+            rule: one.rule.unwrap_or_default(),
+            name: report.name_of_rule(one),
+            kind: one.kind.name(),
+            message: full_message(one),
+            sentence: reader_words::sentence(one, report.style.decimals),
+            violation: one.is_violation,
+            records: one.records.names(),
+            features: one.features.iter().flatten().map(|feature| feature.number).collect(),
+            area,
+            width,
+            length,
+            cause: one.cause,
+            remedy: one.remedy,
+            at: one.look,
+            trace: &one.trace,
+        }
+    }
+}
+
+/// The listed diagnoses. Findings of a coverage come first: they say what the clashes of borders mean.
+fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
+    let mut listed: Vec<&Diagnosis> = report.listed().collect();
+    listed.sort_by_key(|one| !one.rule.is_some_and(|rule| rule.starts_with('C')));
+    listed.into_iter().map(|one| Finding::new(report, one)).collect()
+}
+
+/// The rules of the validator and the format, and C1 … C7 where there are polygons.
+fn rules(report: &AuditReport) -> Vec<Rule> {
+    let own = report.rules.iter().map(|rule| {
+        let checked = format!("{} {}", grouped(rule.checked), rule.unit);
+        let outcome = match (rule.violations, rule.not_checked()) {
+            (0, None) => format!("holds for {checked}"),
+            (0, Some(why)) if rule.is_in_part() => format!("holds for {checked}; {why}"),
+            (0, Some(why)) => why,
+            (n, _) => format!("{} in {checked}", counted(n as usize, "violation")),
+        };
+        let RuleLine { id, name, statement, violations: found, .. } = *rule;
+        Rule { id, name, statement, outcome, found }
+    });
+    let of_coverage = report.coverage.iter().filter(|coverage| coverage.has_polygons()).flat_map(|coverage| {
+        coverage.counts().map(|(rule, count, _)| Rule {
+            id: rule.id(),
+            name: rule.name(),
+            statement: statement(rule),
+            outcome: coverage.outcome(rule),
+            found: count as u64,
+        })
+    });
+    own.chain(of_coverage).collect()
+}
+
+fn note(note: &Note) -> Option<String> {
+    match note {
+        Note::Plain(note) => Some(note.clone()),
+        Note::Warning(warning) => Some(format!("Warning: {warning}")),
+        Note::Detail(_) => None,
+    }
+}
+
+/// The page.
+pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Result<String> {
+    let verdict = report.sentence();
+    let name = Path::new(&report.input).file_name().and_then(OsStr::to_str).unwrap_or(&report.input);
+    let data = Data {
+        input: &report.input,
+        name,
+        valid: report.verdict() == Verdict::Valid,
+        verdict: &verdict,
+        notes: report.notes.iter().filter_map(note).collect(),
+        counts: &report.counts,
+        rules: rules(report),
+        unit: report.unit(),
+        findings: findings(report),
+        total: report.total(),
+        picture,
+    };
+    let data = in_script(&serde_json::to_string(&data)?);
+    let title = in_element(&plain(name));
+    let verdict = in_element(&plain(&verdict));
+    let script = SCRIPTS.concat();
+    let mut page = String::with_capacity(data.len() + script.len() + 20_000);
+    let mut rest = PAGE;
+    for (mark, text) in
+        [("{title}", &*title), ("{style}", STYLE), ("{verdict}", &*verdict), ("{data}", &*data), ("{script}", &*script)]
+    {
+        let (before, after) = rest.split_once(mark).unwrap_or((rest, ""));
+        page.push_str(before);
+        page.push_str(text);
+        rest = after;
+    }
+    page.push_str(rest);
+    Ok(page)
+}
+
+/// JSON as it may stand in an element `script`: it has none of these characters outside of texts.
+fn in_script(json: &str) -> String {
+    let mut out = String::with_capacity(json.len());
+    for c in json.chars() {
+        match c {
+            '<' | '>' | '&' | '\u{2028}' | '\u{2029}' => {
+                // Writing to a string cannot fail.
+                let _ = write!(out, "\\u{:04x}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// Text as it may stand in an element.
+fn in_element(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AuditReport, Picture, page};
+    use serde_json::Value;
+
+    #[test]
+    fn what_comes_from_the_input_ends_no_element() {
+        let hostile = "</script><script>alert(1)</script><!--\u{2028}\"'&amp; {data} \u{1b}[31m";
+        let report = AuditReport { found: hostile.to_owned(), ..AuditReport::new(hostile) };
+        let page = page(&report, &Picture::default()).expect("it can be written");
+        assert_eq!(page.matches("</script>").count(), 2);
+        assert!(!page.contains("alert(1)</script>") && !page.contains("{script}") && !page.contains('\u{1b}'));
+        let (_, data) = page.split_once("type=\"application/json\">").expect("the data are there");
+        let (data, _) = data.split_once("</script>").expect("they end");
+        assert!(!data.contains(['<', '>', '&', '\u{2028}']), "{data}");
+        let data: Value = serde_json::from_str(data).expect("it is JSON");
+        assert_eq!(data["input"], hostile);
+    }
+}

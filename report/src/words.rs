@@ -1,0 +1,147 @@
+//! Numbers and names in text for people, and JSON.
+
+use serde_json::Value;
+
+/// A number with its thousands set off.
+#[must_use]
+pub fn grouped(n: impl TryInto<u64>) -> String {
+    let digits = n.try_into().unwrap_or_default().to_string();
+    let mut out = String::with_capacity(digits.len() * 4 / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// A number of things, with their name in the singular or in the plural.
+#[must_use]
+pub fn counted(n: usize, name: &str) -> String {
+    let plural = match name.strip_suffix("ex") {
+        _ if n == 1 => name.to_owned(),
+        Some(stem) => format!("{stem}ices"),
+        None => format!("{name}s"),
+    };
+    format!("{} {plural}", grouped(n))
+}
+
+/// The number of rules that were not checked, to be added to a verdict; nothing if all were.
+pub(crate) fn not_checked(rules: usize) -> String {
+    if rules == 0 { String::new() } else { format!("; {} not checked", counted(rules, "rule")) }
+}
+
+/// A measure with four decimal places, or with four digits where these would show none.
+#[must_use]
+pub fn measure(x: f64) -> String {
+    if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }
+}
+
+/// The number of decimal places of a place on a map in text: to a ten-millionth of the greatest coordinate.
+#[must_use]
+pub fn decimals(greatest: f64) -> usize {
+    let before = if greatest > 0.0 && greatest.is_finite() { greatest.log10().ceil() } else { 0.0 };
+    (0_u8..15).take_while(|places| f64::from(*places) < 7.0 - before).count()
+}
+
+/// A place in text, with so many decimal places at most.
+#[must_use]
+pub fn place([x, y]: [f64; 2], decimals: usize) -> String {
+    let [x, y] = [x, y].map(|x| {
+        let text = format!("{x:.decimals$}");
+        let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+        if short == "-0" { "0".to_owned() } else { short.to_owned() }
+    });
+    format!("({x}, {y})")
+}
+
+/// A text from a map or the command line as it may stand on a terminal: without control characters, which could break lines
+/// or pass for commands to it.
+#[must_use]
+pub fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
+
+/// A value as indented JSON, in which 0 has no sign.
+///
+/// # Errors
+/// Those of the value, if it refuses to be JSON.
+pub fn json(value: &impl serde::Serialize) -> serde_json::Result<Vec<u8>> {
+    let mut value = serde_json::to_value(value)?;
+    drop_signs_of_zero(&mut value);
+    let mut out = serde_json::to_vec_pretty(&value)?;
+    out.push(b'\n');
+    Ok(out)
+}
+
+fn drop_signs_of_zero(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.as_f64() == Some(0.0) && number.is_f64() => *value = 0.0.into(),
+        Value::Array(items) => items.iter_mut().for_each(drop_signs_of_zero),
+        Value::Object(members) => members.values_mut().for_each(drop_signs_of_zero),
+        _ => {}
+    }
+}
+
+/// The colours of results; off where the output is no terminal.
+pub mod style {
+    use anstyle::{AnsiColor, Style};
+
+    /// Of what is right.
+    pub const GOOD: Style = AnsiColor::Green.on_default().bold();
+    /// Of what is wrong.
+    pub const BAD: Style = AnsiColor::Red.on_default().bold();
+    /// Of what is said beside.
+    pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{counted, decimals, grouped, json, measure, place, plain};
+
+    #[test]
+    fn json_has_no_zero_with_a_sign() {
+        let value = serde_json::json!({ "at": [-0.0, [-1.5]], "none": {} });
+        let mut usual = serde_json::to_string_pretty(&value).unwrap().replace("-0.0", "0.0");
+        usual.push('\n');
+        assert_eq!(String::from_utf8(json(&value).unwrap()).unwrap(), usual);
+    }
+
+    #[test]
+    fn numbers_agree_with_their_nouns() {
+        assert_eq!(counted(1, "map"), "1 map");
+        assert_eq!(counted(0, "violation"), "0 violations");
+        assert_eq!(counted(1_200, "vertex"), "1,200 vertices");
+    }
+
+    #[test]
+    fn thousands_are_set_off() {
+        assert_eq!(grouped(0_u64), "0");
+        assert_eq!(grouped(999_usize), "999");
+        assert_eq!(grouped(1_000_u32), "1,000");
+        assert_eq!(grouped(1_876_446_u64), "1,876,446");
+    }
+
+    #[test]
+    fn control_characters_are_replaced() {
+        assert_eq!(plain("C\u{f4}te d'Ivoire"), "C\u{f4}te d'Ivoire");
+        assert_eq!(plain("a\x1b[31mb\nc\u{9b}d"), "a\u{fffd}[31mb\u{fffd}c\u{fffd}d");
+    }
+
+    #[test]
+    fn places_are_as_exact_as_the_map() {
+        assert_eq!(place([54_575.620_276_214_504, 31_614.149_999_999_965], decimals(98_064.0)), "(54575.62, 31614.15)");
+        assert_eq!(place([7.5, -1e-12], decimals(180.0)), "(7.5, 0)");
+        assert_eq!(place([1e9, 100.0], decimals(1e9)), "(1000000000, 100)");
+        assert_eq!(decimals(0.0), 7);
+    }
+
+    #[test]
+    fn measures_show_digits() {
+        assert_eq!(measure(2.5), "2.5000");
+        assert_eq!(measure(0.0), "0.0000");
+        assert_eq!(measure(-0.000_012_34), "-1.234e-5");
+        assert_eq!(measure(1.5e300), "1.500e300");
+    }
+}

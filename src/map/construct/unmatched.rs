@@ -1,0 +1,116 @@
+//! Vertices of polygons on the border of another feature that has no vertex there.
+
+use super::builder::Builder;
+use super::gathered::origin;
+use crate::geometry::Point;
+use crate::geometry::predicates::{compare_lexicographic, on_segment};
+use crate::map::feature::FeatureId;
+use rstar::RTree;
+use rstar::primitives::{GeomWithData, Rectangle};
+use rustc_hash::FxHashMap;
+
+/// A vertex of a feature's polygon in the interior of a segment of another feature's polygon.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct UnmatchedVertex {
+    /// The place.
+    pub at: Point,
+    /// The feature that has the vertex.
+    pub of: FeatureId,
+    /// The feature that lacks it.
+    pub lacked_by: FeatureId,
+    /// The segment of that feature on which the vertex lies, the end with the smaller coordinates first.
+    pub segment: [Point; 2],
+}
+
+impl Builder {
+    /// The vertices of polygons that lie on the border of another feature, between two vertices of it, exactly. Such borders coincide
+    /// or touch, and are noded differently. Sorted by the two features, then by place. A feature that uses the segment itself is
+    /// not among those that have the vertex.
+    ///
+    /// O(n log n + k) for n segments and k pairs of a vertex and a segment whose bounding box has it, in practice: an R-tree gives no guarantee.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Builder, Shape};
+    ///
+    /// let mut builder = Builder::new();
+    /// let west = builder.shape(&Shape::polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0]]))?;
+    /// let east = builder.shape(&Shape::polygon([[2.0, 0.0], [4.0, 0.0], [2.0, 2.0]]))?;
+    /// let [found] = builder.unmatched()[..] else { unreachable!("the others are matched") };
+    /// assert_eq!((found.at, found.of, found.lacked_by), (Point::new(2.0, 1.0), west, east));
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub fn unmatched(&self) -> Vec<UnmatchedVertex> {
+        let touches = self.touches();
+        if touches.is_empty() {
+            return Vec::new();
+        }
+        let mut having: FxHashMap<u32, Vec<FeatureId>> = touches.iter().map(|(p, _)| (*p, Vec::new())).collect();
+        let mut along: FxHashMap<u32, Vec<FeatureId>> = touches.iter().map(|(_, s)| (*s, Vec::new())).collect();
+        for (number, feature) in (0..).zip(&self.features) {
+            for dart in feature.polygons.iter().flatten() {
+                let at_vertex = having.get_mut(&origin(&self.segments, *dart));
+                for features in at_vertex.into_iter().chain(along.get_mut(&(*dart >> 1))) {
+                    if features.last() != Some(&FeatureId(number)) {
+                        features.push(FeatureId(number));
+                    }
+                }
+            }
+        }
+        let mut found = Vec::new();
+        for (point, segment) in touches {
+            let along = &along[&segment];
+            for of in having[&point].iter().filter(|of| along.binary_search(of).is_err()) {
+                found.extend(along.iter().map(|lacked_by| UnmatchedVertex {
+                    at: self.points[point as usize],
+                    of: *of,
+                    lacked_by: *lacked_by,
+                    segment: self.ends(segment),
+                }));
+            }
+        }
+        found.sort_by(|a, b| {
+            let by_place = || compare_lexicographic(a.at, b.at).then(compare_lexicographic(a.segment[0], b.segment[0]));
+            (a.of, a.lacked_by).cmp(&(b.of, b.lacked_by)).then_with(by_place)
+        });
+        found
+    }
+
+    /// The ends of polygons' segments that lie inside another such segment, by their numbers.
+    fn touches(&self) -> Vec<(u32, u32)> {
+        let mut of_polygons = vec![false; self.segments.len()];
+        for dart in self.features.iter().flat_map(|feature| feature.polygons.iter().flatten()) {
+            of_polygons[*dart as usize >> 1] = true;
+        }
+        let segments = || (0..self.segments.len() as u32).filter(|segment| of_polygons[*segment as usize]);
+        let boxed = |segment: u32| {
+            let [a, b] = self.ends(segment);
+            GeomWithData::new(Rectangle::from_corners([a.x, a.y], [b.x, b.y]), segment)
+        };
+        let tree = RTree::bulk_load(segments().map(boxed).collect());
+        let mut points: Vec<u32> = segments().flat_map(|segment| self.segments[segment as usize]).collect();
+        points.sort_unstable();
+        points.dedup();
+        let mut found = Vec::new();
+        for point in points {
+            let p = self.points[point as usize];
+            for near in tree.locate_all_at_point([p.x, p.y]) {
+                let is_end = self.segments[near.data as usize].contains(&point);
+                let [a, b] = self.ends(near.data);
+                if !is_end && on_segment(p, a, b) {
+                    found.push((point, near.data));
+                }
+            }
+        }
+        found
+    }
+
+    /// The ends of a segment, the one with the smaller coordinates first.
+    fn ends(&self, segment: u32) -> [Point; 2] {
+        let mut ends = self.segments[segment as usize].map(|point| self.points[point as usize]);
+        ends.sort_by(|a, b| compare_lexicographic(*a, *b));
+        ends
+    }
+}
