@@ -90,26 +90,26 @@ impl Sum {
 impl Sum {
     /// Merges summaries of tiles, and says what all of them say, or writes the summary of those that are there.
     fn sum_tiles(&self, parts: Vec<Part>, start: Instant) -> Result<Verdict, Failure> {
-        same(&parts, "version")?;
+        for key in ["command", "version"] {
+            same(&parts, key)?;
+        }
         let summary = |Part { name, value }: Part| {
             let saved: Saved = serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
             Ok(saved.summary)
         };
         let summaries = parts.into_iter().map(summary).collect::<Result<Vec<_>, Failure>>()?;
         let whole = merged(summaries)?.ok_or_else(|| Failure("there is no summary".to_owned()))?;
-        match &self.output {
-            Some(path) => write_file(path, None, &Saved::bytes(whole)?)?,
-            None => {
-                let mut audited = audit_summary(whole)?;
-                audited.took(start.elapsed().as_secs_f64() * 1000.0);
-                match self.format {
-                    Format::Text => print(&audited.text()?)?,
-                    Format::Json => print_bytes(&audited.json()?)?,
-                }
-                return Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong });
-            }
+        if let Some(path) = &self.output {
+            write_file(path, None, &Saved::bytes(whole)?)?;
+            return Ok(Verdict::Sound);
         }
-        Ok(Verdict::Sound)
+        let mut audited = audit_summary(whole)?;
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        match self.format {
+            Format::Text => print(&audited.text()?)?,
+            Format::Json => print_bytes(&audited.json()?)?,
+        }
+        Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 }
 

@@ -75,9 +75,10 @@ fn findings_on_a_lattice_are_those_of_the_whole() {
     let mut seen = BTreeSet::new();
     for round in 0..400 {
         let mut features = parcels(&mut random);
-        // Two strips that nearly meet.
+        // Two strips that nearly meet, and a thin one.
         features.push(feature([area([9.0, 0.0], [9.5, 8.0])]));
         features.push(feature([area([9.75, 0.5], [10.0, 8.5])]));
+        features.push(feature([area([12.0, 0.0], [12.01, 8.0])]));
         let (upright, level) = (random.lines(0, 4.0), random.lines(0, 4.0));
         let limits = &limits[round % limits.len()];
         compare(&features, &grid(&upright, &level), limits, &mut random);
