@@ -35,6 +35,7 @@ mod structures;
 mod sum;
 mod tables;
 mod tables_lazy;
+mod tile;
 mod voronoi;
 
 use clap::{ColorChoice, CommandFactory as _, Parser, Subcommand};
@@ -76,6 +77,7 @@ enum Command {
     Diff(diff::Diff),
     Certify(certificate::Certify),
     Check(certificate::Check),
+    Tile(tile::Tile),
     Convert(convert::Convert),
     Postgis(postgis::Postgis),
     Query(query::Query),
@@ -119,6 +121,7 @@ fn run(command: Command) -> Result<Verdict, Failure> {
         Command::Diff(diff) => diff.run(),
         Command::Certify(certify) => certify.run(),
         Command::Check(check) => check.run(),
+        Command::Tile(tile) => tile.run(),
         Command::Convert(convert) => convert.run(),
         Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),

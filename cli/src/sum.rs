@@ -1,10 +1,14 @@
 //! `twinedge sum`: adds up the parts of one work.
 
 use crate::document::{Document, Printed};
-use crate::output::Format;
+use crate::output::{Format, print, print_bytes};
+use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
+use crate::tile::Saved;
 use serde_json::Value;
 use std::path::PathBuf;
+use std::time::Instant;
+use twinedge_report::{audit_summary, merged};
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::lazy::LazyOutcome;
 use twinedge_trials::meshes::MeshesOutcome;
@@ -20,6 +24,9 @@ use twinedge_trials::{SumError, sum};
 /// whole work would have printed, except for times: `elapsed_ms` is added up, and of `slowest_us` the greatest is kept. If a
 /// program of `soak` fails, the counts are those of the programs that were run.
 ///
+/// Summaries of tiles, as `tile` writes them, are merged instead. Their sum is what `audit` says of the map. If two files have the same
+/// tile, one of them is to be left out.
+///
 /// The files must have the same command, version and arguments. All N parts must be there, each once, and none may have been
 /// interrupted.
 #[derive(Debug, clap::Args)]
@@ -27,6 +34,7 @@ use twinedge_trials::{SumError, sum};
   for k in 0 1 2 3; do twinedge prove --edges 7 --shard $k/4 --format json > part-$k.json; done
   twinedge sum part-*.json
   twinedge sum part-*.json --format json | jq .ok
+  twinedge sum *.summary
 
 Exit status: 0 all is well; 1 something is wrong in the whole work; 2 a file could not be read, or the files are not all parts \
 of one work.")]
@@ -34,6 +42,10 @@ pub(crate) struct Sum {
     /// JSON output of the parts, in any order.
     #[arg(required = true)]
     files: Vec<PathBuf>,
+
+    /// Of summaries of tiles: write the summary of them together, of which there may be more to come, and print no report.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 
     /// Output format.
     #[arg(long, value_enum, default_value_t)]
@@ -48,7 +60,14 @@ struct Part {
 
 impl Sum {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let start = Instant::now();
         let parts = self.files.iter().map(Part::read).collect::<Result<Vec<_>, Failure>>()?;
+        if parts[0].value["command"] == Saved::COMMAND {
+            return self.sum_tiles(parts, start);
+        }
+        if self.output.is_some() {
+            return Err(Failure("-o is for summaries of tiles".to_owned()));
+        }
         for key in ["command", "version", "work", "on"] {
             same(&parts, key)?;
         }
@@ -61,10 +80,36 @@ impl Sum {
             Some(SampleOutcome::COMMAND) => add_up::<SampleOutcome>(parts, self.format),
             Some(SoakOutcome::COMMAND) => add_up::<SoakOutcome>(parts, self.format),
             _ => Err(Failure(format!(
-                "{}: not the JSON output of prove, corrupt, tables, sample or soak",
+                "{}: not the JSON output of prove, corrupt, tables, sample or soak, nor a summary of a tile",
                 parts[0].name
             ))),
         }
+    }
+}
+
+impl Sum {
+    /// Merges summaries of tiles, and says what all of them say, or writes the summary of those that are there.
+    fn sum_tiles(&self, parts: Vec<Part>, start: Instant) -> Result<Verdict, Failure> {
+        for key in ["command", "version"] {
+            same(&parts, key)?;
+        }
+        let summary = |Part { name, value }: Part| {
+            let saved: Saved = serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
+            Ok(saved.summary)
+        };
+        let summaries = parts.into_iter().map(summary).collect::<Result<Vec<_>, Failure>>()?;
+        let whole = merged(summaries)?.ok_or_else(|| Failure("there is no summary".to_owned()))?;
+        if let Some(path) = &self.output {
+            write_file(path, None, &Saved::bytes(whole)?)?;
+            return Ok(Verdict::Sound);
+        }
+        let mut audited = audit_summary(whole)?;
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        match self.format {
+            Format::Text => print(&audited.text()?)?,
+            Format::Json => print_bytes(&audited.json()?)?,
+        }
+        Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 }
 

@@ -12,8 +12,9 @@ use crate::report::AuditReport;
 use crate::tables::TablesReport;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
-use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, topology};
+use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, tiles, topology};
 use twinedge::io::tables::Textbook;
+use twinedge::tile::Summary;
 use twinedge_formats::layer::topojson::ArcTopology;
 use twinedge_formats::postgis::Topology;
 
@@ -50,6 +51,7 @@ pub fn audit(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     let (report, subject) = match kind {
+        InputKind::Map if options.tiles.is_some() => (tiles::audit(input, options, stage)?, Subject::None),
         InputKind::Map => {
             let imported = Imported::read(input, &options.map, Keep { coverage: true, condition: None }, stage)?;
             (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
@@ -79,6 +81,16 @@ pub fn audit(
         accepted.apply(&mut report);
     }
     Ok(Audited(Outcome::Report(Box::new(report), subject)))
+}
+
+/// Says what the summary of all tiles of a map says, in the words of an audit. Features are known by their numbers.
+///
+/// # Errors
+/// [`Error::Finish`].
+pub fn audit_summary(summary: Summary) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary)?.unexplained();
+    report.identify();
+    Ok(Audited(Outcome::Report(Box::new(report), Subject::None)))
 }
 
 impl Audited {

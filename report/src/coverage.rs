@@ -87,6 +87,36 @@ impl Coverage {
         list: usize,
         stage: &mut dyn FnMut(&'static str),
     ) -> Self {
+        let judgement = judged(imported, &asked.limits, units, stage).map_err(|why| why.to_string());
+        Self::of(imported, asked, units, list, judgement)
+    }
+
+    /// The findings of a map that was seen by its tiles, or why there are none. A map that is plane has no mismatches.
+    pub(crate) fn of_tiles(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        found: Result<coverage::Coverage, String>,
+    ) -> Self {
+        let judgement = |found: coverage::Coverage| Judgement {
+            wider_gaps: found.wider_gaps.len(),
+            accepted_gaps: found.accepted_gaps.len(),
+            gap_width: found.gap_width,
+            sliver_area: found.sliver_area,
+            findings: found.findings.into_iter().map(|finding| (finding, None)).collect(),
+            of_input: None,
+        };
+        Self::of(imported, asked, units, list, found.map(judgement))
+    }
+
+    fn of(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        judgement: Result<Judgement, String>,
+    ) -> Self {
         let mut found = Self {
             overlaps: 0,
             gaps: 0,
@@ -107,7 +137,7 @@ impl Coverage {
             has_polygons: imported.read.polygons > 0,
             of_input: None,
         };
-        match judged(imported, &asked.limits, units, stage) {
+        match judgement {
             Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
                 (found.wider_gaps, found.accepted_gaps) = (wider_gaps, accepted_gaps);
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
@@ -143,7 +173,7 @@ impl Coverage {
                 found.missing = missing_vertices(&findings);
                 found.of_input = of_input;
             }
-            Err(why) => found.not_checked = Some(why.to_string()),
+            Err(why) => found.not_checked = Some(why),
         }
         for (feature, defects) in imported.noted.defects.iter().take(list) {
             found.findings.push(invalid(imported, asked, *feature, defects));

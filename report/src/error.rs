@@ -5,6 +5,7 @@ use std::io;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
+use twinedge::tile::{FinishError, GridError, MergeError, TileError};
 use twinedge_formats::{layer, mesh, postgis};
 
 /// Why an input has no report. The name of the input is not in the messages.
@@ -20,6 +21,18 @@ pub enum Error {
     /// No map can be built of it.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// A tile has no summary.
+    #[error(transparent)]
+    Tile(#[from] TileError),
+    /// Summaries of tiles cannot be merged.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    /// Summaries of tiles are missing.
+    #[error(transparent)]
+    Finish(#[from] FinishError),
+    /// There is no such grid.
+    #[error(transparent)]
+    Grid(#[from] GridError),
     /// It could not be read as a mesh.
     #[error(transparent)]
     Mesh(#[from] mesh::ReadError),

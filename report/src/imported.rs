@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
-use twinedge::map::{Builder, Noding, PlanarMap, UnmatchedVertex};
+use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
 use twinedge_formats::layer::{Crs, Format, ReadError, ReadOptions, read, to_map};
 
 /// The way to build a map.
@@ -30,6 +30,8 @@ pub struct Imported {
     pub read: ReadSummary,
     /// The map.
     pub map: PlanarMap,
+    /// What was found while the map was gathered.
+    pub summary: BuildSummary,
     /// The notes on the features.
     pub noted: Noted,
     /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
@@ -48,20 +50,14 @@ impl Imported {
     /// # Errors
     /// [`Error`].
     pub fn read(
-        mut input: Input,
+        input: Input,
         options: &MapOptions,
         keep: Keep<'_>,
         stage: &mut dyn FnMut(&'static str),
     ) -> Result<Self, Error> {
-        let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
-        let read_options = input.options();
-        let Input { name, mut reader, path, kept: _kept, .. } = input;
-        let noted = Noted::new(options.name_from.clone());
-        let (builder, read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep)?;
-        if !options.allow_empty && read.polygons + read.lines == 0 {
-            return Err(Error::NoMap(Box::new(read)));
-        }
-        noted.refuse_unknown_columns(keep)?;
+        let gathered = Gathered::new(input, options, keep, &mut drop)?;
+        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let summary = builder.summary().clone();
         stage("building the map");
         let (map, builder, unmatched) = match options.snap {
             None if keep.coverage => {
@@ -79,23 +75,81 @@ impl Imported {
             }
             Some(snap) => (builder.build_with(Noding::Snap(snap))?, None, Vec::new()),
         };
-        Ok(Self { name, read, map, noted, builder, unmatched, crs, orients_rings })
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings })
+    }
+
+    /// Reads the features of a map, and builds no map of them: it has only their names.
+    ///
+    /// # Errors
+    /// [`Error`].
+    pub fn features(input: Input, options: &MapOptions, keep: Keep<'_>) -> Result<(Self, Vec<Feature>), Error> {
+        let mut features = Vec::new();
+        let gathered = Gathered::new(input, options, keep, &mut |feature| features.push(feature))?;
+        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let summary = builder.summary().clone();
+        drop(builder);
+        let map = names(features.iter().map(|feature| feature.name.clone()))?;
+        let (builder, unmatched) = (None, Vec::new());
+        Ok((Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings }, features))
     }
 }
 
+/// A map without anything on it, whose features have these names.
+pub(crate) fn names(names: impl Iterator<Item = Option<String>>) -> Result<PlanarMap, Error> {
+    let mut builder = Builder::new();
+    for name in names {
+        builder.feature(&Feature { name, ..Feature::default() })?;
+    }
+    Ok(builder.build()?)
+}
+
+/// What was gathered of an input.
+struct Gathered {
+    name: String,
+    builder: Builder,
+    read: ReadSummary,
+    noted: Noted,
+    crs: Option<Crs>,
+    orients_rings: bool,
+}
+
+impl Gathered {
+    fn new(
+        mut input: Input,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        each: &mut dyn FnMut(Feature),
+    ) -> Result<Self, Error> {
+        let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
+        let read_options = input.options();
+        let Input { name, mut reader, path, kept: _kept, .. } = input;
+        let noted = Noted::new(options.name_from.clone());
+        let (builder, read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
+        if !options.allow_empty && read.polygons + read.lines == 0 {
+            return Err(Error::NoMap(Box::new(read)));
+        }
+        noted.refuse_unknown_columns(keep)?;
+        Ok(Self { name, builder, read, noted, crs, orients_rings })
+    }
+}
+
+/// Reads features into a builder, and hands each on.
 fn gather(
     reader: &mut dyn Read,
     path: Option<&Path>,
     options: &ReadOptions,
     mut noted: Noted,
     keep: Keep<'_>,
+    each: &mut dyn FnMut(Feature),
 ) -> Result<(Builder, ReadSummary, Noted, Option<Crs>), ReadError> {
     let mut builder = Builder::new();
     let mut summary = ReadSummary::default();
     let header = read(reader, path, options, &mut |feature| {
         let mut of_map = to_map(&feature, &mut summary);
         noted.note(&mut of_map, &feature, keep);
-        builder.feature(&of_map).map(drop).map_err(ReadError::refused)
+        builder.feature(&of_map).map_err(ReadError::refused)?;
+        each(of_map);
+        Ok(())
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
     Ok((builder, summary, noted, header.crs))

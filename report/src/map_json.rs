@@ -7,8 +7,7 @@ use twinedge::map::{Irregularity, IrregularityKind, Position};
 
 /// The keys beside those of all audits.
 pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Value> {
-    let Imported { map, read, orients_rings, .. } = imported;
-    let summary = map.summary();
+    let Imported { map, read, summary, orients_rings, .. } = imported;
     let irregularity = |one: &Irregularity| {
         let Position { feature, shape, ring, point } = one.position;
         let name = map.features().nth(feature).and_then(|f| map.name(f));

@@ -7,17 +7,17 @@ use crate::words::{counted, grouped, plain};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::io::ReadSummary;
-use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap};
+use twinedge::map::{BuildSummary, Irregularity, IrregularityKind};
 
 /// All notes, in the order in which they are read.
 pub(crate) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
     let Imported { read, map, noted, .. } = imported;
-    let mut notes = vec![Note::Plain(input_line(map.summary(), imported.orients_rings))];
+    let mut notes = vec![Note::Plain(input_line(&imported.summary, imported.orients_rings))];
     notes.extend(dropped_line(read).map(Note::Plain));
     notes.extend(map.noding().map(noding_text::line).map(Note::Plain));
     notes.extend(warnings.into_iter().map(Note::Warning));
     notes.extend(noted.hint().map(Note::Plain));
-    notes.extend(irregularities(map).into_iter().map(Note::Detail));
+    notes.extend(irregularities(imported).into_iter().map(Note::Detail));
     notes
 }
 
@@ -68,8 +68,8 @@ fn input_line(summary: &BuildSummary, orients_rings: bool) -> String {
 /// The number of irregularities of each kind that the text shows. Rings wound the wrong way are not shown: usually all or none are.
 const SHOWN: usize = 3;
 
-fn irregularities(map: &PlanarMap) -> Vec<String> {
-    let found = &map.summary().irregularities;
+fn irregularities(Imported { map, summary, .. }: &Imported) -> Vec<String> {
+    let found = &summary.irregularities;
     let kinds: BTreeSet<_> =
         found.iter().map(|one| one.kind).filter(|kind| *kind != IrregularityKind::WoundWrongly).collect();
     let of_kind = |kind| found.iter().filter(move |one| one.kind == kind).take(SHOWN);

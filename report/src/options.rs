@@ -24,6 +24,8 @@ pub struct Options {
     pub coverage: CoverageOptions,
     /// The findings of the coverage that are accepted. Those that are not listed are not.
     pub accepted: Option<Accepted>,
+    /// The map is cut into so many tiles across, and as many upwards, which are judged one by one.
+    pub tiles: Option<u32>,
     /// Lengths in metres along geodesics.
     pub geodesic: bool,
     /// The properties that a mesh must have.
@@ -38,6 +40,7 @@ impl Default for Options {
             map: MapOptions::default(),
             coverage: CoverageOptions::default(),
             accepted: None,
+            tiles: None,
             geodesic: false,
             mesh: HalfEdgeMesh::expectation(),
         }

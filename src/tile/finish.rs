@@ -20,7 +20,7 @@ pub struct Outcome {
     pub uneven: Vec<Uneven>,
     /// The places where two tiles contradict each other (S1 … S3).
     pub seams: Vec<SeamFault>,
-    /// The findings of C1 … C5; none if the map is not plane, as it is not known then what features cover.
+    /// The findings of C1 … C5; none if the map is not plane, or tiles contradict each other: then it is not known what features cover.
     pub coverage: Option<Coverage>,
     /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
@@ -144,11 +144,12 @@ impl Summary {
             borders: Some(0),
             genus: genus.map(number),
         };
-        let not_given = self.claimed.iter().filter(|one| one.seen != one.of).map(|one| one.feature);
+        let not_given: Vec<u32> = self.claimed.iter().filter(|one| one.seen != one.of).map(|one| one.feature).collect();
+        let is_known = self.is_plane && self.seams.is_empty() && not_given.is_empty();
         Ok(Outcome {
             counts,
-            coverage: self.is_plane.then(|| coverage(&self)),
-            not_given: not_given.collect(),
+            coverage: is_known.then(|| coverage(&self)),
+            not_given,
             defects: self.defects,
             crossings: self.crossings,
             uneven: self.uneven,

@@ -1,9 +1,11 @@
 //! Grids and their tiles.
 
 use super::clip::Bounds;
+use super::extent::corners;
 use super::side::Side;
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
+use crate::map::Feature;
 use core::fmt;
 use thiserror::Error;
 
@@ -118,8 +120,25 @@ impl Grid {
         }
     }
 
+    /// The tiles that a feature is to be given to, row by row: those that meet the box around it. O(points).
+    ///
+    /// ```
+    /// use twinedge::map::{Feature, Shape};
+    /// use twinedge::tile::Grid;
+    ///
+    /// let grid = Grid::new([0.0, 0.0], [3.0, 3.0], 3, 3)?;
+    /// let path = Feature { shapes: vec![Shape::line([[0.5, 0.5], [1.0, 2.0]])], ..Feature::default() };
+    /// assert_eq!(grid.tiles_of(&path).count(), 6);
+    /// assert_eq!(grid.tiles_of(&Feature::default()).count(), 0);
+    /// # Ok::<(), twinedge::tile::GridError>(())
+    /// ```
+    pub fn tiles_of(&self, feature: &Feature) -> impl Iterator<Item = Tile> + use<> {
+        let grid = *self;
+        corners(feature).into_iter().flat_map(move |(low, high)| grid.tiles_between(low, high))
+    }
+
     /// The tiles that meet the closed box between two corners, row by row.
-    pub fn tiles_of(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
+    fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
         let (first, last) = (self.tile_of(low), self.tile_of(high));
         let columns = first.column..=last.column;
         (first.row..=last.row).flat_map(move |row| columns.clone().map(move |column| Tile { column, row }))

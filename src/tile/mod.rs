@@ -33,7 +33,7 @@
 //!
 //! # What a tile is given
 //!
-//! All features whose boxes meet the tile, whole, with their numbers in the map; [`Grid::tiles_of`] says which tiles these are. So a tile knows by
+//! All features whose boxes meet the tile, whole, with their numbers in the map; [`Grid::tiles_of`] says which tiles a feature is to be given to. So a tile knows by
 //! itself which features cover its faces, also where there is no edge in it, and neighbours must agree on that.
 //! Edges are taken as they are: they should meet at shared endpoints only.
 //!
@@ -77,8 +77,10 @@
 //!
 //! # What is checked
 //!
-//! R1 … G3 hold of every map that is built of features. G4 is checked in each tile, T3 of each component and of the sums. Where edges cross
-//! (G4), nothing is known of faces: then G2, G3, G5 and C1 … C5 are not checked, as [`Outcome::coverage`] says.
+//! Most rules hold of every map that is built of features: rotations are sorted by exact predicates, and cycles, faces and what lies in what
+//! follow. G4 is checked in each tile, T3 of each component and of the sums. Where edges cross (G4), nothing is known of faces: then G3, G5 and
+//! C1 … C5 are not checked ([`Outcome::rules`], [`Outcome::coverage`]). C7, which is of maps whose edges meet elsewhere than at vertices, is not
+//! checked in tiles.
 //!
 //! Source for tiles of subdivisions: L. Calderón-Romero, A. Magdy, V. J. Tsotras, "Scalable overlay operations over DCEL polygon layers", SSTD
 //! 2023, where cells are joined in a second phase; here they are joined by merging.
@@ -89,6 +91,7 @@ mod claimed;
 mod clip;
 mod ends;
 mod error;
+mod extent;
 mod fault;
 mod findings;
 mod finish;

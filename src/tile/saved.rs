@@ -1,12 +1,14 @@
 //! Summaries that were saved: what they name must be there.
 
 use super::claimed::Claimed;
+use super::ends::{Ends, compare_edges};
 use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
-use super::region::{Claim, Region, Sliver};
+use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
 use super::summary::{Border, Component, Face, Summary, Totals};
 use crate::algorithm::coverage::{Defect, Limits};
+use crate::geometry::predicates::in_range;
 use thiserror::Error;
 
 /// A summary as it was read.
@@ -40,6 +42,8 @@ pub(super) enum SavedError {
     Tiles,
     #[error("a border names what the summary does not have")]
     Names,
+    #[error("edges or features are out of order, or out of range")]
+    Order,
 }
 
 impl TryFrom<Saved> for Summary {
@@ -86,6 +90,19 @@ impl TryFrom<Saved> for Summary {
         };
         if !faces.iter().all(is_claimed) {
             return Err(SavedError::Names);
+        }
+        let is_exact = |ends: &Ends| ends.iter().all(|p| in_range(*p));
+        let contacts = || borders.iter().flat_map(|border| &border.contacts);
+        let all = || regions.iter().chain(&closed).map(|region| &region.edges);
+        let are_sorted = |edges: &Vec<Edge>| {
+            edges.windows(2).all(|pair| compare_edges(&pair[0].ends, &pair[1].ends).is_lt())
+                && edges.iter().all(|edge| is_exact(&edge.ends))
+        };
+        let is_in_order = all().all(are_sorted)
+            && contacts().all(|contact| is_exact(&contact.edge))
+            && claimed.windows(2).all(|pair| pair[0].feature < pair[1].feature);
+        if !is_in_order {
+            return Err(SavedError::Order);
         }
         Ok(Self {
             grid,

@@ -3,6 +3,7 @@
 use super::claimed::Claimed;
 use super::clip::Bounds;
 use super::error::TileError;
+use super::extent::{corners, points};
 use super::grid::{Grid, Tile};
 use super::large::areas;
 use super::local::Local;
@@ -12,8 +13,7 @@ use super::side::Side;
 use super::summary::{Border, Component, Contact, Joins, Summary};
 use crate::algorithm::coverage::{Limits, defects};
 use crate::dcel::{HalfEdge, Vertex};
-use crate::geometry::Point;
-use crate::map::{Builder, Feature, Shape};
+use crate::map::{Builder, Feature};
 use crate::slots::{NIL, Sets};
 use crate::validate::Embedding as _;
 
@@ -60,8 +60,7 @@ impl Summary {
     /// Notes which features the tile was given, and what is wrong with the shapes of those that begin in it.
     fn note(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
         for (number, feature) in features {
-            let Some((low, high)) = corners(feature) else { continue };
-            let of = self.grid.tiles_of(low, high).count() as u64;
+            let of = self.grid.tiles_of(feature).count() as u64;
             self.claimed.push(Claimed { feature: *number, with: None, seen: 1, of });
             let first = feature.shapes.iter().flat_map(points).next();
             if first.is_some_and(|p| self.grid.tile_of(p) == tile) {
@@ -75,23 +74,6 @@ impl Summary {
 /// Returns true if the box around a feature meets the tile.
 fn meets(bounds: &Bounds, feature: &Feature) -> bool {
     corners(feature).is_some_and(|(low, high)| bounds.meets(low, high))
-}
-
-/// The corners of the box around a feature.
-fn corners(feature: &Feature) -> Option<(Point, Point)> {
-    let mut points = feature.shapes.iter().flat_map(points);
-    let first = points.next()?;
-    Some(points.fold((first, first), |(low, high), p| {
-        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
-    }))
-}
-
-fn points(shape: &Shape) -> Box<dyn Iterator<Item = Point> + '_> {
-    match shape {
-        Shape::Polygon(rings) => Box::new(rings.iter().flatten().copied()),
-        Shape::Line(points) => Box::new(points.iter().copied()),
-        Shape::Point(point) => Box::new(core::iter::once(*point)),
-    }
 }
 
 impl Local<'_> {

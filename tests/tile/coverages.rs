@@ -1,8 +1,9 @@
 //! The findings of C1 … C6.
 
 use crate::maps::{Random, area, feature, line, point};
-use crate::whole::{compare, grid};
-use twinedge::algorithm::coverage::Limits;
+use crate::whole::{compare, grid, whole};
+use std::collections::BTreeSet;
+use twinedge::algorithm::coverage::{Limits, check};
 use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
 
@@ -71,11 +72,20 @@ fn parcels(random: &mut Random) -> Vec<Feature> {
 fn findings_on_a_lattice_are_those_of_the_whole() {
     let mut random = Random::new(11);
     let limits = limits();
+    let mut seen = BTreeSet::new();
     for round in 0..400 {
-        let features = parcels(&mut random);
+        let mut features = parcels(&mut random);
+        // Two strips that nearly meet, and a thin one.
+        features.push(feature([area([9.0, 0.0], [9.5, 8.0])]));
+        features.push(feature([area([9.75, 0.5], [10.0, 8.5])]));
+        features.push(feature([area([12.0, 0.0], [12.01, 8.0])]));
         let (upright, level) = (random.lines(0, 4.0), random.lines(0, 4.0));
-        compare(&features, &grid(&upright, &level), &limits[round % limits.len()], &mut random);
+        let limits = &limits[round % limits.len()];
+        compare(&features, &grid(&upright, &level), limits, &mut random);
+        let found = check(&whole(&features), limits).expect("it is plane");
+        seen.extend(found.findings.iter().map(|finding| finding.rule));
     }
+    assert_eq!(seen.len(), 5, "{seen:?}");
 }
 
 #[test]

@@ -16,15 +16,17 @@ enum Options {
     Mesh,
     /// `--format geojson` and `html`.
     Picture,
+    /// `--tiles`.
+    Tiles,
 }
 
 impl Options {
-    const ALL: [Self; 4] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture];
+    const ALL: [Self; 5] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles];
 
     /// Those that a kind of inputs takes.
     const fn of(kind: InputKind) -> &'static [Self] {
         match kind {
-            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture],
+            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles],
             InputKind::Mesh(_) => &[Self::Mesh],
             InputKind::Textbook | InputKind::Postgis | InputKind::Arcs => &[Self::Picture],
             InputKind::Tables => &[],
@@ -40,6 +42,7 @@ impl Options {
             }
             Self::Mesh => asked.mesh.is_any(),
             Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
+            Self::Tiles => asked.tiles.is_some(),
         }
     }
 
@@ -51,6 +54,7 @@ impl Options {
                 "--coverage, its limits, --accept, --accept-all and --geodesic are for maps, and this is {what}"
             ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
+            Self::Tiles => format!("--tiles is for maps, and this is {what}"),
             Self::Picture => format!(
                 "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
             ),
@@ -67,6 +71,23 @@ impl Audit {
         }
         let taken = Options::of(kind);
         let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(self, to));
+        if refused.is_none() && self.tiles.is_some() {
+            self.refuse_with_tiles(to, input)?;
+        }
         refused.map_or(Ok(()), |options| Err(Failure(format!("{}: {}", input.name, options.refusal(kind.words())))))
+    }
+
+    /// Refuses options that need the whole map.
+    fn refuse_with_tiles(&self, to: &Destination<'_>, input: &Input) -> Result<(), Failure> {
+        let is_geodesic = self.measured.is_geodesic();
+        let needs = [
+            (Options::Snap.are_given(self, to), "--snap"),
+            (Options::Picture.are_given(self, to), "the formats geojson and html"),
+            (is_geodesic, "--geodesic"),
+        ];
+        match needs.into_iter().find(|(is_given, _)| *is_given) {
+            Some((_, other)) => Err(Failure(format!("{}: {other} and --tiles do not go together", input.name))),
+            None => Ok(()),
+        }
     }
 }

@@ -24,4 +24,5 @@ mod schema;
 mod soak;
 mod sum;
 mod tables;
+mod tile;
 mod verdict;

@@ -1,0 +1,108 @@
+//! `twinedge tile`: the summary of one tile of a map.
+
+use crate::coverage_arguments::CoverageArguments;
+use crate::input::MapFile;
+use crate::output_file::write_file;
+use crate::status::{Failure, Verdict, named};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use twinedge::geometry::Point;
+use twinedge::tile::{Grid, Summary, Tile as Place};
+use twinedge_report::{Imported, Keep, grid_around};
+
+/// Make the summary of one tile of a map.
+///
+/// A grid cuts the map into tiles, and each can be judged by a process of its own, on whatever machine. `twinedge sum` of the summaries of
+/// all tiles says what `twinedge audit` says of the map. Summaries that are equal are equal byte by byte, so a tile may be made again.
+///
+/// All tiles must be made of the same file, with the same grid, box and limits.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge tile parcels.geojson --grid 2x1 --tile 0,0 -o 0-0.summary
+  twinedge tile parcels.geojson --grid 2x1 --tile 1,0 -o 1-0.summary
+  twinedge sum *.summary
+
+Exit status: 0 the summary is written, whatever is in it; 2 the input could not be read.")]
+pub(crate) struct Tile {
+    #[command(flatten)]
+    map: MapFile,
+
+    /// The numbers of columns and rows.
+    #[arg(long, value_name = "COLUMNSxROWS", value_parser = grid_size)]
+    grid: [u32; 2],
+
+    /// The column and the row of the tile, counted from 0, from the lower left.
+    #[arg(long, value_name = "COLUMN,ROW", value_parser = place)]
+    tile: Place,
+
+    /// The box that the grid divides, by two corners. Points outside belong to the tiles at the border. Default: the box around the map.
+    #[arg(long = "box", value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
+    corners: Option<[Point; 2]>,
+
+    #[command(flatten)]
+    coverage: CoverageArguments,
+
+    /// The file to write.
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+}
+
+/// The file of a summary.
+#[derive(Serialize, Deserialize)]
+pub(crate) struct Saved {
+    pub(crate) command: String,
+    pub(crate) version: String,
+    pub(crate) summary: Summary,
+}
+
+impl Saved {
+    pub(crate) const COMMAND: &'static str = "tile";
+
+    /// The file with this summary.
+    pub(crate) fn bytes(summary: Summary) -> Result<Vec<u8>, Failure> {
+        let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
+        let mut bytes = serde_json::to_vec(&Self { command, version, summary })?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+}
+
+fn grid_size(text: &str) -> Result<[u32; 2], String> {
+    let numbers = text.split_once('x').and_then(|(columns, rows)| Some([columns.parse().ok()?, rows.parse().ok()?]));
+    numbers.ok_or_else(|| "not the numbers of columns and rows, as in 64x64".to_owned())
+}
+
+fn place(text: &str) -> Result<Place, String> {
+    let numbers = text.split_once(',').and_then(|(column, row)| Some((column.parse().ok()?, row.parse().ok()?)));
+    let place = |(column, row)| Place { column, row };
+    numbers.map(place).ok_or_else(|| "not a column and a row, as in 3,4".to_owned())
+}
+
+fn corners(text: &str) -> Result<[Point; 2], String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|x| x.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x0, y0, x1, y1]) => Ok([Point::new(x0, y0), Point::new(x1, y1)]),
+        _ => Err("not four numbers with commas between".to_owned()),
+    }
+}
+
+impl Tile {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let input = self.map.open()?;
+        let name = input.name.clone();
+        if self.map.is_snapped() {
+            return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
+        }
+        let read = Imported::features(input, &self.map.options(), Keep::default());
+        let (_, features) = read.map_err(named(&name))?;
+        let grid = match self.corners {
+            Some([low, high]) => Grid::new(low, high, self.grid[0], self.grid[1])?,
+            None => grid_around(&features, self.grid).map_err(named(&name))?,
+        };
+        let numbered = (0..).zip(&features);
+        let summary = Summary::new(&grid, self.tile, numbered, &self.coverage.options().limits);
+        let summary = summary.map_err(named(&name))?;
+        write_file(&self.output, self.map.path(), &Saved::bytes(summary)?)?;
+        Ok(Verdict::Sound)
+    }
+}

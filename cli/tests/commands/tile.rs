@@ -1,0 +1,148 @@
+//! `twinedge tile`, `twinedge sum` of tiles, and `twinedge audit --tiles`.
+
+use crate::support::{complaint, data, json, scratch_folder, twinedge};
+use serde_json::Value;
+
+/// A layer of parcels: a gap, an overlap, a sliver, a duplicate and a polygon with a spike, all of them cut by the lines between tiles.
+const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
+{"type": "Feature", "properties": {"name": "west"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[4,0],[3,2],[4,4],[0,4],[0,0]]]}},
+{"type": "Feature", "properties": {"name": "east"}, "geometry": {"type": "Polygon", "coordinates": [[[4,0],[8,0],[8,4],[4,4],[5,2],[4,0]]]}},
+{"type": "Feature", "properties": {"name": "north"}, "geometry": {"type": "Polygon", "coordinates": [[[0,4],[4,4],[8,4],[8,8],[4,8],[0,8],[0,4]]]}},
+{"type": "Feature", "properties": {"name": "twin"}, "geometry": {"type": "Polygon", "coordinates": [[[4,4],[8,4],[8,8],[4,8],[4,4]]]}},
+{"type": "Feature", "properties": {"name": "strip"}, "geometry": {"type": "Polygon", "coordinates": [[[8,0],[8.0001,0],[8.0001,8],[8,8],[8,4],[8,0]]]}},
+{"type": "Feature", "properties": {"name": "one"}, "geometry": {"type": "Polygon", "coordinates": [[[10,3],[12,3],[12,5],[10,5],[10,3]]]}},
+{"type": "Feature", "properties": {"name": "same"}, "geometry": {"type": "Polygon", "coordinates": [[[10,3],[12,3],[12,5],[10,5],[10,3]]]}},
+{"type": "Feature", "properties": {"name": "touching"}, "geometry": {"type": "Polygon", "coordinates": [[[13,3],[15,3],[14,4],[15,5],[13,5],[14,4],[13,3]]]}}
+]}"#;
+
+fn parcels(folder: &str) -> (std::path::PathBuf, String) {
+    let folder = scratch_folder(folder);
+    let file = folder.join("parcels.geojson");
+    std::fs::write(&file, PARCELS).unwrap();
+    (folder, file.to_str().unwrap().to_owned())
+}
+
+/// The value without what a run of tiles has beside, findings in order and without ids, which are made of a corner that tiles do not keep, and
+/// measures rounded.
+fn compared(mut value: Value) -> Value {
+    let object = value.as_object_mut().unwrap();
+    object.remove("elapsed_ms");
+    object.remove("tiles");
+    round(&mut value);
+    if let Some(findings) = value.pointer_mut("/coverage/findings").and_then(Value::as_array_mut) {
+        for finding in findings.iter_mut().filter_map(Value::as_object_mut) {
+            finding.remove("id");
+        }
+        findings.sort_by_key(ToString::to_string);
+    }
+    value
+}
+
+/// Rounds numbers to nine digits.
+fn round(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let rounded: f64 = format!("{:.9e}", number.as_f64().unwrap()).parse().unwrap();
+            *value = rounded.into();
+        }
+        Value::Array(items) => items.iter_mut().for_each(round),
+        Value::Object(members) => members.values_mut().for_each(round),
+        _ => {}
+    }
+}
+
+#[test]
+fn an_audit_by_tiles_is_that_of_the_whole() {
+    let (_, file) = parcels("tiles-audit");
+    for arguments in
+        [&[][..], &["--coverage"], &["--gap-width", "0.4", "--sliver", "0.1"], &["--explain", "--list", "2"]]
+    {
+        let whole = json(&[&["audit", &file, "--format", "json"], arguments].concat());
+        for tiles in ["1", "2", "5"] {
+            let (status, value) = json(&[&["audit", &file, "--format", "json", "--tiles", tiles], arguments].concat());
+            assert_eq!(value["tiles"]["columns"].to_string(), tiles);
+            assert_eq!((status, compared(value)), (whole.0, compared(whole.1.clone())), "{arguments:?} {tiles}");
+        }
+    }
+    let (_, value) = json(&["audit", &file, "--format", "json"]);
+    for count in ["overlaps", "gaps", "slivers", "duplicates", "ogc_invalid"] {
+        assert!(value["coverage"][count].as_u64() > Some(0), "{count}: {}", value["coverage"]);
+    }
+}
+
+#[test]
+fn the_built_in_world_by_tiles_is_that_of_the_whole() {
+    let whole = json(&["audit", "--format", "json"]);
+    let by_tiles = json(&["audit", "--format", "json", "--tiles", "5"]);
+    assert_eq!((by_tiles.0, compared(by_tiles.1)), (whole.0, compared(whole.1)));
+}
+
+#[test]
+fn the_sum_of_all_tiles_is_the_audit() {
+    let (folder, file) = parcels("tiles-sum");
+    let mut files = Vec::new();
+    for (column, row) in [(1, 0), (0, 1), (2, 1), (0, 0), (2, 0), (1, 1)] {
+        let name = folder.join(format!("{column}-{row}.summary")).to_str().unwrap().to_owned();
+        let tile = format!("{column},{row}");
+        let output = twinedge(&["tile", &file, "--grid", "3x2", "--tile", &tile, "-o", &name]);
+        assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+        files.push(name);
+    }
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    let (status, sum) = json(&[&["sum", "--format", "json"], &files[..]].concat());
+    let (_, whole) = json(&["audit", &file, "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert_eq!(sum["counts"], whole["counts"]);
+    assert_eq!(sum["rules"], whole["rules"]);
+    for key in ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid"] {
+        assert_eq!(sum["coverage"][key], whole["coverage"][key], "{key}");
+    }
+    // In parts, and the same bytes in whatever order.
+    let part = |name: &str, files: &[&str]| {
+        let path = folder.join(name).to_str().unwrap().to_owned();
+        let output = twinedge(&[&["sum", "-o", &path], files].concat());
+        assert_eq!((output.status.code(), output.stdout), (Some(0), Vec::new()));
+        path
+    };
+    let (first, second) = (part("first", &files[..4]), part("second", &files[4..]));
+    let again: Vec<&str> = files[..4].iter().rev().copied().collect();
+    assert_eq!(std::fs::read(&first).unwrap(), std::fs::read(part("again", &again)).unwrap());
+    let (_, of_parts) = json(&["sum", "--format", "json", &second, &first]);
+    assert_eq!(compared(of_parts), compared(sum));
+    let missing = twinedge(&[&["sum"], &files[1..]].concat());
+    assert_eq!(missing.status.code(), Some(2));
+    assert!(complaint(&missing).contains("1 tile is missing, the first of them 1,0"));
+    let twice = twinedge(&["sum", files[0], files[0]]);
+    assert!(complaint(&twice).contains("both summaries have tile 1,0"));
+}
+
+#[test]
+fn a_map_whose_borders_cross_is_invalid_by_tiles_too() {
+    let file = data("world-110m-crossing.geojson");
+    let (status, whole) = json(&["audit", &file, "--format", "json"]);
+    let (by_tiles, value) = json(&["audit", &file, "--format", "json", "--tiles", "3"]);
+    assert_eq!((status, by_tiles), (Some(1), Some(1)));
+    assert_eq!((&value["counts"], &value["rules"]), (&whole["counts"], &whole["rules"]));
+    assert_eq!(value["violation_count"], whole["violation_count"]);
+    assert!(value["coverage"]["not_checked"].as_str().unwrap().contains("cross"));
+}
+
+#[test]
+fn what_tiles_do_not_take_is_refused() {
+    let (_, file) = parcels("tiles-refused");
+    for (arguments, expected) in [
+        (&["audit", "--tiles", "2", "--snap", "auto"][..], "--snap and --tiles do not go together"),
+        (
+            &["audit", "--tiles", "2", "--format", "geojson"],
+            "the formats geojson and html and --tiles do not go together",
+        ),
+        (&["audit", "--tiles", "2", "--geodesic"], "--geodesic and --tiles do not go together"),
+        (&["tile", "--grid", "2x2", "--tile", "2,0", "-o", "x"], "the grid has no tile 2,0"),
+        (&["tile", "--grid", "2x2", "--tile", "1,0", "-o", "x", "--snap", "auto"], "a tile takes edges as they are"),
+    ] {
+        let output = twinedge(&[arguments, &[&file]].concat());
+        assert_eq!(output.status.code(), Some(2));
+        let text = complaint(&output);
+        assert!(text.contains(expected), "{text}");
+    }
+}
