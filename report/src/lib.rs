@@ -40,6 +40,7 @@ pub mod names;
 pub mod noding_text;
 mod noted;
 mod options;
+mod options_json;
 mod packed;
 mod page;
 mod reader_words;
