@@ -7,12 +7,13 @@ use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-/// A field with a lake of this width and a height of 4, one that overlaps it by 1, and one apart, in this order. Returns the path of the file.
+/// A field with a lake of this width, if it has one, and a height of 4, one that overlaps it by 1, and one apart, in this order. Returns the path of the file.
 fn layer(folder: &TempDir, name: &str, lake: u32, order: [usize; 3]) -> String {
     let square = |x0: u32, y0: u32, x1: u32, y1: u32| [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]];
     let feature = |id: &str, rings: Value| json!({"type": "Feature", "id": id, "properties": {}, "geometry": {"type": "Polygon", "coordinates": rings}});
+    let field = square(0, 0, 40, 40);
     let features = [
-        feature("field", json!([square(0, 0, 40, 40), square(10, 10, 10 + lake, 14)])),
+        feature("field", if lake == 0 { json!([field]) } else { json!([field, square(10, 10, 10 + lake, 14)]) }),
         feature("beside", json!([square(39, 0, 60, 40)])),
         feature("apart", json!([square(100, 0, 120, 40)])),
     ];
