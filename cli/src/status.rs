@@ -1,6 +1,6 @@
 //! The result of a command and its exit status.
 
-use crate::output::plain;
+use twinedge_report::words::plain;
 
 /// The result of a command, as its exit status tells it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

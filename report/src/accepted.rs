@@ -1,9 +1,8 @@
 //! Findings of a coverage that were accepted, as lakes and disputed areas are.
 
-use crate::report::{AuditReport, Note};
-use crate::words::{counted, plain};
+use crate::words::plain;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Position};
 
 /// The version of the form.
@@ -86,15 +85,20 @@ impl Accepted {
         if read.schema != SCHEMA {
             return Err(AcceptedError::Schema(read.schema));
         }
-        let mut ids = std::collections::HashSet::new();
+        let mut ids = HashSet::new();
         match read.accepted.iter().find(|one| !ids.insert(&*one.id)) {
             Some(one) => Err(AcceptedError::Twice(one.id.clone())),
             None => Ok(read),
         }
     }
 
-    /// All findings of the coverage of a report. Those that are in `before` keep their reason and date, unless they grew.
-    pub(crate) fn of(report: &AuditReport, before: Option<&Self>, reason: &str, date: &str) -> Self {
+    /// All these findings. Those that are in `before` keep their reason and date, unless they grew.
+    pub(crate) fn all<'a>(
+        findings: impl Iterator<Item = &'a Diagnosis>,
+        before: Option<&Self>,
+        reason: &str,
+        date: &str,
+    ) -> Self {
         let of = |one: &Diagnosis| {
             let id = one.id.clone().unwrap_or_default();
             let known = before.iter().flat_map(|before| &before.accepted).find(|known| known.id == id);
@@ -112,17 +116,16 @@ impl Accepted {
                 missing: Some(one.missing.len()).filter(|count| *count > 0),
             }
         };
-        let all = report.coverage.iter().flat_map(|coverage| coverage.findings());
-        Self { schema: SCHEMA.to_owned(), accepted: all.map(of).collect() }
+        Self { schema: SCHEMA.to_owned(), accepted: findings.map(of).collect() }
     }
 
-    /// Marks the findings of a report that are accepted, and notes which are no longer there, and which grew.
-    pub(crate) fn apply(&self, report: &mut AuditReport) {
+    /// Marks the findings that are accepted, and returns what became of them, also in sentences about those that grew or are no longer there.
+    pub(crate) fn mark<'a>(&self, findings: impl Iterator<Item = &'a mut Diagnosis>) -> (AcceptedSummary, Vec<String>) {
         let known: HashMap<&str, &AcceptedFinding> = self.accepted.iter().map(|one| (&*one.id, one)).collect();
-        let mut found = std::collections::HashSet::new();
+        let mut found = HashSet::new();
         let mut summary = AcceptedSummary::default();
         let mut lines = Vec::new();
-        for one in report.coverage.iter_mut().flat_map(|coverage| coverage.findings_mut()) {
+        for one in findings {
             let Some(accepted) = one.id.as_deref().and_then(|id| known.get(id)) else { continue };
             found.insert(&*accepted.id);
             if accepted.covers(one) {
@@ -138,11 +141,7 @@ impl Accepted {
             summary.gone.push(gone.id.clone());
             lines.push(format!("{}: it was accepted on {}, and no longer occurs", gone.title(), gone.date));
         }
-        report.notes.push(Note::Plain(format!("{} accepted", counted(summary.count, "finding"))));
-        report.notes.extend(lines.iter().map(|line| Note::Plain(plain(line))));
-        let open = report.coverage.as_ref().filter(|_| report.style.is_rule).map_or(0, |coverage| coverage.open());
-        report.found = counted(report.violation_count as usize + open, "violation");
-        report.accepted = Some(summary);
+        (summary, lines.iter().map(|line| plain(line)).collect())
     }
 }
 

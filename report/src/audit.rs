@@ -7,6 +7,7 @@ use crate::input::Input;
 use crate::input_kind::InputKind;
 use crate::noted::Keep;
 use crate::options::Options;
+use crate::options_json::as_json;
 use crate::packed::Picture;
 use crate::report::AuditReport;
 use crate::tables::TablesReport;
@@ -75,10 +76,10 @@ pub fn audit(
         }
     };
     let mut report = if options.explain { report } else { report.unexplained() };
-    report.options = options.json(kind);
+    report.options = as_json(options, kind);
     report.identify();
     if let Some(accepted) = &options.accepted {
-        accepted.apply(&mut report);
+        report.accept(accepted);
     }
     Ok(Audited(Outcome::Report(Box::new(report), subject)))
 }
@@ -99,7 +100,7 @@ impl Audited {
     pub fn unfinished(name: &str, kind: Option<InputKind>, options: &Options, why: &str) -> Self {
         let report = AuditReport {
             doubts: vec![why.to_owned()],
-            options: kind.map(|kind| options.json(kind)).unwrap_or_default(),
+            options: kind.map(|kind| as_json(options, kind)).unwrap_or_default(),
             ..AuditReport::new(name)
         };
         Self(Outcome::Report(Box::new(report), Subject::None))
@@ -169,7 +170,9 @@ impl Audited {
     /// # Errors
     /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
     pub fn accept_all(&self, before: Option<&Accepted>, reason: &str, date: &str) -> Result<Vec<u8>, Error> {
-        Ok(json(&Accepted::of(self.of_structure()?, before, reason, date))?)
+        let coverage = self.of_structure()?.coverage.iter();
+        let findings = coverage.flat_map(|coverage| coverage.findings());
+        Ok(json(&Accepted::all(findings, before, reason, date))?)
     }
 
     /// The report as SARIF, which code hosts show.

@@ -120,3 +120,17 @@ fn escaped(text: &str) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{AuditReport, junit};
+
+    #[test]
+    fn a_verdict_that_is_not_known_is_an_error() {
+        let report = AuditReport { doubts: vec!["time was up <\u{1}>".to_owned()], ..AuditReport::new("a\"b") };
+        let text = junit(&report).expect("it is a string");
+        assert!(text.contains("<testsuite name=\"a&quot;b\" tests=\"1\" failures=\"0\" errors=\"1\""), "{text}");
+        let why = "unknown: nothing wrong was found, and time was up &lt;\u{fffd}&gt;";
+        assert!(text.contains(&format!("<error type=\"unknown\" message=\"{why}\"/>")), "{text}");
+    }
+}

@@ -43,6 +43,7 @@ pub mod names;
 pub mod noding_text;
 mod noted;
 mod options;
+mod options_json;
 pub mod outline;
 mod packed;
 mod page;

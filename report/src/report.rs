@@ -1,11 +1,11 @@
 //! The report of an audit, which all writers take.
 
-use crate::accepted::AcceptedSummary;
+use crate::accepted::{Accepted, AcceptedSummary};
 use crate::coverage::Coverage;
 use crate::identity::Identities;
 use crate::packed::Window;
 use crate::verdict::{Judged, Verdict};
-use crate::words::{grouped, not_checked};
+use crate::words::{counted, grouped, not_checked};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use twinedge::algorithm::coverage::CoverageRule;
@@ -165,6 +165,16 @@ impl AuditReport {
         for one in self.violations.iter_mut().chain(&mut self.findings).chain(of_coverage) {
             identities.identify(one);
         }
+    }
+
+    /// Marks the findings of the coverage that are accepted: they make nothing invalid.
+    pub(crate) fn accept(&mut self, accepted: &Accepted) {
+        let (summary, lines) = accepted.mark(self.coverage.iter_mut().flat_map(Coverage::findings_mut));
+        self.notes.push(Note::Plain(format!("{} accepted", counted(summary.count, "finding"))));
+        self.notes.extend(lines.into_iter().map(Note::Plain));
+        let open = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::open);
+        self.found = counted(self.violation_count as usize + open, "violation");
+        self.accepted = Some(summary);
     }
 
     /// The number of rules that were not checked.

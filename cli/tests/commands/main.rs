@@ -9,6 +9,7 @@ mod corrupt;
 mod draw;
 mod findings;
 mod fuzz_template;
+mod gate;
 mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;

@@ -1,0 +1,38 @@
+//! The options of an audit as JSON.
+
+use crate::coverage::CoverageOptions;
+use crate::input_kind::InputKind;
+use crate::options::Options;
+use serde_json::{Map, Value, json};
+use twinedge::algorithm::coverage::Limits;
+use twinedge::geometry::noding::Snap;
+
+/// The options that say what is judged and how: those that were given, and of a mesh what it must be.
+pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> {
+    let CoverageOptions { is_rule, limits } = &options.coverage;
+    let Limits { gap_width, lake_width, accepted_gaps, sliver_area, .. } = limits;
+    let snap = options.map.snap.map(|snap| match snap {
+        Snap::Size(size) => json!(size),
+        _ => json!("auto"),
+    });
+    let places: Vec<[f64; 2]> = accepted_gaps.iter().map(|place| (*place).into()).collect();
+    let number = |number: &Option<f64>| number.map(Value::from);
+    let of_map = [
+        ("snap", snap),
+        ("name_from", options.map.name_from.clone().map(Value::from)),
+        ("allow_empty", options.map.allow_empty.then(|| json!(true))),
+        ("coverage", is_rule.then(|| json!(true))),
+        ("gap_width", number(gap_width)),
+        ("lake_width", number(lake_width)),
+        ("accept_gap", (!places.is_empty()).then(|| json!(places))),
+        ("sliver", number(sliver_area)),
+        ("geodesic", options.geodesic.then(|| json!(true))),
+    ];
+    let of_mesh = [("expected", Some(json!(options.mesh.to_string())))];
+    let given: Vec<_> = match kind {
+        InputKind::Map => of_map.into(),
+        InputKind::Mesh(_) => of_mesh.into(),
+        _ => Vec::new(),
+    };
+    given.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect()
+}
