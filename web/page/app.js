@@ -250,6 +250,18 @@ function numberOf(form, name) {
 /** The name under which a repaired or saved map is written. */
 const stemOf = ({ files }) => files[0].name.split("/").at(-1).replace(/\.(zip|gz)$/i, "").replace(/\.[^.]+$/, "");
 
+/** Cleans a layer and keeps its format, with the reference system that it may have; what that cannot hold is GeoJSON. */
+async function cleaned(files, asked, how) {
+  const names = files.map(({ name }) => name.toLowerCase());
+  const own = names.some((name) => /\.(zip|shp)$/.test(name)) ? "shapefile" : names[0].endsWith(".fgb") ? "flatgeobuf" : "geojson";
+  try {
+    return await twinedge.clean(files, { ...asked, to: own, lossy: own === "geojson", ...how });
+  } catch (error) {
+    if (error.code !== "loss") throw error;
+    return twinedge.clean(files, { ...asked, to: "geojson", lossy: true, ...how });
+  }
+}
+
 async function repair(event) {
   event.preventDefault();
   const form = byId("repair");
@@ -257,8 +269,8 @@ async function repair(event) {
   const [gapWidth, sliver, snap] = ["gapWidth", "sliver", "snap"].map((name) => numberOf(form, name));
   const asked = { ...options, overlap: form.elements.overlap.value, gapWidth, sliver, snap };
   const result = await working("Repairing", async (how) => {
-    const { report, file } = await twinedge.clean(files, { ...asked, to: "geojson", lossy: true, ...how });
-    const name = `${stemOf(history.now).replace(/-repaired$/, "")}-repaired.geojson`;
+    const { report, file } = await cleaned(files, asked, how);
+    const name = `${stemOf(history.now).replace(/-repaired$/, "")}-repaired.${file.name.split(".").at(-1)}`;
     const after = [{ name, bytes: file.bytes }];
     return { files: after, options: {}, repair: report, ...(await audited(after, {}, how)) };
   });

@@ -85,7 +85,7 @@ try {
   await page.click("input[value=after]");
   await waitFor("status", /preview/);
   await click("keep");
-  assert.match(await text("status"), /repaired\.geojson: nothing was found$/);
+  assert.match(await text("status"), /parcels-repaired\.zip: nothing was found$/);
   await click("undo");
   assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
   await click("redo");
