@@ -37,6 +37,7 @@
 //! | `flatgeobuf`, `geojson`, `geopackage`, `geoparquet`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, parquet with chrono, codepage with `encoding_rs` and `oem_cp`, none, wkt |
 //! | `topojson` (default) | a reader | serde |
 //! | `archive` (default) | layers in zip archives and in gzip data | zip, tempfile |
+//! | `epsg` (default) | the definitions of the reference systems of the EPSG; without them only WGS 84 is known by its number | none |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]

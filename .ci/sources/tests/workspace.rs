@@ -9,12 +9,18 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up").to_path_buf()
 }
 
-/// Of the workspace, of the library for C, of the fuzz targets, of the Python module and of the audit of other structures, with paths from the root.
+/// Of the workspace, of the library for C, of the fuzz targets, of the Python module, of that for JavaScript and of the audit of other structures, with paths from the root.
 fn all_imports() -> Imports {
     let root = root();
     let mut all: Vec<Crate> = Vec::new();
-    for manifest in ["Cargo.toml", "capi/Cargo.toml", "fuzz/Cargo.toml", "python/Cargo.toml", "tests/peers/Cargo.toml"]
-    {
+    for manifest in [
+        "Cargo.toml",
+        "capi/Cargo.toml",
+        "fuzz/Cargo.toml",
+        "python/Cargo.toml",
+        "tests/peers/Cargo.toml",
+        "web/Cargo.toml",
+    ] {
         all.extend(crates(&root.join(manifest)).expect("Cargo lists the crates"));
     }
     for each in &mut all {

@@ -3,17 +3,28 @@
 //! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), written by PROJ; see `data/esri_wkt.py` and
 //! `data/projjson.py`.
 
+#[cfg(feature = "epsg")]
 use flate2::read::GzDecoder;
+#[cfg(feature = "epsg")]
 use std::io::{BufRead, BufReader};
 
 /// A line for each system: its number, a tabulator, its definition.
+#[cfg(feature = "epsg")]
 const TABLE: &[u8] = include_bytes!("../../data/esri-wkt.tsv.gz");
 
 /// The same with definitions in PROJJSON.
 #[cfg(feature = "geoparquet")]
 const PROJJSON: &[u8] = include_bytes!("../../data/projjson.tsv.gz");
 
+/// The one system that is known without the table.
+#[cfg(not(feature = "epsg"))]
+const WGS_84: (i64, &str) = (
+    4326,
+    "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]",
+);
+
 /// The first row of a table for which `found` returns something. O(rows).
+#[cfg(feature = "epsg")]
 fn find<T>(table: &[u8], mut found: impl FnMut(&str, &str) -> Option<T>) -> Option<T> {
     let lines = BufReader::new(GzDecoder::new(table)).lines().map_while(Result::ok);
     lines.into_iter().find_map(|line| line.split_once('\t').and_then(|(code, wkt)| found(code, wkt)))
@@ -21,7 +32,10 @@ fn find<T>(table: &[u8], mut found: impl FnMut(&str, &str) -> Option<T>) -> Opti
 
 /// The definition of a system.
 pub(super) fn wkt(code: i64) -> Option<String> {
-    of_code(TABLE, code)
+    #[cfg(feature = "epsg")]
+    return of_code(TABLE, code);
+    #[cfg(not(feature = "epsg"))]
+    return (code == WGS_84.0).then(|| WGS_84.1.to_owned());
 }
 
 /// The definition of a system in PROJJSON.
@@ -30,6 +44,7 @@ pub(super) fn projjson(code: i64) -> Option<String> {
     of_code(PROJJSON, code)
 }
 
+#[cfg(feature = "epsg")]
 fn of_code(table: &[u8], wanted: i64) -> Option<String> {
     let wanted = wanted.to_string();
     find(table, |code, definition| (code == wanted).then(|| definition.to_owned()))
@@ -37,5 +52,8 @@ fn of_code(table: &[u8], wanted: i64) -> Option<String> {
 
 /// The number of the system with this definition.
 pub(super) fn code(wanted: &str) -> Option<i64> {
+    #[cfg(not(feature = "epsg"))]
+    return (wanted.trim() == WGS_84.1).then_some(WGS_84.0);
+    #[cfg(feature = "epsg")]
     find(TABLE, |code, wkt| if wkt == wanted.trim() { code.parse().ok() } else { None })
 }

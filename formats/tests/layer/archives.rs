@@ -6,7 +6,11 @@ use flate2::write::GzEncoder;
 use std::fs;
 use std::io::{Cursor, Write};
 use std::path::Path;
-use twinedge_formats::layer::{ArchiveError, Format, Layer, ReadError, ReadOptions, read_path, write, write_path};
+use std::sync::Arc;
+use twinedge_formats::layer::{
+    ArchiveError, Files, Format, Layer, ReadError, ReadOptions, UnpackedFiles, read_layer, read_path, unpack_bytes,
+    write, write_files, write_path, zip,
+};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
@@ -39,6 +43,41 @@ fn parts_of_shapefile(layer: &Layer) -> Vec<(String, Vec<u8>)> {
     write_path(layer, &path, Format::Shapefile).unwrap();
     let files = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path());
     files.map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), fs::read(&path).unwrap())).collect()
+}
+
+/// The layer of an archive that is in memory, with all its parts.
+fn in_memory(archive: &[u8]) -> Result<Layer, ReadError> {
+    let UnpackedFiles { files, path, layer } = unpack_bytes(archive, None, None)?.expect("it is an archive");
+    let main = files.share(&path).expect("it was unpacked");
+    let options = ReadOptions { layer, files: Some(Arc::new(files)), ..ReadOptions::default() };
+    read_layer(&mut &*main, Some(&path), &options)
+}
+
+#[test]
+fn a_shapefile_is_written_zipped_and_read_without_a_disk() {
+    let layer = world();
+    let files = write_files(&layer, Path::new("countries.shp"), Format::Shapefile).unwrap();
+    let on_disk: Files = parts_of_shapefile(&layer).into_iter().map(|(name, bytes)| (name.into(), bytes)).collect();
+    assert_eq!(files, on_disk);
+    let (_folder, path) = scratch("countries.zip");
+    let archive = zip(&files).unwrap();
+    fs::write(&path, &archive).unwrap();
+    assert_eq!(in_memory(&archive).unwrap(), read(&path).unwrap());
+    assert_eq!(in_memory(&gzipped(&geojson(&layer))).unwrap(), layer);
+    // Parts beside it are not looked for on disk.
+    let alone: Files =
+        [(path.with_extension("shp"), files.get(Path::new("countries.shp")).unwrap().to_vec())].into_iter().collect();
+    let options = ReadOptions { files: Some(Arc::new(alone)), ..ReadOptions::default() };
+    fs::write(path.with_extension("dbf"), files.get(Path::new("countries.dbf")).unwrap()).unwrap();
+    let bytes = files.get(Path::new("countries.shp")).unwrap();
+    let without_table = read_layer(&mut &*bytes, Some(&path.with_extension("shp")), &options).unwrap();
+    assert!(without_table.features.iter().all(|feature| feature.attributes.is_empty()));
+}
+
+#[test]
+fn an_archive_that_expands_without_end_is_refused_in_memory_too() {
+    let archive = gzipped(&vec![0; 1 << 20]).repeat(100);
+    assert!(matches!(unpack_bytes(&archive, None, None), Err(ReadError::Archive(ArchiveError::Expands { .. }))));
 }
 
 #[test]

@@ -1,0 +1,120 @@
+// The functions, each done when it returns. `index.js` has the same in a worker.
+
+import { Engine } from "./engine.js";
+import { OptionError } from "./errors.js";
+
+export * from "./errors.js";
+
+const encoder = new TextEncoder();
+
+/** Loads the module, from where this file is unless something else is given: bytes, a module, a URL or a response. */
+export async function load(source = new URL("./twinedge.wasm", import.meta.url)) {
+  return new Twinedge(new Engine(await moduleOf(await source)));
+}
+
+/** A module of WebAssembly from bytes, a URL or a response. */
+export async function moduleOf(source) {
+  if (source instanceof WebAssembly.Module) return source;
+  if (source instanceof Uint8Array || source instanceof ArrayBuffer) return WebAssembly.compile(source);
+  if (typeof Response === "function" && source instanceof Response) return WebAssembly.compile(await source.arrayBuffer());
+  const url = new URL(source);
+  if (url.protocol !== "file:") return moduleOf(await fetch(url));
+  // Node fetches no files.
+  const { readFile } = await import("node:fs/promises");
+  return WebAssembly.compile(await readFile(url));
+}
+
+/** The bytes of an input and its name. */
+export function fileOf(input, name) {
+  if (typeof input === "string") return { name: name ?? "text", bytes: encoder.encode(input) };
+  if (input instanceof ArrayBuffer) return { name: name ?? "bytes", bytes: new Uint8Array(input) };
+  // A buffer of Node turns into numbers in JSON, and is none here.
+  if (ArrayBuffer.isView(input)) return { name: name ?? "bytes", bytes: new Uint8Array(input.buffer, input.byteOffset, input.byteLength) };
+  if (typeof input?.name === "string" && input.bytes !== undefined) return fileOf(input.bytes, input.name);
+  if (typeof input?.type === "string") return { name: name ?? input.type, bytes: encoder.encode(JSON.stringify(input)) };
+  throw new OptionError("option", "an input is a text, bytes, an object of GeoJSON or TopoJSON, or files with names and bytes");
+}
+
+/** A column of links as 32-bit integers. What is no index of an array, such as −1, stays what it is. */
+function columnOf(name, column) {
+  if (column === undefined || column === null) return null;
+  if (column instanceof Int32Array || column instanceof Uint32Array) {
+    return new Uint8Array(column.buffer, column.byteOffset, column.byteLength);
+  }
+  if (typeof column.length !== "number") throw new OptionError("option", `${name}: a column is an array of whole numbers`);
+  const numbers = new Int32Array(column.length);
+  for (let i = 0; i < numbers.length; i++) {
+    const number = Number(column[i] ?? -1);
+    if (!Number.isInteger(number)) throw new OptionError("option", `${name}: ${column[i]} is no whole number`);
+    // Beyond every array, it leads nowhere.
+    numbers[i] = Math.max(-2, Math.min(number, 2 ** 31 - 1));
+  }
+  return new Uint8Array(numbers.buffer);
+}
+
+const COLUMNS = ["origin", "target", "twin", "next", "prev", "face", "leaving", "outerHalfEdge"];
+
+/** Options as the module takes them: what JavaScript alone looks at stays here. */
+function plain({ progress, signal, name, ...options }) {
+  return options;
+}
+
+/** A request about files. */
+const about = (op, rest = {}) => (input, options = {}) => ({
+  op,
+  files: Array.isArray(input) ? input.map((one) => fileOf(one)) : [fileOf(input, options.name)],
+  options: plain(options),
+  ...rest,
+});
+
+/** What each function asks of the module, and what it makes of the answer. */
+export const requests = {
+  audit: about("audit", { want: ["report"] }),
+  auditPage: about("audit", { want: ["page"] }),
+  auditWithPage: about("audit", { want: ["report", "page"] }),
+  findings: about("audit", { want: ["findings"] }),
+  clean: about("clean"),
+  convert: about("convert"),
+  neighbours: about("neighbours"),
+  voronoi: (input, options = {}) =>
+    Array.isArray(input) && input.every((one) => Array.isArray(one))
+      ? { op: "voronoi", points: input, options: plain(options) }
+      : about("voronoi")(input, options),
+  validate: (columns, expectation = "plane", options = {}) => {
+    for (const name in columns) {
+      if (![...COLUMNS, "vertices", "faces"].includes(name)) throw new OptionError("option", `${name} is no column`);
+    }
+    const { vertices, faces } = columns;
+    const given = Object.fromEntries(COLUMNS.map((name) => [name, columnOf(name, columns[name])]));
+    return { op: "validate", columns: given, vertices, faces, expectation, options: plain(options) };
+  },
+  check: (files) => ({ op: "check", files: Object.entries(files).map(([name, bytes]) => fileOf(bytes, name)) }),
+};
+
+const texts = new TextDecoder();
+const parsed = (bytes) => JSON.parse(texts.decode(bytes));
+
+export const answers = {
+  audit: ({ report }) => parsed(report),
+  auditPage: ({ page }) => texts.decode(page),
+  auditWithPage: ({ report, page }) => ({ report: parsed(report), page: texts.decode(page) }),
+  findings: ({ findings, warnings }) => Object.assign(parsed(findings), { warnings }),
+  clean: ({ report, file, isLayer }) => ({ report: parsed(report), ...(isLayer ? { layer: parsed(file.bytes) } : { file }) }),
+  convert: ({ file, losses }) => ({ ...file, losses }),
+  neighbours: ({ answer }) => parsed(answer),
+  voronoi: ({ answer }) => parsed(answer),
+  validate: ({ report }) => parsed(report),
+  check: (answer) => answer,
+};
+
+/** The functions, over one module. */
+export class Twinedge {
+  constructor(engine) {
+    for (const [name, request] of Object.entries(requests)) {
+      this[name] = (...args) => answers[name](engine.call(request(...args), progressOf(args)));
+    }
+  }
+}
+
+/** The function that is told what begins, if the last argument has one: an input may have a member of that name. */
+export const progressOf = (args) => (typeof args.at(-1)?.progress === "function" ? args.at(-1).progress : null);

@@ -1,0 +1,27 @@
+// What the page does not take, and what to run instead.
+
+/** The largest file that is taken, in bytes. */
+export const LIMIT = 300 * 2 ** 20;
+
+const MIB = 2 ** 20;
+
+const begins = (bytes, text) => bytes && [...text].every((letter, i) => bytes[i] === letter.charCodeAt(0));
+
+const run = (name) => ({ code: `twinedge audit ${name} -o report.html\ntwinedge clean ${name} -o clean.gpkg` });
+
+/** The parts of a message, if these files are refused. */
+export function refusal(files) {
+  const main = files[0];
+  const size = files.reduce((sum, file) => sum + (file.size ?? file.bytes.length), 0);
+  const name = main.name.includes(" ") ? `"${main.name}"` : main.name;
+  if (size > LIMIT || files.some(({ bytes }) => bytes === null)) {
+    return [{ text: `${main.name} has ${Math.round(size / MIB)} MB. A browser holds maps of up to ${LIMIT / MIB} MB; the program takes any. Run this instead:` }, run(name)];
+  }
+  if (begins(main.bytes, "SQLite format 3")) {
+    return [{ text: `${main.name} is a GeoPackage: a database of SQLite, which would be larger than all of this page. Run this instead:` }, run(name)];
+  }
+  if (begins(main.bytes, "PAR1")) {
+    return [{ text: `${main.name} is GeoParquet, whose methods of compression would be larger than all of this page. Run this instead:` }, run(name)];
+  }
+  return null;
+}

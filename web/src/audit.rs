@@ -1,0 +1,54 @@
+//! `audit`, `auditPage`, `findings`.
+
+use crate::buffers::Buffers;
+use crate::call::Stage;
+use crate::error::CallError;
+use crate::options::AuditOptions;
+use crate::source::{Buffer, NamedFile, input};
+use serde::Deserialize;
+use serde_json::{Map, Value, to_value};
+use twinedge_report::{InputKind, audit};
+
+#[derive(Deserialize)]
+pub(crate) struct Request {
+    files: Vec<NamedFile>,
+    options: AuditOptions,
+    want: Vec<Output>,
+}
+
+/// A form of the report.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Output {
+    Report,
+    Page,
+    Findings,
+}
+
+pub(crate) fn answer(asked: Request, buffers: &mut Buffers, stage: Stage<'_>) -> Result<Value, CallError> {
+    stage("reading");
+    let options = asked.options.options()?;
+    let mut input = input(asked.files, asked.options.layer.as_deref(), buffers)?;
+    let name = input.name.clone();
+    let of_input = |error: CallError| error.of(&name);
+    let kind = InputKind::of(asked.options.postgis, asked.options.arcs, &mut input).map_err(|e| of_input(e.into()))?;
+    if !matches!(kind, InputKind::Map | InputKind::Arcs) {
+        input.refuse_layer(kind.words()).map_err(|error| of_input(error.into()))?;
+    }
+    let audited = audit(input, kind, &options, stage).map_err(|error| of_input(error.into()))?;
+    stage("writing the report");
+    let mut answer = Map::new();
+    for want in asked.want {
+        let (key, bytes) = match want {
+            Output::Report => ("report", audited.json()?),
+            Output::Page => ("page", audited.page()?.into_bytes()),
+            Output::Findings => {
+                let (layer, warnings) = audited.findings()?;
+                answer.insert("warnings".to_owned(), warnings.into());
+                ("findings", layer)
+            }
+        };
+        answer.insert(key.to_owned(), to_value(Buffer::put(buffers, bytes))?);
+    }
+    Ok(answer.into())
+}

@@ -1,0 +1,58 @@
+//! A request and its answer.
+//!
+//! A request is `{"op": …}` with what the operation takes; `{"buffer": 3}` in it stands for bytes. The answer is `{"ok": …}` or `{"error": …}`.
+
+use crate::buffers::{Buffers, Id};
+use crate::error::CallError;
+use crate::{audit, check, clean, convert, neighbours, validate, voronoi};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+/// What is told which stage of the work begins.
+pub(crate) type Stage<'a> = &'a mut dyn FnMut(&'static str);
+
+#[derive(Deserialize)]
+#[serde(tag = "op", rename_all = "snake_case")]
+enum Request {
+    Audit(audit::Request),
+    Clean(clean::Request),
+    Convert(convert::Request),
+    Neighbours(neighbours::Request),
+    Voronoi(voronoi::Request),
+    Validate(validate::Request),
+    Check(check::Request),
+}
+
+/// Answers a request, of which the JSON is in a buffer. It and those that it names are taken away. The answer is in another buffer.
+///
+/// # Panics
+/// If the answer cannot be written as JSON, which does not happen.
+pub(crate) fn call(buffers: &mut Buffers, request: Id, stage: &mut dyn FnMut(&'static str)) -> Id {
+    let json = buffers.take(request);
+    let answer = match answer(buffers, &json, stage) {
+        Ok(ok) => json!({ "ok": ok }),
+        Err(error) => {
+            // Nobody asks for what was there before the error.
+            *buffers = Buffers::default();
+            json!({ "error": error.json() })
+        }
+    };
+    buffers.add(answer.to_string().into_bytes())
+}
+
+fn answer(buffers: &mut Buffers, json: &[u8], stage: Stage<'_>) -> Result<Value, CallError> {
+    let request = serde_json::from_slice(json).map_err(|error| {
+        // The place in the request says nothing to whoever wrote no JSON.
+        let text = error.to_string();
+        CallError::option(text.split(" at line ").next().unwrap_or(&text))
+    })?;
+    match request {
+        Request::Audit(asked) => audit::answer(asked, buffers, stage),
+        Request::Clean(asked) => clean::answer(asked, buffers, stage),
+        Request::Convert(asked) => convert::answer(asked, buffers),
+        Request::Neighbours(asked) => neighbours::answer(asked, buffers, stage),
+        Request::Voronoi(asked) => voronoi::answer(asked, buffers),
+        Request::Validate(asked) => validate::answer(asked, buffers),
+        Request::Check(asked) => check::answer(asked, buffers),
+    }
+}

@@ -1,0 +1,96 @@
+//! `clean`: a layer of polygons, repaired.
+
+use crate::buffers::Buffers;
+use crate::call::Stage;
+use crate::convert::{Target, write};
+use crate::error::CallError;
+use crate::options::{Gaps, Grid, snap};
+use crate::source::{Buffer, NamedFile, layer, stem};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use twinedge::algorithm::clean::{Options, Winner};
+use twinedge_formats::layer::clean::{CleanOptions, clean};
+use twinedge_report::clean::{Cleaning, Names};
+use twinedge_report::words::json as json_bytes;
+
+#[derive(Deserialize)]
+pub(crate) struct Request {
+    files: Vec<NamedFile>,
+    options: Asked,
+}
+
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default, rename_all = "camelCase", deny_unknown_fields)]
+struct Asked {
+    layer: Option<String>,
+    to: Option<Target>,
+    id_column: Option<String>,
+    lossy: bool,
+    snap: Option<Grid>,
+    name_from: Option<String>,
+    overlap: Claim,
+    gap_width: Option<f64>,
+    lake_width: Option<f64>,
+    accept_gaps: Vec<[f64; 2]>,
+    sliver: Option<f64>,
+}
+
+/// The feature that gets what several claim.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Claim {
+    #[default]
+    Inner,
+    Larger,
+    Smaller,
+    First,
+    Last,
+}
+
+impl From<Claim> for Winner {
+    fn from(claim: Claim) -> Self {
+        match claim {
+            Claim::Inner => Self::Inner,
+            Claim::Larger => Self::Larger,
+            Claim::Smaller => Self::Smaller,
+            Claim::First => Self::First,
+            Claim::Last => Self::Last,
+        }
+    }
+}
+
+pub(crate) fn answer(asked: Request, buffers: &mut Buffers, stage: Stage<'_>) -> Result<Value, CallError> {
+    let Request { files, options } = asked;
+    let gaps = Gaps {
+        gap_width: options.gap_width,
+        lake_width: options.lake_width,
+        accept_gaps: options.accept_gaps,
+        sliver: options.sliver,
+    };
+    gaps.checked()?;
+    stage("reading");
+    let (name, mut layer) = layer(files, options.layer.as_deref(), buffers)?;
+    let names = Names { from: options.name_from.as_deref() };
+    names.refuse_unknown(&layer).map_err(|error| CallError::from(error).of(&name))?;
+    let assign = Options {
+        winner: options.overlap.into(),
+        gap_width: gaps.gap_width,
+        lake_width: gaps.lake_width,
+        accepted_gaps: gaps.accepted(),
+        sliver_area: gaps.sliver,
+        ..Options::default()
+    };
+    stage("cleaning");
+    let how = CleanOptions { snap: snap(options.snap.as_ref())?, assign };
+    let report = clean(&mut layer, &how).map_err(|error| CallError::from(error).of(&name))?;
+    stage("writing");
+    let mut cleaning = Cleaning::new(&name, names, &layer, &report);
+    cleaning.greatest_gap = gaps.lake_width.or(gaps.gap_width);
+    let report = json_bytes(&cleaning.json())?;
+    let stem = stem(&name, &layer.header);
+    let to = options.to.unwrap_or_default();
+    let written = write(&layer, &stem, to, options.id_column.as_deref(), options.lossy, buffers)
+        .map_err(|error| error.of(&name))?;
+    let report = Buffer::put(buffers, report);
+    Ok(json!({ "report": report, "file": written.file, "losses": written.losses, "isLayer": options.to.is_none() }))
+}

@@ -1,0 +1,137 @@
+//! Errors as JavaScript throws them.
+
+use serde_json::{Map, Value, json};
+use std::fmt::Display;
+use twinedge_formats::{layer, mesh, postgis};
+use twinedge_report as report;
+
+/// An error with its code and its place in the input.
+#[derive(Debug)]
+pub(crate) struct CallError {
+    code: &'static str,
+    message: String,
+    place: Map<String, Value>,
+}
+
+impl CallError {
+    pub(crate) fn new(code: &'static str, message: impl Display) -> Self {
+        Self { code, message: message.to_string(), place: Map::new() }
+    }
+
+    /// An option that is wrong.
+    pub(crate) fn option(message: impl Display) -> Self {
+        Self::new("option", message)
+    }
+
+    fn at(mut self, places: impl IntoIterator<Item = (&'static str, Value)>) -> Self {
+        self.place.extend(places.into_iter().map(|(key, value)| (key.to_owned(), value)));
+        self
+    }
+
+    /// The same, about the input of this name.
+    pub(crate) fn of(mut self, name: &str) -> Self {
+        self.message = format!("{name}: {}", self.message);
+        self.at([("input", name.into())])
+    }
+
+    pub(crate) fn json(&self) -> Value {
+        let place = (!self.place.is_empty()).then_some(&self.place);
+        json!({ "code": self.code, "message": self.message, "place": place })
+    }
+}
+
+fn of_layer_place(place: layer::Place) -> Vec<(&'static str, Value)> {
+    match place {
+        layer::Place::Feature(number) => vec![("feature", number.into())],
+        layer::Place::Line(number) => vec![("line", number.into())],
+        layer::Place::Text(place) => vec![("line", place.line.into()), ("column", place.column.into())],
+        layer::Place::Arc(number) => vec![("arc", number.into())],
+        _ => vec![("header", true.into())],
+    }
+}
+
+impl From<layer::ReadError> for CallError {
+    fn from(error: layer::ReadError) -> Self {
+        let place = match &error {
+            layer::ReadError::Content { place, .. } => of_layer_place(*place),
+            layer::ReadError::Text(error) => {
+                let at = error.place;
+                let feature = error.feature.as_ref().map(|feature| ("feature", feature.index.into()));
+                [("line", at.line.into()), ("column", at.column.into())].into_iter().chain(feature).collect()
+            }
+            layer::ReadError::Layers { layers, .. } => vec![("layers", layers.clone().into())],
+            _ => Vec::new(),
+        };
+        let code = match &error {
+            layer::ReadError::Foreign(_) | layer::ReadError::Unrecognised | layer::ReadError::FeatureOff(_) => "format",
+            layer::ReadError::NeedsFile(_) => "format",
+            layer::ReadError::Layers { .. } => "layer",
+            layer::ReadError::Empty => "empty",
+            _ => "content",
+        };
+        Self::new(code, &error).at(place)
+    }
+}
+
+impl From<mesh::ReadError> for CallError {
+    fn from(error: mesh::ReadError) -> Self {
+        let place = match &error {
+            mesh::ReadError::Content { position: mesh::Position::Line(line), .. } => Some(("line", (*line).into())),
+            mesh::ReadError::Content { position: mesh::Position::Byte(byte), .. } => Some(("byte", (*byte).into())),
+            _ => None,
+        };
+        Self::new("content", &error).at(place)
+    }
+}
+
+impl From<postgis::ReadError> for CallError {
+    fn from(error: postgis::ReadError) -> Self {
+        let place = match &error {
+            postgis::ReadError::Content { byte, place, .. } => {
+                vec![("byte", (*byte).into()), ("table", place.table.to_string().into()), ("row", place.row.into())]
+            }
+            _ => Vec::new(),
+        };
+        Self::new("content", &error).at(place)
+    }
+}
+
+impl From<report::Error> for CallError {
+    fn from(error: report::Error) -> Self {
+        match error {
+            report::Error::Layer(error) => error.into(),
+            report::Error::Mesh(error) => error.into(),
+            report::Error::Postgis(error) => error.into(),
+            report::Error::Table { line, .. } => Self::new("content", &error).at([("line", line.into())]),
+            report::Error::NoColumn { .. } | report::Error::NotDegrees | report::Error::NoPicture(_) => {
+                Self::option(error)
+            }
+            report::Error::NoLayer { .. } => Self::new("layer", error),
+            report::Error::NoMap(_) => Self::new("empty", error),
+            error => Self::new("content", error),
+        }
+    }
+}
+
+/// Errors that are only a message.
+macro_rules! contents {
+    ($($error:ty),*) => {
+        $(impl From<$error> for CallError {
+            fn from(error: $error) -> Self {
+                Self::new("content", error)
+            }
+        })*
+    };
+}
+
+contents!(
+    layer::WriteError,
+    layer::clean::CleanError,
+    layer::ColumnTaken,
+    report::voronoi::OtherGeometry,
+    serde_json::Error,
+    std::fmt::Error,
+    std::io::Error,
+    twinedge::algorithm::voronoi::VoronoiError,
+    twinedge::dcel::StaleKey
+);

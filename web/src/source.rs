@@ -1,0 +1,82 @@
+//! The files of an input.
+
+use crate::buffers::{Buffers, Id};
+use crate::error::CallError;
+use serde::{Deserialize, Serialize};
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use twinedge_formats::layer::{Files, Format, Header, Layer, read_layer, unpack_bytes};
+use twinedge_report::Input;
+
+/// A buffer, as it stands in JSON.
+#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
+pub(crate) struct Buffer {
+    buffer: Id,
+}
+
+impl Buffer {
+    pub(crate) fn put(buffers: &mut Buffers, bytes: Vec<u8>) -> Self {
+        Self { buffer: buffers.add(bytes) }
+    }
+
+    pub(crate) fn take(self, buffers: &mut Buffers) -> Vec<u8> {
+        buffers.take(self.buffer)
+    }
+}
+
+/// A file with its name.
+#[derive(Debug, Deserialize, Serialize)]
+pub(crate) struct NamedFile {
+    pub(crate) name: String,
+    pub(crate) bytes: Buffer,
+}
+
+/// The main file of several: that of a layer, if there is one, and not a part of it.
+fn main_of(names: &[PathBuf]) -> Option<&PathBuf> {
+    let is_main = |path: &&PathBuf| {
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+        !["dbf", "shx", "prj", "cpg", "sbn", "sbx", "qix", "qpj", "xml", "mtl"]
+            .contains(&extension.as_deref().unwrap_or_default())
+    };
+    names.iter().find(is_main).or(names.first())
+}
+
+/// The input that these files are: one of them, which others may belong to. Archives are unpacked.
+pub(crate) fn input(files: Vec<NamedFile>, layer: Option<&str>, buffers: &mut Buffers) -> Result<Input, CallError> {
+    let names: Vec<PathBuf> = files.iter().map(|file| PathBuf::from(&file.name)).collect();
+    let main = main_of(&names).cloned().ok_or_else(|| CallError::option("there are no files"))?;
+    let name = main.display().to_string();
+    let mut all: Files = files.into_iter().map(|file| (file.name.into(), file.bytes.take(buffers))).collect();
+    let (mut path, mut wanted) = (main, layer.map(str::to_owned));
+    let packed = all.get(&path).unwrap_or_default();
+    let unpacked = unpack_bytes(packed, Some(&path), layer).map_err(|error| CallError::from(error).of(&name))?;
+    if let Some(unpacked) = unpacked {
+        (all, path, wanted) = (unpacked.files, unpacked.path, unpacked.layer);
+    }
+    let bytes = all.share(&path).unwrap_or_default();
+    // A Shapefile is read by its name; nothing else needs the files once more.
+    let is_several = Format::of_path(&path) == Some(Format::Shapefile);
+    let input = Input::new(name, Box::new(Cursor::new(bytes)), Some(&path));
+    Ok(Input { layer: wanted, files: is_several.then(|| Arc::new(all)), ..input })
+}
+
+/// Reads a whole layer, and gives the name of the input with it.
+pub(crate) fn layer(
+    files: Vec<NamedFile>,
+    layer: Option<&str>,
+    buffers: &mut Buffers,
+) -> Result<(String, Layer), CallError> {
+    let mut input = input(files, layer, buffers)?;
+    let name = input.name.clone();
+    input.map_format().map_err(|error| CallError::from(error).of(&name))?;
+    let options = input.options();
+    let read = read_layer(&mut input.reader, input.path.as_deref(), &options);
+    Ok((name.clone(), read.map_err(|error| CallError::from(error).of(&name))?))
+}
+
+/// The name of an input without folders and extension.
+pub(crate) fn stem(name: &str, header: &Header) -> String {
+    let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    stem.or_else(|| header.name.clone()).unwrap_or_else(|| "layer".to_owned())
+}

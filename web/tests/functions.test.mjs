@@ -1,0 +1,230 @@
+// The functions, in Node: in a worker and without one.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, describe, it } from "node:test";
+import * as twinedge from "../package/index.js";
+import { load } from "../package/sync.js";
+
+const polygon = (id, ring) => ({ type: "Feature", id, properties: { name: `parcel ${id}` }, geometry: { type: "Polygon", coordinates: [ring] } });
+const square = (x, width, height = 4) => [[x, 0], [x + width, 0], [x + width, height], [x, height], [x, 0]];
+const collection = (...features) => ({ type: "FeatureCollection", features });
+/** The right one begins half a unit inside the left one. */
+const overlapping = collection(polygon(1, square(0, 4)), polygon(2, square(3.5, 4)));
+const data = (path) => readFile(new URL(`../../${path}`, import.meta.url));
+/** A triangle: half-edges 0, 2 and 4 run around its inside. */
+const triangle = { origin: [0, 1, 1, 2, 2, 0], twin: [1, 0, 3, 2, 5, 4], next: [2, 5, 4, 1, 0, 3] };
+
+/** A module with the exports of twinedge that says this and ends, as it does after a panic. */
+function panicking(message) {
+  const text = (word) => [word.length, ...Buffer.from(word)];
+  const section = (id, ...items) => [id, items.flat().length + 1, items.length, ...items.flat()];
+  const [i32, end] = [0x7f, 0x0b];
+  const body = (...code) => [code.length + 2, 0, ...code, end];
+  const constant = (number) => [0x41, number];
+  return new Uint8Array([
+    ...[0, 0x61, 0x73, 0x6d, 1, 0, 0, 0],
+    ...section(1, [0x60, 2, i32, i32, 0], [0x60, 1, i32, 1, i32]),
+    ...section(2, [...text("twinedge"), ...text("stage"), 0, 0], [...text("twinedge"), ...text("panicked"), 0, 0]),
+    ...section(3, [1], [1]),
+    ...section(5, [0, 1]),
+    ...section(7, [...text("memory"), 2, 0], ...["buffer", "address", "length"].map((name) => [...text(name), 0, 2]), [...text("call"), 0, 3]),
+    // The first function gives 63, as a number or as an address; the other one panics and traps.
+    ...section(10, body(...constant(63)), body(...constant(0), ...constant(message.length), 0x10, 1, 0x00)),
+    ...section(11, [0, ...constant(0), end, ...text(message)]),
+  ]);
+}
+
+let sync;
+before(async () => (sync = await load()));
+after(() => twinedge.close());
+
+describe("audit", () => {
+  it("finds an overlap with its features, its area and its place", async () => {
+    const { valid, coverage } = await twinedge.audit(overlapping);
+    assert.equal(valid, false, "borders that cross are no planar map");
+    const [finding] = coverage.findings;
+    assert.deepEqual([coverage.overlaps, finding.rule, finding.area], [1, "C1", 2]);
+    assert.deepEqual(finding.features.map(({ name }) => name), ["parcel 1", "parcel 2"]);
+  });
+
+  it("says in the thread what it says in the worker", async () => {
+    const timeless = ({ elapsed_ms, ...report }) => report;
+    assert.deepEqual(timeless(await twinedge.audit(overlapping)), timeless(sync.audit(overlapping)));
+  });
+
+  it("takes text, bytes, buffers, objects and files", async () => {
+    const text = JSON.stringify(overlapping);
+    const bytes = new TextEncoder().encode(text);
+    for (const input of [text, bytes, bytes.buffer, Buffer.from(text), overlapping, { name: "a.geojson", bytes }, [{ name: "a.geojson", bytes }]]) {
+      assert.equal((await twinedge.audit(input)).coverage.overlaps, 1);
+    }
+  });
+
+  it("reads TopoJSON, and its arcs as they are", async () => {
+    const topology = JSON.parse(await data("formats/tests/layer/data/south-america.topojson"));
+    const report = await twinedge.audit(topology);
+    assert.deepEqual([report.valid, report.coverage.overlaps], [true, 0]);
+    assert.equal((await twinedge.audit(topology, { arcs: true })).valid, true);
+  });
+
+  it("judges a mesh by what it must be", async () => {
+    const open = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 1 0 3\n3 1 2 3\n";
+    assert.equal((await twinedge.audit(open, { name: "open.off" })).valid, false, "two faces are wound against each other");
+    const closed = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+    assert.equal((await twinedge.audit(closed, { closed: true, genus: 0, triangles: true })).valid, true);
+    assert.equal((await twinedge.audit(closed, { genus: 1 })).valid, false);
+  });
+
+  it("makes a page and a layer of what it found", async () => {
+    const page = await twinedge.auditPage(overlapping);
+    assert.match(page, /^<!doctype html>/);
+    const { features } = await twinedge.findings(overlapping);
+    assert.ok(features.some(({ properties }) => properties.rule === "C1"));
+  });
+
+  it("tells which stage of the work begins", async () => {
+    const stages = [];
+    await twinedge.audit(overlapping, { progress: (stage) => stages.push(stage) });
+    assert.deepEqual(stages.slice(0, 3), ["reading", "building the map", "validating"]);
+  });
+});
+
+describe("errors", () => {
+  it("have a class, a code and a place", async () => {
+    const broken = '{"type": "FeatureCollection",\n "features": [{"type": "Feature", "geometry": {"type": "Point", "coordinates": [1]}}]}';
+    await assert.rejects(twinedge.audit(broken, { name: "broken.geojson" }), (error) => {
+      assert.ok(error instanceof twinedge.InputError && error instanceof Error);
+      assert.deepEqual([error.name, error.code, error.place.input, error.place.line], ["InputError", "content", "broken.geojson", 2]);
+      return true;
+    });
+  });
+
+  it("are of options where an option is wrong", async () => {
+    await assert.rejects(twinedge.audit(overlapping, { gapWith: 1 }), { name: "OptionError", message: /gapWith/ });
+    await assert.rejects(twinedge.audit(overlapping, { gapWidth: -1 }), { name: "OptionError", message: /gapWidth/ });
+    await assert.rejects(twinedge.audit(overlapping, { geodesic: true, nameFrom: "owner" }), { name: "OptionError", message: /owner/ });
+    await assert.rejects(twinedge.audit(7), twinedge.OptionError);
+  });
+
+  it("name the layers that there are", async () => {
+    const topology = { type: "Topology", arcs: [], objects: { a: { type: "GeometryCollection", geometries: [] }, b: { type: "GeometryCollection", geometries: [] } } };
+    await assert.rejects(twinedge.audit(topology), (error) => error.code === "layer" && error.place.layers.join() === "a,b");
+  });
+
+  it("leave the functions usable, when twinedge itself fails", async () => {
+    const { Engine } = await import("../package/engine.js");
+    const engine = new Engine(new WebAssembly.Module(panicking("planted")));
+    const broken = engine.exports;
+    assert.throws(() => engine.call({ op: "audit" }), { name: "InternalError", message: "twinedge failed: planted" });
+    assert.notEqual(engine.exports, broken, "its memory is used no more");
+  });
+});
+
+describe("cancelling", () => {
+  it("rejects with the reason, and what else was asked is done all the same", async () => {
+    const controller = new AbortController();
+    const reason = new Error("enough");
+    const cancelled = twinedge.audit(await data("cli/data/world-110m.geojson"), { signal: controller.signal, progress: () => controller.abort(reason) });
+    const other = twinedge.audit(overlapping);
+    await assert.rejects(cancelled, reason);
+    assert.equal((await other).coverage.overlaps, 1);
+    await assert.rejects(twinedge.audit(overlapping, { signal: AbortSignal.abort(reason) }), reason);
+  });
+});
+
+describe("clean", () => {
+  it("resolves the overlap and keeps ids and attributes; once more it changes nothing", async () => {
+    const { report, layer } = await twinedge.clean(overlapping, { overlap: "first" });
+    assert.deepEqual([report.clean, report.changes.length, report.changes[0].area], [true, 1, 2]);
+    assert.deepEqual(layer.features.map(({ id, properties }) => [id, properties.name]), [[1, "parcel 1"], [2, "parcel 2"]]);
+    assert.equal((await twinedge.audit(layer, { coverage: true })).valid, true);
+    assert.equal((await twinedge.clean(layer)).report.changes.length, 0);
+  });
+});
+
+describe("convert", () => {
+  it("writes what it reads again, a Shapefile in a zip archive too", async () => {
+    for (const to of ["geojson", "geojsonl", "wkt", "wkb", "flatgeobuf", "shapefile"]) {
+      const file = await twinedge.convert(overlapping, { to, lossy: true });
+      assert.equal((await twinedge.audit(file)).coverage.overlaps, 1, to);
+    }
+  });
+
+  it("refuses what would be lost, and says what", async () => {
+    await assert.rejects(twinedge.convert(overlapping, { to: "wkt" }), (error) => error.code === "loss" && /attributes/.test(error.message));
+    const { losses } = await twinedge.convert(overlapping, { to: "wkt", lossy: true });
+    assert.ok(losses.length > 0);
+  });
+});
+
+describe("neighbours", () => {
+  it("measures common borders", async () => {
+    const { pairs } = await twinedge.neighbours(collection(polygon("a", square(0, 4)), polygon("b", square(4, 2))));
+    assert.deepEqual(pairs.map(({ id, other_id, length }) => [id, other_id, length]), [["a", "b", 4]]);
+  });
+});
+
+describe("voronoi", () => {
+  it("cuts a box between two points in the middle", async () => {
+    const { features } = await twinedge.voronoi([[1, 1], [3, 1]], { bounds: [0, 0, 4, 2] });
+    const xs = features.map(({ geometry }) => geometry.coordinates[0].map(([x]) => x));
+    assert.deepEqual(xs.map((all) => [Math.min(...all), Math.max(...all)]), [[0, 2], [2, 4]]);
+  });
+
+  it("makes triangles", async () => {
+    const { features } = await twinedge.voronoi([[0, 0], [1, 0], [0, 1]], { delaunay: true });
+    assert.deepEqual(features[0].properties.sites.toSorted(), [0, 1, 2]);
+  });
+});
+
+describe("validate", () => {
+  it("accepts a triangle, in arrays of each kind", async () => {
+    for (const Column of [Array, Int32Array, Uint32Array]) {
+      const columns = Object.fromEntries(Object.entries(triangle).map(([name, links]) => [name, Column.from(links)]));
+      assert.equal((await twinedge.validate(columns)).valid, true);
+    }
+  });
+
+  it("names the rule and the half-edge of each broken link", async () => {
+    for (const [column, expected] of [["twin", "L1"], ["next", "L2"], ["origin", "L3"]]) {
+      const broken = structuredClone(triangle);
+      broken[column][0] = broken[column][2];
+      const { valid, violations } = await twinedge.validate(broken);
+      assert.deepEqual([valid, violations[0].rule], [false, expected], column);
+    }
+    const { violations } = await twinedge.validate({ ...triangle, next: [99, 5, 4, 1, 0, 3] });
+    assert.equal(violations[0].kind, "dangling");
+  });
+
+  it("refuses columns of different lengths, names that there are not, and expectations that mean nothing", async () => {
+    await assert.rejects(twinedge.validate({ ...triangle, twin: [1, 0] }), { name: "OptionError", message: /twin/ });
+    await assert.rejects(twinedge.validate({ ...triangle, nxt: [] }), { name: "OptionError", message: /nxt/ });
+    await assert.rejects(twinedge.validate(triangle, "sphere"), { name: "OptionError", message: /expectation/ });
+  });
+});
+
+/** The certificate of a square, as `twinedge certify` wrote it, with some numbers changed. */
+async function certificate(change = () => {}) {
+  const columns = JSON.parse(await data("web/tests/certificate.json"));
+  change(columns);
+  const bytes = (name, numbers) => new Uint8Array((name.endsWith(".u32") ? Uint32Array.from(numbers) : BigInt64Array.from(numbers.map(BigInt))).buffer);
+  return Object.fromEntries(Object.entries(columns).map(([name, value]) => [name, typeof value === "string" ? value : bytes(name, value)]));
+}
+
+describe("check", () => {
+  it("accepts a certificate, and refuses it with any link changed", async () => {
+    assert.deepEqual(await twinedge.check(await certificate()), { valid: true, claim: "a plane subdivision, drawn without crossings", failures: [] });
+    const names = Object.keys(await certificate()).filter((name) => /^half_edge_(next|origin|prev|twin)/.test(name));
+    assert.equal(names.length, 4);
+    for (const name of names) {
+      const { valid, failures } = await twinedge.check(await certificate((columns) => (columns[name][2] ^= 1)));
+      assert.ok(!valid && failures.length > 0, name);
+    }
+  });
+
+  it("needs a claim that it knows", async () => {
+    await assert.rejects(twinedge.check({}), { code: "content", message: /claim\.txt is missing/ });
+    await assert.rejects(twinedge.check({ "claim.txt": "something else\n" }), { message: /no claim that is known/ });
+  });
+});

@@ -1,0 +1,152 @@
+// The site in Chromium, from a folder and without network, as somebody uses it who has never seen a terminal.
+
+import assert from "node:assert/strict";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { load } from "../package/sync.js";
+
+const puppeteer = createRequire(process.env.MODULES + "/")("puppeteer-core");
+const pictures = process.argv[2];
+const folder = await mkdtemp(join(tmpdir(), "twinedge-site-"));
+const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM, headless: true, args: ["--no-sandbox"] });
+const page = await browser.newPage();
+const faults = [];
+page.on("pageerror", (error) => faults.push(error.message));
+page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+page.on("request", (request) => /^(file|data|blob|about):/.test(request.url()) || faults.push(`asks for ${request.url()}`));
+
+const site = new URL("../site/index.html", import.meta.url).href;
+const text = (id) => page.$eval(`#${id}`, (one) => one.textContent);
+const waitFor = (id, pattern) =>
+  page.waitForFunction((id, source) => new RegExp(source).test(document.getElementById(id).textContent), { timeout: 60_000 }, id, pattern.source);
+const frame = async () => (await page.waitForSelector("#report")).contentFrame();
+const inReport = async (act, ...args) => (await frame()).evaluate(act, ...args);
+const click = (id) => page.click(`#${id}`);
+
+async function put(name, bytes) {
+  const path = join(folder, name);
+  await writeFile(path, bytes);
+  return path;
+}
+
+async function open(...paths) {
+  await (await page.$("#files")).uploadFile(...paths);
+}
+
+/** The text of a file that a button saves. */
+async function saved(button) {
+  await page.evaluate(() => {
+    window.savedBlobs ??= [];
+    window.makeUrl ??= URL.createObjectURL.bind(URL);
+    URL.createObjectURL = (blob) => {
+      window.savedBlobs.push(blob);
+      return window.makeUrl(blob);
+    };
+    HTMLAnchorElement.prototype.click = () => {};
+  });
+  const before = await page.evaluate(() => window.savedBlobs.length);
+  await click(button);
+  await page.waitForFunction((before) => window.savedBlobs.length > before, {}, before);
+  const bytes = await page.evaluate(async () => [...new Uint8Array(await window.savedBlobs.at(-1).arrayBuffer())]);
+  return Buffer.from(bytes);
+}
+
+const twinedge = await load();
+const square = (name, x, width) => ({
+  type: "Feature",
+  properties: { name },
+  geometry: { type: "Polygon", coordinates: [[[x, 0], [x + width, 0], [x + width, 4], [x, 4], [x, 0]]] },
+});
+const planted = { type: "FeatureCollection", features: [square("Left", 0, 4), square("Right", 3.5, 4)] };
+
+try {
+  // A zipped Shapefile with a planted overlap is dropped, seen, repaired and saved.
+  await page.setViewport({ width: 1280, height: 800 });
+  await page.goto(site);
+  await page.screenshot({ path: join(pictures, "welcome.png") });
+  const zip = twinedge.convert(planted, { to: "shapefile", name: "parcels.geojson" });
+  const path = await put("parcels.zip", zip.bytes);
+  await open(path);
+  await waitFor("status", /findings/);
+  assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
+  await (await frame()).waitForSelector("#list [role=option]");
+  assert.ok(await inReport(() => [...document.querySelectorAll("[role=option]")].some((one) => /C1 overlap.*Left.*Right/.test(one.textContent))));
+  await page.screenshot({ path: join(pictures, "found.png") });
+
+  await click("repair-open");
+  await page.click("#repair [type=submit]");
+  await waitFor("done", /1 overlap resolved.*Nothing is left/);
+  assert.match(await text("status"), /nothing was found \(preview\)/);
+  await page.screenshot({ path: join(pictures, "preview.png") });
+  await page.click("input[value=before]");
+  await waitFor("status", /findings$/);
+  await page.click("input[value=after]");
+  await waitFor("status", /preview/);
+  await click("keep");
+  assert.match(await text("status"), /parcels-repaired\.zip: nothing was found$/);
+  await click("undo");
+  assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
+  await click("redo");
+  await click("save-open");
+  const repaired = JSON.parse(await saved("save-map"));
+  assert.equal(twinedge.audit(repaired, { coverage: true }).valid, true);
+  assert.deepEqual(repaired.features.map(({ properties }) => properties.name), ["Left", "Right"]);
+  assert.match((await saved("save-report")).toString(), /^<!doctype html>/);
+  await page.select("#format", "shapefile");
+  assert.equal(twinedge.audit({ name: "again.zip", bytes: new Uint8Array(await saved("save-map")) }).valid, true);
+
+  // A finding is accepted with a reason, by keys alone, and known again.
+  await open(path);
+  await waitFor("status", /^parcels\.zip: \d+ findings$/);
+  await (await frame()).waitForSelector("#list [role=option]");
+  await click("accept-open");
+  await (await frame()).focus("#list");
+  await page.keyboard.press("ArrowDown");
+  await waitFor("chosen", /C1 overlap/);
+  await page.focus("#accept [name=reason]");
+  await page.keyboard.type("a disputed strip");
+  await page.keyboard.press("Enter");
+  await waitFor("status", /1 accepted/);
+  assert.ok(await inReport(() => document.querySelector(".accepted")?.textContent === "Accepted: a disputed strip"));
+  await page.screenshot({ path: join(pictures, "accepted.png") });
+  await click("save-open");
+  const notes = await saved("save-accepted");
+  const findings = JSON.parse(await saved("save-findings"));
+  assert.ok(findings.features.some(({ properties }) => properties.accepted === "a disputed strip"));
+  await open(path, await put("parcels-accepted.json", notes));
+  await waitFor("status", /1 accepted/);
+
+  // What the page does not take it refuses, with what to run instead.
+  await open(await put("cadastre.gpkg", "SQLite format 3\0"));
+  await waitFor("message", /twinedge audit cadastre\.gpkg/);
+  await open(await put("broken.geojson", '{"type": "FeatureCollection", "features": ['));
+  await waitFor("message", /broken\.geojson: line 1/);
+
+  // Meshes, TopoJSON and hostile names.
+  await open(await put("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n"));
+  await waitFor("status", /open\.off/);
+  const hostile = { ...planted, features: [square("<img src=x onerror=alert(1)>", 0, 4), square("B", 3.5, 4)] };
+  await open(await put("hostile.geojson", JSON.stringify(hostile)));
+  await waitFor("status", /hostile/);
+  const topology = await readFile(new URL("../../formats/tests/layer/data/south-america.topojson", import.meta.url));
+  await open(await put("south-america.topojson", topology));
+  await waitFor("status", /south-america/);
+
+  // On a phone, and in the dark.
+  await page.setViewport({ width: 390, height: 844, isMobile: true, hasTouch: true, deviceScaleFactor: 2 });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+  await page.goto(site);
+  await page.screenshot({ path: join(pictures, "phone-welcome.png") });
+  await click("example");
+  await waitFor("status", /findings/);
+  await (await frame()).waitForSelector("#stage[data-state=drawn]");
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing is wider than the phone");
+  await page.screenshot({ path: join(pictures, "phone.png") });
+  assert.deepEqual(faults, []);
+  console.log("the site: all is well");
+} finally {
+  await browser.close();
+  await rm(folder, { recursive: true, force: true });
+}

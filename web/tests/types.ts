@@ -1,0 +1,28 @@
+// The types say what the functions take and give.
+
+import { audit, check, clean, convert, type InputError, neighbours, validate, voronoi } from "../package/index.js";
+import { load } from "../package/sync.js";
+
+export async function used(topology: { type: "Topology" }, bytes: Uint8Array, error: InputError): Promise<void> {
+  const report = await audit(topology, { layer: "counties", gapWidth: 0.1, signal: AbortSignal.timeout(1000) });
+  const overlaps: number | undefined = report.coverage?.overlaps;
+  const { layer } = await clean(bytes, { overlap: "first" });
+  const { file } = await clean(bytes, { to: "shapefile" });
+  const name: string = file.name + layer.features.length + overlaps;
+  const { losses } = await convert({ name, bytes }, { to: "wkt", lossy: true });
+  const lines: string[] = losses;
+  const { valid } = await validate({ origin: new Int32Array(2), next: [1, 0] }, "surface closed");
+  const { failures } = await check({ "claim.txt": bytes });
+  const { pairs } = await neighbours("POINT(0 0)", { geodesic: true });
+  const cells = await voronoi([[0, 0]], { bounds: [0, 0, 1, 1] });
+  const sync = await load();
+  const now: boolean = sync.audit(bytes).valid;
+  const place: number | undefined = error.place?.line;
+  console.log(lines, valid, failures, pairs[0]?.length, cells.features, now, place);
+  // @ts-expect-error there is no such format
+  await convert(bytes, { to: "geopackage" });
+  // @ts-expect-error there is no such option
+  await audit(bytes, { gapWith: 1 });
+  // @ts-expect-error half-edges have a next one
+  await validate({ origin: [0] });
+}
