@@ -1,5 +1,5 @@
 //! Changes with a history: the time of operators and edits as changes that can be undone, of undoing and of redoing them, as multiples
-//! of their time without; and the memory of a million changes.
+//! of their time without.
 //!
 //! The four are timed in turn, round after round, and the median of the rounds is printed. Operators at random places: an edge
 //! split and joined again, a face split by an edge and merged, an isolated vertex added and removed; on a triangulated grid that
