@@ -60,10 +60,11 @@ use core::ops::Range;
 ///
 /// # Costs
 ///
-/// Nothing is copied: the journal has 12 bytes for each link that was overwritten, and 40 for each change. So a change takes what
-/// its operators take, and a part of that for the journal; `undo` and `redo` take less than the operators took, whatever the size of
-/// the structure. [`forget`](Self::forget)
-/// sets an end to the memory.
+/// Nothing is copied: the journal has 12 bytes for each link that was overwritten, and 48 for each change, so time and memory are those of
+/// the change, whatever the size of the structure. An entry takes some 2 ns to write and to exchange. Beside an operator on a large map, which
+/// waits for memory, this is little: splitting a face of a map of a million edges takes 204 ns, as a change 1.03 times as long, and undone
+/// 0.4 times. It is much beside an operator of a few links in the cache: splitting an edge takes 11 ns, as a change 3.5 times as long, and undone
+/// twice. [`forget`](Self::forget) sets a limit to the memory.
 ///
 /// # Validation
 ///
@@ -84,6 +85,7 @@ use core::ops::Range;
 /// validate_near(&mut baseline, history.get(), &history.written())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
 /// A clone has the same changes, and its own from then on.
 #[derive(Clone, Debug)]
 pub struct History {
