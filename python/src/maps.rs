@@ -131,8 +131,7 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict
     // The faces that features cover are known on a plane map only: borders that cross are cut first.
     let refused = |error: &dyn ToString| Refusal(error.to_string());
     // Of a map that is plane without noding, borders meet at vertices only.
-    let unmatched =
-        if map.is_plane() && noding == Noding::None { Vec::new() } else { kept.unmatched() };
+    let unmatched = if map.is_plane() && noding == Noding::None { Vec::new() } else { kept.unmatched() };
     let map = if map.is_plane() {
         map
     } else {
@@ -176,11 +175,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
 }
 
 /// Returns the findings of C1 … C7, in order.
-fn findings(
-    coverage: &Coverage,
-    invalid: &[(usize, Vec<Defect>)],
-    mismatches: &[coverage::Finding],
-) -> Vec<Finding> {
+fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)], mismatches: &[coverage::Finding]) -> Vec<Finding> {
     let of_map = coverage.findings.iter().map(|finding| {
         let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
         let (name, area, width) = (finding.rule.name(), finding.area, finding.width);

@@ -97,12 +97,9 @@ pub fn audit_summary(summary: Summary) -> Result<Audited, Error> {
 impl Audited {
     /// The report of an audit that ended before there was an outcome: its verdict is not known. `why` is a sentence without full stop.
     #[must_use]
-    pub fn unfinished(name: &str, kind: Option<InputKind>, options: &Options, why: &str) -> Self {
-        let report = AuditReport {
-            doubts: vec![why.to_owned()],
-            options: kind.map(|kind| as_json(options, kind)).unwrap_or_default(),
-            ..AuditReport::new(name)
-        };
+    pub fn unfinished(name: &str, kind: InputKind, options: &Options, why: &str) -> Self {
+        let report =
+            AuditReport { doubts: vec![why.to_owned()], options: as_json(options, kind), ..AuditReport::new(name) };
         Self(Outcome::Report(Box::new(report), Subject::None))
     }
 

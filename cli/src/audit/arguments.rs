@@ -71,8 +71,8 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "TEXT", requires = "accept_all", default_value = "accepted as it is")]
     pub(super) reason: String,
 
-    /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. Text and JSON say so; of the other formats nothing is
-    /// written.
+    /// Give up after so many seconds: the verdict is then `unknown`, and the exit status 1. The report says so; a layer or a page is
+    /// not written.
     #[arg(long, value_name = "SECONDS", value_parser = crate::coverage_arguments::positive)]
     pub(super) timeout: Option<f64>,
 

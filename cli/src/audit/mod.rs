@@ -10,9 +10,11 @@ mod write;
 pub(crate) use arguments::Audit;
 
 use crate::judged::Counted;
+use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
+use destination::ReportFormat;
 use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
@@ -69,8 +71,12 @@ impl Audit {
         let name = self.map.path().map_or_else(|| "standard input".to_owned(), |path| path.display().to_string());
         let seconds = self.timeout.unwrap_or_default();
         let why = format!("time was up after {seconds} s");
-        let audited = Audited::unfinished(&name, Some(InputKind::Map), &self.options(None), &why);
-        write(&audited, &self.destination.destination(self.map.path())?)?;
+        let to = self.destination.destination(self.map.path())?;
+        if matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
+            eprintln!("twinedge: {}: unknown: {why}; nothing is written", plain(&name));
+        } else {
+            write(&Audited::unfinished(&name, InputKind::Map, &self.options(None), &why), &to)?;
+        }
         Ok(Verdict::Wrong)
     }
 }

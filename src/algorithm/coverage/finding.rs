@@ -1,6 +1,5 @@
 //! The rules of a coverage, and what one of them found.
 
-use super::mismatch::MissingVertex;
 use crate::dcel::FaceKey;
 use crate::geometry::Point;
 use crate::map::FeatureId;
@@ -93,6 +92,16 @@ pub struct Finding {
     pub stretches: Vec<[Point; 2]>,
     /// The missing vertices of a mismatch, in order of their coordinates; none for the other rules.
     pub missing: Vec<MissingVertex>,
+}
+
+/// A vertex that the border of a feature lacks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct MissingVertex {
+    /// The place, between two vertices of the border.
+    pub at: Point,
+    /// The feature.
+    pub feature: FeatureId,
 }
 
 /// The limits of width and thinness for gaps, near misses and slivers.

@@ -14,7 +14,7 @@
 
 use super::check::CoverageError;
 use super::claims::features_of;
-use super::finding::{CoverageRule, Finding};
+use super::finding::{CoverageRule, Finding, MissingVertex};
 use super::region::segment_length;
 use crate::algorithm::area::Sum;
 use crate::dcel::Vertex;
@@ -95,14 +95,4 @@ fn mismatch(pair: [FeatureId; 2], all: &[&UnmatchedVertex]) -> Finding {
         stretches,
         missing,
     }
-}
-
-/// A vertex that the border of a feature lacks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct MissingVertex {
-    /// The place, between two vertices of the border.
-    pub at: Point,
-    /// The feature.
-    pub feature: FeatureId,
 }

@@ -43,6 +43,6 @@ mod validity;
 pub use check::{Coverage, CoverageError, check};
 pub(crate) use claims::features_of;
 pub use claims::{faces_by_feature, faces_of, leaks, overlaps};
-pub use finding::{CoverageRule, Finding, Limits};
-pub use mismatch::{MissingVertex, mismatches};
+pub use finding::{CoverageRule, Finding, Limits, MissingVertex};
+pub use mismatch::mismatches;
 pub use validity::{Defect, DefectKind, defects};

@@ -1,22 +1,17 @@
 //! Vertices that borders lack, put into the rings where they are missing.
 
-use super::super::model::Feature;
-use super::CleanError;
-use super::gather;
 use super::rebuild::Rings;
 use super::report::AddedVertex;
 use super::restored::key;
 use rustc_hash::FxHashMap;
-use std::borrow::Cow;
-use twinedge::algorithm::coverage::mismatches;
+use twinedge::algorithm::coverage::{CoverageError, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::compare_lexicographic;
-use twinedge::map::PlanarMap;
+use twinedge::map::{PlanarMap, UnmatchedVertex};
 
 type Key = (u64, u64);
 
 /// The vertices that features lack.
-#[derive(Default)]
 pub(super) struct Missing {
     /// Those of which the border between two features is in want (C7).
     pub(super) added: Vec<AddedVertex>,
@@ -25,14 +20,10 @@ pub(super) struct Missing {
 }
 
 impl Missing {
-    /// Looks for them if any segment was cut. O(n log n), in practice.
-    pub(super) fn new(features: &[Cow<'_, Feature>], map: &PlanarMap) -> Result<Self, CleanError> {
-        if map.noding().is_none_or(|noding| noding.split == 0) {
-            return Ok(Self::default());
-        }
-        let unmatched = gather(features, &[])?.unmatched();
+    /// By the vertices of the input that are not matched, and the map of it. O(n log n).
+    pub(super) fn new(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Self, CoverageError> {
         let mut added = Vec::new();
-        for finding in mismatches(map, &unmatched)? {
+        for finding in mismatches(map, unmatched)? {
             let both = [finding.features[0].index(), finding.features[1].index()];
             added.extend(finding.missing.iter().map(|missing| {
                 let to = missing.feature.index();
@@ -40,7 +31,7 @@ impl Missing {
             }));
         }
         let mut on_segments: FxHashMap<(usize, Key, Key), Vec<Point>> = FxHashMap::default();
-        for one in &unmatched {
+        for one in unmatched {
             let [low, high] = one.segment.map(|end| key(end.x, end.y));
             on_segments.entry((one.lacked_by.index(), low, high)).or_default().push(one.at);
         }

@@ -171,7 +171,9 @@ fn pass<'a>(
     options: &CleanOptions,
 ) -> Result<Pass<'a>, CleanError> {
     let map = build(features, fillers, options.snap)?;
-    let missing = Missing::new(features, &map)?;
+    let is_cut = map.noding().is_some_and(|noding| noding.split > 0);
+    let unmatched = if is_cut { gather(features, &[])?.unmatched() } else { Vec::new() };
+    let missing = Missing::new(&map, &unmatched)?;
     let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
     let (noding, sliver_area) = (map.noding().copied(), cleaned.sliver_area);
     let changes = cleaned.changes.iter().map(LayerChange::from).collect();
