@@ -32,8 +32,8 @@ pub(crate) struct Tile {
     grid: [u32; 2],
 
     /// The column and the row of the tile, counted from 0, from the lower left.
-    #[arg(long, value_name = "COLUMN,ROW", value_parser = place)]
-    tile: Place,
+    #[arg(long = "tile", value_name = "COLUMN,ROW", value_parser = place)]
+    place: Place,
 
     /// The box that the grid divides, by two corners. Points outside belong to the tiles at the border. Default: the box around the map.
     #[arg(long = "box", value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
@@ -100,7 +100,7 @@ impl Tile {
             None => grid_around(&features, self.grid).map_err(named(&name))?,
         };
         let numbered = (0..).zip(&features);
-        let summary = Summary::new(&grid, self.tile, numbered, &self.coverage.options().limits);
+        let summary = Summary::new(&grid, self.place, numbered, &self.coverage.options().limits);
         let summary = summary.map_err(named(&name))?;
         write_file(&self.output, self.map.path(), &Saved::bytes(summary)?)?;
         Ok(Verdict::Sound)

@@ -101,3 +101,19 @@ fn a_feature_around_all_tiles_covers_them() {
         }
     }
 }
+
+/// Straight below an island, the border of a diamond has a corner on a line between tiles, and passes that line there.
+#[test]
+fn islands_above_corners_on_lines_are_placed_beside_them() {
+    let mut random = Random::new(13);
+    let diamond = feature([Shape::polygon([[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]])]);
+    for x in -5..5 {
+        for y in -5..5 {
+            let [x, y] = [x, y].map(|at| f64::from(at) / 4.0);
+            let island = feature([Shape::polygon([[x, y + 0.75], [x + 0.1, y + 0.8], [x + 0.1, y + 0.9]])]);
+            for (upright, level) in [(vec![0.5], vec![0.0]), (vec![-0.5, 0.5], vec![0.0, 0.5])] {
+                compare(&[diamond.clone(), island.clone()], &grid(&upright, &level), &Limits::default(), &mut random);
+            }
+        }
+    }
+}

@@ -28,6 +28,9 @@ fn compared(mut value: Value) -> Value {
     let object = value.as_object_mut().unwrap();
     object.remove("elapsed_ms");
     object.remove("tiles");
+    if let Some(first) = object.get_mut("first").and_then(Value::as_object_mut) {
+        first.remove("id");
+    }
     round(&mut value);
     if let Some(findings) = value.pointer_mut("/coverage/findings").and_then(Value::as_array_mut) {
         for finding in findings.iter_mut().filter_map(Value::as_object_mut) {
