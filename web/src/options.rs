@@ -132,6 +132,7 @@ impl AuditOptions {
             coverage: CoverageOptions { is_rule: self.coverage, limits },
             geodesic: self.geodesic,
             mesh,
+            ..Options::default()
         })
     }
 }
