@@ -1,7 +1,6 @@
 //! `audit`, `auditPage`, `findings`.
 
 use crate::buffers::Buffers;
-use crate::call::Stage;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};
@@ -25,7 +24,11 @@ enum Output {
     Findings,
 }
 
-pub(crate) fn answer(asked: Request, buffers: &mut Buffers, stage: Stage<'_>) -> Result<Value, CallError> {
+pub(crate) fn answer(
+    asked: Request,
+    buffers: &mut Buffers,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Value, CallError> {
     stage("reading");
     let options = asked.options.options()?;
     let mut input = input(asked.files, asked.options.layer.as_deref(), buffers)?;

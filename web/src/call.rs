@@ -8,9 +8,6 @@ use crate::{audit, check, clean, convert, neighbours, validate, voronoi};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-/// What is told which stage of the work begins.
-pub(crate) type Stage<'a> = &'a mut dyn FnMut(&'static str);
-
 #[derive(Deserialize)]
 #[serde(tag = "op", rename_all = "snake_case")]
 enum Request {
@@ -40,7 +37,7 @@ pub(crate) fn call(buffers: &mut Buffers, request: Id, stage: &mut dyn FnMut(&'s
     buffers.add(answer.to_string().into_bytes())
 }
 
-fn answer(buffers: &mut Buffers, json: &[u8], stage: Stage<'_>) -> Result<Value, CallError> {
+fn answer(buffers: &mut Buffers, json: &[u8], stage: &mut dyn FnMut(&'static str)) -> Result<Value, CallError> {
     let request = serde_json::from_slice(json).map_err(|error| {
         // The place in the request says nothing to whoever wrote no JSON.
         let text = error.to_string();

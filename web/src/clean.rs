@@ -1,7 +1,6 @@
 //! `clean`: a layer of polygons, repaired.
 
 use crate::buffers::Buffers;
-use crate::call::Stage;
 use crate::convert::{Target, write};
 use crate::error::CallError;
 use crate::options::{Gaps, Grid, snap};
@@ -59,7 +58,11 @@ impl From<Claim> for Winner {
     }
 }
 
-pub(crate) fn answer(asked: Request, buffers: &mut Buffers, stage: Stage<'_>) -> Result<Value, CallError> {
+pub(crate) fn answer(
+    asked: Request,
+    buffers: &mut Buffers,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Value, CallError> {
     let Request { files, options } = asked;
     let gaps = Gaps {
         gap_width: options.gap_width,

@@ -1,7 +1,6 @@
 //! `neighbours`: all pairs of features with a border or an overlap.
 
 use crate::buffers::Buffers;
-use crate::call::Stage;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};
@@ -16,7 +15,11 @@ pub(crate) struct Request {
     options: AuditOptions,
 }
 
-pub(crate) fn answer(asked: Request, buffers: &mut Buffers, stage: Stage<'_>) -> Result<Value, CallError> {
+pub(crate) fn answer(
+    asked: Request,
+    buffers: &mut Buffers,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Value, CallError> {
     let Request { files, options } = asked;
     stage("reading");
     let input = input(files, options.layer.as_deref(), buffers)?;
