@@ -119,7 +119,15 @@ def test_every_kind_of_finding_is_documented():
 
     for name in _twinedge.FINDING_KINDS:
         assert f"| `{name}` |" in page.split("## Findings")[1], name
-    assert len({*twinedge.FINDING_KINDS}) == 14
+    assert len({*twinedge.FINDING_KINDS}) == 15
+
+
+def test_the_vertex_that_a_neighbour_lacks_is_named():
+    # From https://github.com/libgeos/geos/issues/1525.
+    polygons = [shapely.Polygon([(1, 0), (1, 1), (1, 3), (4, 0)]), shapely.Polygon([(0, 4), (1, 3), (1, 0)])]
+    [finding] = twinedge.audit(polygons).findings
+    assert (finding.kind, finding.rule, finding.features, finding.at) == ("mismatch", "C7", (0, 1), (1, 1))
+    assert finding.fields["missing"] == [{"at": [1, 1], "feature": 1}]
 
 
 def test_a_width_hides_wider_gaps_and_mean_widths_are_those_of_the_page():
