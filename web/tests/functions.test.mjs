@@ -130,6 +130,7 @@ describe("accepted findings", () => {
     made.add(acceptAll.accepted[0], "a quarrel");
     const read = new AcceptedFindings().with([{ name: "accepted.json", bytes: Buffer.from(JSON.stringify(written)) }]);
     assert.deepEqual(read.list(), written);
+    assert.deepEqual(read.with([]).list(), written);
     for (const list of [made, read]) {
       assert.equal((await twinedge.audit(overlapping, { ...judged, accept: JSON.parse(list.text()) })).valid, true);
     }
