@@ -54,7 +54,7 @@ fn looks_like_degrees(feature: &Feature) -> bool {
 }
 
 /// The names of the columns, which all features share.
-struct Columns([Arc<str>; 17]);
+struct Columns([Arc<str>; 18]);
 
 impl Columns {
     fn new() -> Self {
@@ -77,6 +77,7 @@ impl Columns {
                 "y",
                 "cause",
                 "remedy",
+                "accepted",
             ]
             .map(Arc::from),
         )
@@ -108,6 +109,7 @@ impl Columns {
             number_of(y),
             one.cause.map_or(Value::Null, text),
             one.remedy.map_or(Value::Null, text),
+            one.accepted.as_deref().map_or(Value::Null, text),
         ];
         Feature {
             id: Some(Id::Number(number.into())),

@@ -63,6 +63,9 @@ struct Rule {
 
 #[derive(Serialize)]
 struct Finding<'a> {
+    id: Option<&'a str>,
+    /// The reason, if it was accepted.
+    accepted: Option<&'a str>,
     rule: &'static str,
     name: &'static str,
     kind: &'a str,
@@ -85,6 +88,8 @@ impl<'a> Finding<'a> {
     fn new(report: &AuditReport, one: &'a Diagnosis) -> Self {
         let Measures { area, width, length } = one.measures;
         Self {
+            id: one.id.as_deref(),
+            accepted: one.accepted.as_deref(),
             rule: one.rule.unwrap_or_default(),
             name: report.name_of_rule(one),
             kind: one.kind.name(),

@@ -1,5 +1,6 @@
 // The module of WebAssembly and its buffers: a request goes in, an answer comes out.
 
+import { textOf } from "./charsets.js";
 import { errorOf, InternalError, TooLargeError } from "./errors.js";
 
 const encoder = new TextEncoder();
@@ -22,6 +23,12 @@ export class Engine {
       twinedge: {
         stage: (at, length) => this.onStage?.(text(at, length)),
         panicked: (at, length) => (this.panic = text(at, length)),
+        decode: (label, labelLength, at, length) => {
+          const decoded = textOf(text(label, labelLength), new Uint8Array(this.exports.memory.buffer, at, length));
+          this.decoded = decoded === null ? null : encoder.encode(decoded);
+          return this.decoded?.length ?? -1;
+        },
+        decoded: (at) => new Uint8Array(this.exports.memory.buffer, at).set(this.decoded),
       },
     }).exports;
   }

@@ -56,6 +56,8 @@ export interface GapOptions {
 export interface AuditOptions extends MapOptions, GapOptions {
   /** Count what breaks C1 … C6 as violations. */
   coverage?: boolean;
+  /** These findings break nothing, as long as they do not grow. All findings are listed then. */
+  accept?: AcceptedFindings;
   /** Greatest number of findings to list of each kind. Default: 1000. */
   list?: number;
   /** Say the usual cause of each finding, and its remedy. */
@@ -74,6 +76,28 @@ export interface AuditOptions extends MapOptions, GapOptions {
   noUnusedVertices?: boolean;
 }
 
+/** Options of `acceptAll`. */
+export interface AcceptOptions extends AuditOptions {
+  /** The reason. Default: `accepted as it is`. */
+  reason?: string;
+}
+
+/** Findings of C1 to C7 that are meant, as `twinedge audit --accept` reads and `--accept-all` writes them. */
+export interface AcceptedFindings {
+  schema: "twinedge-accepted/1";
+  accepted: {
+    id: string;
+    reason?: string;
+    date?: string;
+    rule?: string;
+    features?: string[];
+    at?: Position;
+    area?: number;
+    length?: number;
+    missing?: number;
+  }[];
+}
+
 /** A feature in a finding. */
 export interface FeatureName {
   number: number;
@@ -82,6 +106,9 @@ export interface FeatureName {
 }
 
 export interface Finding {
+  id?: string;
+  /** The reason for which it was accepted. */
+  accepted?: string;
   rule: string;
   kind: string;
   message: string;
@@ -252,8 +279,10 @@ export interface Functions {
   audit(input: Input, options?: AuditOptions): Promise<Report>;
   /** The same as a page of HTML, which shows the map and what was found. */
   auditPage(input: Input, options?: AuditOptions): Promise<string>;
-  /** Both. */
-  auditWithPage(input: Input, options?: AuditOptions): Promise<{ report: Report; page: string }>;
+  /** Both, and the findings that are listed, as `acceptAll` has them. */
+  auditWithPage(input: Input, options?: AcceptOptions): Promise<{ report: Report; page: string; acceptAll: AcceptedFindings }>;
+  /** All findings of C1 to C7, as accepted ones. Those in `accept` keep their reason and date. */
+  acceptAll(input: Input, options?: AcceptOptions): Promise<AcceptedFindings>;
   /** What was found as a layer of points, lines and polygons, with warnings about it. */
   findings(input: Input, options?: AuditOptions): Promise<FeatureCollection & { warnings: string[] }>;
   /** Repairs a layer of polygons. */
@@ -274,6 +303,7 @@ export interface Functions {
 export const audit: Functions["audit"];
 export const auditPage: Functions["auditPage"];
 export const auditWithPage: Functions["auditWithPage"];
+export const acceptAll: Functions["acceptAll"];
 export const findings: Functions["findings"];
 export const clean: Functions["clean"];
 export const convert: Functions["convert"];

@@ -112,7 +112,7 @@ export class TwinedgeWorker {
 
 const shared = new TwinedgeWorker();
 
-export const { audit, auditPage, auditWithPage, findings, clean, convert, neighbours, voronoi, validate, check } = shared;
+export const { audit, auditPage, auditWithPage, acceptAll, findings, clean, convert, neighbours, voronoi, validate, check } = shared;
 
 /** Ends the worker that the functions share. */
 export const close = () => shared.close();

@@ -1,51 +1,55 @@
-// Findings that are meant: a lake, a disputed area. They are known again by rule, features and place.
+// Findings that are meant: a lake, a disputed area. The list is that of `twinedge audit --accept`, which twinedge makes and judges.
 
-/** Places that differ less than this, in parts of their size, are one. */
-const DIGITS = 6;
+const SCHEMA = "twinedge-accepted/1";
 
-const nameOf = (features, number) => features[number]?.[1] ?? features[number]?.[0] ?? `#${number}`;
-const namesOf = (finding, features) => finding.features.map((number) => nameOf(features, number)).sort();
-const keyOf = (rule, names, at) => JSON.stringify([rule, names, (at ?? []).map((x) => Number(x.toPrecision(DIGITS)))]);
+function parsed(bytes) {
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    return null;
+  }
+}
 
 export class AcceptedFindings {
   #all = new Map();
-  /** How many findings of the report that is shown are accepted. */
-  count = 0;
 
-  clear() {
-    this.#all.clear();
-    this.count = 0;
+  constructor(list = { accepted: [] }) {
+    for (const one of list.accepted) this.#all.set(one.id, one);
   }
 
-  add(finding, features, reason) {
-    const names = namesOf(finding, features);
+  /**
+   * These and those of files; later ones take the place of earlier ones.
+   * @throws {Error} if a file is no such list.
+   */
+  with(files) {
+    const lists = files.map(({ name, bytes }) => {
+      const list = parsed(bytes);
+      if (list?.schema !== SCHEMA || !Array.isArray(list.accepted)) throw new Error(`${name}: no list of accepted findings`);
+      return list;
+    });
+    return new AcceptedFindings({ accepted: [...this.all(), ...lists.flatMap(({ accepted }) => accepted)] });
+  }
+
+  /** Accepts a finding, as `acceptAll` has it. */
+  add(finding, reason) {
     const date = new Date().toISOString().slice(0, 10);
-    this.#all.set(keyOf(finding.rule, names, finding.at), { rule: finding.rule, features: names, at: finding.at, reason, date });
+    this.#all.set(finding.id, { ...finding, reason, date });
   }
 
-  remove(key) {
-    this.#all.delete(key);
-  }
-
-  /** Why a finding is accepted; null if it is not. */
-  reasonOf(finding, features) {
-    return this.#all.get(keyOf(finding.rule, namesOf(finding, features), finding.at))?.reason ?? null;
+  remove(id) {
+    this.#all.delete(id);
   }
 
   all() {
-    return [...this.#all];
+    return [...this.#all.values()];
+  }
+
+  /** The list, as `audit` takes it. */
+  list() {
+    return { schema: SCHEMA, accepted: this.all() };
   }
 
   text() {
-    return JSON.stringify({ accepted: [...this.#all.values()] }, null, 2) + "\n";
-  }
-
-  /** Reads what `text` wrote. What has another form is passed over. */
-  read(bytes) {
-    const { accepted } = JSON.parse(new TextDecoder().decode(bytes));
-    for (const one of Array.isArray(accepted) ? accepted : []) {
-      const { rule, features, at, reason } = one;
-      if (typeof rule === "string" && Array.isArray(features) && typeof reason === "string") this.#all.set(keyOf(rule, features, at), one);
-    }
+    return JSON.stringify(this.list(), null, 2) + "\n";
   }
 }

@@ -10,7 +10,7 @@ import { LIMIT, refusal } from "./refusal.js";
 const byId = (id) => document.getElementById(id);
 const twinedge = new TwinedgeWorker(wasm(), spawn);
 const history = new History();
-const accepted = new AcceptedFindings();
+let accepted = new AcceptedFindings();
 let [cancel, preview, chosen, openNumber] = [null, null, null, 0];
 
 /** A new element with these properties and children. */
@@ -77,9 +77,19 @@ function showError(error) {
   showMessage(...parts);
 }
 
-/** The report of files, and the page that shows it. */
-function audited(files, options, how) {
-  return twinedge.auditWithPage(files, { ...options, explain: true, ...how });
+const accepting = (list) => (list.all().length ? list.list() : null);
+
+/** The report of files, the page that shows it, and the findings that can be accepted; with these, which are. */
+async function audited(files, options, how, list = accepted) {
+  const found = await twinedge.auditWithPage(files, { ...options, explain: true, accept: accepting(list), ...how });
+  return { ...found, accepted: list.text() };
+}
+
+/** Judges a version again, if other findings are accepted by now. */
+async function refresh(version) {
+  if (version.accepted === accepted.text()) return;
+  const found = await working("Looking for what is accepted", (how) => audited(version.files, version.options, how));
+  if (found) Object.assign(version, found);
 }
 
 let lastFiles = null;
@@ -89,10 +99,20 @@ async function open(files, layer) {
   const number = ++openNumber;
   const notes = files.filter(({ name }) => /accepted.*\.json$/i.test(name));
   const rest = files.filter((file) => !notes.includes(file));
+  let list;
+  try {
+    list = (rest.length ? new AcceptedFindings() : accepted).with(notes);
+  } catch (error) {
+    return showError(error);
+  }
   if (rest.length === 0) {
-    for (const { bytes } of notes) accepted.read(bytes);
-    if (history.now) mark();
-    return;
+    const version = history.now;
+    if (!version) return say("Open the map together with what is accepted in it.");
+    const found = await working(`Reading ${notes[0].name}`, (how) => audited(version.files, version.options, how, list));
+    if (!found || number !== openNumber) return;
+    accepted = list;
+    Object.assign(version, found);
+    return show();
   }
   lastFiles = files;
   if (rest.some(({ name }) => name.split("/").at(-1) === "claim.txt")) return check(rest);
@@ -104,10 +124,9 @@ async function open(files, layer) {
     return showMessage(...refused.map((part) => element(part.code ? "pre" : "p", { textContent: part.code ?? part.text })));
   }
   const options = layer ? { layer } : {};
-  const found = await working(`Reading ${rest[0].name}`, (how) => audited(rest, options, how));
+  const found = await working(`Reading ${rest[0].name}`, (how) => audited(rest, options, how, list));
   if (!found || number !== openNumber) return;
-  accepted.clear();
-  for (const { bytes } of notes) accepted.read(bytes);
+  accepted = list;
   history.begin({ files: rest, options, ...found });
   closePanel();
   show();
@@ -137,10 +156,19 @@ function showTools() {
   byId("save-findings").disabled = !isMap;
 }
 
+/** The version that is looked at. */
+const shown = () => (preview && byId("repair").elements.side.value === "after" ? preview : history.now);
+
+/** The reasons for which findings of the report that is shown are accepted, by their ids. */
+let reasons = new Map();
+
 /** Shows the report of the version that is looked at. */
-function show() {
-  const side = byId("repair").elements.side.value;
-  const version = preview && side === "after" ? preview : history.now;
+async function show() {
+  const version = shown();
+  await refresh(version);
+  if (version !== shown()) return;
+  const listed = version.report.coverage?.findings ?? [];
+  reasons = new Map(listed.filter(({ accepted }) => accepted !== undefined).map(({ id, accepted }) => [id, accepted]));
   byId("welcome").hidden = byId("message").hidden = true;
   byId("panel").hidden = openPanel === null;
   const frame = byId("report");
@@ -156,9 +184,9 @@ function summarise(version) {
   const { report, name = version.files[0].name } = version;
   const coverage = report.coverage;
   const found = (report.violation_count ?? 0) + (report.finding_count ?? 0) + (coverage ? countOf(coverage) : 0);
-  const left = found - accepted.count;
+  const left = found - reasons.size;
   const findings = found === 0 ? "nothing was found" : `${found} ${found === 1 ? "finding" : "findings"}`;
-  const beside = accepted.count ? `, ${accepted.count} accepted, ${left} left` : "";
+  const beside = reasons.size ? `, ${reasons.size} accepted, ${left} left` : "";
   say(`${name}: ${findings}${beside}${preview && version === preview ? " (preview)" : ""}`);
 }
 
@@ -171,7 +199,7 @@ function findingsOf(page) {
   return JSON.parse(page.getElementById("data").textContent);
 }
 
-/** Notes which finding is chosen in the report, and marks those that are accepted. */
+/** Notes which finding is chosen in the report. */
 function watch(page) {
   const data = findingsOf(page);
   const stage = page.getElementById("stage");
@@ -182,40 +210,39 @@ function watch(page) {
   };
   new MutationObserver(note).observe(stage, { attributes: true, attributeFilter: ["data-finding"] });
   note();
-  mark();
+  listAccepted();
 }
 
-/** Tells the report which of its findings are accepted. */
-function mark() {
+/** Tells the report why a finding is accepted; null if it is not. */
+function mark(id, reason) {
   const page = byId("report").contentDocument;
-  if (!page?.getElementById("data")) return;
-  const { findings, features } = findingsOf(page);
-  accepted.count = 0;
-  findings.forEach((finding, i) => {
-    const reason = accepted.reasonOf(finding, features);
-    if (reason !== null) accepted.count++;
-    page.dispatchEvent(new CustomEvent("accept", { detail: { number: i + 1, reason } }));
-  });
+  const number = findingsOf(page).findings.findIndex((finding) => finding.id === id) + 1;
+  if (number) page.dispatchEvent(new CustomEvent("accept", { detail: { number, reason } }));
+  if (reason === null) reasons.delete(id);
+  else reasons.set(id, reason);
   listAccepted();
-  summarise(preview && byId("repair").elements.side.value === "after" ? preview : history.now);
+  summarise(shown());
 }
+
+/** The finding as it can be accepted. Those of the structure cannot. */
+const acceptable = (finding) => finding && shown().acceptAll.accepted.find(({ id }) => id === finding.id);
 
 function describeChosen() {
   const { finding, features } = chosen ?? {};
   const who = finding?.features.map((number) => features[number][0] ?? features[number][1] ?? `feature ${number}`).join(", ");
   byId("chosen").textContent = finding
-    ? `${finding.rule} ${finding.name}${who ? ` of ${who}` : ""}: ${finding.sentence ?? finding.message}`
+    ? `${finding.rule} ${finding.name}${who ? ` of ${who}` : ""}: ${finding.sentence ?? finding.message}${acceptable(finding) ? "" : " (Only findings of C1 to C7 can be accepted.)"}`
     : "Choose a finding in the list or on the map.";
-  byId("accept").querySelector("[type=submit]").disabled = !finding;
+  byId("accept").querySelector("[type=submit]").disabled = !acceptable(finding);
 }
 
 function listAccepted() {
-  const items = accepted.all().map(([key, { rule, features, reason }]) => {
+  const items = accepted.all().map(({ id, rule, features, reason }) => {
     const remove = element("button", { type: "button", textContent: "Remove" });
     remove.setAttribute("aria-label", `Remove: ${rule} ${features.join(", ")}`);
     remove.addEventListener("click", () => {
-      accepted.remove(key);
-      mark();
+      accepted.remove(id);
+      mark(id, null);
     });
     return element("li", {}, `${rule} ${features.join(", ")}: ${reason} `, remove);
   });
@@ -279,7 +306,7 @@ async function repair(event) {
   form.elements.side.value = "after";
   byId("preview").hidden = false;
   describeRepair(result.repair);
-  show();
+  await show();
   byId("keep").focus();
 }
 
@@ -316,20 +343,15 @@ async function saveMap() {
 
 async function saveFindings() {
   const { files, options } = history.now;
-  const layer = await working("Writing the findings", (how) => twinedge.findings(files, { ...options, explain: true, ...how }));
+  const layer = await working("Writing the findings", (how) => twinedge.findings(files, { ...options, explain: true, accept: accepting(accepted), ...how }));
   if (!layer) return;
   const { warnings, ...collection } = layer;
-  const reasons = byId("report").contentDocument ? reasonsByPlace() : new Map();
-  for (const { properties } of collection.features) {
-    const reason = reasons.get([properties.rule, properties.x, properties.y].join());
-    if (reason) properties.accepted = reason;
-  }
   download(`${stemOf(history.now)}-findings.geojson`, JSON.stringify(collection));
 }
 
-function reasonsByPlace() {
-  const { findings, features } = findingsOf(byId("report").contentDocument);
-  return new Map(findings.map((finding) => [[finding.rule, ...(finding.at ?? [])].join(), accepted.reasonOf(finding, features)]));
+async function saveReport() {
+  await refresh(history.now);
+  download(`${stemOf(history.now)}-report.html`, history.now.page, "text/html");
 }
 
 async function filesOf(list) {
@@ -384,10 +406,10 @@ function addButtons() {
     "repair-open": () => togglePanel("repair"),
     "accept-open": () => togglePanel("accept"),
     "save-open": () => togglePanel("save"),
-    keep: () => {
+    keep: async () => {
       history.add(preview);
       closePanel();
-      show();
+      await show();
       byId("undo").focus();
     },
     discard: () => {
@@ -397,7 +419,7 @@ function addButtons() {
     },
     "save-map": saveMap,
     "save-findings": saveFindings,
-    "save-report": () => download(`${stemOf(history.now)}-report.html`, history.now.page, "text/html"),
+    "save-report": saveReport,
     "save-accepted": () => download(`${stemOf(history.now)}-accepted.json`, accepted.text(), "application/json"),
   };
   for (const [id, act] of Object.entries(clicks)) byId(id).addEventListener("click", act);
@@ -413,10 +435,12 @@ function addButtons() {
   byId("accept").addEventListener("submit", (event) => {
     event.preventDefault();
     const field = byId("accept").elements.reason;
-    if (!chosen || !field.value.trim()) return;
-    accepted.add(chosen.finding, chosen.features, field.value.trim());
+    const finding = acceptable(chosen?.finding);
+    const reason = field.value.trim();
+    if (!finding || !reason) return;
+    accepted.add(finding, reason);
     field.value = "";
-    mark();
+    mark(finding.id, reason);
   });
   addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input")) return;

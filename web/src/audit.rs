@@ -1,4 +1,4 @@
-//! `audit`, `auditPage`, `findings`.
+//! `audit`, `auditPage`, `acceptAll`, `findings`.
 
 use crate::buffers::Buffers;
 use crate::error::CallError;
@@ -13,15 +13,19 @@ pub(crate) struct Request {
     files: Vec<NamedFile>,
     options: AuditOptions,
     want: Vec<Output>,
+    /// The day of today, for what is accepted.
+    #[serde(default)]
+    date: String,
 }
 
 /// A form of the report.
-#[derive(Clone, Copy, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Output {
     Report,
     Page,
     Findings,
+    AcceptAll,
 }
 
 pub(crate) fn answer(
@@ -30,7 +34,11 @@ pub(crate) fn answer(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Value, CallError> {
     stage("reading");
-    let options = asked.options.options()?;
+    let mut options = asked.options.options()?;
+    // What is not listed would neither be accepted nor be written.
+    if options.accepted.is_some() || asked.want == [Output::AcceptAll] {
+        options.list = Some(usize::MAX);
+    }
     let mut input = input(asked.files, asked.options.layer.as_deref(), buffers)?;
     let name = input.name.clone();
     let of_input = |error: CallError| error.of(&name);
@@ -45,6 +53,10 @@ pub(crate) fn answer(
         let (key, bytes) = match want {
             Output::Report => ("report", audited.json()?),
             Output::Page => ("page", audited.page()?.into_bytes()),
+            Output::AcceptAll => {
+                let reason = asked.options.reason.as_deref().unwrap_or("accepted as it is");
+                ("accept_all", audited.accept_all(options.accepted.as_ref(), reason, &asked.date)?)
+            }
             Output::Findings => {
                 let (layer, warnings) = audited.findings()?;
                 answer.insert("warnings".to_owned(), warnings.into());

@@ -4,7 +4,7 @@
 //!   index.js ── message ──► worker.js ──► sync.js ── buffers ──► exports ─► call ─► one file for each function
 //! ```
 //!
-//! The exports are five functions of numbers, and the imports two. Requests and answers are JSON; bytes go beside it, in buffers of their own.
+//! The exports are five functions of numbers, and the imports four. Requests and answers are JSON; bytes go beside it, in buffers of their own.
 //! `wasm-bindgen` is not used: `README.md` says why.
 
 mod audit;

@@ -2,11 +2,12 @@
 
 use crate::error::CallError;
 use serde::Deserialize;
+use serde_json::Value;
 use twinedge::algorithm::coverage::Limits;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge_formats::mesh::HalfEdgeMesh;
-use twinedge_report::{CoverageOptions, MapOptions, Options};
+use twinedge_report::{Accepted, CoverageOptions, MapOptions, Options};
 
 /// A grid: `"auto"`, or the greatest width of its cells.
 #[derive(Clone, Debug, Deserialize)]
@@ -70,6 +71,8 @@ pub(crate) struct AuditOptions {
     pub(crate) lake_width: Option<f64>,
     pub(crate) accept_gaps: Vec<[f64; 2]>,
     pub(crate) sliver: Option<f64>,
+    pub(crate) accept: Option<Value>,
+    pub(crate) reason: Option<String>,
     pub(crate) geodesic: bool,
     pub(crate) arcs: bool,
     pub(crate) postgis: bool,
@@ -89,6 +92,11 @@ impl AuditOptions {
             name_from: self.name_from.clone(),
             allow_empty: self.allow_empty,
         })
+    }
+
+    fn accepted(&self) -> Result<Option<Accepted>, CallError> {
+        let read = |list: &Value| Accepted::read(&list.to_string());
+        self.accept.as_ref().map(read).transpose().map_err(|error| CallError::option(format!("accept: {error}")))
     }
 
     pub(crate) fn options(&self) -> Result<Options, CallError> {
@@ -127,6 +135,7 @@ impl AuditOptions {
         }
         Ok(Options {
             list: self.list,
+            accepted: self.accepted()?,
             explain: self.explain,
             map: self.map()?,
             coverage: CoverageOptions { is_rule: self.coverage, limits },

@@ -1,10 +1,14 @@
 // The functions, in Node: in a worker and without one.
 
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
+import { spawnSync } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
 import * as twinedge from "../package/index.js";
 import { load } from "../package/sync.js";
+import { AcceptedFindings } from "../page/accepted.js";
 
 const polygon = (id, ring) => ({ type: "Feature", id, properties: { name: `parcel ${id}` }, geometry: { type: "Polygon", coordinates: [ring] } });
 const square = (x, width, height = 4) => [[x, 0], [x + width, 0], [x + width, height], [x, height], [x, 0]];
@@ -87,6 +91,112 @@ describe("audit", () => {
     const stages = [];
     await twinedge.audit(overlapping, { progress: (stage) => stages.push(stage) });
     assert.deepEqual(stages.slice(0, 3), ["reading", "building the map", "validating"]);
+  });
+});
+
+describe("accepted findings", () => {
+  const judged = { snap: "auto", coverage: true };
+  /** As `twinedge audit --snap auto --coverage --accept-all` wrote it. */
+  const written = {
+    schema: "twinedge-accepted/1",
+    accepted: [{ id: "C1-452944500fc7672d", reason: "a quarrel", date: "2026-11-25", rule: "C1", features: ["1", "2"], at: [3.75, 2], area: 2, length: 9 }],
+  };
+
+  it("are written as the program writes them", async () => {
+    const list = await twinedge.acceptAll(overlapping, { ...judged, reason: "a quarrel" });
+    assert.match(list.accepted[0].date, /^\d{4}-\d\d-\d\d$/);
+    list.accepted[0].date = written.accepted[0].date;
+    assert.deepEqual(list, written);
+  });
+
+  it("are read as the program reads them, and hold until they grow", async () => {
+    const { valid, accepted, coverage } = await twinedge.audit(overlapping, { ...judged, accept: written });
+    assert.deepEqual([valid, accepted, coverage.findings[0].accepted], [true, { count: 1, grown: [], gone: [] }, "a quarrel"]);
+    const { features } = await twinedge.findings(overlapping, { ...judged, accept: written });
+    assert.equal(features[0].properties.accepted, "a quarrel");
+    const smaller = structuredClone(written);
+    smaller.accepted[0].area = 1;
+    assert.equal((await twinedge.audit(overlapping, { ...judged, accept: smaller })).valid, false);
+    for (const accept of [{ ...written, schema: "twinedge-accepted/0" }, { accepted: [] }, { ...written, accepted: [{}] }]) {
+      await assert.rejects(twinedge.audit(overlapping, { accept }), { name: "OptionError", message: /^accept: / });
+    }
+  });
+
+  it("are the same in the page: what it saves the program reads, and the other way round", async () => {
+    const { page, acceptAll } = await twinedge.auditWithPage(overlapping, judged);
+    const [{ id }] = JSON.parse(page.match(/type="application\/json">(.*?)<\/script>/s)[1]).findings;
+    assert.equal(acceptAll.accepted[0].id, id);
+    const made = new AcceptedFindings();
+    made.add(acceptAll.accepted[0], "a quarrel");
+    const read = new AcceptedFindings().with([{ name: "accepted.json", bytes: Buffer.from(JSON.stringify(written)) }]);
+    assert.deepEqual(read.list(), written);
+    assert.deepEqual(read.with([]).list(), written);
+    for (const list of [made, read]) {
+      assert.equal((await twinedge.audit(overlapping, { ...judged, accept: JSON.parse(list.text()) })).valid, true);
+    }
+    for (const text of ["{", "[]", '{"accepted": []}', JSON.stringify(overlapping)]) {
+      assert.throws(() => read.with([{ name: "a.json", bytes: Buffer.from(text) }]), /a\.json: no list of accepted findings/);
+    }
+    made.remove(id);
+    assert.deepEqual(made.all(), []);
+  });
+
+  it("go from the module to the program and back", { skip: !process.env.TWINEDGE && "no program: TWINEDGE is not set" }, async () => {
+    const folder = await mkdtemp(join(tmpdir(), "twinedge-accepted-"));
+    try {
+      const [layer, list] = ["layer.geojson", "accepted.json"].map((name) => join(folder, name));
+      const program = (...options) =>
+        spawnSync(process.env.TWINEDGE, ["audit", layer, "--snap", "auto", "--coverage", "--quiet", ...options]).status;
+      await writeFile(layer, JSON.stringify(overlapping));
+      const made = new AcceptedFindings();
+      made.add((await twinedge.auditWithPage(overlapping, judged)).acceptAll.accepted[0], "a quarrel");
+      await writeFile(list, made.text());
+      assert.deepEqual([program(), program("--accept", list)], [1, 0]);
+      program("--accept-all", list);
+      const accept = new AcceptedFindings().with([{ name: list, bytes: await readFile(list) }]).list();
+      assert.equal((await twinedge.audit(overlapping, { ...judged, accept })).valid, true);
+    } finally {
+      await rm(folder, { recursive: true });
+    }
+  });
+});
+
+/** A Shapefile of one point, whose name has these bytes. */
+function shapefile(bytes, charset) {
+  const [shp, dbf] = [new DataView(new ArrayBuffer(128)), new DataView(new ArrayBuffer(75))];
+  for (const [at, number] of [[0, 9994], [24, 64], [100, 1], [104, 10]]) shp.setInt32(at, number);
+  for (const [at, number] of [[28, 1000], [32, 1], [108, 1]]) shp.setInt32(at, number, true);
+  new Uint8Array(dbf.buffer).set([3, 124, 1, 1, 1, 0, 0, 0, 65, 0, 9]);
+  new Uint8Array(dbf.buffer, 32).set(Buffer.from("name\0\0\0\0\0\0\0C"));
+  dbf.setUint8(48, 8);
+  new Uint8Array(dbf.buffer, 64).set([0x0d, 0x20, ...bytes, ...Array(8 - bytes.length).fill(0x20), 0x1a]);
+  const file = (name, { buffer }) => ({ name, bytes: new Uint8Array(buffer) });
+  return [file("a.shp", shp), file("a.dbf", dbf), { name: "a.cpg", bytes: new Uint8Array(Buffer.from(charset)) }];
+}
+
+describe("character sets", () => {
+  it("are those of the Encoding Standard and of DOS", async () => {
+    // The bytes are those of Python's codecs.
+    for (const [charset, bytes, text] of [
+      ["CP932", [0x93, 0x8c, 0x8b, 0x9e, 0x93, 0x73], "東京都"],
+      ["GBK", [0xb1, 0xb1, 0xbe, 0xa9, 0xca, 0xd0], "北京市"],
+      ["950", [0xbb, 0x4f, 0xa5, 0x5f, 0xa5, 0xab], "臺北市"],
+      ["949", [0xbc, 0xad, 0xbf, 0xef, 0xbd, 0xc3], "서울시"],
+      ["OEM 437", [0x5a, 0x81, 0x72, 0x69, 0x63, 0x68], "Zürich"],
+      ["OEM 866", [0x8c, 0xae, 0xe1, 0xaa, 0xa2, 0xa0], "Москва"],
+      ["ISO 8859-2", [0xa3, 0xf3, 0x64, 0xbc], "Łódź"],
+      ["1252", [0x8a, 0x6b, 0x6f, 0x64, 0x61, 0x80], "Škoda€"],
+      ["UTF-8", [0x5a, 0xc3, 0xbc], "Zü"],
+    ]) {
+      const { bytes: geojson } = await twinedge.convert(shapefile(bytes, charset), { to: "geojson" });
+      assert.equal(JSON.parse(Buffer.from(geojson)).features[0].properties.name, text, charset);
+    }
+  });
+
+  it("refuse what is no text of them, and names that there are not", async () => {
+    await assert.rejects(twinedge.convert(shapefile([0x93], "CP932"), { to: "geojson" }), { name: "InputError", code: "content" });
+    await assert.rejects(twinedge.convert(shapefile([0xff], "UTF-8"), { to: "geojson" }), { name: "InputError", code: "content" });
+    await assert.rejects(twinedge.convert(shapefile([0xff], "klingon"), { to: "geojson" }), /klingon/);
   });
 });
 

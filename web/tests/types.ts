@@ -1,10 +1,12 @@
 // The types say what the functions take and give.
 
-import { audit, check, clean, convert, type InputError, neighbours, validate, voronoi } from "../package/index.js";
+import { acceptAll, audit, check, clean, convert, type InputError, neighbours, validate, voronoi } from "../package/index.js";
 import { load } from "../package/sync.js";
 
 export async function used(topology: { type: "Topology" }, bytes: Uint8Array, error: InputError): Promise<void> {
   const report = await audit(topology, { layer: "counties", gapWidth: 0.1, signal: AbortSignal.timeout(1000) });
+  const accept = await acceptAll(topology, { reason: "a lake" });
+  const accepted: string | undefined = (await audit(topology, { accept })).coverage?.findings[0]?.accepted;
   const overlaps: number | undefined = report.coverage?.overlaps;
   const { layer } = await clean(bytes, { overlap: "first" });
   const { file } = await clean(bytes, { to: "shapefile" });
@@ -18,7 +20,7 @@ export async function used(topology: { type: "Topology" }, bytes: Uint8Array, er
   const sync = await load();
   const now: boolean = sync.audit(bytes).valid;
   const place: number | undefined = error.place?.line;
-  console.log(lines, valid, failures, pairs[0]?.length, cells.features, now, place);
+  console.log(accepted, lines, valid, failures, pairs[0]?.length, cells.features, now, place);
   // @ts-expect-error there is no such format
   await convert(bytes, { to: "geopackage" });
   // @ts-expect-error there is no such option
