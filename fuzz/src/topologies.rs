@@ -22,11 +22,11 @@ pub fn topojson(bytes: &[u8]) {
             let audit = arcs::audit(&topology, 2);
             assert_eq!(audit.is_valid(), audit.violation_count() == 0, "{audit}");
         }
-        let options = ReadOptions { format: Some(Format::TopoJson), layer };
+        let options = ReadOptions { format: Some(Format::TopoJson), layer, ..ReadOptions::default() };
         let Ok(found) = read_layer(&mut &*bytes, None, &options) else { continue };
         let mut once = Vec::new();
         write(&found, &mut once, Format::Wkb).expect("memory");
-        let options = ReadOptions { format: Some(Format::Wkb), layer: None };
+        let options = ReadOptions { format: Some(Format::Wkb), ..ReadOptions::default() };
         let again = read_layer(&mut &*once, None, &options).expect("what was written is well-known binary");
         let mut twice = Vec::new();
         write(&again, &mut twice, Format::Wkb).expect("memory");

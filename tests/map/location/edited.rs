@@ -53,3 +53,12 @@ fn program(edits: EvenEdits, asked: Vec<(Place, Place)>) -> bool {
 fn answers_are_those_of_the_map_as_it_is_after_its_edits() {
     quickcheck(600, program as fn(EvenEdits, Vec<(Place, Place)>) -> bool);
 }
+
+#[test]
+fn a_point_just_beside_an_edge_is_not_placed_by_records_that_lie_behind_it() {
+    let mut map = PlanarMap::new();
+    map.insert_ring([[0.0, 5.0], [5.0, 0.0], [3.0, 3.0]]).unwrap();
+    // Its distance from (4.5, 4.5) is so small that the point mirrored by it does not lie across.
+    map.insert_segment([0.0, 6.0], [6.000_000_000_000_001, 4.0]).unwrap();
+    assert_eq!(map.locate(Point::new(4.5, 4.5)), Ok(Located::Face(map.dcel().unbounded_face().key())));
+}
