@@ -61,7 +61,7 @@ pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, Cal
         let place = files.iter().position(|(other, _)| other == name);
         let place = place.ok_or_else(|| CallError::new("content", format!("{name} is missing")))?;
         let found = files.swap_remove(place).1;
-        if found.len() % bytes == 0 {
+        if found.len().is_multiple_of(bytes) {
             Ok(found)
         } else {
             Err(CallError::new("content", format!("{name} ends in the middle of a number")))

@@ -63,8 +63,10 @@ impl From<layer::ReadError> for CallError {
             _ => Vec::new(),
         };
         let code = match &error {
-            layer::ReadError::Foreign(_) | layer::ReadError::Unrecognised | layer::ReadError::FeatureOff(_) => "format",
-            layer::ReadError::NeedsFile(_) => "format",
+            layer::ReadError::Foreign(_)
+            | layer::ReadError::Unrecognised
+            | layer::ReadError::FeatureOff(_)
+            | layer::ReadError::NeedsFile(_) => "format",
             layer::ReadError::Layers { .. } => "layer",
             layer::ReadError::Empty => "empty",
             _ => "content",

@@ -30,6 +30,7 @@ pub(crate) fn snap(grid: Option<&Grid>) -> Result<Option<Snap>, CallError> {
 /// The limits of a coverage.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
+#[allow(clippy::struct_field_names, reason = "the names are those of the options")]
 pub(crate) struct Gaps {
     pub(crate) gap_width: Option<f64>,
     pub(crate) lake_width: Option<f64>,

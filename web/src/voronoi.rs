@@ -26,14 +26,11 @@ struct Asked {
 }
 
 pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, CallError> {
-    let sites = match asked.points {
-        Some(points) => {
-            Sites { properties: vec![Map::new(); points.len()], points: points.into_iter().map(Point::from).collect() }
-        }
-        None => {
-            let (name, layer) = layer(asked.files, asked.options.layer.as_deref(), buffers)?;
-            Sites::new(&layer).map_err(|error| CallError::from(error).of(&name))?
-        }
+    let sites = if let Some(points) = asked.points {
+        Sites { properties: vec![Map::new(); points.len()], points: points.into_iter().map(Point::from).collect() }
+    } else {
+        let (name, layer) = layer(asked.files, asked.options.layer.as_deref(), buffers)?;
+        Sites::new(&layer).map_err(|error| CallError::from(error).of(&name))?
     };
     let (collection, _) = if asked.options.delaunay {
         triangles(&delaunay(&sites.points)?)?
