@@ -68,7 +68,7 @@ fn read(path: &Path) -> Result<Compared, Failure> {
     Compared::new(&report).map_err(named(&name))
 }
 
-/// What a report says of a finding, in a line.
+/// A finding as a report has it, in a line.
 fn line(one: &Value) -> String {
     let name = |feature: &Value| match feature {
         Value::String(name) => name.clone(),

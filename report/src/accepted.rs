@@ -60,7 +60,7 @@ pub(crate) struct AcceptedSummary {
     pub(crate) gone: Vec<String>,
 }
 
-/// Why a file is no list of accepted findings.
+/// The reason why a file is no list of accepted findings.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum AcceptedError {

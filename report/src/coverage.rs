@@ -44,7 +44,7 @@ pub struct Coverage {
     mismatches: usize,
     /// Of lengths; areas are in its square.
     unit: &'static str,
-    /// Why all but C6 were not checked.
+    /// The reason why all but C6 were not checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_checked: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -251,7 +251,7 @@ impl Coverage {
         self.has_polygons
     }
 
-    /// Why all rules but C6 could not be checked, if so.
+    /// The reason why all rules but C6 could not be checked, if so.
     #[must_use]
     pub fn not_checked(&self) -> Option<&str> {
         self.not_checked.as_deref()
@@ -373,7 +373,7 @@ impl Coverage {
     }
 }
 
-/// Why all rules but C6 were not checked.
+/// The reason why all rules but C6 were not checked.
 #[derive(Debug, thiserror::Error)]
 enum NotChecked {
     #[error(transparent)]

@@ -20,7 +20,7 @@ pub struct Difference {
     pub same: usize,
 }
 
-/// Why a report cannot be compared.
+/// The reason why a report cannot be compared.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DifferenceError {

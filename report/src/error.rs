@@ -1,4 +1,4 @@
-//! Why there is no report.
+//! The reason why there is no report.
 
 use crate::words::counted;
 use std::io;
@@ -8,7 +8,7 @@ use twinedge::map::BuildError;
 use twinedge::tile::{FinishError, GridError, MergeError, TileError};
 use twinedge_formats::{layer, mesh, postgis};
 
-/// Why an input has no report. The name of the input is not in the messages.
+/// The reason why an input has no report. The name of the input is not in the messages.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

@@ -12,9 +12,9 @@ use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 enum Outcome {
     Passed,
     Failed(String),
-    /// Why it was not run.
+    /// The reason why it was not run.
     Skipped(String),
-    /// Why nothing is known.
+    /// The reason why nothing is known.
     Error(String),
 }
 

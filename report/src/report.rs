@@ -19,7 +19,7 @@ pub(crate) struct AuditReport {
     pub(crate) input: String,
     /// Every rule that applies was checked, and holds.
     pub(crate) valid: bool,
-    /// Why more is to be known, in sentences, whatever the rules say.
+    /// The reason why more is to be known, in sentences, whatever the rules say.
     pub(crate) doubts: Vec<String>,
     pub(crate) judged: Option<Judged>,
     /// What became of accepted findings, if there is a list of them.
@@ -185,7 +185,7 @@ impl AuditReport {
         open + if self.style.is_rule && is_open { CoverageRule::ALL.len() - 1 } else { 0 }
     }
 
-    /// Why the verdict is not known, in sentences.
+    /// The reason why the verdict is not known, in sentences.
     pub(crate) fn unknown(&self) -> Vec<String> {
         if self.verdict() != Verdict::Unknown {
             return Vec::new();

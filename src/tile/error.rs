@@ -48,7 +48,7 @@ pub enum FinishError {
     },
 }
 
-/// How many tiles are missing.
+/// The number of tiles that are missing.
 struct Missing(u64);
 
 impl core::fmt::Display for Missing {

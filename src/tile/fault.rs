@@ -1,4 +1,4 @@
-//! What is wrong with a map that was seen by its tiles.
+//! Faults of a map that was seen by its tiles.
 
 use super::ends::{Ends, compare_edges, compare_points};
 use super::grid::Tile;

@@ -85,7 +85,7 @@ impl Outcome {
 }
 
 impl Summary {
-    /// What is missing of the whole.
+    /// The tiles that are missing of the whole.
     fn missing(&self) -> Result<(), FinishError> {
         let [columns, rows] = self.grid.size().map(u64::from);
         let count = (columns * rows).saturating_sub(self.tiles.len() as u64);

@@ -19,7 +19,7 @@ use crate::map::{Builder, Feature, FeatureId, PlanarMap, Shape};
 use crate::validate::Embedding as _;
 use core::cmp::Ordering;
 
-/// How the faces of a region are claimed.
+/// The way in which the faces of a region are claimed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Claim {

@@ -31,7 +31,7 @@ pub struct LazyWork {
 /// The most slots of a kind.
 pub(super) const MOST_SLOTS: usize = 15;
 
-/// What a certificate claims.
+/// The claim of a certificate.
 #[derive(Clone, Copy)]
 pub(super) enum Claim {
     /// A plane subdivision.
@@ -70,7 +70,7 @@ impl LazyWork {
     }
 }
 
-/// Why there is no such work.
+/// The reason why there is no such work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LazyError {
