@@ -40,7 +40,7 @@ pub(crate) fn write_files(
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return write(path);
     }
-    // What a link leads to is replaced, and not the link.
+    // The target of a link is replaced, and not the link.
     let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = real.file_name().ok_or_else(|| Failure(format!("{}: this is no file", path.display())))?;

@@ -30,7 +30,7 @@ pub struct Imported {
     pub read: ReadSummary,
     /// The map.
     pub map: PlanarMap,
-    /// What was found while the map was gathered.
+    /// Findings from the time when the map was gathered.
     pub summary: BuildSummary,
     /// The notes on the features.
     pub noted: Noted,
@@ -69,7 +69,7 @@ impl Imported {
             None => (builder.build()?, None, Vec::new()),
             Some(snap) if keep.coverage => {
                 let unmatched = builder.unmatched();
-                // What a grid that was asked for removed or made is found by comparing.
+                // Features that the grid removed or made are found by comparing.
                 let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
                 (builder.build_with(Noding::Snap(snap))?, kept, unmatched)
             }
@@ -103,7 +103,7 @@ pub(crate) fn names(names: impl Iterator<Item = Option<String>>) -> Result<Plana
     Ok(builder.build()?)
 }
 
-/// What was gathered of an input.
+/// All that was gathered of an input.
 struct Gathered {
     name: String,
     builder: Builder,

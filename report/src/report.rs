@@ -22,7 +22,7 @@ pub(crate) struct AuditReport {
     /// The reason why more is to be known, in sentences, whatever the rules say.
     pub(crate) doubts: Vec<String>,
     pub(crate) judged: Option<Judged>,
-    /// What became of accepted findings, if there is a list of them.
+    /// The fate of accepted findings, if there is a list of them.
     pub(crate) accepted: Option<AcceptedSummary>,
     /// The options, as JSON.
     pub(crate) options: Map<String, Value>,

@@ -117,7 +117,7 @@ pub fn grid_around(features: &[Feature], [columns, rows]: [u32; 2]) -> Result<Gr
         low = Point::new(low.x.min(p.x), low.y.min(p.y));
         high = Point::new(high.x.max(p.x), high.y.max(p.y));
     }
-    // What has no width is divided all the same.
+    // A box without width is divided all the same.
     let wide = |low: f64, high: f64| if low < high { (low, high) } else { (low.min(0.0) - 1.0, high.max(0.0) + 1.0) };
     let is_empty = low.x > high.x;
     let ((left, right), (bottom, top)) =

@@ -55,7 +55,7 @@ impl Bounds {
         Point::new(within(self.left, self.right), within(self.bottom, self.top))
     }
 
-    /// Where an edge passes the border of the tile. O(1).
+    /// The places at which an edge passes the border of the tile. O(1).
     pub(super) fn crossings(&self, [a, b]: Ends) -> Crossings {
         let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
         let upright = |x: Option<f64>| {

@@ -1,4 +1,4 @@
-//! What the summaries of all tiles say of the whole.
+//! The audit of the whole, from the summaries of all tiles.
 
 use super::error::FinishError;
 use super::fault::{Crossing, SeamFault, Uneven};

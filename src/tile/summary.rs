@@ -1,4 +1,4 @@
-//! What is known of some tiles together.
+//! The knowledge of some tiles together.
 
 use super::claimed::{Claimed, add_up};
 use super::ends::{Ends, compare_edges, compare_points};
@@ -140,7 +140,7 @@ impl Component {
     }
 }
 
-/// Which faces, components and cycles of a summary are the same.
+/// Faces, components and cycles of a summary that are the same.
 pub(super) struct Joins {
     pub(super) faces: Sets,
     pub(super) components: Sets,

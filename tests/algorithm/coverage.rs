@@ -418,7 +418,7 @@ fn a_corner_beside_the_side_of_a_neighbour_is_a_mismatch() {
     // Borders that only touch.
     let spire = Shape::polygon([[3.0, 10.0], [6.0, 15.0], [0.0, 15.0]]);
     assert_eq!(lacked(&mismatched(&[area([0.0, 0.0], [10.0, 10.0]), spire]).0), [([3.0, 10.0], 0)]);
-    // What fills a hole, with more vertices than the hole has, and the other way round.
+    // A feature that fills a hole, with more vertices than the hole has, and the other way round.
     let ring = area([0.0, 0.0], [9.0, 9.0]).hole([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 4.0], [6.0, 3.0]]);
     let filling = Shape::polygon([[3.0, 3.0], [4.0, 3.0], [6.0, 3.0], [6.0, 6.0], [3.0, 6.0]]);
     assert_eq!(lacked(&mismatched(&[ring, filling]).0), [([4.0, 3.0], 0), ([6.0, 4.0], 1)]);

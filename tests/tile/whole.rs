@@ -102,7 +102,7 @@ fn broken(map: &PlanarMap, report: &Report, crossings: &[Crossing], uneven: &[Un
                 expected.push((CrossingKind::Touch, [point(vertex); 2], edge(half_edge)));
             }
             Violation::Genus { vertices, edges, cycles, .. } => components.push((vertices, edges, cycles)),
-            // Which follow from the crossings, and are not checked by tiles.
+            // These follow from the crossings, and are not checked by tiles.
             _ => assert!(matches!(violation.rule(), Rule::G2 | Rule::G3 | Rule::G5), "{violation:?}"),
         }
     }

@@ -1,4 +1,4 @@
-// What the page does not take, and what to run instead.
+// Files that the page does not take, and what to run instead.
 
 /** The largest file that is taken, in bytes. */
 export const LIMIT = 300 * 2 ** 20;

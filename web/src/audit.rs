@@ -35,7 +35,7 @@ pub(crate) fn answer(
 ) -> Result<Value, CallError> {
     stage("reading");
     let mut options = asked.options.options()?;
-    // What is not listed would neither be accepted nor be written.
+    // A finding that is not listed would neither be accepted nor be written.
     if options.accepted.is_some() || asked.want == [Output::AcceptAll] {
         options.list = Some(usize::MAX);
     }

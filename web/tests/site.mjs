@@ -118,7 +118,7 @@ try {
   await open(path, await put("parcels-accepted.json", notes));
   await waitFor("status", /1 accepted/);
 
-  // What the page does not take it refuses, with what to run instead.
+  // The page refuses files that it does not take, with what to run instead.
   await open(await put("cadastre.gpkg", "SQLite format 3\0"));
   await waitFor("message", /twinedge audit cadastre\.gpkg/);
   await open(await put("broken.geojson", '{"type": "FeatureCollection", "features": ['));
