@@ -11,6 +11,7 @@ mod coverage;
 mod dual;
 mod homework;
 mod lattice;
+mod mismatch;
 mod neighbours;
 mod overlay;
 mod planar;
