@@ -69,9 +69,9 @@ fn no_unfinished_files_are_left_behind() {
     // Writing takes seconds, so that the signal comes in time on a busy machine, too.
     let world: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(data("world-50m.geojson")).unwrap()).unwrap();
-    let lines: String = world["features"].as_array().unwrap().iter().map(|feature| format!("{feature}\n")).collect();
+    let lines: Vec<String> = world["features"].as_array().unwrap().iter().map(ToString::to_string).collect();
     let input = folder.join("worlds.geojsonl");
-    std::fs::write(&input, lines.repeat(5)).unwrap();
+    std::fs::write(&input, (lines.join("\n") + "\n").repeat(5)).unwrap();
     let output = folder.join("worlds.geojson");
     let has_unfinished = || {
         std::fs::read_dir(&folder)
