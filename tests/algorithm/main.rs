@@ -11,6 +11,7 @@ mod coverage;
 mod dual;
 mod homework;
 mod lattice;
+mod layers;
 mod neighbours;
 mod overlay;
 mod planar;
