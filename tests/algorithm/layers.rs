@@ -291,7 +291,7 @@ impl Hierarchy {
         built(&parts.chain(self.parents.iter().copied()).map(shape).collect::<Vec<_>>())
     }
 
-    /// The area, or for A3 the length, that each deviation has in all.
+    /// The area, or for X3 the length, that each deviation has in all.
     fn found(&self) -> BTreeMap<Deviation, f64> {
         let map = self.map();
         let count = self.parts.len();

@@ -1,4 +1,4 @@
-//! A1 within, A2 cover, A3 border, A5 line, A6 point: two layers on one map.
+//! X1 within, X2 cover, X3 border, X5 line, X6 point: two layers on one map.
 
 use super::finding::{Deviation, LayerFinding, sort};
 use super::parents::live;
@@ -10,10 +10,10 @@ use crate::geometry::Point;
 use crate::map::{FeatureId, Located, PlanarMap};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Finds what breaks A1 … A3, A5 and A6. The first `audited` features of the map are those of the audited layer, all further ones those of the
+/// Finds what breaks X1 … X3, X5 and X6. The first `audited` features of the map are those of the audited layer, all further ones those of the
 /// other layer. `points` are the points of the audited layer, which a map does not keep.
 ///
-/// A1 is asked of features that cover faces, A5 of those that cover none. A2 is asked if both layers have areas, A3 if the audited layer has areas
+/// X1 is asked of features that cover faces, X5 of those that cover none. X2 is asked if both layers have areas, X3 if the audited layer has areas
 /// or lines. Findings come in order of the rules; those of one kind by falling area and length.
 ///
 /// O(n log n) for n half-edges, faces and points, each counted once for each feature that covers it.
@@ -92,7 +92,7 @@ impl<'a> Layers<'a> {
         &self.claims[face.index()][1]
     }
 
-    /// A1.
+    /// X1.
     fn not_within(&self) -> Vec<LayerFinding> {
         let faces = faces_by_feature(self.map);
         let audited = self.map.features().take(self.audited);
@@ -118,7 +118,7 @@ impl<'a> Layers<'a> {
         Some(LayerFinding::of_faces(self.map, Deviation::NotWithin, [vec![feature], others], &outside))
     }
 
-    /// A2.
+    /// X2.
     fn covered_by_one(&self) -> Vec<LayerFinding> {
         let class = |face: Face<'_>| match (self.here(face), self.there(face)) {
             ([], []) => None,
@@ -135,7 +135,7 @@ impl<'a> Layers<'a> {
         regions.into_iter().filter_map(finding).collect()
     }
 
-    /// A3 and A5.
+    /// X3 and X5.
     fn along_borders(&self) -> Vec<LayerFinding> {
         let has_line = |h: HalfEdge<'_>| {
             let along = self.map.features_along(h.key()).into_iter().flatten();
@@ -197,7 +197,7 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// A6.
+    /// X6.
     fn not_inside(&self, (feature, point): (FeatureId, Point)) -> Option<LayerFinding> {
         let at = self.map.noding().map_or(point, |noding| noding.snapped(point));
         let dcel = self.map.dcel();

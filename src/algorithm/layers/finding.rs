@@ -10,17 +10,17 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum LayerRule {
-    /// A1: each feature lies within one feature of the other layer.
+    /// X1: each feature lies within one feature of the other layer.
     Within,
-    /// A2: both layers cover the same places.
+    /// X2: both layers cover the same places.
     Cover,
-    /// A3: each border of the other layer is a border of this one.
+    /// X3: each border of the other layer is a border of this one.
     Border,
-    /// A4: each parent is made up exactly by its parts.
+    /// X4: each parent is made up exactly by its parts.
     Parent,
-    /// A5: each line runs along borders of the other layer.
+    /// X5: each line runs along borders of the other layer.
     Line,
-    /// A6: each point lies inside a feature of the other layer.
+    /// X6: each point lies inside a feature of the other layer.
     Point,
 }
 
@@ -28,16 +28,16 @@ impl LayerRule {
     /// All, in order of their ids.
     pub const ALL: [Self; 6] = [Self::Within, Self::Cover, Self::Border, Self::Parent, Self::Line, Self::Point];
 
-    /// The id: `A1` to `A6`.
+    /// The id: `X1` to `X6`.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
-            Self::Within => "A1",
-            Self::Cover => "A2",
-            Self::Border => "A3",
-            Self::Parent => "A4",
-            Self::Line => "A5",
-            Self::Point => "A6",
+            Self::Within => "X1",
+            Self::Cover => "X2",
+            Self::Border => "X3",
+            Self::Parent => "X4",
+            Self::Line => "X5",
+            Self::Point => "X6",
         }
     }
 
@@ -78,23 +78,23 @@ impl fmt::Display for LayerRule {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Deviation {
-    /// A1: a feature lies in no feature of the other layer, or not with all of it in one.
+    /// X1: a feature lies in no feature of the other layer, or not with all of it in one.
     NotWithin,
-    /// A2: a place that only the audited layer covers.
+    /// X2: a place that only the audited layer covers.
     OnlyHere,
-    /// A2: a place that only the other layer covers.
+    /// X2: a place that only the other layer covers.
     OnlyThere,
-    /// A3: a border of the other layer that is none of the audited one.
+    /// X3: a border of the other layer that is none of the audited one.
     NoBorder,
-    /// A4: a part lies outside its parent, with all of it or some.
+    /// X4: a part lies outside its parent, with all of it or some.
     OutsideParent,
-    /// A4: a place of a parent that none of its parts covers.
+    /// X4: a place of a parent that none of its parts covers.
     ParentNotCovered,
-    /// A4: a part whose parent is not known.
+    /// X4: a part whose parent is not known.
     UnknownParent,
-    /// A5: a line where the other layer has no border.
+    /// X5: a line where the other layer has no border.
     OffBorder,
-    /// A6: a point that does not lie inside one feature of the other layer.
+    /// X6: a point that does not lie inside one feature of the other layer.
     NotInside,
 }
 
@@ -148,9 +148,9 @@ pub struct LayerFinding {
     pub length: f64,
     /// A point inside the largest face, the middle of the longest stretch, or the point.
     pub at: Point,
-    /// The faces at fault: of A1 those outside the first of the others.
+    /// The faces at fault: of X1 those outside the first of the others.
     pub faces: Vec<FaceKey>,
-    /// The edges at fault, of A3 and A5.
+    /// The edges at fault, of X3 and X5.
     pub stretches: Vec<[Point; 2]>,
 }
 

@@ -1,4 +1,4 @@
-//! A4 parent: each parent is made up exactly by its parts.
+//! X4 parent: each parent is made up exactly by its parts.
 
 use super::finding::{Deviation, LayerFinding, sort};
 use crate::algorithm::coverage::region::connected;
@@ -19,7 +19,7 @@ pub enum Parent {
     Feature(FeatureId),
 }
 
-/// Finds what breaks A4. `parents` has the parent of each feature, by [`FeatureId::index`]; features beyond its end have none. A feature in
+/// Finds what breaks X4. `parents` has the parent of each feature, by [`FeatureId::index`]; features beyond its end have none. A feature in
 /// `complete` is made up by its parts even if it has none; others are asked only if they have parts, so that the lowest level of a
 /// hierarchy is not.
 ///
