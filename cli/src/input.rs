@@ -19,7 +19,7 @@ const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
 const MAGIC: usize = 4;
 
 /// Opens a file, standard input where the path is `-`, or the built-in map where there is none. Of an archive, what is in it is opened.
-fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
+pub(crate) fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
     let mut input = open_as_it_is(path, layer)?;
     let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
     let unpacked = unpack(&head, &mut input.reader, input.path.as_deref(), layer);

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::imported::Imported;
 use crate::input::Input;
 use crate::input_kind::InputKind;
+use crate::layers::{self, Other};
 use crate::noted::Keep;
 use crate::options::Options;
 use crate::options_json::as_json;
@@ -51,11 +52,35 @@ pub fn audit(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    audit_against(input, kind, None, options, stage)
+}
+
+/// Reads an input and judges it, also by the rules between it and another layer if it is a map. Maps in tiles are not compared.
+///
+/// O(n log n) for n segments of both that cross in O(n) places.
+///
+/// # Errors
+/// [`Error`], if an input could not be read, or cannot be judged as was asked.
+pub fn audit_against(
+    input: Input,
+    kind: InputKind,
+    other: Option<Input>,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
     let (report, subject) = match kind {
         InputKind::Map if options.tiles.is_some() => (tiles::audit(input, options, stage)?, Subject::None),
         InputKind::Map => {
-            let imported = Imported::read(input, &options.map, Keep { coverage: true, condition: None }, stage)?;
-            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
+            let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
+            let is_compared = other.is_some() || options.parent.is_some();
+            let keep = Keep { coverage: true, columns: &columns, features: is_compared, ..Keep::default() };
+            let imported = Imported::read(input, &options.map, keep, stage)?;
+            let mut report = map::audit(&imported, options, stage)?;
+            if is_compared {
+                let other = other.map(|other| Other::read(other, options)).transpose()?;
+                layers::judge(&imported, other.as_ref(), options, &mut report, stage)?;
+            }
+            (report, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => (mesh::audit(input, format, options)?, Subject::None),
         InputKind::Textbook => {
@@ -76,7 +101,7 @@ pub fn audit(
         }
     };
     let mut report = if options.explain { report } else { report.unexplained() };
-    report.options = as_json(options, kind);
+    report.options.extend(as_json(options, kind));
     report.identify();
     if let Some(accepted) = &options.accepted {
         report.accept(accepted);
@@ -162,13 +187,12 @@ impl Audited {
         })
     }
 
-    /// The findings of the coverage that are listed, as a list of accepted ones, in JSON. Those that `before` has keep their reason and date.
+    /// The findings of the coverage and those between layers that are listed, as a list of accepted ones, in JSON. Those that `before` has keep their reason and date.
     ///
     /// # Errors
     /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
     pub fn accept_all(&self, before: Option<&Accepted>, reason: &str, date: &str) -> Result<Vec<u8>, Error> {
-        let coverage = self.of_structure()?.coverage.iter();
-        let findings = coverage.flat_map(|coverage| coverage.findings());
+        let findings = self.of_structure()?.acceptable();
         Ok(json(&Accepted::all(findings, before, reason, date))?)
     }
 

@@ -2,6 +2,7 @@
 
 use crate::words::counted;
 use std::io;
+use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
@@ -68,6 +69,39 @@ pub enum Error {
         /// The first columns that there are.
         known: Vec<String>,
     },
+    /// No feature has one of the values by which parts name their parents.
+    #[error(
+        "no feature has one of the values of {column} as its {key}, so that no parent is known; COLUMN=KEY says in which column parents \
+have them, and --against which layer they are in"
+    )]
+    NoParents {
+        /// The column of the parts.
+        column: String,
+        /// The key of the parents.
+        key: String,
+    },
+    /// Two features have one key, so that it is not known which of them is a parent.
+    #[error("two features have the {key} {value}, by which parts name their parents")]
+    TwoParents {
+        /// The key of the parents.
+        key: String,
+        /// The value.
+        value: String,
+    },
+    /// The layer by which another one is to be judged has no polygons.
+    #[error("{0} has no polygons, and the rules between layers are about these")]
+    NoAreas(String),
+    /// The layer by which the input is to be judged could not be read.
+    #[error("{input}: {why}")]
+    Against {
+        /// Its name.
+        input: String,
+        /// The reason.
+        why: Box<Self>,
+    },
+    /// The layers cannot be compared.
+    #[error("the layers cannot be compared: {0}")]
+    Layers(#[from] CoverageError),
     /// A map is made of lines and polygons, and there are none.
     #[error("a map is made of lines and polygons, and this file has {}; --allow-empty accepts it", instead(.0))]
     NoMap(Box<ReadSummary>),

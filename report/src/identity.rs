@@ -7,7 +7,7 @@ use sha2::{Digest as _, Sha256};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use twinedge::validate::Violation;
-use twinedge_formats::diagnosis::{Diagnosis, Kind, Position};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Position};
 
 /// The number of bytes of an id.
 const BYTES: usize = 8;
@@ -23,9 +23,13 @@ impl Identities {
     /// Gives its id to a finding. O(its points).
     pub(crate) fn identify(&mut self, one: &mut Diagnosis) {
         let rule = one.rule.unwrap_or(one.kind.name());
-        let mut features: Vec<&str> =
-            one.features.iter().flatten().filter_map(|f| f.id.as_deref().or(f.name.as_deref())).collect();
-        features.sort_unstable();
+        let keys = |of: &'_ Option<Vec<FeatureName>>| {
+            let mut keys: Vec<String> =
+                of.iter().flatten().filter_map(|f| f.id.clone().or_else(|| f.name.clone())).collect();
+            keys.sort_unstable();
+            keys
+        };
+        let (features, others) = (keys(&one.features), keys(&one.others));
         let mut text = format!("{rule}\n{}\n", one.kind.name());
         // The vertex that names the component depends on the order.
         if let Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) = one.kind {
@@ -36,6 +40,9 @@ impl Identities {
                 let _ = write!(text, "{}:{feature}", feature.len());
             }
             text.push('\n');
+            for other in others {
+                let _ = write!(text, "{}:{other},", other.len());
+            }
             match first_corner(one) {
                 Some(at) => text.push_str(&on_grid(at)),
                 None => text.push_str(&one.records.names().join(",")),

@@ -38,6 +38,8 @@ pub struct Imported {
     pub builder: Option<Builder>,
     /// The vertices that borders of features lack (C7), if the coverage is judged.
     pub unmatched: Vec<UnmatchedVertex>,
+    /// The features as they were read, if they are kept.
+    pub features: Vec<Feature>,
     /// The coordinate reference system, if the file names one.
     pub crs: Option<Crs>,
     /// True if the format says which way rings turn.
@@ -55,7 +57,13 @@ impl Imported {
         keep: Keep<'_>,
         stage: &mut dyn FnMut(&'static str),
     ) -> Result<Self, Error> {
-        let gathered = Gathered::new(input, options, keep, &mut drop)?;
+        let mut features = Vec::new();
+        let mut each = |feature| {
+            if keep.features {
+                features.push(feature);
+            }
+        };
+        let gathered = Gathered::new(input, options, keep, &mut each)?;
         let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
         let summary = builder.summary().clone();
         stage("building the map");
@@ -75,7 +83,7 @@ impl Imported {
             }
             Some(snap) => (builder.build_with(Noding::Snap(snap))?, None, Vec::new()),
         };
-        Ok(Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings })
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings })
     }
 
     /// Reads the features of a map, and builds no map of them: it has only their names.
@@ -90,7 +98,11 @@ impl Imported {
         drop(builder);
         let map = names(features.iter().map(|feature| feature.name.clone()))?;
         let (builder, unmatched) = (None, Vec::new());
-        Ok((Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings }, features))
+        let of_map = Vec::new();
+        Ok((
+            Self { name, read, map, summary, noted, builder, unmatched, features: of_map, crs, orients_rings },
+            features,
+        ))
     }
 }
 
@@ -125,7 +137,9 @@ impl Gathered {
         let Input { name, mut reader, path, kept: _kept, .. } = input;
         let noted = Noted::new(options.name_from.clone());
         let (builder, read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
-        if !options.allow_empty && read.polygons + read.lines == 0 {
+        // Points alone can be judged by another layer.
+        let is_map = read.polygons + read.lines > 0 || keep.features && read.points > 0;
+        if !options.allow_empty && !is_map {
             return Err(Error::NoMap(Box::new(read)));
         }
         noted.refuse_unknown_columns(keep)?;

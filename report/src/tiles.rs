@@ -22,7 +22,7 @@ use twinedge_formats::diagnosis::{Diagnosis, Kind, Records, RuleLine};
 
 /// Cuts the map into tiles, and says what all of them say.
 pub(crate) fn audit(input: Input, asked: &Options, stage: &mut dyn FnMut(&'static str)) -> Result<AuditReport, Error> {
-    let (imported, features) = Imported::features(input, &asked.map, Keep { coverage: true, condition: None })?;
+    let (imported, features) = Imported::features(input, &asked.map, Keep { coverage: true, ..Keep::default() })?;
     let Imported { noted, crs, .. } = &imported;
     let across = asked.tiles.unwrap_or(1);
     let grid = grid_around(&features, [across; 2])?;
@@ -79,6 +79,7 @@ pub(crate) fn audit_summary(summary: Summary) -> Result<AuditReport, Error> {
         noted,
         builder: None,
         unmatched: Vec::new(),
+        features: Vec::new(),
         crs: None,
         orients_rings: false,
     };

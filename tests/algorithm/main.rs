@@ -12,6 +12,7 @@ mod dual;
 mod homework;
 mod lattice;
 mod mismatch;
+mod layers;
 mod neighbours;
 mod overlay;
 mod planar;

@@ -9,6 +9,7 @@ mod write;
 
 pub(crate) use arguments::Audit;
 
+use crate::input::open;
 use crate::judged::Counted;
 use crate::output::plain;
 use crate::output_file::write_file;
@@ -19,7 +20,7 @@ use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Accepted, Audited, InputKind, Judged, audit};
+use twinedge_report::{Accepted, Audited, InputKind, Judged, audit_against};
 use write::write;
 
 impl Audit {
@@ -43,8 +44,9 @@ impl Audit {
             counter = Some(counted);
         }
         let accepted = self.accept.as_deref().map(accepted).transpose()?;
-        let mut audited =
-            busy(|stage| audit(input, kind, &self.options(accepted.clone()), stage)).map_err(named(&name))?;
+        let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
+        let options = self.options(accepted.clone());
+        let mut audited = busy(|stage| audit_against(input, kind, other, &options, stage)).map_err(named(&name))?;
         let judged: Option<Judged> = match counter {
             Some(counter) => Some(counter.judged()),
             None => self.map.judged()?,

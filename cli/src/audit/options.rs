@@ -18,15 +18,17 @@ enum Options {
     Picture,
     /// `--tiles`.
     Tiles,
+    /// `--against` and `--parent-column`.
+    Layers,
 }
 
 impl Options {
-    const ALL: [Self; 5] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles];
+    const ALL: [Self; 6] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles, Self::Layers];
 
     /// Those that a kind of inputs takes.
     const fn of(kind: InputKind) -> &'static [Self] {
         match kind {
-            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles],
+            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles, Self::Layers],
             InputKind::Mesh(_) => &[Self::Mesh],
             InputKind::Textbook | InputKind::Postgis | InputKind::Arcs => &[Self::Picture],
             InputKind::Tables => &[],
@@ -43,6 +45,7 @@ impl Options {
             Self::Mesh => asked.mesh.is_any(),
             Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
             Self::Tiles => asked.tiles.is_some(),
+            Self::Layers => asked.against.is_some() || asked.parent_column.is_some(),
         }
     }
 
@@ -55,6 +58,7 @@ impl Options {
             ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Tiles => format!("--tiles is for maps, and this is {what}"),
+            Self::Layers => format!("--against and --parent-column are for maps, and this is {what}"),
             Self::Picture => format!(
                 "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
             ),

@@ -63,6 +63,8 @@ pub struct Diagnosis {
     pub records: Records,
     /// The features involved, where there are features.
     pub features: Option<Vec<FeatureName>>,
+    /// The features of another layer that are involved, of a finding between two layers.
+    pub others: Option<Vec<FeatureName>>,
     /// The places involved, where there are places: vertices, ends of edges, bends.
     pub places: Option<Vec<Position>>,
     /// The place to look at.
