@@ -16,7 +16,9 @@ pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
     let ring = |ring: &[Point]| ring.iter().copied().map(position).collect();
     let polygons: Vec<_> = contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
     let missing = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
-    let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { missing };
+    // Where the map was seen by its tiles, there is no more of the faces than a corner.
+    let is_known = !polygons.is_empty() || !finding.stretches.is_empty();
+    let points = if is_known { missing } else { vec![position(finding.at), position(finding.corner)] };
     Trace { points, lines, polygons }
 }
 

@@ -21,7 +21,7 @@ pub enum CrossingKind {
 }
 
 /// Edges that meet elsewhere than at a shared endpoint (rule G4).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Crossing {
@@ -31,6 +31,8 @@ pub struct Crossing {
     pub first: Ends,
     /// Another edge.
     pub second: Ends,
+    /// The features along them, and along all edges at the vertex, by number, in order.
+    pub features: Vec<u32>,
 }
 
 impl Crossing {

@@ -6,6 +6,7 @@ use super::findings::coverage;
 use super::grid::Tile;
 use super::summary::Summary;
 use crate::algorithm::coverage::{Coverage, Defect};
+use crate::map::BuildError;
 use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
 
 /// The audit of a map by its tiles.
@@ -20,8 +21,11 @@ pub struct Outcome {
     pub uneven: Vec<Uneven>,
     /// The places where two tiles contradict each other (S1 … S3).
     pub seams: Vec<SeamFault>,
-    /// The findings of C1 … C5; none if the map is not plane, or tiles contradict each other: then it is not known what features cover.
+    /// The findings of C1 … C5 and C7; none if edges meet elsewhere than at vertices and were not cut, or tiles contradict each other: then it is
+    /// not known what features cover.
     pub coverage: Option<Coverage>,
+    /// The reason why edges that meet elsewhere than at vertices could not be cut, if that was tried in vain.
+    pub uncut: Option<BuildError>,
     /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
     /// The features that not every tile was given that the box around them meets, by number.
@@ -149,6 +153,7 @@ impl Summary {
         Ok(Outcome {
             counts,
             coverage: is_known.then(|| coverage(&self)),
+            uncut: None,
             not_given,
             defects: self.defects,
             crossings: self.crossings,

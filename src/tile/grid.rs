@@ -138,7 +138,7 @@ impl Grid {
     }
 
     /// The tiles that meet the closed box between two corners, row by row.
-    fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
+    pub(super) fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
         let (first, last) = (self.tile_of(low), self.tile_of(high));
         let columns = first.column..=last.column;
         (first.row..=last.row).flat_map(move |row| columns.clone().map(move |column| Tile { column, row }))

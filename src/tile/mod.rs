@@ -87,8 +87,10 @@
 //!
 //! [`Limits`]: crate::algorithm::coverage::Limits
 
+mod audit;
 mod claimed;
 mod clip;
+mod cuts;
 mod ends;
 mod error;
 mod extent;
@@ -107,7 +109,9 @@ mod side;
 mod summary;
 mod tally;
 
-pub use error::{FinishError, MergeError, TileError};
+pub use audit::audit;
+pub use cuts::{Cuts, Found};
+pub use error::{AuditError, FinishError, MergeError, TileError};
 pub use fault::{Crossing, CrossingKind, SeamFault, SeamRule, Uneven};
 pub use finish::Outcome;
 pub use grid::{Grid, GridError, Tile};

@@ -61,8 +61,10 @@ pub(in crate::algorithm) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> 
 pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
     let areas = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default());
     let area: Sum = areas.clone().collect();
-    let around: Sum = border(faces).into_iter().map(|h| length(map, h)).collect();
+    let border = border(faces);
+    let around: Sum = border.iter().map(|h| length(map, *h)).collect();
     let (area, length) = (area.value(), around.value());
+    let corner = first_corner(border.iter().map(|h| map.point(h.origin().index())));
     let place = |face: &Face<'_>| point_inside(map, *face).unwrap_or_default();
     let order = |a: &Face<'_>, b: &Face<'_>| compare_lexicographic(place(a), place(b));
     let largest = areas.zip(faces).max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| order(a.1, b.1)));
@@ -73,10 +75,16 @@ pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<Feature
         width: mean_width(area, length),
         length,
         at: largest.map(|(_, face)| place(face)).unwrap_or_default(),
+        corner,
         faces: faces.iter().map(|f| f.key()).collect(),
         stretches: Vec::new(),
         missing: Vec::new(),
     }
+}
+
+/// The first of some points from left to right, and of those above each other the lowest.
+pub(super) fn first_corner(points: impl Iterator<Item = Point>) -> Point {
+    points.min_by(|a, b| compare_lexicographic(*a, *b)).unwrap_or_default()
 }
 
 /// Twice the area by the length of the border.

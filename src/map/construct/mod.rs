@@ -18,5 +18,6 @@ mod unmatched;
 
 pub use builder::Builder;
 pub use cut::Noding;
+pub(crate) use cut::usual_cuts;
 pub use error::BuildError;
 pub use unmatched::UnmatchedVertex;
