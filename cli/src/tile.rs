@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use twinedge::geometry::Point;
 use twinedge::tile::{Grid, Summary, Tile as Place};
-use twinedge_report::{Imported, Keep, grid_around};
+use twinedge_report::{Imported, InMemory, grid_of};
 
 /// Make the summary of one tile of a map.
 ///
@@ -93,13 +93,13 @@ impl Tile {
         if self.map.is_snapped() {
             return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
         }
-        let read = Imported::features(input, &self.map.options(), Keep::default());
-        let (_, features) = read.map_err(named(&name))?;
+        let mut shelf = InMemory::default();
+        let read = Imported::features(input, &self.map.options(), &mut shelf).map_err(named(&name))?;
         let grid = match self.corners {
             Some([low, high]) => Grid::new(low, high, self.grid[0], self.grid[1])?,
-            None => grid_around(&features, self.grid).map_err(named(&name))?,
+            None => grid_of(read.noted.corners(), self.grid).map_err(named(&name))?,
         };
-        let numbered = (0..).zip(&features);
+        let numbered = (0..).zip(shelf.features());
         let summary = Summary::new(&grid, self.place, numbered, &self.coverage.options().limits);
         let summary = summary.map_err(named(&name))?;
         write_file(&self.output, self.map.path(), &Saved::bytes(summary)?)?;

@@ -10,7 +10,9 @@ use crate::options::Options;
 use crate::options_json::as_json;
 use crate::packed::Picture;
 use crate::report::AuditReport;
+use crate::shelf::{InMemory, Shelf};
 use crate::tables::TablesReport;
+use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, tiles, topology};
@@ -51,8 +53,10 @@ pub fn audit(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    if let (InputKind::Map, Some(across)) = (kind, options.tiles) {
+        return audit_in_tiles(input, options, Division::Across(across), &mut InMemory::default(), stage);
+    }
     let (report, subject) = match kind {
-        InputKind::Map if options.tiles.is_some() => (tiles::audit(input, options, stage)?, Subject::None),
         InputKind::Map => {
             let imported = Imported::read(input, &options.map, Keep { coverage: true, condition: None }, stage)?;
             (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
@@ -75,13 +79,34 @@ pub fn audit(
             return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
         }
     };
+    Ok(told(report, subject, options, kind))
+}
+
+/// Reads a map onto a shelf, and judges it by its tiles: what [`audit`] says of it, but for the numbers of records, and with the size
+/// of the grid.
+///
+/// # Errors
+/// [`Error`].
+pub fn audit_in_tiles(
+    input: Input,
+    options: &Options,
+    division: Division,
+    shelf: &mut dyn Shelf,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let report = tiles::audit(input, options, division, shelf, stage)?;
+    Ok(told(report, Subject::None, options, InputKind::Map))
+}
+
+/// A report as it was asked for.
+fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKind) -> Audited {
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options = as_json(options, kind);
     report.identify();
     if let Some(accepted) = &options.accepted {
         report.accept(accepted);
     }
-    Ok(Audited(Outcome::Report(Box::new(report), subject)))
+    Audited(Outcome::Report(Box::new(report), subject))
 }
 
 /// Says what the summary of all tiles of a map says, in the words of an audit. Features are known by their numbers.

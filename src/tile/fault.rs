@@ -60,6 +60,15 @@ pub struct Uneven {
 }
 
 impl Uneven {
+    /// The genus; none if no surface has these numbers.
+    #[must_use]
+    pub const fn genus(&self) -> Option<u64> {
+        match self.edges.saturating_add(2).checked_sub(self.vertices.saturating_add(self.cycles)) {
+            Some(twice) if twice % 2 == 0 => Some(twice / 2),
+            _ => None,
+        }
+    }
+
     pub(super) fn compare(&self, other: &Self) -> Ordering {
         let key = |one: &Self| (one.vertices, one.edges, one.cycles, one.at.is_some());
         key(self).cmp(&key(other)).then_with(|| match (self.at, other.at) {

@@ -130,11 +130,7 @@ impl Summary {
         // Each component has one cycle outside, and each other cycle bounds a face.
         let bounded = totals.cycles.saturating_sub(with_edges);
         let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
-        let genus = |one: &Uneven| {
-            let twice = one.edges.saturating_add(2).checked_sub(one.vertices.saturating_add(one.cycles));
-            twice.filter(|twice| twice % 2 == 0).map(|twice| twice / 2)
-        };
-        let genus = self.uneven.iter().map(genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
+        let genus = self.uneven.iter().map(Uneven::genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
         let counts = Counts {
             vertices: number(totals.vertices),
             half_edges: number(totals.edges.saturating_mul(2)),

@@ -30,6 +30,12 @@ pub(crate) fn whole_cut(features: &[Feature], limits: &Limits) -> Coverage {
     coverage
 }
 
+/// The number of times that edges of the whole are bent.
+pub(crate) fn rounds(features: &[Feature]) -> usize {
+    let map = builder(features).build_with(Noding::Snap(Snap::Auto)).expect("in reach");
+    map.noding().map_or(0, |summary| summary.rounds)
+}
+
 /// The largest magnitude of a coordinate.
 fn largest(features: &[Feature]) -> f64 {
     let points = |shape: &Shape| match shape {

@@ -9,6 +9,7 @@
 
 mod arrange;
 mod builder;
+mod counted;
 mod cover;
 mod cut;
 mod error;
