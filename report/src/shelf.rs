@@ -16,7 +16,7 @@ pub trait Shelf: Sync {
     ///
     /// # Errors
     /// That of the place.
-    fn each(&self, show: &mut dyn FnMut(&Feature)) -> io::Result<()>;
+    fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()>;
 
     /// Files each feature under its tiles, which have numbers below `tiles`.
     ///
@@ -52,7 +52,7 @@ impl Shelf for InMemory {
         Ok(())
     }
 
-    fn each(&self, show: &mut dyn FnMut(&Feature)) -> io::Result<()> {
+    fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()> {
         self.features.iter().for_each(show);
         Ok(())
     }

@@ -23,7 +23,7 @@ use twinedge::map::{BuildSummary, Shape};
 use twinedge::tile::{
     self, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
 };
-use twinedge::validate::{Collect, Rule};
+use twinedge::validate::{Collect, Rule, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
 
 /// The way to divide a map into tiles.
@@ -55,7 +55,7 @@ pub(crate) fn audit(
     let corners = imported.noted.corners();
     let grid = match division {
         Division::Across(across) => grid_of(corners, [across; 2])?,
-        Division::Within(bytes) => fitting(corners, &*shelf, bytes)?,
+        Division::Within(bytes) => fitting(corners, shelf, bytes)?,
     };
     let largest = corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
     let cuts = Cuts::new(largest)?;
@@ -94,7 +94,7 @@ fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
 
 /// The coarsest grid of 1, 2, 4 … columns and rows of which no tile is given more than fits into so many bytes; if there is none, the one whose
 /// largest tile is smallest.
-fn fitting(corners: Option<[Point; 2]>, shelf: &dyn Shelf, bytes: u64) -> Result<Grid, Error> {
+fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
     let mut sizes = Vec::new();
     for power in 0..=FINEST {
         // Lines that are not distinct divide nothing.
@@ -308,7 +308,13 @@ fn crossing(imported: &Imported, one: &Crossing) -> Diagnosis {
     let features = one.features.iter().filter_map(|number| imported.map.feature(*number as usize));
     let found = violation(Rule::G4.id(), kind, message, &places);
     let positions: Vec<_> = places.iter().copied().map(position).collect();
+    let of_whole = match one.kind {
+        CrossingKind::Touch => Violation::Touch { vertex: 0, half_edge: 0 },
+        CrossingKind::Overlap => Violation::Overlap { first: 0, second: 0 },
+        _ => Violation::Cross { first: 0, second: 0 },
+    };
     Diagnosis {
+        cause: Some(of_whole.cause()),
         features: Some(features.map(|feature| named(imported, feature)).collect()),
         look: if one.kind == CrossingKind::Touch { found.look } else { middle(&positions) },
         ..found
@@ -319,12 +325,11 @@ fn uneven(one: &Uneven) -> Diagnosis {
     let Uneven { vertices, edges, cycles, at, .. } = *one;
     let message =
         format!("a component has V = {vertices}, E = {edges} and {cycles} cycles: it does not fit in the plane");
-    let figures = |genus| Figures { vertices, edges, cycles, genus };
     let found = violation(Rule::T3.id(), "genus", message, at.as_slice());
-    Diagnosis {
-        kind: one.genus().map_or(found.kind, |genus| Kind::Counted { kind: "genus", fields: figures(genus) }),
-        ..found
-    }
+    let Some(genus) = one.genus() else { return found };
+    let of_whole = Violation::Genus { vertex: 0, vertices: 0, edges: 0, cycles: 0, genus: 0 };
+    let fields = Figures { vertices, edges, cycles, genus };
+    Diagnosis { kind: Kind::Counted { kind: of_whole.kind(), fields }, cause: Some(of_whole.cause()), ..found }
 }
 
 fn seam(one: &SeamFault) -> Diagnosis {

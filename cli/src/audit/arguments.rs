@@ -86,10 +86,14 @@ pub(crate) struct Audit {
     #[arg(long, conflicts_with = "postgis")]
     pub(super) arcs: bool,
 
-    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report. Edges are not cut where they cross, so
-    /// of a map on which they do, C6 alone of C1 to C7 is checked, and violations do not name records.
+    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report, but violations do not name records.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(super) tiles: Option<u32>,
+
+    /// Judge a map that is larger than memory: it is cut into tiles in the folder for temporary files (TMPDIR), as many as it takes to judge each
+    /// within SIZE, as 800M or 2G. Names and ids of features, and what tiles found, come on top.
+    #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with = "tiles")]
+    pub(super) memory: Option<u64>,
 
     #[command(flatten)]
     pub(super) coverage: CoverageArguments,
