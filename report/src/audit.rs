@@ -109,12 +109,13 @@ fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKin
     Audited(Outcome::Report(Box::new(report), subject))
 }
 
-/// Says what the summary of all tiles of a map says, in the words of an audit. Features are known by their numbers.
+/// Says what the summary of all tiles of a map says, in the words of an audit; where edges meet elsewhere than at vertices, with the findings of the
+/// summary of the same tiles with their edges cut. Features are known by their numbers.
 ///
 /// # Errors
 /// [`Error::Finish`].
-pub fn audit_summary(summary: Summary) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary)?.unexplained();
+pub fn audit_summary(summary: Summary, cut: Option<Summary>) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary, cut)?.unexplained();
     report.identify();
     Ok(Audited(Outcome::Report(Box::new(report), Subject::None)))
 }

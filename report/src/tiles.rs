@@ -126,10 +126,14 @@ fn vertices(shape: &Shape) -> usize {
     }
 }
 
-/// Says what the summary of all tiles says. The features are known by their numbers.
-pub(crate) fn audit_summary(summary: Summary) -> Result<AuditReport, Error> {
+/// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
+pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
     let outcome = summary.finish()?;
+    let outcome = match cut {
+        Some(cut) => outcome.with_cut(cut.finish()?),
+        None => outcome,
+    };
     let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
     let named = findings.flat_map(|finding| &finding.features).map(|feature| feature.index());
     let most = named.chain(outcome.defects.iter().map(|(feature, _)| *feature as usize)).max();
@@ -211,7 +215,7 @@ fn report(
     let why = match &outcome.uncut {
         Some(why) => why.to_string(),
         None if is_plane => "tiles contradict each other".to_owned(),
-        None => "borders cross, and tiles do not cut them".to_owned(),
+        None => "borders cross, and it is not known how to cut them".to_owned(),
     };
     let coverage = Coverage::of_tiles(imported, asked, units, list, outcome.coverage.take().ok_or(why));
     let mismatched = |one: &Crossing| {

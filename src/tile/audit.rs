@@ -47,7 +47,7 @@ pub fn audit<F: Borrow<Feature>, E: Send>(
         of: &|tile| Ok(Summary::new(grid, tile, borrowed(&features(tile).map_err(AuditError::Features)?), limits)?),
     };
     let mut outcome = plain.merged()?;
-    if outcome.crossings.is_empty() || !outcome.seams.is_empty() || !outcome.not_given.is_empty() {
+    if !outcome.needs_cut() {
         return Ok(outcome);
     }
     if let Err(why) = complete(grid, &mut cuts, &features)? {
@@ -60,8 +60,7 @@ pub fn audit<F: Borrow<Feature>, E: Send>(
             Ok(Summary::cut(grid, tile, borrowed(&features(tile).map_err(AuditError::Features)?), limits, &cuts)?)
         },
     };
-    outcome.coverage = cut.merged()?.coverage;
-    Ok(outcome)
+    Ok(outcome.with_cut(cut.merged()?))
 }
 
 fn borrowed<F: Borrow<Feature>>(features: &[(u32, F)]) -> impl Iterator<Item = (u32, &Feature)> {

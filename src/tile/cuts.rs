@@ -123,6 +123,12 @@ impl Cuts {
         self.is_complete
     }
 
+    /// Returns true if nothing was found to be cut.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.chains.is_empty() && self.bends.is_empty()
+    }
+
     /// The tiles that a feature is to be given to: those that come near the box around it. O(points).
     pub fn tiles_of(&self, grid: &Grid, feature: &Feature) -> impl Iterator<Item = Tile> + use<> {
         let (grid, margin) = (*grid, self.margin());

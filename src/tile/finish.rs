@@ -47,6 +47,18 @@ impl Outcome {
 }
 
 impl Outcome {
+    /// The outcome with the coverage of the same map with its edges cut, if they meet elsewhere than at vertices and tiles do not contradict each other.
+    #[must_use]
+    pub fn with_cut(self, cut: Self) -> Self {
+        if self.needs_cut() { Self { coverage: cut.coverage, ..self } } else { self }
+    }
+
+    /// Returns true if it would be known what features cover, if edges were cut where they meet.
+    #[must_use]
+    pub fn needs_cut(&self) -> bool {
+        !self.crossings.is_empty() && self.seams.is_empty() && self.not_given.is_empty()
+    }
+
     /// The outcomes of R1 … G5, as the report of the whole map has them. The rules that every map keeps that is built of features were checked
     /// when it was.
     pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
@@ -130,7 +142,8 @@ impl Summary {
         // Each component has one cycle outside, and each other cycle bounds a face.
         let bounded = totals.cycles.saturating_sub(with_edges);
         let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
-        let genus = self.uneven.iter().map(Uneven::genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
+        let genus =
+            self.uneven.iter().map(Uneven::genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
         let counts = Counts {
             vertices: number(totals.vertices),
             half_edges: number(totals.edges.saturating_mul(2)),

@@ -65,6 +65,10 @@ pub enum GridError {
 }
 
 impl Grid {
+    /// The grid of one tile, which is all of the plane.
+    pub const EVERYTHING: Self =
+        Self { low: Point { x: 0.0, y: 0.0 }, high: Point { x: 1.0, y: 1.0 }, columns: 1, rows: 1 };
+
     /// The grid of so many columns and rows whose lines divide the box between two corners. O(columns + rows).
     ///
     /// # Errors

@@ -175,6 +175,24 @@ fn a_map_whose_borders_cross_by_tiles_is_that_of_the_whole() {
 }
 
 #[test]
+fn the_sum_of_tiles_whose_borders_cross_has_the_findings_of_the_whole() {
+    let folder = scratch_folder("tiles-sum-crossing");
+    let file = data("world-110m-crossing.geojson");
+    let tile = |column: u32| {
+        let name = folder.join(format!("{column}.summary")).to_str().unwrap().to_owned();
+        let output = twinedge(&["tile", &file, "--grid", "2x1", "--tile", &format!("{column},0"), "-o", &name]);
+        assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+        name
+    };
+    let (status, sum) = json(&["sum", "--format", "json", &tile(0), &tile(1)]);
+    let (_, whole) = json(&["audit", &file, "--format", "json"]);
+    assert_eq!((status, &sum["rules"]), (Some(1), &whole["rules"]));
+    for key in ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid", "mismatches", "not_checked"] {
+        assert_eq!(sum["coverage"][key], whole["coverage"][key], "{key}");
+    }
+}
+
+#[test]
 fn what_tiles_do_not_take_is_refused() {
     let (_, file) = parcels("tiles-refused");
     for (arguments, expected) in [
