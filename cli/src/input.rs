@@ -192,6 +192,15 @@ pub(crate) fn whole(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "not a whole number".to_owned())
 }
 
+/// A number of bytes, as `4096`, `64K`, `256M` or `2G`.
+pub(crate) fn size(text: &str) -> Result<u64, String> {
+    let in_units =
+        [("K", 10), ("M", 20), ("G", 30)].into_iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, shift)));
+    let (number, shift) = in_units.unwrap_or((text, 0));
+    let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
+    bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
+}
+
 /// The argument of `--snap`.
 pub(crate) fn snap(text: &str) -> Result<Snap, String> {
     if text == "auto" {

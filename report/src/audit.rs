@@ -11,7 +11,9 @@ use crate::options::Options;
 use crate::options_json::as_json;
 use crate::packed::Picture;
 use crate::report::AuditReport;
+use crate::shelf::{InMemory, Shelf};
 use crate::tables::TablesReport;
+use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, tiles, topology};
@@ -68,8 +70,10 @@ pub fn audit_against(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    if let (InputKind::Map, Some(across)) = (kind, options.tiles) {
+        return audit_in_tiles(input, options, Division::Across(across), &mut InMemory::default(), stage);
+    }
     let (report, subject) = match kind {
-        InputKind::Map if options.tiles.is_some() => (tiles::audit(input, options, stage)?, Subject::None),
         InputKind::Map => {
             let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
             let is_compared = other.is_some() || options.parent.is_some();
@@ -100,21 +104,43 @@ pub fn audit_against(
             return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
         }
     };
+    Ok(told(report, subject, options, kind))
+}
+
+/// Reads a map onto a shelf, and judges it by its tiles: what [`audit`] says of it, but for the numbers of records, and with the size
+/// of the grid.
+///
+/// # Errors
+/// [`Error`].
+pub fn audit_in_tiles(
+    input: Input,
+    options: &Options,
+    division: Division,
+    shelf: &mut dyn Shelf,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let report = tiles::audit(input, options, division, shelf, stage)?;
+    Ok(told(report, Subject::None, options, InputKind::Map))
+}
+
+/// A report as it was asked for.
+fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKind) -> Audited {
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options.extend(as_json(options, kind));
     report.identify();
     if let Some(accepted) = &options.accepted {
         report.accept(accepted);
     }
-    Ok(Audited(Outcome::Report(Box::new(report), subject)))
+    Audited(Outcome::Report(Box::new(report), subject))
 }
 
-/// Says what the summary of all tiles of a map says, in the words of an audit. Features are known by their numbers.
+/// Says what the summary of all tiles of a map says, in the words of an audit; where edges meet elsewhere than at vertices, with the findings of the
+/// summary of the same tiles with their edges cut. Features are known by their numbers.
 ///
 /// # Errors
 /// [`Error::Finish`].
-pub fn audit_summary(summary: Summary) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary)?.unexplained();
+pub fn audit_summary(summary: Summary, cut: Option<Summary>) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary, cut)?.unexplained();
     report.identify();
     Ok(Audited(Outcome::Report(Box::new(report), Subject::None)))
 }

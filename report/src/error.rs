@@ -6,7 +6,7 @@ use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
-use twinedge::tile::{FinishError, GridError, MergeError, TileError};
+use twinedge::tile::{AuditError, FinishError, GridError, MergeError, TileError};
 use twinedge_formats::{layer, mesh, postgis};
 
 /// The reason why an input has no report. The name of the input is not in the messages.
@@ -136,5 +136,17 @@ fn instead(read: &ReadSummary) -> String {
         (0, _) => "no features".to_owned(),
         (_, 0) => format!("{features}, none with a geometry"),
         (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
+    }
+}
+
+impl From<AuditError<io::Error>> for Error {
+    fn from(error: AuditError<io::Error>) -> Self {
+        match error {
+            AuditError::Features(error) => Self::Io(error),
+            AuditError::Tile(error) => Self::Tile(error),
+            AuditError::Merge(error) => Self::Merge(error),
+            AuditError::Finish(error) => Self::Finish(error),
+            other => Self::Io(io::Error::other(other)),
+        }
     }
 }

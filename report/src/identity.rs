@@ -7,7 +7,7 @@ use sha2::{Digest as _, Sha256};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use twinedge::validate::Violation;
-use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Position};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Figures, Kind, Position};
 
 /// The number of bytes of an id.
 const BYTES: usize = 8;
@@ -32,7 +32,16 @@ impl Identities {
         let (features, others) = (keys(&one.features), keys(&one.others));
         let mut text = format!("{rule}\n{}\n", one.kind.name());
         // The vertex that names the component depends on the order.
-        if let Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) = one.kind {
+        let figures = match one.kind {
+            Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) => {
+                Some([vertices, edges, cycles, genus].map(|number| number as u64))
+            }
+            Kind::Counted { fields: Figures { vertices, edges, cycles, genus }, .. } => {
+                Some([vertices, edges, cycles, genus])
+            }
+            _ => None,
+        };
+        if let Some([vertices, edges, cycles, genus]) = figures {
             let _ = write!(text, "{vertices} {edges} {cycles} {genus}");
         } else {
             // Each with its length, so that different lists are different texts.

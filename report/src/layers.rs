@@ -8,6 +8,7 @@ use crate::names::named;
 use crate::noted::Keep;
 use crate::options::Options;
 use crate::report::AuditReport;
+use crate::shelf::InMemory;
 use crate::trace::{of_extent, position};
 use crate::units::Units;
 use crate::words::{grouped, measure, plain};
@@ -65,12 +66,13 @@ impl Other {
         map.name_from = None;
         let keep = Keep { columns: &columns, ..Keep::default() };
         let name = plain(&input.name);
-        let (imported, features) =
-            Imported::features(input, &map, keep).map_err(|why| Error::Against { input: name, why: Box::new(why) })?;
+        let mut shelf = InMemory::default();
+        let imported = Imported::features(input, &map, keep, &mut shelf)
+            .map_err(|why| Error::Against { input: name, why: Box::new(why) })?;
         if imported.read.polygons == 0 {
             return Err(Error::NoAreas(plain(&imported.name)));
         }
-        Ok(Self { imported, features })
+        Ok(Self { imported, features: shelf.into_features() })
     }
 }
 

@@ -72,7 +72,6 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
     };
     let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
     let diagnosis = |violation: &Violation| {
-        let diagnosis = placed(map, violation);
         // If borders clash, the map does not fit in the plane.
         let follows_from = match violation.rule() {
             Rule::G4 => is_mismatch(violation).then_some(CoverageRule::Mismatch.id()),
@@ -80,25 +79,27 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
             Rule::T3 if clashes > 0 => Some(Rule::G4.id()),
             _ => None,
         };
-        Diagnosis {
-            features: Some(features(map, violation).into_iter().map(|feature| named(imported, feature)).collect()),
-            remedy: match violation.rule() {
-                // The remedies of the library are its own functions where the map is not plane.
-                Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
-                    Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
-                }
-                Rule::T3 => Some("mend the crossings (G4), from which it follows"),
-                Rule::G4 => Some(
-                    "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
-audited as if they were cut",
-                ),
-                _ => diagnosis.remedy,
-            },
-            follows_from,
-            ..diagnosis
-        }
+        let features = features(map, violation).into_iter().map(|feature| named(imported, feature)).collect();
+        following(Diagnosis { features: Some(features), ..placed(map, violation) }, violation.rule(), follows_from)
     };
     report.violations().iter().map(diagnosis).collect()
+}
+
+/// The violation with what it follows from, and what mends it by the commands of this program.
+pub(crate) fn following(diagnosis: Diagnosis, rule: Rule, follows_from: Option<&'static str>) -> Diagnosis {
+    let remedy = match rule {
+        // The remedies of the library are its own functions where the map is not plane.
+        Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
+            Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
+        }
+        Rule::T3 => Some("mend the crossings (G4), from which it follows"),
+        Rule::G4 => Some(
+            "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
+audited as if they were cut",
+        ),
+        _ => diagnosis.remedy,
+    };
+    Diagnosis { remedy, follows_from, ..diagnosis }
 }
 
 /// The features that a violation touches, in order.

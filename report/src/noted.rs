@@ -184,6 +184,12 @@ impl Noted {
         Some(format!("the features have no names: --name-from {first} takes them from a column{or}"))
     }
 
+    /// The corners of the box around everything; none, if there is nothing.
+    #[must_use]
+    pub fn corners(&self) -> Option<[Point; 2]> {
+        (self.low.x <= self.high.x).then_some([self.low, self.high])
+    }
+
     /// With how many decimal places a place is shown in text.
     #[must_use]
     pub fn decimals(&self) -> usize {

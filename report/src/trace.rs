@@ -12,9 +12,14 @@ use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 /// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,
 /// and these.
 pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
-    let missing = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
-    let trace = of_extent(map, &finding.faces, &finding.stretches, finding.at);
-    if trace.points.is_empty() { Trace { points: missing, ..trace } } else { trace }
+    let mut trace = of_extent(map, &finding.faces, &finding.stretches, finding.at);
+    if trace.points.is_empty() {
+        trace.points = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
+    } else {
+        // If the map was seen by its tiles, no more is known of the faces than a corner.
+        trace.points.push(position(finding.corner));
+    }
+    trace
 }
 
 /// Faces as polygons, stretches as lines; the place if there are neither.

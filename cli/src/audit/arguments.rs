@@ -87,15 +87,14 @@ pub(crate) struct Audit {
     #[arg(long, conflicts_with = "postgis")]
     pub(super) arcs: bool,
 
-    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report. Edges are not cut where they cross, so
-    /// of a map on which they do, C6 alone of C1 to C7 is checked, and violations do not name records.
+    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report, but violations do not name records.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(super) tiles: Option<u32>,
 
     /// Judge the map by another layer, too (X1 … X6): each feature lies within one of the other layer, both cover the same places, the
     /// borders of the other layer run along borders of this one, lines run along its borders, and points lie inside its features. `--snap`
     /// applies to both layers together; without it, borders that cross or touch are cut on the finest grid.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["tiles", "arcs", "postgis"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tiles", "memory", "arcs", "postgis"])]
     pub(super) against: Option<PathBuf>,
 
     /// The layer to read of the file of --against, if it has several.
@@ -105,8 +104,13 @@ pub(crate) struct Audit {
     /// Parts make up their parents exactly (X4): this column names the parent of each part. Parents are the features of --against, or
     /// of the map itself where levels are in one file. They are known by their column KEY; without it by the column of the same name in the other
     /// layer, or else by their ids, or else by their names.
-    #[arg(long, value_name = "COLUMN[=KEY]", conflicts_with = "tiles")]
+    #[arg(long, value_name = "COLUMN[=KEY]", conflicts_with_all = ["tiles", "memory"])]
     pub(super) parent_column: Option<ParentColumn>,
+
+    /// Judge a map that is larger than memory: it is cut into tiles in the folder for temporary files (TMPDIR), as many as it takes to judge each
+    /// within SIZE, as 800M or 2G. Names and ids of features, and what tiles found, come on top.
+    #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with = "tiles")]
+    pub(super) memory: Option<u64>,
 
     #[command(flatten)]
     pub(super) coverage: CoverageArguments,

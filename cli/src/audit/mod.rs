@@ -3,6 +3,7 @@
 mod arguments;
 mod destination;
 mod mesh_options;
+mod on_disk;
 mod options;
 mod timeout;
 mod write;
@@ -16,11 +17,12 @@ use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use destination::ReportFormat;
+use on_disk::OnDisk;
 use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Accepted, Audited, InputKind, Judged, audit_against};
+use twinedge_report::{Accepted, Audited, Division, InputKind, Judged, audit_against, audit_in_tiles};
 use write::write;
 
 impl Audit {
@@ -46,7 +48,14 @@ impl Audit {
         let accepted = self.accept.as_deref().map(accepted).transpose()?;
         let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
         let options = self.options(accepted.clone());
-        let mut audited = busy(|stage| audit_against(input, kind, other, &options, stage)).map_err(named(&name))?;
+        let audited = match self.memory {
+            Some(bytes) => {
+                let mut shelf = OnDisk::new().map_err(named("--memory"))?;
+                busy(|stage| audit_in_tiles(input, &options, Division::Within(bytes), &mut shelf, stage))
+            }
+            None => busy(|stage| audit_against(input, kind, other, &options, stage)),
+        };
+        let mut audited = audited.map_err(named(&name))?;
         let judged: Option<Judged> = match counter {
             Some(counter) => Some(counter.judged()),
             None => self.map.judged()?,

@@ -62,6 +62,8 @@ pub(crate) struct Extent {
     pub(crate) width: f64,
     pub(crate) length: f64,
     pub(crate) at: Point,
+    /// The first corner of the border.
+    pub(crate) corner: Point,
 }
 
 /// Measures a set of bounded faces. Its place is in the largest face; of those that are equally large, in the one whose place comes
@@ -69,18 +71,20 @@ pub(crate) struct Extent {
 pub(crate) fn extent(map: &PlanarMap, faces: &[Face<'_>]) -> Extent {
     let areas = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default());
     let area: Sum = areas.clone().collect();
-    let around: Sum = border(faces).into_iter().map(|h| length(map, h)).collect();
+    let border = border(faces);
+    let around: Sum = border.iter().map(|h| length(map, *h)).collect();
     let (area, length) = (area.value(), around.value());
+    let corner = first_corner(border.iter().map(|h| map.point(h.origin().index())));
     let place = |face: &Face<'_>| point_inside(map, *face).unwrap_or_default();
     let order = |a: &Face<'_>, b: &Face<'_>| compare_lexicographic(place(a), place(b));
     let largest = areas.zip(faces).max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| order(a.1, b.1)));
     let at = largest.map(|(_, face)| place(face)).unwrap_or_default();
-    Extent { area, width: mean_width(area, length), length, at }
+    Extent { area, width: mean_width(area, length), length, at, corner }
 }
 
 /// The finding that a set of bounded faces is.
 pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
-    let Extent { area, width, length, at } = extent(map, faces);
+    let Extent { area, width, length, at, corner } = extent(map, faces);
     Finding {
         rule,
         features,
@@ -88,10 +92,16 @@ pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<Feature
         width,
         length,
         at,
+        corner,
         faces: faces.iter().map(|f| f.key()).collect(),
         stretches: Vec::new(),
         missing: Vec::new(),
     }
+}
+
+/// The first of some points from left to right, and of those above each other the lowest.
+pub(super) fn first_corner(points: impl Iterator<Item = Point>) -> Point {
+    points.min_by(|a, b| compare_lexicographic(*a, *b)).unwrap_or_default()
 }
 
 /// Twice the area by the length of the border.

@@ -168,7 +168,7 @@ impl LayerFinding {
         [features, others]: [Vec<FeatureId>; 2],
         faces: &[Face<'_>],
     ) -> Self {
-        let Extent { area, width, length, at } = extent(map, faces);
+        let Extent { area, width, length, at, .. } = extent(map, faces);
         let faces = faces.iter().map(|face| face.key()).collect();
         Self { deviation, features, others, area, width, length, at, faces, stretches: Vec::new() }
     }
