@@ -1,6 +1,6 @@
 //! `audit`, `auditPage`, `acceptAll`, `findings`.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};

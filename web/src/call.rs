@@ -2,7 +2,7 @@
 //!
 //! A request is `{"op": …}` with what the operation takes; `{"buffer": 3}` in it stands for bytes. The answer is `{"ok": …}` or `{"error": …}`.
 
-use crate::buffers::{Buffers, Id};
+use twinedge_web_bridge::{Buffers, Id};
 use crate::error::CallError;
 use crate::{audit, check, clean, convert, neighbours, validate, voronoi};
 use serde::Deserialize;

@@ -1,6 +1,6 @@
 //! `check`: a certificate.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::error::CallError;
 use crate::source::NamedFile;
 use serde::Deserialize;

@@ -1,6 +1,6 @@
 //! `clean`: a layer of polygons, repaired.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::convert::{Target, write};
 use crate::error::CallError;
 use crate::options::{Gaps, Grid, snap};

@@ -1,6 +1,6 @@
 //! `convert`: a layer in another format.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::error::CallError;
 use crate::source::{Buffer, NamedFile, layer, stem};
 use serde::{Deserialize, Serialize};

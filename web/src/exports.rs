@@ -1,78 +1,10 @@
-//! The functions that JavaScript calls, and those that it has for this module.
-//!
-//! A buffer is filled and read at its address, between two calls. No pointer is followed here.
-#![allow(unsafe_code, reason = "exported names, which nothing else has")]
+//! The function that JavaScript calls. Those for buffers are in the crate `twinedge-web-bridge`.
+#![allow(unsafe_code, reason = "an exported name, which nothing else has")]
 
-use crate::buffers::{Buffers, Id};
-use std::cell::RefCell;
-use std::panic;
-
-thread_local! {
-    static BUFFERS: RefCell<Buffers> = RefCell::default();
-}
-
-/// Adds a buffer of so many bytes, all 0.
-#[unsafe(no_mangle)]
-extern "C" fn buffer(length: u32) -> Id {
-    BUFFERS.with_borrow_mut(|buffers| buffers.add(vec![0; length as usize]))
-}
-
-/// The address of a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn address(id: Id) -> *const u8 {
-    BUFFERS.with_borrow(|buffers| buffers.get(id).as_ptr())
-}
-
-/// The length of a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn length(id: Id) -> u32 {
-    BUFFERS.with_borrow(|buffers| buffers.get(id).len() as u32)
-}
-
-/// Drops a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn free(id: Id) {
-    BUFFERS.with_borrow_mut(|buffers| drop(buffers.take(id)));
-}
+use twinedge_web_bridge::{Id, answer};
 
 /// Answers the request in a buffer, and drops it and those that it names. The answer is in another buffer.
 #[unsafe(no_mangle)]
 extern "C" fn call(request: Id) -> Id {
-    panic::set_hook(Box::new(|info| host::panicked(&info.to_string())));
-    let mut buffers = BUFFERS.take();
-    let answer = crate::call::call(&mut buffers, request, &mut host::stage);
-    BUFFERS.set(buffers);
-    answer
-}
-
-/// The functions of JavaScript.
-#[cfg(target_family = "wasm")]
-mod host {
-    #[link(wasm_import_module = "twinedge")]
-    unsafe extern "C" {
-        #[link_name = "stage"]
-        safe fn stage_at(text: *const u8, length: usize);
-        #[link_name = "panicked"]
-        safe fn panicked_at(text: *const u8, length: usize);
-    }
-
-    /// A stage of the work begins.
-    pub(super) fn stage(name: &'static str) {
-        stage_at(name.as_ptr(), name.len());
-    }
-
-    /// The program is about to end with this message.
-    pub(super) fn panicked(message: &str) {
-        panicked_at(message.as_ptr(), message.len());
-    }
-}
-
-/// Elsewhere, for the tests.
-#[cfg(not(target_family = "wasm"))]
-mod host {
-    pub(super) const fn stage(_: &'static str) {}
-
-    pub(super) fn panicked(message: &str) {
-        eprintln!("{message}");
-    }
+    answer(request, crate::call::call)
 }

@@ -8,7 +8,6 @@
 //! `wasm-bindgen` is not used: `README.md` says why.
 
 mod audit;
-mod buffers;
 mod call;
 mod check;
 mod clean;

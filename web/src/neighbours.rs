@@ -1,6 +1,6 @@
 //! `neighbours`: all pairs of features with a border or an overlap.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};

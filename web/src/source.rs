@@ -1,6 +1,6 @@
 //! The files of an input.
 
-use crate::buffers::{Buffers, Id};
+use twinedge_web_bridge::{Buffers, Id};
 use crate::error::CallError;
 use serde::{Deserialize, Serialize};
 use std::io::Cursor;

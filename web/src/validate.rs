@@ -1,6 +1,6 @@
 //! `validate`: half-edges in columns of integers.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::error::CallError;
 use crate::source::Buffer;
 use serde::Deserialize;

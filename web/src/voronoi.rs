@@ -1,6 +1,6 @@
 //! `voronoi`: the cells or the triangles of points.
 
-use crate::buffers::Buffers;
+use twinedge_web_bridge::Buffers;
 use crate::error::CallError;
 use crate::source::{Buffer, NamedFile, layer};
 use serde::Deserialize;
