@@ -52,6 +52,7 @@ fn answer(lesson: &mut Lesson, json: &[u8]) -> Result<State, LessonError> {
         "state" => {}
         "undo" => lesson.undo(),
         "redo" => lesson.redo(),
+        "forget" => lesson.forget(),
         "set" => {
             let Set { record, field, value } = read(json)?;
             lesson.set(record, &field, &value)?;

@@ -203,6 +203,11 @@ impl Lesson {
         }
     }
 
+    /// Forgets the operators that could be undone or redone.
+    pub(crate) fn forget(&mut self) {
+        self.history.forget(0);
+    }
+
     pub(crate) fn state(&self) -> State {
         let sound = self.sound();
         let name = |edited: &Edited| edited.name.clone();
