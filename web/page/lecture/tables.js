@@ -54,6 +54,9 @@ export function tables(state, chosen, choose, set) {
   });
 }
 
+/** A sentence of the validator, in which code stands between backticks. */
+const marked = (text) => text.split("`").map((part, i) => (i % 2 ? element("code", { textContent: part }) : part));
+
 /** The rules, each with its outcome, and below it what breaks it. */
 export function rules(state, chosen, choose) {
   return state.rules.map(({ id, name, statement, violations, unchecked }) => {
@@ -64,7 +67,7 @@ export function rules(state, chosen, choose) {
       element("span", { className: "mark", textContent: mark, "aria-hidden": "true" }),
       element("strong", { textContent: `${id} ${name}` }),
       element("span", { textContent: ` ${word}` }),
-      element("p", { className: "quiet" }, ...statement.split("`").map((part, i) => (i % 2 ? element("code", { textContent: part }) : part))),
+      element("p", { className: "quiet" }, ...marked(statement)),
     );
     const found = state.violations.filter(({ rule }) => rule === id);
     if (found.length) {
@@ -74,7 +77,7 @@ export function rules(state, chosen, choose) {
           {},
           element("p", { className: "message", textContent: `${message}.` }),
           element("p", {}, ...records.map((record) => chooser(nameOf(record), chosen, choose))),
-          element("p", { className: "quiet", textContent: `Usual cause: ${cause}. Remedy: ${remedy}.` }),
+          element("p", { className: "quiet" }, ...marked(`Usual cause: ${cause}. Remedy: ${remedy}.`)),
         ),
       );
       item.append(element("ul", {}, ...entries));
