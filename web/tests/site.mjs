@@ -22,6 +22,14 @@ async function upload(...paths) {
   await (await page.$("#files")).uploadFile(...paths);
 }
 
+/** Drops files on the page, as the pointer brings them from a folder. */
+async function drop(...paths) {
+  const session = await page.createCDPSession();
+  const data = { items: [], files: paths, dragOperationsMask: 1 };
+  for (const type of ["dragEnter", "dragOver", "drop"]) await session.send("Input.dispatchDragEvent", { type, x: 600, y: 400, data });
+  await session.detach();
+}
+
 /** The text of a file that a button saves. */
 async function saved(button) {
   await page.evaluate(() => {
@@ -55,7 +63,7 @@ try {
   await page.screenshot({ path: join(pictures, "welcome.png") });
   const zip = twinedge.convert(planted, { to: "shapefile", name: "parcels.geojson" });
   const path = await put("parcels.zip", zip.bytes);
-  await upload(path);
+  await drop(path);
   await waitFor("status", /findings/);
   assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
   await (await frame()).waitForSelector("#list [role=option]");
@@ -108,6 +116,12 @@ try {
   // What the page does not take it refuses, with what to run instead.
   await upload(await put("cadastre.gpkg", "SQLite format 3\0"));
   await waitFor("message", /twinedge audit cadastre\.gpkg/);
+  const packed = Buffer.from(
+    "UEsDBBQAAAAAAAAAIQAL4Pb0EAAAABAAAAAGAAAAYS5ncGtnU1FMaXRlIGZvcm1hdCAzAFBLAQIUAxQAAAAAAAAAIQAL4Pb0EAAAABAAAAAGAAAAAAAAAAAAAACAAQAAAABhLmdwa2dQSwUGAAAAAAEAAQA0AAAANAAAAAAA",
+    "base64",
+  );
+  await upload(await put("packed.zip", packed));
+  await waitFor("message", /twinedge audit packed\.zip/);
   await upload(await put("broken.geojson", '{"type": "FeatureCollection", "features": ['));
   await waitFor("message", /broken\.geojson: line 1/);
 
