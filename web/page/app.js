@@ -69,7 +69,7 @@ function showError(error) {
     parts.push(element("p", { textContent: "Open one of its layers:" }), element("ul", {}, ...buttons));
   }
   const command = lastFiles && commandFor(error, lastFiles[0]);
-  if (command) parts.push(element("p", { textContent: "A page is too small for this. The program is not: run this instead." }), element("pre", { textContent: command }));
+  if (command) parts.push(element("p", { textContent: "The program takes it. Run this instead:" }), element("pre", { textContent: command }));
   if (history.now) {
     const back = element("button", { type: "button", textContent: "Back to the report" });
     back.addEventListener("click", show);
