@@ -61,7 +61,10 @@ impl Keys<'_> {
     }
 
     fn half_edge(&self, index: usize) -> Result<HalfEdgeKey, LessonError> {
-        self.0.half_edge_at(index).map(|half_edge| half_edge.key()).ok_or(LessonError::NoRecord(Record::HalfEdge(index)))
+        self.0
+            .half_edge_at(index)
+            .map(|half_edge| half_edge.key())
+            .ok_or(LessonError::NoRecord(Record::HalfEdge(index)))
     }
 
     fn boundary(&self, index: usize) -> Result<BoundaryKey, LessonError> {
@@ -79,6 +82,9 @@ impl Keys<'_> {
         }
     }
 }
+
+/// An operator with its keys.
+type Change = Box<dyn FnOnce(&mut Dcel<Recorded>) -> Result<(), OperatorError>>;
 
 impl Operator {
     const fn name(&self) -> &'static str {
@@ -99,7 +105,7 @@ impl Operator {
     fn run(self, history: &mut History) -> Result<(), LessonError> {
         let name = self.name();
         let keys = Keys(history.get());
-        let change: Box<dyn FnOnce(&mut Dcel<Recorded>) -> Result<(), OperatorError>> = match self {
+        let change: Change = match self {
             Self::AddIsolatedVertex { face } => {
                 let face = keys.face(face)?;
                 Box::new(move |dcel| dcel.add_isolated_vertex(face).map(drop))
