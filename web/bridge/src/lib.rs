@@ -1,10 +1,12 @@
 //! The border between a module of WebAssembly and JavaScript: the functions that it calls, and those that it has for the module.
 //!
-//! A buffer is filled and read at its address, between two calls. No pointer is followed here. A module exports one function more, `call`:
+//! A buffer is filled and read at its address, between two calls. No pointer is followed here. A module exports one function more, `call`. Elsewhere the names
+//! are not exported, as `free` is a name of C:
 //!
 //! ```ignore
-//! #[unsafe(no_mangle)]
-//! extern "C" fn call(request: Id) -> Id {
+//! #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+//! #[must_use]
+//! pub extern "C" fn call(request: Id) -> Id {
 //!     answer(request, |buffers, request, stage| …)
 //! }
 //! ```
@@ -22,26 +24,29 @@ thread_local! {
 }
 
 /// Adds a buffer of so many bytes, all 0.
-#[unsafe(no_mangle)]
-extern "C" fn buffer(length: u32) -> Id {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+#[must_use]
+pub extern "C" fn buffer(length: u32) -> Id {
     BUFFERS.with_borrow_mut(|buffers| buffers.add(vec![0; length as usize]))
 }
 
 /// The address of a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn address(id: Id) -> *const u8 {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+#[must_use]
+pub extern "C" fn address(id: Id) -> *const u8 {
     BUFFERS.with_borrow(|buffers| buffers.get(id).as_ptr())
 }
 
 /// The length of a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn length(id: Id) -> u32 {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+#[must_use]
+pub extern "C" fn length(id: Id) -> u32 {
     BUFFERS.with_borrow(|buffers| buffers.get(id).len() as u32)
 }
 
 /// Drops a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn free(id: Id) {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+pub extern "C" fn free(id: Id) {
     BUFFERS.with_borrow_mut(|buffers| drop(buffers.take(id)));
 }
 

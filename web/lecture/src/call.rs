@@ -1,5 +1,4 @@
 //! A request and its answer.
-#![allow(unsafe_code, reason = "an exported name, which nothing else has")]
 
 use crate::error::LessonError;
 use crate::lesson::{Lesson, Operator};
@@ -8,7 +7,7 @@ use serde::Deserialize;
 use serde_json::json;
 use std::cell::RefCell;
 use twinedge::validate::Record;
-use twinedge_web_bridge::Id;
+use twinedge_web_bridge::{Buffers, Id};
 
 thread_local! {
     static LESSON: RefCell<Lesson> = RefCell::default();
@@ -34,16 +33,13 @@ fn read<'a, T: Deserialize<'a>>(json: &'a [u8]) -> Result<T, LessonError> {
 ///
 /// # Panics
 /// If the answer cannot be written as JSON, which does not happen.
-#[unsafe(no_mangle)]
-extern "C" fn call(request: Id) -> Id {
-    twinedge_web_bridge::answer(request, |buffers, request, _| {
-        let json = buffers.take(request);
-        let answer = match LESSON.with_borrow_mut(|lesson| answer(lesson, &json)) {
-            Ok(state) => json!({ "ok": state }),
-            Err(error) => json!({ "error": { "code": error.code(), "message": error.to_string(), "place": null } }),
-        };
-        buffers.add(answer.to_string().into_bytes())
-    })
+pub(crate) fn call(buffers: &mut Buffers, request: Id) -> Id {
+    let json = buffers.take(request);
+    let answer = match LESSON.with_borrow_mut(|lesson| answer(lesson, &json)) {
+        Ok(state) => json!({ "ok": state }),
+        Err(error) => json!({ "error": { "code": error.code(), "message": error.to_string(), "place": null } }),
+    };
+    buffers.add(answer.to_string().into_bytes())
 }
 
 fn answer(lesson: &mut Lesson, json: &[u8]) -> Result<State, LessonError> {
