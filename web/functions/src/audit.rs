@@ -1,12 +1,12 @@
 //! `audit`, `auditPage`, `acceptAll`, `findings`.
 
-use crate::buffers::Buffers;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};
 use serde::Deserialize;
 use serde_json::{Map, Value, to_value};
 use twinedge_report::{InputKind, audit};
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {
