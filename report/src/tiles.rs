@@ -17,7 +17,7 @@ use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Feature, Shape};
 use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, SeamFault, SeamRule, Summary, Uneven};
-use twinedge::validate::{Collect, Rule};
+use twinedge::validate::Rule;
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records, RuleLine};
 
 /// Cuts the map into tiles, and says what all of them say.
@@ -60,7 +60,7 @@ pub(crate) fn audit(input: Input, asked: &Options, stage: &mut dyn FnMut(&'stati
 }
 
 /// Says what the summary of all tiles says. The features are known by their numbers.
-pub(crate) fn audit_summary(summary: Summary) -> Result<AuditReport, Error> {
+pub(crate) fn audit_summary(summary: Summary, asked: &Options) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
     let outcome = summary.finish()?;
     let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
@@ -83,10 +83,10 @@ pub(crate) fn audit_summary(summary: Summary) -> Result<AuditReport, Error> {
         orients_rings: false,
     };
     let units = Units::Plane { degrees: false };
-    let found = report(&imported, outcome, &CoverageOptions::default(), &units, Collect::DEFAULT_CAP)?;
+    let found = report(&imported, outcome, &asked.coverage, &units, asked.most())?;
     let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
     Ok(AuditReport {
-        style: CoverageStyle { worst: SHOWN, decimals: 6, is_rule: false },
+        style: CoverageStyle { worst: SHOWN, decimals: 6, is_rule: asked.coverage.is_rule },
         json: JsonForm { extra, ..found.json },
         ..found
     })

@@ -9,7 +9,6 @@ mod write;
 
 pub(crate) use arguments::Audit;
 
-use crate::judged::Counted;
 use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
@@ -19,7 +18,7 @@ use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Accepted, Audited, InputKind, Judged, audit};
+use twinedge_report::{Accepted, Audited, Counted, InputKind, Judged, audit};
 use write::write;
 
 impl Audit {
