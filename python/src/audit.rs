@@ -139,11 +139,8 @@ pub(crate) fn audit_faces(
     asked: Claims,
 ) -> PyResult<Told> {
     let (corners, offsets) = (corners.as_array().to_vec(), offsets.as_array().to_vec());
-    let options = Options {
-        list: Some(asked.list()),
-        mesh: asked.asking(HalfEdgeMesh::expectation()),
-        ..Options::default()
-    };
+    let options =
+        Options { list: Some(asked.list()), mesh: asked.asking(HalfEdgeMesh::expectation()), ..Options::default() };
     let work = move || {
         // Of the points only the number counts here.
         let mesh = IndexedMesh::new(vec![[0.0; 3]; vertices], corners, offsets).map_err(Failure::value)?;

@@ -21,9 +21,7 @@ fn winner(name: &str) -> Result<Winner, Failure> {
         "first" => Winner::First,
         "last" => Winner::Last,
         other => {
-            return Err(Failure::Value(format!(
-                "overlap: {other:?} is none of inner, larger, smaller, first, last"
-            )));
+            return Err(Failure::Value(format!("overlap: {other:?} is none of inner, larger, smaller, first, last")));
         }
     })
 }

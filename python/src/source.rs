@@ -8,11 +8,8 @@ use std::fs::File;
 use std::io::{BufReader, Cursor};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::layer::{Format, Layer, read_layer, unpack};
+use twinedge_formats::layer::{Format, Layer, read_layer};
 use twinedge_report::{Error, Input, Judged};
-
-/// The bytes that tell an archive.
-const MAGIC: usize = 4;
 
 /// The reason why there is no answer.
 #[derive(Debug)]
@@ -72,7 +69,7 @@ impl Source {
         &self.name
     }
 
-    /// Opens it. Of an archive, what is in it is opened.
+    /// Opens it, once its bytes are counted.
     pub(crate) fn open(self) -> Result<(Input, Option<Judged>), Failure> {
         let format = match &self.format {
             None => None,
@@ -91,10 +88,10 @@ impl Source {
             (None, path) => {
                 let path = path.unwrap_or_default();
                 let judged = Judged::of(BufReader::new(File::open(&path).map_err(failed)?)).map_err(failed)?;
-                (unpacked(&name, &path, layer.as_deref())?, judged)
+                let file = File::open(&path).map_err(failed)?;
+                (Input::new(name, Box::new(BufReader::new(file)), Some(&path)), judged)
             }
         };
-        let layer = input.layer.clone().or(layer);
         Ok((Input { format, layer, not_finite, ..input }, Some(judged)))
     }
 
@@ -104,25 +101,6 @@ impl Source {
         let options = input.options();
         let read = read_layer(&mut input.reader, input.path.as_deref(), &options);
         read.map_err(|error| Failure::Value(format!("{}: {error}", input.name)))
-    }
-}
-
-/// A file, or what is in it if it is an archive.
-fn unpacked(name: &str, path: &Path, layer: Option<&str>) -> Result<Input, Failure> {
-    let failed = |error: &dyn Display| Failure::Value(format!("{name}: {error}"));
-    let open = |path: &Path| -> Result<Input, Failure> {
-        let file = File::open(path).map_err(|error| Failure::Os(format!("{name}: {error}")))?;
-        Ok(Input::new(name, Box::new(BufReader::new(file)), Some(path)))
-    };
-    let mut input = open(path)?;
-    let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
-    match unpack(&head, &mut input.reader, Some(path), layer).map_err(|error| failed(&error))? {
-        None => Ok(input),
-        Some(unpacked) => {
-            let inner = open(&unpacked.path)?;
-            // The folder goes when this is dropped.
-            Ok(Input { layer: unpacked.layer.clone(), kept: Some(Box::new(unpacked)), ..inner })
-        }
     }
 }
 

@@ -25,7 +25,8 @@ pub(crate) fn within<T: Send + 'static>(
     let end = seconds.and_then(|s| Instant::now().checked_add(Duration::try_from_secs_f64(s).ok()?));
     std::thread::Builder::new().stack_size(STACK).spawn(body)?;
     loop {
-        let left = end.map_or(BETWEEN_SIGNALS, |end| end.saturating_duration_since(Instant::now()).min(BETWEEN_SIGNALS));
+        let left =
+            end.map_or(BETWEEN_SIGNALS, |end| end.saturating_duration_since(Instant::now()).min(BETWEEN_SIGNALS));
         let outcome;
         (outcome, receive) = py.detach(move || (receive.recv_timeout(left), receive));
         match outcome {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,7 +16,7 @@ from ._names import Names
 _IN_NOTEBOOK = 600
 
 #: The parts that an overlay keeps, by who covers them.
-_KEPT = {
+_KEPT: dict[str, Callable[[bool, bool], bool]] = {
     "union": lambda left, right: left or right,
     "intersection": lambda left, right: left and right,
     "difference": lambda left, right: left and not right,
