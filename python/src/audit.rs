@@ -75,13 +75,13 @@ pub(crate) fn told(audited: &Audited, accepted: Option<&Accepted>) -> Result<Tol
 
 /// Judges a map, or a mesh: the report, and of a mesh where the corners of each face begin. A report that says so, if time is up before.
 #[pyfunction]
-pub(crate) fn audit<'py>(
-    py: Python<'py>,
+pub(crate) fn audit(
+    py: Python<'_>,
     source: Source,
     map: MapAsked,
     mesh: Claims,
     timeout: Option<f64>,
-) -> PyResult<(Told, Option<Bound<'py, PyArray1<u32>>>)> {
+) -> PyResult<(Told, Option<Bound<'_, PyArray1<u32>>>)> {
     let mut options = map.options()?;
     options.mesh = mesh.asking(HalfEdgeMesh::expectation());
     options.map.allow_empty = source.is_in_memory();
@@ -93,12 +93,11 @@ pub(crate) fn audit<'py>(
         let offsets = audited.mesh().map(|mesh| mesh.offsets().to_vec());
         Ok::<_, Failure>((told(&audited, options.accepted.as_ref())?, offsets))
     };
-    let (told, offsets) = match within(py, timeout, work)? {
-        Some(outcome) => outcome?,
-        None => {
-            let why = format!("time was up after {} s", timeout.unwrap_or_default());
-            (told(&Audited::unfinished(&name, InputKind::Map, &asked, &why), None)?, None)
-        }
+    let (told, offsets) = if let Some(outcome) = within(py, timeout, work)? {
+        outcome?
+    } else {
+        let why = format!("time was up after {} s", timeout.unwrap_or_default());
+        (told(&Audited::unfinished(&name, InputKind::Map, &asked, &why), None)?, None)
     };
     Ok((told, offsets.map(|offsets| offsets.into_pyarray(py))))
 }
@@ -150,9 +149,12 @@ pub(crate) fn audit_faces(
     Ok(outcome?)
 }
 
+/// Three lists of ids, and a number.
+type Difference = (Vec<String>, Vec<String>, Vec<String>, usize);
+
 /// The ids of what only the newer of two reports has, only the older one, or both with other measures, and the number of the others.
 #[pyfunction]
-pub(crate) fn diff(old: &str, new: &str) -> PyResult<(Vec<String>, Vec<String>, Vec<String>, usize)> {
+pub(crate) fn diff(old: &str, new: &str) -> PyResult<Difference> {
     let read = |name: &str, text: &str| -> PyResult<Compared> {
         let failed = |error: &dyn std::fmt::Display| PyValueError::new_err(format!("{name}: {error}"));
         let report = serde_json::from_str(text).map_err(|error| failed(&error))?;

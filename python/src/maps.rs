@@ -24,8 +24,15 @@ const LEGIBLE: usize = 1_000;
 #[pyclass(frozen, name = "Map", module = "twinedge._twinedge")]
 pub(crate) struct Map(Arc<Imported>);
 
+/// Polygons, each as its rings.
+type Polygons = Vec<Vec<Vec<[f64; 2]>>>;
+
 /// A part of an overlay: the features that cover it in either map, and its polygons, each as its rings.
-type Piece = (Vec<usize>, Vec<usize>, Vec<Vec<Vec<[f64; 2]>>>);
+type Piece = (Vec<usize>, Vec<usize>, Polygons);
+
+/// Two features, the length of their border, that of the part on which one ends and the other begins, the number of its lines, and the area
+/// that both cover.
+type Border = (usize, usize, f64, f64, usize, f64);
 
 /// The features of an overlay that cover a face, by the map that they are of.
 type Covered = [BTreeSet<usize>; 2];
@@ -60,12 +67,12 @@ impl Map {
     }
 }
 
-fn polygons(contour: Contour) -> Vec<Vec<Vec<[f64; 2]>>> {
+fn polygons(contour: Contour) -> Polygons {
     let ring = |ring: &[Point]| ring.iter().copied().map(Into::into).collect();
     contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect()
 }
 
-fn of_faces(map: &PlanarMap, faces: Vec<FaceKey>) -> PyResult<Vec<Vec<Vec<[f64; 2]>>>> {
+fn of_faces(map: &PlanarMap, faces: Vec<FaceKey>) -> PyResult<Polygons> {
     let contour = contour::of_faces(map, faces).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok(polygons(contour))
 }
@@ -77,9 +84,8 @@ impl Map {
         self.0.map.features().count()
     }
 
-    /// All pairs of features with a border or an overlap: their numbers, the length of the border, that of the part on which one ends and
-    /// the other begins, the number of its lines, and the area that both cover.
-    fn neighbours(&self, geodesic: bool) -> PyResult<Vec<(usize, usize, f64, f64, usize, f64)>> {
+    /// All pairs of features with a border or an overlap.
+    fn neighbours(&self, geodesic: bool) -> PyResult<Vec<Border>> {
         let map = self.plane()?;
         let units = Units::of(&self.0, geodesic).map_err(|error| PyValueError::new_err(error.to_string()))?;
         let rows = borders(map, &self.0.noted, &units).into_iter();
@@ -120,7 +126,7 @@ impl Map {
     }
 
     /// The outline of what some features cover together: polygons, each as its rings.
-    fn contour(&self, numbers: Vec<usize>) -> PyResult<Vec<Vec<Vec<[f64; 2]>>>> {
+    fn contour(&self, numbers: Vec<usize>) -> PyResult<Polygons> {
         let map = self.plane()?;
         let mut faces = BTreeSet::new();
         for number in numbers {

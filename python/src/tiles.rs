@@ -33,8 +33,8 @@ fn number(grid: &Grid, tile: Tile) -> u64 {
 fn tile(grid: &Grid, number: u64) -> Result<Tile, Failure> {
     let columns = u64::from(grid.size()[0]);
     let none = || Failure::Value(format!("tile: the grid has no tile {number}"));
-    let row = u32::try_from(number / columns).map_err(|_| none())?;
-    let tile = Tile { column: (number % columns) as u32, row };
+    let narrow = |number: u64| u32::try_from(number).map_err(|_| none());
+    let tile = Tile { column: narrow(number % columns)?, row: narrow(number / columns)? };
     if grid.has(tile) { Ok(tile) } else { Err(none()) }
 }
 
@@ -92,7 +92,7 @@ pub(crate) fn summarise<'py>(
     py: Python<'py>,
     of: GridArguments,
     at: u64,
-    numbers: PyReadonlyArray1<'_, u32>,
+    numbers: PyReadonlyArray1<'py, u32>,
     geometries: Geometries,
     limits: LimitsAsked,
 ) -> PyResult<Bound<'py, PyBytes>> {
@@ -118,7 +118,7 @@ fn sum(summaries: &[PyBackedBytes]) -> Result<Option<Summary>, Failure> {
 
 /// One summary of several; none, if there is none.
 #[pyfunction]
-pub(crate) fn merge<'py>(py: Python<'py>, summaries: Vec<PyBackedBytes>) -> PyResult<Option<Bound<'py, PyBytes>>> {
+pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>) -> PyResult<Option<Bound<'_, PyBytes>>> {
     let bytes = py.detach(|| {
         let whole = sum(&summaries)?;
         whole.map(|whole| serde_json::to_vec(&whole)).transpose().map_err(Failure::value)
