@@ -1,6 +1,5 @@
 //! Reading a map from a file or from standard input, or the built-in map.
 
-use crate::judged;
 use crate::progress::busy;
 use crate::status::{Failure, named};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -135,9 +134,9 @@ impl MapFile {
     /// follows the last record may be left unread.
     pub(crate) fn judged(&self) -> Result<Option<Judged>, Failure> {
         Ok(match &self.file {
-            None => Some(judged::of_all(EMBEDDED)?),
+            None => Some(Judged::of(EMBEDDED)?),
             Some(_) => match self.path().filter(|path| path.is_file()) {
-                Some(path) => Some(judged::of_all(BufReader::new(File::open(path)?))?),
+                Some(path) => Some(Judged::of(BufReader::new(File::open(path)?))?),
                 None => None,
             },
         })

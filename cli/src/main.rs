@@ -16,7 +16,6 @@ mod effort;
 mod extension;
 mod fuzz_template;
 mod input;
-mod judged;
 mod measured;
 mod output;
 mod output_file;

@@ -8,7 +8,7 @@ use crate::tile::Saved;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::time::Instant;
-use twinedge_report::{audit_summary, merged};
+use twinedge_report::{Options, audit_summary, merged};
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::lazy::LazyOutcome;
 use twinedge_trials::meshes::MeshesOutcome;
@@ -106,7 +106,7 @@ impl Sum {
             write_file(path, None, &Saved::bytes(whole, cut)?)?;
             return Ok(Verdict::Sound);
         }
-        let mut audited = audit_summary(whole, cut)?;
+        let mut audited = audit_summary(whole, cut, &Options::default())?;
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         match self.format {
             Format::Text => print(&audited.text()?)?,

@@ -1,12 +1,16 @@
-//! The Python module `twinedge._twinedge`: the validator over numpy arrays, and audits of meshes and maps.
+//! The Python module `twinedge._twinedge`: the validator over numpy arrays, audits of meshes and maps, whole or in tiles, and what maps can be asked.
 //!
 //! Each function returns a report as JSON, in the form of `docs/report.md`. The package `twinedge` makes objects of it.
 
 mod arrays;
+mod audit;
+mod clean;
 mod expectation;
 mod maps;
-mod meshes;
+mod source;
 mod structure;
+mod tiles;
+mod work;
 
 use pyo3::prelude::*;
 
@@ -23,7 +27,16 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("FINDING_KINDS", of_meshes.chain(of_coverages).collect::<Vec<_>>())?;
     module.add_function(wrap_pyfunction!(structure::validate, module)?)?;
     module.add_function(wrap_pyfunction!(structure::explain, module)?)?;
-    module.add_function(wrap_pyfunction!(meshes::audit_faces, module)?)?;
-    module.add_function(wrap_pyfunction!(meshes::audit_mesh, module)?)?;
-    module.add_function(wrap_pyfunction!(maps::audit_map, module)?)
+    module.add_class::<maps::Map>()?;
+    module.add_function(wrap_pyfunction!(audit::audit, module)?)?;
+    module.add_function(wrap_pyfunction!(audit::audit_faces, module)?)?;
+    module.add_function(wrap_pyfunction!(audit::diff, module)?)?;
+    module.add_function(wrap_pyfunction!(clean::clean, module)?)?;
+    module.add_function(wrap_pyfunction!(maps::build_map, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::bounds, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::tiles_of, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::summarise, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::tiles_in, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::merge, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::finish, module)?)
 }

@@ -1,246 +1,186 @@
-//! Audits of maps: GeoJSON and WKT.
+//! A map that is built once and asked often: neighbours, places, contours, overlays, pictures.
 
-use pyo3::exceptions::PyValueError;
+use crate::source::{Failure, Source, snap};
+use crate::work::within;
+use pyo3::exceptions::{PyIndexError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::pybacked::PyBackedBytes;
-use serde::Serialize;
-use serde_json::json;
-use std::collections::BTreeSet;
-use twinedge::algorithm::coverage::{self, Coverage, CoverageRule, Defect, Limits, check, defects, mismatches};
-use twinedge::dcel::{Boundary, Face, Vertex};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+use twinedge::algorithm::contour::{self, Contour};
+use twinedge::algorithm::coverage::faces_of;
+use twinedge::algorithm::overlay::{Operand, overlay};
+use twinedge::dcel::{Face, FaceKey};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::io::{Format, ReadError, read};
-use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
-use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
-use twinedge_formats::diagnosis::Flaw;
+use twinedge::io::svg;
+use twinedge::map::{FeatureId, Located, Locator, PlanarMap};
+use twinedge::validate::{Collect, Expectation, validate_embedding};
+use twinedge_report::{Imported, Keep, MapOptions, Units, borders};
 
-/// The number of defects of each kind that are listed of a feature.
-const DEFECTS: usize = 100;
+/// With details, a picture of more half-edges than this is not legible.
+const LEGIBLE: usize = 1_000;
 
-/// An error: no map can be read or built.
-struct Refusal(String);
+/// A planar map.
+#[pyclass(frozen, name = "Map", module = "twinedge._twinedge")]
+pub(crate) struct Map(Arc<Imported>);
 
-impl From<ReadError> for Refusal {
-    fn from(error: ReadError) -> Self {
-        Self(error.to_string())
-    }
-}
+/// Polygons, each as its rings.
+type Polygons = Vec<Vec<Vec<[f64; 2]>>>;
 
-/// A finding beside the rules of the validator.
-#[derive(Serialize)]
-struct Finding {
-    rule: &'static str,
-    kind: &'static str,
-    features: Vec<usize>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    at: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    area: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    width: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    length: Option<f64>,
-    /// The defects of a feature that is not valid by the rules of the OGC.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    defects: Vec<Flaw>,
-    /// The vertices that a mismatch is about.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    missing: Vec<MissingVertex>,
-    message: String,
-}
+/// A part of an overlay: the features that cover it in either map, and its polygons, each as its rings.
+type Piece = (Vec<usize>, Vec<usize>, Polygons);
 
-/// A vertex that the border of a feature lacks.
-#[derive(Serialize)]
-struct MissingVertex {
-    at: [f64; 2],
-    feature: usize,
-}
+/// Two features, the length of their border, that of the part on which one ends and the other begins, the number of its lines, and the area
+/// that both cover.
+type Border = (usize, usize, f64, f64, usize, f64);
 
-/// The options of C1 … C7.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub(crate) struct Options {
-    coverage: bool,
-    gap_width: Option<f64>,
-    lake_width: Option<f64>,
-    accepted_gaps: Vec<[f64; 2]>,
-    sliver_area: Option<f64>,
-    snap: Option<f64>,
-    list: usize,
-    /// The features that are left out, in order, as a coordinate is not finite.
-    not_finite: Vec<usize>,
-}
+/// The features of an overlay that cover a face, by the map that they are of.
+type Covered = [BTreeSet<usize>; 2];
 
-/// The report as JSON, and the name of each feature.
-type Verdict = (String, Vec<Option<String>>);
-
-/// Builds the planar map of a text and judges it. A `snap` of 0 chooses the grid.
+/// Builds the map of a layer. A `cell` of 0 chooses the grid on which its segments are cut.
 #[pyfunction]
-pub(crate) fn audit_map(
-    py: Python<'_>,
-    text: PyBackedBytes,
-    format: Option<&str>,
-    asked: Options,
-) -> PyResult<Verdict> {
-    let format = match format {
-        None => None,
-        Some("geojson") => Some(Format::GeoJson),
-        Some("wkt") => Some(Format::Wkt),
-        Some(other) => return Err(PyValueError::new_err(format!("format: there is none named {other:?}"))),
+pub(crate) fn build_map(py: Python<'_>, source: Source, cell: Option<f64>) -> PyResult<Map> {
+    let work = move || {
+        let options = MapOptions { snap: snap(cell), allow_empty: true, ..MapOptions::default() };
+        let name = source.name().to_owned();
+        let (input, _) = source.open()?;
+        let imported = Imported::read(input, &options, Keep::default(), &mut |_| {});
+        imported.map_err(|error| Failure::Value(format!("{name}: {error}")))
     };
-    py.detach(move || audit(&text, format, &asked)).map_err(|Refusal(why)| PyValueError::new_err(why))
+    let built = within(py, None, work)?.ok_or_else(|| PyRuntimeError::new_err("time was up"))?;
+    Ok(Map(Arc::new(built?)))
 }
 
-fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict, Refusal> {
-    let mut builder = Builder::new();
-    let mut invalid: Vec<(usize, Vec<Defect>)> = Vec::new();
-    let (mut names, mut without_geometry) = (Vec::new(), Vec::new());
-    read(text, format, |feature| {
-        let (number, found) = (names.len(), defects(&feature.shapes));
-        let is_finite = asked.not_finite.binary_search(&number).is_err();
-        if !found.is_empty() || !is_finite {
-            invalid.push((number, found));
-        } else if feature.shapes.is_empty() {
-            without_geometry.push(number);
+impl Map {
+    /// The map, if its edges meet at shared ends only.
+    fn plane(&self) -> PyResult<&PlanarMap> {
+        if self.0.map.is_plane() {
+            return Ok(&self.0.map);
         }
-        names.push(feature.name.clone().or_else(|| feature.id.clone()));
-        builder.feature(&feature).map(drop).map_err(|error: BuildError| Refusal(error.to_string()))
-    })?;
-    let noding = match asked.snap {
-        None => Noding::None,
-        Some(size) if size > 0.0 && size.is_finite() => Noding::Snap(Snap::Size(size)),
-        Some(_) => Noding::Snap(Snap::Auto),
-    };
-    let kept = builder.clone();
-    let map = builder.build_with(noding).map_err(|error| Refusal(error.to_string()))?;
-    let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(asked.list));
-    let mut document = serde_json::to_value(&report).map_err(|error| Refusal(error.to_string()))?;
-    let listed = document["violations"].as_array_mut().into_iter().flatten();
-    for (object, violation) in listed.zip(report.violations()) {
-        let at: Vec<[f64; 2]> = places(&map, violation).into_iter().map(Into::into).collect();
-        object["at"] = json!(at);
-        object["features"] = json!(features(&map, violation));
+        Err(PyValueError::new_err(
+            "borders cross, touch or overlap, so it is not well defined what lies where: snap=\"auto\" cuts them, and audit() says where they are",
+        ))
     }
-    let limits = Limits {
-        gap_width: asked.gap_width,
-        lake_width: asked.lake_width,
-        accepted_gaps: asked.accepted_gaps.iter().copied().map(Into::into).collect(),
-        sliver_area: asked.sliver_area,
-        ..Limits::default()
-    };
-    // The faces that features cover are known on a plane map only: borders that cross are cut first.
-    let refused = |error: &dyn ToString| Refusal(error.to_string());
-    // Of a map that is plane without noding, borders meet at vertices only.
-    let unmatched = if map.is_plane() && noding == Noding::None { Vec::new() } else { kept.unmatched() };
-    let map = if map.is_plane() {
-        map
-    } else {
-        kept.build_with(Noding::Snap(Snap::Auto)).map_err(|error| refused(&error))?
-    };
-    let coverage = check(&map, &limits).map_err(|error| refused(&error))?;
-    let mismatches = mismatches(&map, &unmatched).map_err(|error| refused(&error))?;
-    let found = findings(&coverage, &invalid, &mismatches);
-    if asked.coverage && !found.is_empty() || !asked.not_finite.is_empty() {
-        document["valid"] = json!(false);
+
+    fn feature(&self, number: usize) -> PyResult<FeatureId> {
+        self.0.map.feature(number).ok_or_else(|| PyIndexError::new_err(format!("there is no feature {number}")))
     }
-    document["finding_count"] = json!(found.len());
-    document["findings"] = json!(found.into_iter().take(asked.list).collect::<Vec<_>>());
-    document["wider_gaps"] = json!(coverage.wider_gaps.len());
-    document["accepted_gaps"] = json!(coverage.accepted_gaps.len());
-    document["features"] = json!(names.len());
-    document["without_geometry"] = json!(without_geometry);
-    Ok((document.to_string(), names))
 }
 
-/// The numbers of the features that a violation touches.
-fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
-    let dcel = map.dcel();
-    let mut found = BTreeSet::new();
-    for record in violation.records().into_iter().flatten() {
-        let half_edges: Vec<_> = match record {
-            Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
-            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
-            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
-            Record::Face(f) => {
-                let face = dcel.face_at(f).map(Face::key);
-                found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten().map(FeatureId::index));
-                Vec::new()
+fn polygons(contour: Contour) -> Polygons {
+    let ring = |ring: &[Point]| ring.iter().copied().map(Into::into).collect();
+    contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect()
+}
+
+fn of_faces(map: &PlanarMap, faces: Vec<FaceKey>) -> PyResult<Polygons> {
+    let contour = contour::of_faces(map, faces).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    Ok(polygons(contour))
+}
+
+#[pymethods]
+impl Map {
+    /// The number of features.
+    fn __len__(&self) -> usize {
+        self.0.map.features().count()
+    }
+
+    /// All pairs of features with a border or an overlap.
+    fn neighbours(&self, geodesic: bool) -> PyResult<Vec<Border>> {
+        let map = self.plane()?;
+        let units = Units::of(&self.0, geodesic).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let rows = borders(map, &self.0.noted, &units).into_iter();
+        Ok(rows.map(|row| (row.number, row.other_number, row.length, row.shared, row.lines, row.overlap)).collect())
+    }
+
+    /// At each point, the kind of record that lies there and the features that it is of, or that it bounds.
+    fn at(&self, py: Python<'_>, points: Vec<[f64; 2]>) -> PyResult<Vec<(&'static str, Vec<usize>)>> {
+        let map = self.plane()?;
+        py.detach(|| {
+            let failed = |error: &dyn std::fmt::Display| PyValueError::new_err(error.to_string());
+            let points: Vec<Point> = points.into_iter().map(Point::from).collect();
+            let found = Locator::new(map).map_err(|error| failed(&error))?.locate_all(&points);
+            let place = |located: Located| {
+                let mut features = BTreeSet::new();
+                let kind = match located {
+                    Located::Face(face) => {
+                        features.extend(map.features_of(face).into_iter().flatten());
+                        "face"
+                    }
+                    Located::Edge(edge) => {
+                        features.extend(map.features_along(edge).into_iter().flatten());
+                        "edge"
+                    }
+                    Located::Vertex(vertex) => {
+                        let around = map.dcel().vertex(vertex).into_iter().flat_map(|v| v.rotation());
+                        for h in around {
+                            features.extend(map.features_of(h.face().key()).into_iter().flatten());
+                            features.extend(map.features_along(h.key()).into_iter().flatten());
+                        }
+                        "vertex"
+                    }
+                };
+                (kind, features.into_iter().map(FeatureId::index).collect())
+            };
+            found.into_iter().map(|one| one.map(place).map_err(|error| failed(&error))).collect()
+        })
+    }
+
+    /// The outline of what some features cover together: polygons, each as its rings.
+    fn contour(&self, numbers: Vec<usize>) -> PyResult<Polygons> {
+        let map = self.plane()?;
+        let mut faces = BTreeSet::new();
+        for number in numbers {
+            faces.extend(faces_of(map, self.feature(number)?));
+        }
+        of_faces(map, faces.into_iter().collect())
+    }
+
+    /// The parts of the plane that the features of two maps make together, each with the features that cover it. A `cell` of 0
+    /// chooses the grid.
+    fn overlay(&self, py: Python<'_>, other: &Self, cell: f64) -> PyResult<Vec<Piece>> {
+        let (left, right) = (self.plane()?, other.plane()?);
+        let counts = [left, right].map(|map| map.features().count());
+        py.detach(|| {
+            let snap = snap(Some(cell)).unwrap_or(Snap::Auto);
+            let both = overlay(left, right, snap).map_err(|error| PyValueError::new_err(error.to_string()))?;
+            let mut owners: BTreeMap<FeatureId, (usize, usize)> = BTreeMap::new();
+            for (side, operand, map) in [(0, Operand::Left, left), (1, Operand::Right, right)] {
+                for feature in map.features().take(counts[side]) {
+                    if let Some(of_both) = both.feature_of(operand, feature) {
+                        owners.insert(of_both, (side, feature.index()));
+                    }
+                }
             }
-        };
-        for h in half_edges {
-            found.extend(map.features_along(h.key()).into_iter().flatten().map(FeatureId::index));
-        }
+            let map = both.map();
+            let mut parts: BTreeMap<Covered, Vec<FaceKey>> = BTreeMap::new();
+            for face in map.dcel().faces().filter(|face| !face.is_unbounded()).map(Face::key) {
+                let mut covered = Covered::default();
+                for (side, number) in map.features_of(face).into_iter().flatten().filter_map(|f| owners.get(&f)) {
+                    covered[*side].insert(*number);
+                }
+                if covered.iter().any(|of_side| !of_side.is_empty()) {
+                    parts.entry(covered).or_default().push(face);
+                }
+            }
+            let piece = |([left, right], faces): (Covered, Vec<FaceKey>)| {
+                Ok((left.into_iter().collect(), right.into_iter().collect(), of_faces(map, faces)?))
+            };
+            parts.into_iter().map(piece).collect()
+        })
     }
-    found
-}
 
-/// Returns the findings of C1 … C7, in order.
-fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)], mismatches: &[coverage::Finding]) -> Vec<Finding> {
-    let of_map = coverage.findings.iter().map(|finding| {
-        let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
-        let (name, area, width) = (finding.rule.name(), finding.area, finding.width);
-        Finding {
-            rule: finding.rule.id(),
-            kind: finding.rule.name(),
-            message: format!("{name} of features {features:?}, area {area}, mean width {width}"),
-            features,
-            at: Some(finding.at.into()),
-            area: Some(area),
-            width: Some(width),
-            length: Some(finding.length),
-            defects: Vec::new(),
-            missing: Vec::new(),
+    /// The picture as SVG, with what breaks a rule in red.
+    fn svg(&self, size: f64, detail: bool, window: Option<[f64; 4]>, whole: bool, list: usize) -> PyResult<String> {
+        let map = &self.0.map;
+        let window = window.map(|[x0, y0, x1, y1]| [Point::new(x0, y0), Point::new(x1, y1)]);
+        let half_edges = svg::half_edges_in(map, window);
+        if detail && half_edges > LEGIBLE {
+            return Err(PyValueError::new_err(format!(
+                "detail: {half_edges} half-edges are too many, it is legible up to {LEGIBLE}: choose a part by window="
+            )));
         }
-    });
-    let invalid = invalid.iter().map(|(feature, defects)| not_valid(*feature, defects));
-    of_map.chain(invalid).chain(mismatches.iter().map(mismatch)).collect()
-}
-
-/// Borders that lack vertices of each other.
-fn mismatch(finding: &coverage::Finding) -> Finding {
-    let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
-    let count = finding.missing.len();
-    let vertices = if count == 1 { "1 vertex".to_owned() } else { format!("{count} vertices") };
-    Finding {
-        rule: finding.rule.id(),
-        kind: finding.rule.name(),
-        message: format!("{vertices} missing where the borders of features {features:?} meet"),
-        features,
-        at: Some(finding.at.into()),
-        area: None,
-        width: None,
-        length: Some(finding.length),
-        defects: Vec::new(),
-        missing: finding
-            .missing
-            .iter()
-            .map(|vertex| MissingVertex { at: vertex.at.into(), feature: vertex.feature.index() })
-            .collect(),
-    }
-}
-
-/// A feature that is not valid by the rules of the OGC. Without defects, a coordinate is not finite.
-fn not_valid(feature: usize, defects: &[Defect]) -> Finding {
-    // They are sorted by kind.
-    let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
-    let reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
-    let why = if reasons.is_empty() {
-        "a coordinate is NaN or infinite; it is left out".to_owned()
-    } else {
-        reasons.join(", ")
-    };
-    let flaw =
-        |one: &Defect| Flaw { reason: one.kind.to_string(), at: one.at.into(), shape: one.shape, ring: one.ring };
-    Finding {
-        rule: CoverageRule::Validity.id(),
-        kind: CoverageRule::Validity.name(),
-        features: vec![feature],
-        at: defects.first().map(|defect| defect.at.into()),
-        area: None,
-        width: None,
-        length: None,
-        defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
-        missing: Vec::new(),
-        message: format!("feature {feature} is not valid: {why}"),
+        let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(list));
+        let violations = report.violations();
+        Ok(svg::draw(map, &svg::Options { size, detail, window, insets: !whole, violations }))
     }
 }

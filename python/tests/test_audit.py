@@ -48,7 +48,7 @@ def test_overlaps_count_if_a_coverage_is_asked_for():
     assert twinedge.audit(polygons).valid
     report = twinedge.audit(polygons, coverage=True)
     assert not report.valid and {f.kind for f in report.findings} == {"duplicate"}
-    assert report.findings[0].fields["features"] == [0, 1]
+    assert report.findings[0].features == (0, 1)
 
 
 def test_files_are_told_by_their_names(tmp_path):

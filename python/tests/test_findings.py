@@ -203,5 +203,5 @@ def test_geos_calls_countries_that_cross_themselves_a_valid_coverage():
     report = adapters.shapely(countries)
     crossing = [violation for violation in report.violations if violation.rule == "G4"]
     assert len(crossing) == 2
-    invalid = {names[i] for finding in report.findings if finding.fields["rule"] == "C6" for i in finding.fields["features"]}
+    invalid = {names[i] for finding in report.findings if finding.fields["rule"] == "C6" for i in finding.features}
     assert invalid >= {"Sudan", "North Korea"}

@@ -40,8 +40,9 @@ def test_features_have_the_names_of_the_file(tmp_path):
     assert labels(twinedge.audit(collection)) == {("a", "b")} and labels(twinedge.audit(collection, name="code")) == {("x", "y")}
     (tmp_path / "map.geojson").write_text(json.dumps(collection))
     assert labels(twinedge.audit(tmp_path / "map.geojson")) == {("a", "b")}
-    with pytest.raises(TypeError, match="those of a file have the names that it gives"):
-        twinedge.audit(tmp_path / "map.geojson", name="code")
+    assert labels(twinedge.audit(tmp_path / "map.geojson", name="code")) == {("x", "y")}
+    with pytest.raises(ValueError, match="no feature has a value in the column cod"):
+        twinedge.audit(tmp_path / "map.geojson", name="cod")
     with pytest.raises(ValueError, match="no feature has the property 'cod'"):
         twinedge.audit(collection, name="cod")
     with pytest.raises(TypeError, match="name: this is for frames"):

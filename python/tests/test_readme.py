@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import twinedge
-from twinedge import adapters, testing
+from twinedge import adapters, testing, tiles
 
 README = (Path(__file__).parents[1] / "README.md").read_text()
 BLOCKS = re.findall(r"```python\n(.*?)```", README, re.S)
@@ -24,7 +24,7 @@ def test_the_first_lines_run(capsys):
 
 
 def test_every_name_in_the_table_is_there():
-    for module, names in [(twinedge, ["validate", "audit", "audit_faces"]), (testing, ["surfaces", "triangle_meshes", "broken"]),
+    for module, names in [(twinedge, ["validate", "audit", "audit_faces", "expect", "diff", "clean", "Map", "overlay", "draw"]), (testing, ["surfaces", "triangle_meshes", "broken"]),
                           (adapters, ["networkx", "compas", "trimesh", "shapely", "geopandas"])]:
         for name in names:
             assert name in README and getattr(module, name).__doc__
@@ -34,17 +34,20 @@ def test_every_name_in_the_table_is_there():
 def test_every_example_runs(code, capsys):
     exec(compile(code, "README.md", "exec"), {"__name__": "readme"})
     out = capsys.readouterr().out
-    assert "C1 overlap ('north', 'south')" in out or "geopandas" not in code
+    # The comments quote the printed text.
+    for said in ["C1 overlap ('north', 'south')", "First(rule='G4', id='G4-", "[(0, 1, 2.0), (0, 2, 2.0)]"]:
+        assert said in out or f"# {said}" not in code, said
 
 
 def test_there_is_an_example_for_each():
-    for used in ["adapters.networkx(", "adapters.trimesh(", "adapters.geopandas(", "hypothesis.given("]:
+    for used in ["adapters.networkx(", "adapters.trimesh(", "adapters.geopandas(", "hypothesis.given(", "expect(", "Map(", "tiles.audit_tile("]:
         assert any(used in block for block in BLOCKS), used
 
 
 def test_examples_of_docstrings_run():
-    found = doctest.testmod(adapters)
-    assert found.attempted >= 15 and not found.failed
+    for module, count in [(adapters, 15), (tiles, 6)]:
+        found = doctest.testmod(module)
+        assert found.attempted >= count and not found.failed
 
 
 def test_the_table_of_presets_is_what_they_ask_for():

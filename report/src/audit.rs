@@ -8,7 +8,7 @@ use crate::input_kind::InputKind;
 use crate::layers::{self, Other};
 use crate::noted::Keep;
 use crate::options::Options;
-use crate::options_json::as_json;
+use crate::options_json::{as_json, of_mesh};
 use crate::packed::Picture;
 use crate::report::AuditReport;
 use crate::shelf::{InMemory, Shelf};
@@ -20,6 +20,7 @@ use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textb
 use twinedge::io::tables::Textbook;
 use twinedge::tile::Summary;
 use twinedge_formats::layer::topojson::ArcTopology;
+use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
 
 /// An input that was audited.
@@ -39,6 +40,7 @@ enum Subject {
     Textbook(Textbook),
     Postgis(Box<Topology>),
     Arcs(Box<ArcTopology>),
+    Mesh(IndexedMesh),
     None,
 }
 
@@ -86,7 +88,10 @@ pub fn audit_against(
             }
             (report, Subject::Map(Box::new(imported)))
         }
-        InputKind::Mesh(format) => (mesh::audit(input, format, options)?, Subject::None),
+        InputKind::Mesh(format) => {
+            let (report, mesh) = mesh::audit(input, format, options)?;
+            (report, Subject::Mesh(mesh))
+        }
         InputKind::Textbook => {
             let (report, tables) = textbook::audit(input, options)?;
             (report, Subject::Textbook(tables))
@@ -134,14 +139,29 @@ fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKin
     Audited(Outcome::Report(Box::new(report), subject))
 }
 
+/// Judges a mesh that is in memory.
+///
+/// # Errors
+/// [`Error::Json`].
+pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Audited, Error> {
+    let report = mesh::of_mesh(name, &mesh, 0, options)?;
+    let mut report = if options.explain { report } else { report.unexplained() };
+    report.options = of_mesh(options);
+    report.identify();
+    Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
+}
+
 /// Says what the summary of all tiles of a map says, in the words of an audit; where edges meet elsewhere than at vertices, with the findings of the
 /// summary of the same tiles with their edges cut. Features are known by their numbers.
 ///
 /// # Errors
 /// [`Error::Finish`].
-pub fn audit_summary(summary: Summary, cut: Option<Summary>) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary, cut)?.unexplained();
+pub fn audit_summary(summary: Summary, cut: Option<Summary>, options: &Options) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary, cut, options)?.unexplained();
     report.identify();
+    if let Some(accepted) = &options.accepted {
+        report.accept(accepted);
+    }
     Ok(Audited(Outcome::Report(Box::new(report), Subject::None)))
 }
 
@@ -188,6 +208,15 @@ impl Audited {
         match &mut self.0 {
             Outcome::Report(report, _) => report.elapsed_ms = elapsed_ms,
             Outcome::Tables(report) => report.elapsed_ms = elapsed_ms,
+        }
+    }
+
+    /// The mesh that was judged, if it was one.
+    #[must_use]
+    pub const fn mesh(&self) -> Option<&IndexedMesh> {
+        match &self.0 {
+            Outcome::Report(_, Subject::Mesh(mesh)) => Some(mesh),
+            _ => None,
         }
     }
 
@@ -268,7 +297,7 @@ impl Audited {
             Subject::Textbook(tables) => textbook::picture(tables, report),
             Subject::Postgis(topology) => topology::picture(&**topology, |record| topology.name(record), report),
             Subject::Arcs(topology) => topology::picture(&**topology, |record| topology.name(record), report),
-            Subject::None => Picture::default(),
+            Subject::Mesh(_) | Subject::None => Picture::default(),
         };
         Ok(page::page(report, &picture)?)
     }
@@ -289,7 +318,7 @@ impl Audited {
     /// The report of a structure that can be drawn.
     const fn drawn(&self) -> Result<(&AuditReport, &Subject), Error> {
         match &self.0 {
-            Outcome::Report(_, Subject::None) => Err(Error::NoPicture("a mesh")),
+            Outcome::Report(_, Subject::Mesh(_) | Subject::None) => Err(Error::NoPicture("a mesh")),
             Outcome::Tables(_) => Err(Error::NoPicture(InputKind::Tables.words())),
             Outcome::Report(report, subject) => Ok((report, subject)),
         }

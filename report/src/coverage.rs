@@ -149,7 +149,7 @@ impl Coverage {
                         let trace = of_finding(map, finding);
                         let features: Vec<FeatureName> =
                             finding.features.iter().map(|feature| named(imported, *feature)).collect();
-                        let of_rule = of_rule(finding.rule, asked, finding.at);
+                        let of_rule = of_rule(finding.rule, asked, Some(finding.at));
                         let (area, width, length) = (finding.area, finding.width, finding.length);
                         let is_mismatch = finding.rule == CoverageRule::Mismatch;
                         let measures = Measures {
@@ -480,14 +480,14 @@ fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
 }
 
 /// The parts that all findings of a rule have in common.
-fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Point) -> Diagnosis {
+fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Point>) -> Diagnosis {
     let (cause, remedy) = explanation(rule);
     Diagnosis {
         rule: Some(rule.id()),
         kind: Kind::Named { kind: rule.name() },
         cause: Some(cause),
         remedy: Some(remedy),
-        look: Some(position(at)),
+        look: at.map(position),
         is_violation: asked.is_rule,
         ..Diagnosis::default()
     }
@@ -503,9 +503,12 @@ fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects
     };
     // They are sorted by kind.
     let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
-    let reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
+    let mut reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
+    if reasons.is_empty() {
+        reasons.push("a coordinate is NaN or infinite; it is left out".to_owned());
+    }
     let points = defects.iter().map(|defect| position(defect.at)).collect();
-    let at = defects.first().map_or_else(|| Point::new(0.0, 0.0), |defect| defect.at);
+    let at = defects.first().map(|defect| defect.at);
     Diagnosis {
         message: reasons.join(", "),
         features: Some(imported.map.feature(feature).map(|id| named(imported, id)).into_iter().collect()),

@@ -136,8 +136,9 @@ impl Gathered {
     ) -> Result<Self, Error> {
         let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
         let read_options = input.options();
-        let Input { name, mut reader, path, kept: _kept, .. } = input;
-        let noted = Noted::new(options.name_from.clone());
+        let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
+        let mut noted = Noted::new(options.name_from.clone());
+        noted.not_finite = not_finite;
         let (read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
         // Points alone can be judged by another layer.
         let is_map = read.polygons + read.lines > 0 || keep.features && read.points > 0;

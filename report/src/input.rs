@@ -20,6 +20,10 @@ pub struct Input {
     pub path: Option<PathBuf>,
     /// The layer that was asked for, if the file may have several.
     pub layer: Option<String>,
+    /// Its format, if it is a layer whose format was said.
+    pub format: Option<Format>,
+    /// The numbers of the features, in order, whose geometry was left out since a coordinate is not finite.
+    pub not_finite: Vec<usize>,
     /// The files among which the path leads, if it is in memory.
     pub files: Option<Arc<Files>>,
     /// Something that is kept until the input is read, such as a folder to which it was unpacked.
@@ -29,13 +33,22 @@ pub struct Input {
 impl Input {
     /// An input with this name. Its path tells the format, where the content does not, and some formats are read by their path.
     pub fn new(name: impl Into<String>, reader: Box<dyn BufRead>, path: Option<&Path>) -> Self {
-        Self { name: name.into(), reader, path: path.map(Path::to_owned), layer: None, files: None, kept: None }
+        Self {
+            name: name.into(),
+            reader,
+            path: path.map(Path::to_owned),
+            layer: None,
+            format: None,
+            not_finite: Vec::new(),
+            files: None,
+            kept: None,
+        }
     }
 
     /// The way to read its layer.
     #[must_use]
     pub fn options(&self) -> ReadOptions {
-        ReadOptions { layer: self.layer.clone(), files: self.files.clone(), ..ReadOptions::default() }
+        ReadOptions { format: self.format, layer: self.layer.clone(), files: self.files.clone() }
     }
 
     /// Its first bytes, without reading them.

@@ -44,6 +44,12 @@ pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Val
             "largest_move": noding.largest_move,
         })
     });
-    let keys = [("import", Some(import)), ("noding", noding), ("warnings", Some(json!(warnings)))];
+    let without = Some(&imported.noted.without_geometry).filter(|without| !without.is_empty());
+    let keys = [
+        ("import", Some(import)),
+        ("noding", noding),
+        ("warnings", Some(json!(warnings))),
+        ("without_geometry", without.map(|without| json!(without))),
+    ];
     keys.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect()
 }

@@ -8,26 +8,32 @@ use crate::words::{counted, grouped};
 use serde_json::{Map, to_value};
 use twinedge::validate::{Collect, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
-use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, MeshFile};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, IndexedMesh, MeshFile};
 
-/// Reads a mesh, joins its faces, and judges it. At most as many findings of each kind are listed as asked for.
+/// Reads a mesh and judges it.
 pub(crate) fn audit(
     Input { name, reader, .. }: Input,
     format: MeshFormat,
     asked: &Options,
-) -> Result<AuditReport, Error> {
+) -> Result<(AuditReport, IndexedMesh), Error> {
     let file = mesh::read(reader, Some(format))?;
-    let audit = mesh::audit(&file.mesh, &asked.mesh, Collect::AtMost(asked.most()));
-    let (findings, report, first) = (audit.findings(), audit.report(), format.first_number());
+    let mut report = of_mesh(&name, &file.mesh, format.first_number(), asked)?;
+    report.notes = notes(&file);
+    report.json.extra.insert("format".to_owned(), format.name().into());
+    report.json.extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
+    Ok((report, file.mesh))
+}
+
+/// Joins the faces of a mesh, and judges it. At most as many findings of each kind are listed as asked for.
+pub(crate) fn of_mesh(name: &str, mesh: &IndexedMesh, first: usize, asked: &Options) -> Result<AuditReport, Error> {
+    let audit = mesh::audit(mesh, &asked.mesh, Collect::AtMost(asked.most()));
+    let (findings, report) = (audit.findings(), audit.report());
     let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
     let mut extra = Map::new();
-    extra.insert("format".to_owned(), format.name().into());
-    extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
     extra.insert("messages_count_from".to_owned(), first.into());
     Ok(AuditReport {
         valid: audit.is_valid(),
         found: numbers.map(|(count, name)| counted(count, name)).join(", "),
-        notes: notes(&file),
         counts: audit
             .count_lines()
             .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))
@@ -39,7 +45,7 @@ pub(crate) fn audit(
         finding_count: findings.total() as u64,
         remarks: audit.remarks(),
         json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
-        ..AuditReport::new(&name)
+        ..AuditReport::new(name)
     })
 }
 

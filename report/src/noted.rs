@@ -68,6 +68,10 @@ pub struct Noted {
     pub values: Vec<Vec<Option<String>>>,
     /// Features that are not valid by the rules of the OGC, by number.
     pub defects: Vec<(usize, Vec<Defect>)>,
+    /// The features whose geometry was left out since a coordinate is not finite, by number.
+    pub(crate) not_finite: Vec<usize>,
+    /// The features whose geometry is missing or empty, by number.
+    pub(crate) without_geometry: Vec<usize>,
     /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
     /// The first features without geometry, and how many there are.
@@ -92,6 +96,8 @@ impl Noted {
             matching: Vec::new(),
             values: Vec::new(),
             defects: Vec::new(),
+            not_finite: Vec::new(),
+            without_geometry: Vec::new(),
             across_antimeridian: 0,
             null: (Vec::new(), 0),
             unique: None,
@@ -127,13 +133,17 @@ impl Noted {
         if is_asked && self.columns.len() < COLUMNS {
             self.columns.extend(read.attributes.iter().map(|(name, _)| name.to_string()));
         }
+        let is_finite = self.not_finite.binary_search(&number).is_err();
         if keep.coverage {
             let found = defects(&feature.shapes);
-            if !found.is_empty() {
+            if !found.is_empty() || !is_finite {
                 self.defects.push((number, found));
             }
         }
-        if read.geometry.is_none() {
+        if is_finite && feature.shapes.is_empty() {
+            self.without_geometry.push(number);
+        }
+        if read.geometry.is_none() && is_finite {
             self.null.1 += 1;
             if self.null.0.len() < NULL {
                 let name = feature.name.as_ref().or(feature.id.as_ref()).map(|name| plain(name));

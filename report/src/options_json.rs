@@ -33,11 +33,14 @@ pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> 
         ("parent_column", parent),
         ("geodesic", options.geodesic.then(|| json!(true))),
     ];
-    let of_mesh = [("expected", Some(json!(options.mesh.to_string())))];
-    let given: Vec<_> = match kind {
-        InputKind::Map => of_map.into(),
-        InputKind::Mesh(_) => of_mesh.into(),
-        _ => Vec::new(),
-    };
-    given.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect()
+    match kind {
+        InputKind::Map => of_map.into_iter().filter_map(|(key, value)| Some((key.to_owned(), value?))).collect(),
+        InputKind::Mesh(_) => of_mesh(options),
+        _ => Map::new(),
+    }
+}
+
+/// The options of a mesh: what it must be.
+pub(crate) fn of_mesh(options: &Options) -> Map<String, Value> {
+    [("expected".to_owned(), json!(options.mesh.to_string()))].into_iter().collect()
 }

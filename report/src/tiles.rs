@@ -23,7 +23,7 @@ use twinedge::map::{BuildSummary, Shape};
 use twinedge::tile::{
     self, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
 };
-use twinedge::validate::{Collect, Rule, Violation};
+use twinedge::validate::{Rule, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
 
 /// The way to divide a map into tiles.
@@ -127,7 +127,7 @@ fn vertices(shape: &Shape) -> usize {
 }
 
 /// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
-pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>) -> Result<AuditReport, Error> {
+pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Options) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
     let outcome = summary.finish()?;
     let outcome = match cut {
@@ -155,10 +155,10 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>) -> Result<Au
         orients_rings: false,
     };
     let units = Units::Plane { degrees: false };
-    let found = report(&imported, outcome, &CoverageOptions::default(), &units, Collect::DEFAULT_CAP)?;
+    let found = report(&imported, outcome, &asked.coverage, &units, asked.most())?;
     let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
     Ok(AuditReport {
-        style: CoverageStyle { worst: SHOWN, decimals: 6, is_rule: false },
+        style: CoverageStyle { worst: SHOWN, decimals: 6, is_rule: asked.coverage.is_rule },
         json: JsonForm { extra, ..found.json },
         ..found
     })

@@ -11,7 +11,6 @@ mod write;
 pub(crate) use arguments::Audit;
 
 use crate::input::open;
-use crate::judged::Counted;
 use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
@@ -22,7 +21,7 @@ use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Accepted, Audited, Division, InputKind, Judged, audit_against, audit_in_tiles};
+use twinedge_report::{Accepted, Audited, Counted, Division, InputKind, Judged, audit_against, audit_in_tiles};
 use write::write;
 
 impl Audit {

@@ -70,6 +70,24 @@ fn from_hex(digits: &[u8]) -> Option<Vec<u8>> {
     pairs.map(|pair| Some(digit(*pair.first()?)? << 4 | digit(*pair.get(1)?)?)).collect()
 }
 
+/// Reads one geometry as well-known binary, which is all of the bytes. O(bytes).
+///
+/// ```
+/// use twinedge_formats::layer::{Shape, geometry_of_wkb};
+///
+/// let mut point = vec![1, 1, 0, 0, 0];
+/// point.extend([7.66_f64, 45.98].into_iter().flat_map(f64::to_le_bytes));
+/// assert!(matches!(geometry_of_wkb(&point)?.shape, Shape::Point(Some(at)) if at.y == 45.98));
+/// assert!(geometry_of_wkb(&point[..20]).is_err());
+/// # Ok::<(), twinedge_formats::layer::Cause>(())
+/// ```
+///
+/// # Errors
+/// [`Cause`].
+pub fn geometry_of_wkb(bytes: &[u8]) -> Result<Geometry, Cause> {
+    parse(bytes).map(|(geometry, _)| geometry)
+}
+
 /// Reads one geometry, which is all of the bytes, and its reference system. O(bytes).
 pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry, Option<i64>), Cause> {
     let mut bytes = Bytes { rest: bytes };

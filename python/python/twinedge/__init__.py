@@ -6,11 +6,14 @@ It names the rule that is broken and the record that breaks it::
     report = twinedge.validate(origin=[0, 1, 1, 2, 2, 0], twin=[1, 0, 3, 2, 5, 4], next=[2, 5, 4, 1, 0, 3], plane=True)
     assert report.valid
 
-- :func:`validate` judges links in arrays, :func:`audit` geometries, meshes and files, :func:`audit_faces` lists of faces.
+- :func:`validate` judges links in arrays and meshes, :func:`audit` geometries, meshes and files, :func:`audit_faces` lists of faces.
+- :func:`expect` is a gate for data, :func:`diff` says what is new since the last report.
+- :func:`clean` repairs a layer, :class:`Map` answers what lies where, :func:`overlay` and :func:`draw` do what they say.
+- :mod:`twinedge.tiles` audits what is larger than one machine.
 - :mod:`twinedge.adapters` has a function for each library whose structures it knows.
 - :mod:`twinedge.testing` has Hypothesis strategies of sound and broken structures.
 
-``import twinedge`` is enough for both: they are imported when they are first used.
+``import twinedge`` is enough for all: modules are imported when they are first used.
 """
 
 from __future__ import annotations
@@ -19,8 +22,11 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ._audit import audit, audit_faces
+from ._clean import Cleaned, clean
+from ._expect import Expectation, expect
+from ._map import Border, Map, Piece, Place, draw, overlay
 from ._names import Side
-from ._report import Finding, InvalidStructure, Record, Report, Rule, Violation, finding_kind
+from ._report import Difference, Finding, First, InvalidStructure, Judged, Record, Report, Rule, Violation, diff, finding_kind
 from ._twinedge import FINDING_KINDS as _NAMES
 from ._twinedge import KINDS, PRESETS, REPORT_SCHEMA, __version__
 from ._validate import validate
@@ -28,17 +34,27 @@ from ._validate import validate
 if TYPE_CHECKING:
     from . import adapters as adapters
     from . import testing as testing
+    from . import tiles as tiles
 
 #: The kinds of findings: of meshes first, then of coverages, in the order of C1 to C7.
 FINDING_KINDS = [*map(finding_kind, _NAMES)]
 
 __all__ = [
+    "Border",
+    "Cleaned",
+    "Difference",
+    "Expectation",
     "FINDING_KINDS",
-    "KINDS",
-    "PRESETS",
-    "REPORT_SCHEMA",
     "Finding",
+    "First",
     "InvalidStructure",
+    "Judged",
+    "KINDS",
+    "Map",
+    "PRESETS",
+    "Piece",
+    "Place",
+    "REPORT_SCHEMA",
     "Record",
     "Report",
     "Rule",
@@ -47,10 +63,15 @@ __all__ = [
     "__version__",
     "audit",
     "audit_faces",
+    "clean",
+    "diff",
+    "draw",
+    "expect",
+    "overlay",
     "validate",
 ]
 
-_MODULES = ("adapters", "testing")
+_MODULES = ("adapters", "testing", "tiles")
 
 
 def __getattr__(name: str) -> Any:

@@ -21,7 +21,6 @@ from ._validate import _MOST, _asked, _count, _number, _refuse_masked
 _MESHES = {".obj", ".off", ".ply", ".stl"}
 #: The claims that may be made of a mesh.
 _OF_MESHES = ("sides", "simple", "closed", "used", "components", "borders", "genus")
-_MAPS = {".wkt": "wkt", ".geojson": "geojson", ".json": "geojson"}
 
 
 def _offsets(lengths: Iterable[int]) -> npt.NDArray[np.uint32]:
@@ -106,24 +105,47 @@ def audit_faces(
     asked = _asked(
         sides=sides, simple=simple, closed=closed, used=used, components=components, borders=borders, genus=genus, list=list
     )
-    # Of the points only the number counts here.
-    points = np.broadcast_to(np.zeros(3), (count, 3))
-    return Report(_twinedge.audit_faces(points, corners, offsets, asked), {"half_edge": Sides(offsets)})
+    return Report._told(_twinedge.audit_faces(count, corners, offsets, asked), {"half_edge": Sides(offsets)})
 
 
 #: The text of a geometry with a coordinate that is NaN or infinite, of which JSON has none.
 _NOT_FINITE = "NaN"
 
 
-def _collection(layer: Any) -> tuple[str, list[int]]:
-    """The geometries of anything that holds some, as a text in the form of GeoJSON: a feature for each, in order. Those that are not
-    finite are left out, and their positions are returned."""
+def _source(layer: Any, labels: Names | None = None) -> dict[str, Any]:
+    """The geometries of anything that holds some, as a text in the form of GeoJSON: a feature for each, in order, with its label as
+    its id. Those that are not finite are left out, and their positions are in it."""
     texts = _geometries(layer)
     not_finite = [at for at, text in enumerate(texts) if text == _NOT_FINITE]
     for at in not_finite:
         texts[at] = "null"
-    geometries = ",".join(f'{{"type":"Feature","properties":null,"geometry":{text}}}' for text in texts)
-    return f'{{"type":"FeatureCollection","features":[{geometries}]}}', not_finite
+    ids = [""] * len(texts)
+    if labels is not None and len(labels) == len(texts):
+        ids = [_id(labels[at]) for at in range(len(texts))]
+    features = ",".join(
+        f'{{"type":"Feature",{name}"properties":null,"geometry":{text}}}' for name, text in zip(ids, texts, strict=True)
+    )
+    text = f'{{"type":"FeatureCollection","features":[{features}]}}'
+    return _input("layer", text=text.encode(), format="geojson", not_finite=not_finite)
+
+
+def _input(
+    name: str,
+    path: Path | None = None,
+    text: bytes | None = None,
+    format: str | None = None,
+    layer: str | None = None,
+    not_finite: Sequence[int] = (),
+) -> dict[str, Any]:
+    """What the native functions read."""
+    return {"name": name, "path": path, "text": text, "format": format, "layer": layer, "not_finite": not_finite}
+
+
+def _id(label: Any) -> str:
+    """The member ``id`` of a feature; none, if its label is missing."""
+    if label is None or label != label:
+        return ""
+    return f'"id":{json.dumps(str(label))},'
 
 
 def _text(geometry: Any) -> str:
@@ -248,6 +270,9 @@ def audit(
     sliver_area: float | None = None,
     snap: float | str | None = None,
     name: str | None = None,
+    layer_name: str | None = None,
+    accept: Any = None,
+    timeout: float | None = None,
     list: int | None = None,
     **expected: Any,
 ) -> Report:
@@ -264,9 +289,9 @@ def audit(
     ----------
     layer
         A GeoDataFrame or GeoSeries; a sequence of geometries; anything with ``__geo_interface__``, or the dictionary itself; a path
-        to a map (GeoJSON, WKT) or a mesh (OBJ, OFF, PLY, STL); a ``trimesh.Trimesh``.
+        to a map (GeoJSON, newline-delimited or not, TopoJSON, WKT, WKB; ``geopandas.read_file`` reads the others) or a mesh (OBJ, OFF, PLY, STL); a mesh of trimesh, pyvista or meshio.
     format : str, optional
-        ``"geojson"`` or ``"wkt"``. By default told by the name of the file, or by its content.
+        The extension of files of its format, as ``"geojson"`` or ``"wkt"``. By default told by the content, or the name of the file.
     coverage : bool
         What breaks C1 to C7 makes the map invalid.
     gap_width : float, optional
@@ -287,9 +312,15 @@ def audit(
     name : str, optional
         The column, or the property of features, that has their labels. By default the index of a frame or series, if it is not just
         0, 1, 2, …; else the column or property ``name``, if there is one, or the ``id`` of a feature. The features of a file have the
-        names that the file gives them (``name``, ``NAME``, ``ADMIN``, ``title`` or ``id``).
+        names that the file gives them (``name``, ``NAME``, ``ADMIN``, ``title`` or ``id``). Ids of findings are made of labels.
+    layer_name : str, optional
+        The layer of a file with several.
+    accept : path, dict or list, optional
+        The findings of C1 to C7 that are accepted, as :meth:`Report.accept_all` made them: a file of JSON, or what was read of it. One that grew counts.
+    timeout : float, optional
+        So many seconds later the verdict is ``"unknown"``. What was begun ends by itself, on a thread that nobody waits for.
     list : int, optional
-        The most violations, and the most findings, that are listed. Default: 1000.
+        The most violations, and the most findings of each rule, that are listed. Default: 1000; all, with ``accept``.
     **expected
         Of a mesh: as for :func:`audit_faces`.
 
@@ -310,53 +341,94 @@ def audit(
 
     Notes
     -----
-    O(n log n + k) for n segments and k places where boxes of segments meet. The interpreter lock is released while the map is
-    built and judged, and signals are handled after that.
+    O(n log n + k) for n segments and k places where boxes of segments meet. The work is that of the program, on a thread of its own
+    without the interpreter lock. Ctrl-C ends the call.
     """
     unknown = [argument for argument in expected if argument not in _OF_MESHES]
     if unknown:
         raise TypeError(f"audit() got an unexpected keyword argument {unknown[0]!r}")
     for_maps = {
         "format": format, "coverage": coverage, "gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps,
-        "sliver_area": sliver_area, "snap": snap, "name": name,
+        "sliver_area": sliver_area, "snap": snap, "name": name, "layer_name": layer_name, "accept": accept, "timeout": timeout,
     }
     labels: Names | None = None
-    not_finite: Sequence[int] = ()
-    if isinstance(layer, (str, os.PathLike)) and not hasattr(layer, "__geo_interface__"):
+    crs: Any = None
+    file = isinstance(layer, (str, os.PathLike)) and not hasattr(layer, "__geo_interface__")
+    if file:
         path = Path(layer)
-        if isinstance(layer, str) and not path.exists():
+        if not path.exists():
             raise FileNotFoundError(f"{layer}: no such file")
         if path.suffix.lower() in _MESHES:
             _refuse(path.name, **for_maps)
-            report, offsets = _twinedge.audit_mesh(path, _asked(list=list, **expected))
-            return Report(report, {"half_edge": Sides(offsets)})
-        if name is not None:
-            raise TypeError("name: this is for frames and for collections of features; those of a file have the names that it gives")
-        text, format = path.read_bytes(), format or _MAPS.get(path.suffix.lower())
-    elif hasattr(layer, "faces") and hasattr(layer, "vertices") and not callable(layer.faces):
-        _refuse("this", **for_maps)
-        return audit_faces(np.asarray(layer.faces), len(layer.vertices), list=list, **expected)
+        source = _input(str(layer), path=path, format=format, layer=layer_name)
     else:
-        collection, not_finite = _collection(layer)
-        text, format = collection.encode(), "geojson"
+        faces = _faces_of(layer)
+        if faces is not None:
+            _refuse("this", **for_maps)
+            return audit_faces(*faces, list=list, **expected)
         labels = _labels(layer, name)
-    if expected:
+        source = _source(layer, labels)
+        crs = getattr(layer, "crs", None)
+    if expected and not (file and path.suffix.lower() in _MESHES):
         raise TypeError(f"{next(iter(expected))}: this is for meshes, and the layer is a map")
     asked = {
         "coverage": bool(coverage),
+        "limits": _limits(gap_width, lake_width, accept_gaps, sliver_area),
+        "snap": _cell(snap),
+        "name": name if file else None,
+        "accept": _accepted(accept),
+        "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
+    }
+    told, offsets = _twinedge.audit(source, asked, _asked(list=list, **expected), _number("timeout", timeout))
+    names: dict[str, Any] = {}
+    if offsets is not None:
+        names["half_edge"] = Sides(offsets)
+    elif labels is not None:
+        names["feature"] = labels
+    return Report._told(told, names, crs=crs)
+
+
+def _faces_of(mesh: Any) -> tuple[Any, int] | None:
+    """The faces and the number of vertices of a mesh of trimesh, pyvista or meshio; ``None`` for anything else."""
+    if hasattr(mesh, "faces") and hasattr(mesh, "vertices") and not callable(mesh.faces):
+        return np.asarray(mesh.faces), len(mesh.vertices)
+    # Of pyvista: a PolyData keeps the number of corners before the corners of each face.
+    if hasattr(mesh, "irregular_faces") and hasattr(mesh, "n_points"):
+        return [*mesh.irregular_faces], mesh.n_points
+    # Of meshio: blocks of cells of one type each, of which those of dimension 2 are faces.
+    if isinstance(getattr(mesh, "cells", None), list) and hasattr(mesh, "points") and hasattr(mesh, "cells_dict"):
+        blocks = [block for block in mesh.cells if block.dim == 2]
+        faces = [face for block in blocks for face in np.asarray(block.data)[:, : _corner_count(block.type)].tolist()]
+        return faces, len(mesh.points)
+    return None
+
+
+def _corner_count(kind: str) -> int | None:
+    """The number of corners of a face of meshio, whose further nodes lie on its sides and inside."""
+    return 3 if kind.startswith("triangle") else 4 if kind.startswith("quad") else None
+
+
+def _limits(
+    gap_width: float | None = None,
+    lake_width: float | None = None,
+    accept_gaps: Iterable[Sequence[float]] | None = None,
+    sliver_area: float | None = None,
+) -> dict[str, Any]:
+    return {
         "gap_width": _number("gap_width", gap_width),
         "lake_width": _number("lake_width", lake_width),
         "accepted_gaps": _points("accept_gaps", accept_gaps),
         "sliver_area": _number("sliver_area", sliver_area),
-        "snap": _cell(snap),
-        "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
-        "not_finite": not_finite,
     }
-    document, found = _twinedge.audit_map(text, format, asked)
-    # The text that is made of a layer has no names.
-    if any(one is not None for one in found):
-        labels = found
-    return Report(document, None if labels is None else {"feature": labels})
+
+
+def _accepted(accept: Any) -> str | None:
+    """A list of accepted findings as JSON."""
+    if accept is None:
+        return None
+    if isinstance(accept, (str, os.PathLike)):
+        return Path(accept).read_text(encoding="utf-8")
+    return json.dumps(accept)
 
 
 def _points(name: str, points: Iterable[Sequence[float]] | None) -> list[tuple[float, float]]:

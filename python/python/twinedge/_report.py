@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import html
 import json
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from datetime import date as _date
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _twinedge
 from ._names import Names
 from ._remedies import REMEDIES
 
 if TYPE_CHECKING:
+    import geopandas as gpd
     import pandas as pd
+    import pyarrow as pa
 
 #: The number of violations that ``repr`` shows.
 _SHOWN = 5
@@ -69,6 +74,10 @@ class Violation:
     names: tuple[Any, ...] = ()
     #: The labels of ``features``, in their order, if the layer has some. See ``name`` of :func:`twinedge.audit`.
     labels: tuple[Any, ...] = ()
+    #: An id that is the same from run to run, and whatever the order of the features; ``None`` for links in arrays.
+    id: str | None = None
+    #: The id of the rule from whose findings this one follows, as from ``"C7"``; ``None`` if it does not.
+    follows_from: str | None = None
 
     def _explained(self) -> tuple[str, str]:
         entry: dict[str, Any] = {"kind": self.kind}
@@ -134,9 +143,16 @@ class Finding:
     width: float | None = None
     #: The length of the borders: all around the area, both sides of a near miss, or the segments that lack a vertex.
     length: float | None = None
+    #: An id that is the same from run to run, and whatever the order of the features.
+    id: str | None = None
+    #: The reason for which it was accepted; ``None`` if it was not.
+    accepted: str | None = None
 
     def __str__(self) -> str:
-        return f"{self.rule or self.kind}: {self.message}{_labelled(self.labels)}"
+        if self.rule is None:
+            return f"{self.kind}: {self.message}"
+        of = f" of features {[*self.features]}" if self.features else ""
+        return f"{self.rule}: {self.fields['kind']}{of}, {self.message}{_labelled(self.labels)}"
 
 
 def finding_kind(name: str) -> str:
@@ -170,6 +186,58 @@ def _row(one: Violation | Finding) -> dict[str, Any]:
     return row | (dict(zip("xy", places[0], strict=True)) if places else {})
 
 
+class First(NamedTuple):
+    """The first thing that is wrong. What follows from something else is not first."""
+
+    #: The id of the rule; ``None`` of a mesh.
+    rule: str | None
+    #: The id of the violation or finding.
+    id: str | None
+    #: A place, of a map.
+    at: tuple[float, float] | None
+
+
+class Judged(NamedTuple):
+    """The bytes that were judged: of a file, or of the text in the form of GeoJSON that was made of a layer in memory."""
+
+    sha256: str
+    bytes: int
+
+
+class Difference(NamedTuple):
+    """The findings of two reports by their ids, each list sorted."""
+
+    #: Those that only the newer one has.
+    new: list[str]
+    #: Those that only the older one has.
+    gone: list[str]
+    #: Those that have other measures now.
+    changed: list[str]
+    #: The number of the others.
+    same: int
+
+
+def diff(old: Any, new: Any) -> Difference:
+    """What a newer report has and an older one has not, and the other way round.
+
+    Both are reports of :func:`twinedge.audit`, or paths to their JSON, or what was read of it. O(n log n).
+
+    Raises
+    ------
+    ValueError
+        One of them is no report, does not list all that was found (give a greater ``list``), or was not finished in time.
+    """
+    return Difference(*_twinedge.diff(_json(old), _json(new)))
+
+
+def _json(report: Any) -> str:
+    if isinstance(report, Report):
+        return report.to_json()
+    if isinstance(report, (str, os.PathLike)):
+        return Path(report).read_text(encoding="utf-8")
+    return json.dumps(report)
+
+
 class InvalidStructure(ValueError):
     """The exception that :meth:`Report.raise_if_invalid` raises. Its report is the attribute ``report``."""
 
@@ -181,8 +249,50 @@ class InvalidStructure(ValueError):
         return (InvalidStructure, (self.report,))
 
 
+#: The numbers of findings of a coverage.
+_COUNTS = ("overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid", "mismatches")
+
+
+def _own_names(features: Iterable[Mapping[str, Any]]) -> tuple[Any, ...]:
+    """The names, or else ids, that features have in a file; nothing, if none has one."""
+    names = tuple(feature.get("name") or feature.get("id") for feature in features)
+    return names if any(name is not None for name in names) else ()
+
+
+def _own_titles(features: tuple[int, ...], titles: Iterable[str]) -> tuple[Any, ...]:
+    """The titles of features in a file; nothing, if these say only their numbers."""
+    found = tuple(titles)
+    return () if found == tuple(f"feature {number}" for number in features) else found
+
+
+class _Layer(NamedTuple):
+    """The findings as a text in the form of GeoJSON."""
+
+    text: str
+    #: The coordinates are in a reference system that the text names, or are longitudes and latitudes.
+    has_crs: bool
+    crs: Any
+
+    def frame(self) -> gpd.GeoDataFrame:
+        import geopandas as gpd
+
+        found = json.loads(self.text)
+        crs = self.crs
+        if crs is None and self.has_crs:
+            crs = found.get("crs", {}).get("properties", {}).get("name", "EPSG:4326")
+        if found["features"]:
+            return gpd.GeoDataFrame.from_features(found["features"], crs=crs)
+        return gpd.GeoDataFrame({name: [] for name in ("rule", "kind", "message")}, geometry=[], crs=crs)
+
+
+def _again(document: Mapping[str, Any], names: Mapping[str, Names], layer: _Layer | None, acceptable: str | None) -> Report:
+    report = Report(document, names)
+    report._layer, report._acceptable = layer, acceptable
+    return report
+
+
 class Report:
-    """The findings of a validation. Reports compare equal if their JSON does.
+    """The findings of a validation. Reports compare equal if their JSON does, apart from the time that they took.
 
     ``bool(report)`` is an error, as it would be read in two ways: ask for :attr:`valid`.
     """
@@ -198,10 +308,48 @@ class Report:
             raise ValueError(f"expected the schema {_twinedge.REPORT_SCHEMA}, not {found.get('schema')!r}")
         self._document: dict[str, Any] = found
         self._names: dict[str, Names] = dict(names or {})
+        self._layer: _Layer | None = None
+        self._acceptable: str | None = None
+
+    @classmethod
+    def _told(cls, told: tuple[str, str | None, list[str], str], names: Mapping[str, Names] | None = None, crs: Any = None) -> Report:
+        document, layer, warnings, acceptable = told
+        report = cls(document, names)
+        report._layer = None if layer is None else _Layer(layer, not warnings, crs)
+        report._acceptable = acceptable
+        return report
+
+    @property
+    def verdict(self) -> str:
+        """``"valid"``: every rule that applies was checked, and holds; ``"invalid"``: something is wrong; ``"unknown"``: nothing wrong
+        was found, and not everything was checked, for the reasons in :attr:`unknown`. Nothing is valid by default."""
+        found = self._document.get("verdict")
+        if found is None:
+            found = "valid" if self.valid else "invalid" if self.violation_count or self.findings else "unknown"
+        return str(found)
+
+    @property
+    def unknown(self) -> list[str]:
+        """The reasons why the verdict is not known, in sentences."""
+        return [*self._document.get("unknown", ())]
+
+    @property
+    def first(self) -> First | None:
+        """The first thing that is wrong; ``None`` if the verdict is another one, and for links in arrays."""
+        found = self._document.get("first")
+        if found is None:
+            return None
+        return First(found["rule"], found["id"], None if found["at"] is None else (found["at"][0], found["at"][1]))
+
+    @property
+    def judged(self) -> Judged | None:
+        """The SHA-256 and the number of the bytes that were judged; ``None`` for links and faces in arrays, and for tiles."""
+        found = self._document.get("judged")
+        return None if found is None else Judged(found["sha256"], found["bytes"])
 
     @property
     def valid(self) -> bool:
-        """True if no violation was found, every rule that applies was checked, and no finding is a fault.
+        """True if the :attr:`verdict` is ``"valid"``: no violation was found, every rule that applies was checked, and no finding is a fault.
 
         Findings of a mesh are faults, but for ``unused_vertex``. Those of a coverage are if it was asked for, by
         ``coverage=True`` or by ``adapters.shapely`` and ``adapters.geopandas``: then ``violations`` may be empty where ``findings``
@@ -253,7 +401,7 @@ class Report:
 
     def _violation(self, entry: dict[str, Any]) -> Violation:
         records = tuple(Record(kind, index) for r in entry["records"] for kind, index in r.items())
-        features = tuple(entry.get("features", ()))
+        features = tuple(entry.get("feature_numbers", ()))
         return Violation(
             rule=entry["rule"],
             kind=entry["kind"],
@@ -263,7 +411,9 @@ class Report:
             at=tuple((x, y) for x, y in entry.get("at", ())),
             features=features,
             names=self._record_names(records),
-            labels=self._labels(features),
+            labels=self._labels(features) or _own_titles(features, entry.get("features", ())),
+            id=entry.get("id"),
+            follows_from=entry.get("follows_from"),
         )
 
     @property
@@ -274,39 +424,48 @@ class Report:
     @property
     def findings(self) -> list[Finding]:
         """The findings about a list of faces, or a map as a coverage; empty for arrays."""
-        return [*map(self._finding, self._document.get("findings", ()))]
+        return [*map(self._finding, self._coverage.get("findings", self._document.get("findings", ())))]
+
+    @property
+    def _coverage(self) -> dict[str, Any]:
+        found: dict[str, Any] = self._document.get("coverage", {})
+        return found
 
     def _finding(self, entry: dict[str, Any]) -> Finding:
-        features = tuple(entry.get("features", ()))
+        named = entry.get("features", ())
+        features = tuple(feature["number"] for feature in named)
         return Finding(
             kind=finding_kind(entry["kind"]),
             message=entry["message"],
             fields=dict(entry),
             rule=entry.get("rule"),
             features=features,
-            labels=self._labels(features),
+            labels=self._labels(features) or _own_names(named),
             faces=tuple(entry.get("faces", ())),
             vertices=tuple(entry.get("vertices", ())),
             at=(entry["at"][0], entry["at"][1]) if "at" in entry else None,
             area=entry.get("area"),
             width=entry.get("width"),
             length=entry.get("length"),
+            id=entry.get("id"),
+            accepted=entry.get("accepted"),
         )
 
     @property
     def finding_count(self) -> int:
         """The number of findings, listed or not."""
-        return int(self._document.get("finding_count", 0))
+        of_coverage = sum(int(self._coverage.get(count, 0)) for count in _COUNTS)
+        return of_coverage + int(self._document.get("finding_count", 0))
 
     @property
     def wider_gaps(self) -> int:
         """The number of gaps that are wider than ``lake_width``, or ``gap_width``, where one was given: they are no findings."""
-        return int(self._document.get("wider_gaps", 0))
+        return int(self._coverage.get("wider_gaps", 0))
 
     @property
     def accepted_gaps(self) -> int:
         """The number of gaps that were accepted by their place (``accept_gaps``): they are no findings."""
-        return int(self._document.get("accepted_gaps", 0))
+        return int(self._coverage.get("accepted_gaps", 0))
 
     @property
     def without_geometry(self) -> list[int]:
@@ -336,6 +495,47 @@ class Report:
         frame = pd.DataFrame(rows, columns=[*_row_types(), "message"])
         return frame.astype(_row_types())
 
+    def to_arrow(self) -> pa.Table:
+        """What :meth:`to_frame` has, as a table of Arrow: ``rule``, ``kind``, ``features``, ``x``, ``y``, ``area``, ``width``, ``length``,
+        ``id``, ``message``. Needs pyarrow."""
+        import pyarrow as pa
+
+        real = dict.fromkeys(("x", "y", "area", "width", "length"), pa.float64())
+        columns = {"rule": pa.string(), "kind": pa.string(), "features": pa.list_(pa.int64()), **real, "id": pa.string(), "message": pa.string()}
+        listed: list[Violation | Finding] = [*self.violations, *self.findings]
+        rows = [_row(one) | {"id": one.id} for one in listed]
+        return pa.Table.from_pylist([{name: row.get(name) for name in columns} for row in rows], pa.schema([*columns.items()]))
+
+    def to_geodataframe(self) -> gpd.GeoDataFrame:
+        """The violations and the findings that are listed as a layer, a row for each, with their shapes.
+
+        These are the overlaps, the gaps, the lines and vertices at fault. The columns are those of the layer of findings that the program writes, as ``rule``, ``kind``,
+        ``message``, ``features``, ``area``, ``accepted``. The reference system is that of the layer. Needs geopandas.
+
+        Raises ``ValueError`` for what has no places: arrays and meshes, and reports that were made from JSON.
+        """
+        if self._layer is None:
+            raise ValueError("the findings have no places: this is no report of twinedge.audit of a map")
+        return self._layer.frame()
+
+    def accept_all(self, reason: str, date: str | None = None) -> dict[str, Any]:
+        """The findings of C1 to C7 as a list of accepted ones, for ``accept`` of :func:`twinedge.audit` and ``--accept`` of the program.
+
+        Those that were accepted before keep their reason and date. ``date`` is that of today by default, as ``"2026-11-25"``.
+
+        Raises ``ValueError`` if not all are listed (give a greater ``list``), or if the report was made from JSON.
+        """
+        if self._acceptable is None:
+            raise ValueError("this is no report of twinedge.audit: what was read from JSON can be judged again")
+        if len(self.findings) < self.finding_count:
+            raise ValueError(f"{len(self.findings):,} of {self.finding_count:,} findings are listed: audit again with a greater list")
+        found: dict[str, Any] = json.loads(self._acceptable)
+        today = date or _date.today().isoformat()
+        for entry in found["accepted"]:
+            entry["reason"] = entry["reason"] or reason
+            entry["date"] = entry["date"] or today
+        return found
+
     def raise_if_invalid(self) -> Report:
         """The report itself, if it is valid.
 
@@ -350,6 +550,8 @@ class Report:
         aside = f"; {missing:,} feature{'s have' if missing != 1 else ' has'} no geometry" if missing else ""
         if self.valid:
             return f"valid{aside}"
+        if self.verdict == "unknown" and self.unknown:
+            return f"unknown: nothing wrong was found, and {'; '.join(self.unknown)}{aside}"
         counted = [
             f"{n:,} {name}{'s' if n != 1 else ''}"
             for n, name in [(self.violation_count, "violation"), (self.finding_count, "finding")]
@@ -396,9 +598,12 @@ class Report:
         raise TypeError("the truth of a report is ambiguous: ask for report.valid")
 
     def __eq__(self, other: object) -> bool:
-        return self._document == other._document if isinstance(other, Report) else NotImplemented
+        return self._untimed() == other._untimed() if isinstance(other, Report) else NotImplemented
+
+    def _untimed(self) -> dict[str, Any]:
+        return {key: value for key, value in self._document.items() if key != "elapsed_ms"}
 
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Report, (self._document, self._names))
+        return (_again, (self._document, self._names, self._layer, self._acceptable))

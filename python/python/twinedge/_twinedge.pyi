@@ -1,5 +1,4 @@
-from os import PathLike
-from typing import Any, Final
+from typing import Any, Final, final
 
 import numpy as np
 import numpy.typing as npt
@@ -8,13 +7,22 @@ __all__ = [
     "DEFAULT_LIST",
     "FINDING_KINDS",
     "KINDS",
+    "Map",
     "PRESETS",
     "REPORT_SCHEMA",
     "__version__",
+    "audit",
     "audit_faces",
-    "audit_map",
-    "audit_mesh",
+    "bounds",
+    "build_map",
+    "clean",
+    "diff",
     "explain",
+    "finish",
+    "merge",
+    "summarise",
+    "tiles_in",
+    "tiles_of",
     "validate",
 ]
 
@@ -25,10 +33,40 @@ PRESETS: Final[list[str]]
 KINDS: Final[list[str]]
 FINDING_KINDS: Final[list[str]]
 
+# A report as JSON; its findings as GeoJSON, with warnings; and as a list of accepted ones.
+_Told = tuple[str, str | None, list[str], str]
+_Grid = tuple[Any, int, int]
+_Polygons = list[list[list[list[float]]]]
+
 def validate(
     columns: dict[str, Any], vertices: int | None, faces: int | None, asked: dict[str, Any]
 ) -> str: ...
 def explain(violation: str) -> tuple[str, str]: ...
-def audit_faces(points: Any, corners: Any, offsets: Any, asked: dict[str, Any]) -> str: ...
-def audit_mesh(path: str | PathLike[str], asked: dict[str, Any]) -> tuple[str, npt.NDArray[np.uint32]]: ...
-def audit_map(text: bytes, format: str | None, asked: dict[str, Any]) -> tuple[str, list[str | None]]: ...
+def audit(
+    source: dict[str, Any], map: dict[str, Any], mesh: dict[str, Any], timeout: float | None
+) -> tuple[_Told, npt.NDArray[np.uint32] | None]: ...
+def audit_faces(vertices: int, corners: Any, offsets: Any, asked: dict[str, Any]) -> _Told: ...
+def diff(old: str, new: str) -> tuple[list[str], list[str], list[str], int]: ...
+def clean(
+    source: dict[str, Any], limits: dict[str, Any], cell: float | None, overlap: str
+) -> tuple[str, list[tuple[int, str | None]]]: ...
+def build_map(source: dict[str, Any], cell: float | None) -> Map: ...
+def bounds(geometries: list[bytes | None]) -> list[float] | None: ...
+def tiles_of(of: _Grid, geometries: list[bytes | None]) -> tuple[npt.NDArray[np.uint64], npt.NDArray[np.uint64]]: ...
+def summarise(
+    of: _Grid, at: int | None, numbers: Any, geometries: list[bytes | None], limits: dict[str, Any]
+) -> bytes: ...
+def tiles_in(summary: bytes) -> list[int]: ...
+def merge(summaries: list[bytes]) -> bytes | None: ...
+def finish(summaries: list[bytes], asked: dict[str, Any]) -> _Told: ...
+
+@final
+class Map:
+    def __len__(self) -> int: ...
+    def neighbours(self, geodesic: bool) -> list[tuple[int, int, float, float, int, float]]: ...
+    def at(self, points: list[tuple[float, float]]) -> list[tuple[str, list[int]]]: ...
+    def contour(self, numbers: list[int]) -> _Polygons: ...
+    def overlay(self, other: Map, cell: float) -> list[tuple[list[int], list[int], _Polygons]]: ...
+    def svg(
+        self, size: float, detail: bool, window: list[float] | None, whole: bool, list: int
+    ) -> str: ...

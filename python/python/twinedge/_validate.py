@@ -139,10 +139,36 @@ def _asked(
     }
 
 
+def _of_mesh(mesh: Any, links: dict[str, Any], claims: dict[str, Any]) -> Report:
+    """The report of the structure of a library."""
+    from . import adapters
+    from ._audit import _faces_of, audit_faces
+
+    given = [name for name, value in links.items() if value is not None]
+    if given:
+        raise TypeError(f"{given[0]}: this is for links in arrays, and a mesh is given")
+    asked = {name: value for name, value in claims.items() if value is not None and value is not False}
+    if hasattr(mesh, "check_structure") and hasattr(mesh, "_adj"):
+        return adapters.networkx(mesh, **asked)
+    if hasattr(mesh, "halfedge") and hasattr(mesh, "face"):
+        return adapters.compas(mesh, **asked)
+    faces = _faces_of(mesh)
+    if faces is None:
+        what = "None" if mesh is None else type(mesh).__name__
+        raise TypeError(f"cannot validate {what}: expected a mesh of trimesh, pyvista, meshio or compas, a networkx.PlanarEmbedding, or links as keywords")
+    return audit_faces(*faces, **asked)
+
+
+#: No mesh is given.
+_NOTHING = object()
+
+
 def validate(
+    mesh: Any = _NOTHING,
+    /,
     *,
     origin: Links | None = None,
-    next: Links,
+    next: Links | None = None,
     twin: Links | None = None,
     target: Links | None = None,
     prev: Links | None = None,
@@ -171,6 +197,9 @@ def validate(
 
     Parameters
     ----------
+    mesh : optional
+        Instead of links: a mesh of trimesh, pyvista (``PolyData``), meshio or compas, or a ``networkx.PlanarEmbedding``. Of the first three it is
+        what :func:`twinedge.audit_faces` says of its faces, of the others what their function in :mod:`twinedge.adapters` does.
     origin, target : (h,) integers
         The vertex where each half-edge starts, or ends: one of the two.
     next : (h,) integers
@@ -226,6 +255,16 @@ def validate(
     copies with 64 bits are read. Other threads may write to the arrays meanwhile, at the cost of the error above; only
     ``ndarray.resize(…, refcheck=False)`` must not be called, since it frees memory that is in use.
     """
+    if mesh is not _NOTHING:
+        links = {
+            "origin": origin, "next": next, "twin": twin, "target": target, "prev": prev, "face": face, "leaving": leaving,
+            "face_half_edge": face_half_edge, "vertices": vertices, "faces": faces,
+        }
+        claims = {
+            "plane": plane, "open": open, "preset": preset, "sides": sides, "simple": simple, "closed": closed, "used": used,
+            "border_kept": border_kept, "components": components, "borders": borders, "genus": genus, "list": list,
+        }
+        return _of_mesh(mesh, links, claims)
     if next is None:
         raise TypeError("next is required: the half-edge that follows each one on its cycle")
     if (origin is None) == (target is None):

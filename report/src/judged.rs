@@ -1,13 +1,13 @@
 //! The bytes that were judged: their number and SHA-256.
 
+use crate::verdict::Judged;
 use sha2::{Digest as _, Sha256};
 use std::cell::RefCell;
 use std::io::{self, BufRead, Read};
 use std::rc::Rc;
-use twinedge_report::Judged;
 
 /// The digest of bytes, and their number.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Count {
     digest: Sha256,
     bytes: u64,
@@ -25,38 +25,47 @@ impl Count {
     }
 }
 
-/// Judges all bytes of a reader.
-pub(crate) fn of_all(mut reader: impl BufRead) -> io::Result<Judged> {
-    let mut count = Count::default();
-    loop {
-        let bytes = reader.fill_buf()?;
-        if bytes.is_empty() {
-            return Ok(count.judged());
+impl Judged {
+    /// All bytes of a reader. O(bytes).
+    ///
+    /// # Errors
+    /// Those of the reader.
+    pub fn of(mut reader: impl BufRead) -> io::Result<Self> {
+        let mut count = Count::default();
+        loop {
+            let bytes = reader.fill_buf()?;
+            if bytes.is_empty() {
+                return Ok(count.judged());
+            }
+            count.add(bytes);
+            let length = bytes.len();
+            reader.consume(length);
         }
-        count.add(bytes);
-        let length = bytes.len();
-        reader.consume(length);
     }
 }
 
 /// The bytes that came through a [`Counted`] reader.
-pub(crate) struct Counter(Rc<RefCell<Count>>);
+#[derive(Debug)]
+pub struct Counter(Rc<RefCell<Count>>);
 
 impl Counter {
     /// Returns what came through until now.
-    pub(crate) fn judged(self) -> Judged {
+    #[must_use]
+    pub fn judged(self) -> Judged {
         self.0.take().judged()
     }
 }
 
 /// A reader that counts the bytes that are read. What nobody read is read when it is dropped.
-pub(crate) struct Counted<R: BufRead> {
+#[derive(Debug)]
+pub struct Counted<R: BufRead> {
     inner: R,
     count: Rc<RefCell<Count>>,
 }
 
 impl<R: BufRead> Counted<R> {
-    pub(crate) fn new(inner: R) -> (Self, Counter) {
+    /// A reader, and what counts its bytes.
+    pub fn new(inner: R) -> (Self, Counter) {
         let count = Rc::new(RefCell::new(Count::default()));
         (Self { inner, count: Rc::clone(&count) }, Counter(count))
     }
@@ -94,7 +103,8 @@ impl<R: BufRead> Drop for Counted<R> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Counted, of_all};
+    use super::Counted;
+    use crate::verdict::Judged;
     use std::io::Read as _;
 
     /// The digest of `abc` is an example of FIPS 180-2.
@@ -108,6 +118,6 @@ mod tests {
             let judged = counter.judged();
             assert_eq!((&*judged.sha256, judged.bytes), (abc, 3), "{read}");
         }
-        assert_eq!(of_all(&b"abc"[..]).expect("it is in memory").sha256, abc);
+        assert_eq!(Judged::of(&b"abc"[..]).expect("it is in memory").sha256, abc);
     }
 }

@@ -1,0 +1,165 @@
+//! Audits of maps and meshes, by the crate that the program uses.
+
+use crate::expectation::Claims;
+use crate::source::{Failure, Source, snap};
+use crate::work::within;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use std::time::Instant;
+use twinedge::algorithm::coverage::Limits;
+use twinedge_formats::mesh::{HalfEdgeMesh, IndexedMesh};
+use twinedge_report::{
+    Accepted, Audited, Compared, CoverageOptions, InputKind, MapOptions, Options, audit as judge, audit_mesh,
+};
+
+/// The limits of a coverage.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct LimitsAsked {
+    gap_width: Option<f64>,
+    lake_width: Option<f64>,
+    accepted_gaps: Vec<[f64; 2]>,
+    sliver_area: Option<f64>,
+}
+
+impl LimitsAsked {
+    pub(crate) fn limits(&self) -> Limits {
+        Limits {
+            gap_width: self.gap_width,
+            lake_width: self.lake_width,
+            accepted_gaps: self.accepted_gaps.iter().copied().map(Into::into).collect(),
+            sliver_area: self.sliver_area,
+            ..Limits::default()
+        }
+    }
+}
+
+/// The options of the audit of a map.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct MapAsked {
+    coverage: bool,
+    limits: LimitsAsked,
+    snap: Option<f64>,
+    name: Option<String>,
+    /// A list of accepted findings.
+    accept: Option<String>,
+    list: usize,
+}
+
+impl MapAsked {
+    pub(crate) fn options(&self) -> Result<Options, Failure> {
+        let accepted = self.accept.as_deref().map(Accepted::read).transpose();
+        Ok(Options {
+            // What is not listed would not be accepted.
+            list: Some(if self.accept.is_some() { usize::MAX } else { self.list }),
+            map: MapOptions { snap: snap(self.snap), name_from: self.name.clone(), allow_empty: false },
+            coverage: CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() },
+            accepted: accepted.map_err(|error| Failure::Value(format!("accept: {error}")))?,
+            ..Options::default()
+        })
+    }
+}
+
+/// A report as JSON; its findings as a layer of GeoJSON with the warnings of that, if they have places; and as a list of accepted ones.
+pub(crate) type Told = (String, Option<String>, Vec<String>, String);
+
+/// The forms of a report. What is newly accepted has no reason and no date yet.
+pub(crate) fn told(audited: &Audited, accepted: Option<&Accepted>) -> Result<Told, Failure> {
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).map_err(Failure::value);
+    let (layer, warnings) = audited.findings().ok().unzip();
+    let list = audited.accept_all(accepted, "", "")?;
+    Ok((text(audited.json()?)?, layer.map(text).transpose()?, warnings.unwrap_or_default(), text(list)?))
+}
+
+/// Judges a map, or a mesh: the report, and of a mesh where the corners of each face begin. A report that says so, if time is up before.
+#[pyfunction]
+pub(crate) fn audit(
+    py: Python<'_>,
+    source: Source,
+    map: MapAsked,
+    mesh: Claims,
+    timeout: Option<f64>,
+) -> PyResult<(Told, Option<Bound<'_, PyArray1<u32>>>)> {
+    let mut options = map.options()?;
+    options.mesh = mesh.asking(HalfEdgeMesh::expectation());
+    options.map.allow_empty = source.is_in_memory();
+    let (name, asked) = (source.name().to_owned(), options.clone());
+    let start = Instant::now();
+    let work = move || {
+        let mut audited = open_and_judge(source, &options)?;
+        audited.took(start.elapsed().as_secs_f64() * 1000.0);
+        let offsets = audited.mesh().map(|mesh| mesh.offsets().to_vec());
+        Ok::<_, Failure>((told(&audited, options.accepted.as_ref())?, offsets))
+    };
+    let (told, offsets) = if let Some(outcome) = within(py, timeout, work)? {
+        outcome?
+    } else {
+        let why = format!("time was up after {} s", timeout.unwrap_or_default());
+        (told(&Audited::unfinished(&name, InputKind::Map, &asked, &why), None)?, None)
+    };
+    Ok((told, offsets.map(|offsets| offsets.into_pyarray(py))))
+}
+
+fn open_and_judge(source: Source, options: &Options) -> Result<Audited, Failure> {
+    let is_in_memory = source.is_in_memory();
+    let (mut input, judged) = source.open()?;
+    let name = input.name.clone();
+    let left_out = input.not_finite.len();
+    let named = |error: twinedge_report::Error| match Failure::from(error) {
+        Failure::Os(why) => Failure::Os(format!("{name}: {why}")),
+        Failure::Value(why) => Failure::Value(format!("{name}: {why}")),
+    };
+    let kind = if is_in_memory { InputKind::Map } else { InputKind::of(false, false, &mut input).map_err(named)? };
+    if !matches!(kind, InputKind::Map | InputKind::Mesh(_)) {
+        return Err(Failure::Value(format!("{name}: this is {}, which the program audits", kind.words())));
+    }
+    let mut audited = judge(input, kind, options, &mut |_| {}).map_err(named)?;
+    if let Some(judged) = judged {
+        audited.judged(judged);
+    }
+    match left_out {
+        0 => {}
+        1 => audited.doubt("1 feature has a coordinate that is NaN or infinite, and was left out"),
+        n => audited.doubt(&format!("{n} features have a coordinate that is NaN or infinite, and were left out")),
+    }
+    Ok(audited)
+}
+
+/// Joins faces at their edges and judges the result. Corners are vertices, face by face; `offsets` says where each begins. The
+/// arrays are copied before the lock is released.
+#[pyfunction]
+pub(crate) fn audit_faces(
+    py: Python<'_>,
+    vertices: usize,
+    corners: PyReadonlyArray1<'_, u32>,
+    offsets: PyReadonlyArray1<'_, u32>,
+    asked: Claims,
+) -> PyResult<Told> {
+    let (corners, offsets) = (corners.as_array().to_vec(), offsets.as_array().to_vec());
+    let options =
+        Options { list: Some(asked.list()), mesh: asked.asking(HalfEdgeMesh::expectation()), ..Options::default() };
+    let work = move || {
+        // Of the points only the number counts here.
+        let mesh = IndexedMesh::new(vec![[0.0; 3]; vertices], corners, offsets).map_err(Failure::value)?;
+        told(&audit_mesh("faces", mesh, &options)?, None)
+    };
+    let outcome = within(py, None, work)?.ok_or_else(|| PyRuntimeError::new_err("time was up"))?;
+    Ok(outcome?)
+}
+
+/// Three lists of ids, and a number.
+type Difference = (Vec<String>, Vec<String>, Vec<String>, usize);
+
+/// The ids of what only the newer of two reports has, only the older one, or both with other measures, and the number of the others.
+#[pyfunction]
+pub(crate) fn diff(old: &str, new: &str) -> PyResult<Difference> {
+    let read = |name: &str, text: &str| -> PyResult<Compared> {
+        let failed = |error: &dyn std::fmt::Display| PyValueError::new_err(format!("{name}: {error}"));
+        let report = serde_json::from_str(text).map_err(|error| failed(&error))?;
+        Compared::new(&report).map_err(|error| failed(&error))
+    };
+    let found = read("old", old)?.difference(&read("new", new)?);
+    Ok((found.new, found.gone, found.changed, found.same))
+}

@@ -1,0 +1,173 @@
+"""Audits in tiles: the same result as that of the whole, on each engine."""
+
+import multiprocessing
+import random
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+import pytest
+import shapely
+from layers import FAULTS, parcels, told
+
+import twinedge
+from twinedge import tiles
+
+LAYER = parcels()
+#: Lines of it run through faults, along borders and beside them.
+GRID = tiles.Grid((0, 0, 12, 8), 3, 2)
+LIMITS = {"gap_width": 0.6, "lake_width": 2.0, "sliver_area": 0.01}
+
+
+@pytest.fixture(scope="module")
+def whole():
+    report = twinedge.audit(LAYER, coverage=True, **LIMITS)
+    found = sorted((finding.rule, finding.features) for finding in report.findings)
+    assert report.verdict == "invalid" and found == sorted(FAULTS)
+    return report
+
+
+@pytest.fixture(scope="module")
+def features():
+    return tiles.table(LAYER)
+
+
+def summary(given):
+    part, tile = given
+    return tiles.audit_tile(part, GRID, tile, **LIMITS)
+
+
+def test_plain_loops_say_what_the_audit_of_the_whole_says(whole, features):
+    parts = [summary((part, tile)) for tile, part in tiles.assigned(features, GRID).items()]
+    assert len(parts) == len(GRID) == 6
+    report = tiles.finish(parts, coverage=True)
+    assert told(report) == told(whole) and report.first.rule == whole.first.rule
+    # Whatever the order, and merged in whatever way, down to the bytes.
+    merged = tiles.merge(parts)
+    for seed in range(5):
+        shuffled = random.Random(seed).sample(parts, len(parts))
+        one, other = tiles.merge(shuffled[:3]), tiles.merge(*shuffled[3:])
+        assert tiles.merge(other, one) == merged
+    assert told(tiles.finish(merged, coverage=True)) == told(whole)
+
+
+@pytest.mark.parametrize(
+    "grid",
+    [tiles.Grid((0, 0, 12, 8), 1, 1), tiles.Grid((0, 0, 12, 8), 12, 8), tiles.Grid((-3, -1, 25.5, 31), 7, 5), tiles.Grid((2.5, 1.5, 9.1, 6.3), 4, 4)],
+)
+def test_every_grid_says_the_same(whole, features, grid):
+    parts = [tiles.audit_tile(part, grid, tile, **LIMITS) for tile, part in tiles.assigned(features, grid).items()]
+    assert told(tiles.finish(parts, coverage=True)) == told(whole)
+
+
+def test_a_world_without_limits_is_the_same(features):
+    report = twinedge.audit(LAYER)
+    parts = [tiles.audit_tile(part, GRID, tile) for tile, part in tiles.assigned(features, GRID).items()]
+    assert told(tiles.finish(parts)) == told(report)
+
+
+def test_a_table_of_findings_has_a_row_for_each_with_its_place(features):
+    parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
+    found = tiles.finish(parts, coverage=True).to_arrow().to_pylist()
+    assert sorted((row["rule"], tuple(row["features"])) for row in found) == sorted(FAULTS)
+    gap = next(row for row in found if row["rule"] == "C2")
+    assert shapely.Point(6, 4).distance(shapely.Point(gap["x"], gap["y"])) < 0.5 and gap["area"] == 0.5 and gap["id"].startswith("C2-")
+
+
+def test_processes_and_a_tile_that_is_made_again(whole, features):
+    given = [(part, tile) for tile, part in tiles.assigned(features, GRID).items()]
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        parts = pool.map(summary, given)
+    assert told(tiles.finish(parts, coverage=True)) == told(whole)
+    # As after a worker was lost: in another order, in batches, and with features that do not meet the tile.
+    for part, tile in given:
+        again = part.take(np.arange(len(part))[::-1]).to_batches(max_chunksize=2)
+        assert summary((again, tile)) == summary((features, tile)) == parts[tile]
+
+
+def test_duckdb_without_its_spatial_extension(whole, features, tmp_path):
+    duckdb = pytest.importorskip("duckdb", reason="duckdb is not installed")
+    pq.write_table(features, tmp_path / "parcels.parquet", row_group_size=5)
+    db = duckdb.connect()
+    read = db.sql(f"SELECT feature, geometry FROM read_parquet('{tmp_path}/parcels.parquet')").to_arrow_reader(8)
+    assigned = pa.Table.from_batches(tiles.assign(read, GRID))
+    db.register("assigned", assigned)
+    parts = []
+    for (tile,) in db.execute("SELECT DISTINCT tile FROM assigned").fetchall():
+        part = db.sql("SELECT feature, geometry FROM assigned WHERE tile = ?", params=[tile]).to_arrow_reader(4)
+        parts.append(tiles.audit_tile(part, GRID, tile, **LIMITS))
+    report = tiles.finish(parts, grid=GRID, coverage=True, **LIMITS)
+    assert told(report) == told(whole)
+    # The findings meet the features again by their numbers.
+    findings = report.to_arrow()  # noqa: F841
+    rows = db.execute(
+        "SELECT rule, count(*) FROM (SELECT rule, unnest(features) AS feature FROM findings) JOIN assigned USING (feature) GROUP BY rule"
+    ).fetchall()
+    assert {rule for rule, _ in rows} == {rule for rule, _ in FAULTS}
+
+
+def test_dask(whole, features):
+    bag = pytest.importorskip("dask.bag", reason="dask is not installed")
+    batches = bag.from_sequence(features.to_batches(max_chunksize=5), npartitions=3)
+    assigned = batches.map(lambda batch: pa.Table.from_batches(tiles.assign(batch, GRID)))
+    rows = assigned.map(lambda table: table.to_pylist()).flatten().groupby(lambda row: row["tile"])
+    parts = rows.starmap(lambda tile, rows: tiles.audit_tile(pa.Table.from_pylist(rows), GRID, tile, **LIMITS))
+    one = parts.fold(tiles.merge, initial=tiles.merge()).compute(scheduler="threads")
+    assert told(tiles.finish(one, grid=GRID, coverage=True, **LIMITS)) == told(whole)
+
+
+def test_what_is_missing_or_twice_is_named(features):
+    parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
+    with pytest.raises(ValueError, match="1 tile is missing, the first of them 1,1"):
+        tiles.finish(parts[:4], parts[5:])
+    with pytest.raises(ValueError, match="both summaries have tile 0,0"):
+        tiles.merge(parts, parts[0])
+    with pytest.raises(ValueError, match="different grids"):
+        tiles.merge(parts[0], tiles.audit_tile(features, tiles.Grid((0, 0, 1, 1), 2, 2), 1, **LIMITS))
+    with pytest.raises(ValueError, match="different limits"):
+        tiles.merge(parts[0], tiles.audit_tile(features, GRID, 1))
+    with pytest.raises(ValueError, match="there is no summary"):
+        tiles.finish()
+    with pytest.raises(ValueError, match="summary 0: "):
+        tiles.merge(pa.table({"summary": [b"{}"]}))
+    assert tiles.merge().num_rows == 0
+
+
+def test_a_feature_that_a_tile_was_not_given_is_found(features):
+    without = features.filter(pa.array([number != 9 for number in range(len(features))]))
+    parts = [tiles.audit_tile(without if tile == 1 else features, GRID, tile, **LIMITS) for tile in range(6)]
+    report = tiles.finish(parts)
+    assert report.verdict == "invalid" and {rule for rule in report.broken_rules if rule[0] == "S"}
+
+
+def test_tables_that_are_wrong_are_refused(features):
+    for table, error, text in [
+        (features.drop_columns("geometry"), ValueError, "there is no column 'geometry'; there are feature"),
+        (features.drop_columns("feature"), ValueError, "there is no column 'feature'"),
+        (features.set_column(0, "feature", pa.array([str(n) for n in range(27)])), TypeError, "feature: expected integers"),
+        (features.set_column(0, "feature", pa.array([*range(26), None], pa.int64())), ValueError, "a feature has no number"),
+        (features.set_column(0, "feature", pa.array([*range(26), 2**32])), ValueError, "not up to 4294967296"),
+        (features.set_column(0, "feature", pa.array([0, *range(26)])), ValueError, "two features have the number 0"),
+        (features.set_column(1, "geometry", pa.array(["POINT(0 0)"] * 27)), TypeError, "expected well-known binary, not str"),
+        (features.set_column(1, "geometry", pa.array([b"\x01\x03"] * 27)), ValueError, "geometry 0: "),
+        (7, TypeError, "expected a table"),
+    ]:
+        with pytest.raises(error, match=text):
+            tiles.audit_tile(table, GRID, 0)
+    for tile, error in [(6, ValueError), (-1, ValueError), (0.5, TypeError)]:
+        with pytest.raises(error, match="tile"):
+            tiles.audit_tile(features, GRID, tile)
+    with pytest.raises(ValueError, match="lines of the grid are not distinct"):
+        [*tiles.assign(features, tiles.Grid((0, 0, 0, 1), 3, 2))]
+    with pytest.raises(ValueError, match="rows: 70000 is more than 65,536"):
+        tiles.Grid((0, 0, 1, 1), 2, 70_000)
+
+
+def test_boxes_and_missing_geometries():
+    table = tiles.table([None, shapely.Point(3, 1), shapely.Polygon(), shapely.box(-1, 2, 0, 5)])
+    assert tiles.bounds(table) == (-1, 1, 3, 5)
+    rows = pa.Table.from_batches(tiles.assign(table.to_batches(), tiles.Grid((-1, 1, 3, 5), 2, 2)))
+    assert rows.column_names == ["tile", "feature", "geometry"]
+    assert [(row["tile"], row["feature"]) for row in rows.to_pylist()] == [(1, 1), (0, 3), (2, 3)]
+    with pytest.raises(ValueError, match="there are no points"):
+        tiles.bounds(tiles.table([None]))
