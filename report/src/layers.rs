@@ -2,7 +2,7 @@
 
 use crate::diagnosis_text::size;
 use crate::error::Error;
-use crate::imported::Imported;
+use crate::imported::{Imported, MapOptions};
 use crate::input::Input;
 use crate::names::named;
 use crate::noted::Keep;
@@ -11,10 +11,11 @@ use crate::report::AuditReport;
 use crate::trace::{of_extent, position};
 use crate::units::Units;
 use crate::words::{grouped, measure, plain};
+use serde::Serialize;
 use serde_json::json;
 use std::collections::HashMap;
 use std::str::FromStr;
-use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, check, check_parents};
+use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, Piece, check, check_parents, pieces};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
@@ -127,6 +128,53 @@ pub(crate) fn judge(
     }
     report.recount();
     Ok(())
+}
+
+/// The area that a feature of one layer and a feature of another have in common, or that one of them has alone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Shared {
+    /// The feature of the first layer.
+    pub first: Option<FeatureName>,
+    /// The feature of the other layer.
+    pub second: Option<FeatureName>,
+    /// The area.
+    pub area: f64,
+}
+
+impl Shared {
+    /// The row of a table: both features by their ids, or else names, and the area.
+    #[must_use]
+    pub fn row(&self) -> (String, String, f64) {
+        let key = |one: &Option<FeatureName>| one.as_ref().map(FeatureName::key).unwrap_or_default();
+        (key(&self.first), key(&self.second), self.area)
+    }
+}
+
+/// The areas that the features of a map, which was read with its features kept, have in common with those of another layer.
+///
+/// O((n + k) log n) for n segments of both that meet k times.
+///
+/// # Errors
+/// [`Error`], if the other layer could not be read, or the layers cannot be compared.
+pub fn shared(
+    imported: &Imported,
+    other: Input,
+    options: &MapOptions,
+    units: &Units,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Vec<Shared>, Error> {
+    let other = Other::read(other, &Options { map: options.clone(), ..Options::default() })?;
+    stage("comparing the layers");
+    let both = Both { imported, other: Some(&other), map: noded(imported, Some(&other), options.snap)? };
+    let of = |piece: Piece| {
+        let faces = piece.faces.iter().filter_map(|face| both.map.dcel().face(*face).ok());
+        Shared {
+            first: piece.first.map(|one| both.named(one)),
+            second: piece.second.map(|one| both.named(one)),
+            area: faces.map(|face| units.area(&both.map, face)).sum(),
+        }
+    };
+    Ok(pieces(&both.map, imported.features.len())?.into_iter().map(of).collect())
 }
 
 /// The map of the features of both layers, with its edges cut where they meet.
