@@ -300,6 +300,13 @@ impl Both<'_> {
         if let Some(how_large) = how_large {
             message = format!("{message}; {how_large}");
         }
+        // A part without area has no face to look at.
+        let at = if finding.deviation == Deviation::UnknownParent && !has_faces {
+            finding.features.first().and_then(|part| self.first_point(*part))
+        } else {
+            Some(finding.at)
+        };
+        let trace = at.map(|at| of_extent(&self.map, &finding.faces, &finding.stretches, at)).unwrap_or_default();
         let (cause, remedy) = explanation(finding.deviation);
         Diagnosis {
             rule: Some(finding.rule().id()),
@@ -309,12 +316,21 @@ impl Both<'_> {
             remedy: Some(remedy),
             features: Some(features),
             others: Some(others),
-            look: Some(position(finding.at)),
-            trace: of_extent(&self.map, &finding.faces, &finding.stretches, finding.at),
+            look: at.map(position),
+            trace,
             measures,
             is_violation: true,
             ..Diagnosis::default()
         }
+    }
+
+    /// The first point of a feature of the audited layer, if it has any.
+    fn first_point(&self, feature: FeatureId) -> Option<Point> {
+        self.imported.features.get(feature.index())?.shapes.iter().find_map(|shape| match shape {
+            Shape::Polygon(rings) => rings.first()?.first().copied(),
+            Shape::Line(points) => points.first().copied(),
+            Shape::Point(point) => Some(*point),
+        })
     }
 
     /// The finding in words, with the features of the other layer.
