@@ -5,6 +5,7 @@ use crate::output::style::BAD;
 use crate::output::{counted, plain, print};
 use crate::output_file::write_files;
 use crate::status::{Failure, Verdict};
+use same_file::is_same_file;
 use std::borrow::Cow;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -120,6 +121,16 @@ impl LayerOutput {
             })?;
         }
         Ok((layer, format))
+    }
+
+    /// Refuses to write over another input.
+    pub(crate) fn refuse_input(&self, input: &Path) -> Result<(), Failure> {
+        match self.output.as_deref() {
+            Some(output) if is_same_file(output, input).unwrap_or(false) => {
+                Err(Failure(format!("{}: this is an input, and is not overwritten", output.display())))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Writes a layer, and warns of what is lost. None if no file was asked for.

@@ -100,12 +100,17 @@ impl LayerFile {
 
     /// Reads all of it: the name of the input, and the layer.
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
-        let mut input = open(Some(&self.file), self.layer.as_deref())?;
-        input.map_format().map_err(named(&input.name.clone()))?;
-        let options = input.options();
-        let layer = read_layer(&mut input.reader, input.path.as_deref(), &options).map_err(named(&input.name))?;
-        Ok((input.name, layer))
+        read_file(&self.file, self.layer.as_deref())
     }
+}
+
+/// Reads all of a layer: the name of the input, and the layer.
+pub(crate) fn read_file(path: &Path, layer: Option<&str>) -> Result<(String, Layer), Failure> {
+    let mut input = open(Some(path), layer)?;
+    input.map_format().map_err(named(&input.name.clone()))?;
+    let options = input.options();
+    let layer = read_layer(&mut input.reader, input.path.as_deref(), &options).map_err(named(&input.name))?;
+    Ok((input.name, layer))
 }
 
 /// The treatment of segments that cross, touch or overlap.

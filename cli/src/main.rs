@@ -19,6 +19,7 @@ mod input;
 mod measured;
 mod output;
 mod output_file;
+mod overlay;
 mod postgis;
 mod print_rows;
 mod print_tables;
@@ -50,6 +51,7 @@ use std::process::ExitCode;
   twinedge audit bunny.obj
   twinedge clean counties.shp -o clean.shp
   twinedge convert counties.shp -o counties.geojson
+  twinedge overlay soils.gpkg parcels.gpkg -o pieces.gpkg
   twinedge query neighbours Switzerland
   twinedge draw -o world.svg
   twinedge prove
@@ -78,6 +80,7 @@ enum Command {
     Check(certificate::Check),
     Tile(tile::Tile),
     Convert(convert::Convert),
+    Overlay(overlay::Overlay),
     Postgis(postgis::Postgis),
     Query(query::Query),
     Draw(draw::Draw),
@@ -122,6 +125,7 @@ fn run(command: Command) -> Result<Verdict, Failure> {
         Command::Check(check) => check.run(),
         Command::Tile(tile) => tile.run(),
         Command::Convert(convert) => convert.run(),
+        Command::Overlay(overlay) => overlay.run(),
         Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),
         Command::Draw(draw) => draw.run(),

@@ -3,7 +3,7 @@
 use crate::diagnosis_text::full_message;
 use crate::report::AuditReport;
 use crate::verdict::Verdict;
-use crate::words::plain;
+use crate::words::{escaped, plain};
 use std::fmt::Write as _;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
@@ -101,24 +101,6 @@ fn line(one: &Diagnosis) -> String {
     let place = one.look.map_or_else(String::new, |[x, y]| format!(", at {x}, {y}"));
     let id = one.id.as_deref().unwrap_or_default();
     plain(&format!("{id}{who}: {}{place}", full_message(one)))
-}
-
-/// Text as it may stand in XML 1.0, in an element or an attribute.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\n' => out.push_str("&#10;"),
-            // XML has no way to write the others.
-            c if (c < ' ' && c != '\t') || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
 }
 
 #[cfg(test)]

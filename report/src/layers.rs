@@ -2,7 +2,7 @@
 
 use crate::diagnosis_text::size;
 use crate::error::Error;
-use crate::imported::Imported;
+use crate::imported::{Imported, MapOptions};
 use crate::input::Input;
 use crate::names::named;
 use crate::noted::Keep;
@@ -12,10 +12,11 @@ use crate::shelf::InMemory;
 use crate::trace::{of_extent, position};
 use crate::units::Units;
 use crate::words::{grouped, measure, plain};
+use serde::Serialize;
 use serde_json::json;
 use std::collections::HashMap;
 use std::str::FromStr;
-use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, check, check_parents};
+use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, Piece, check, check_parents, pieces};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
@@ -129,6 +130,53 @@ pub(crate) fn judge(
     }
     report.recount();
     Ok(())
+}
+
+/// The area that a feature of one layer and a feature of another have in common, or that one of them has alone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Shared {
+    /// The feature of the first layer.
+    pub first: Option<FeatureName>,
+    /// The feature of the other layer.
+    pub second: Option<FeatureName>,
+    /// The area.
+    pub area: f64,
+}
+
+impl Shared {
+    /// The row of a table: both features by their ids, or else names, and the area.
+    #[must_use]
+    pub fn row(&self) -> (String, String, f64) {
+        let key = |one: &Option<FeatureName>| one.as_ref().map(FeatureName::key).unwrap_or_default();
+        (key(&self.first), key(&self.second), self.area)
+    }
+}
+
+/// The areas that the features of a map, which was read with its features kept, have in common with those of another layer.
+///
+/// O((n + k) log n) for n segments of both that meet k times.
+///
+/// # Errors
+/// [`Error`], if the other layer could not be read, or the layers cannot be compared.
+pub fn shared(
+    imported: &Imported,
+    other: Input,
+    options: &MapOptions,
+    units: &Units,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Vec<Shared>, Error> {
+    let other = Other::read(other, &Options { map: options.clone(), ..Options::default() })?;
+    stage("comparing the layers");
+    let both = Both { imported, other: Some(&other), map: noded(imported, Some(&other), options.snap)? };
+    let of = |piece: Piece| {
+        let faces = piece.faces.iter().filter_map(|face| both.map.dcel().face(*face).ok());
+        Shared {
+            first: piece.first.map(|one| both.named(one)),
+            second: piece.second.map(|one| both.named(one)),
+            area: faces.map(|face| units.area(&both.map, face)).sum(),
+        }
+    };
+    Ok(pieces(&both.map, imported.features.len())?.into_iter().map(of).collect())
 }
 
 /// The map of the features of both layers, with its edges cut where they meet.
@@ -254,6 +302,13 @@ impl Both<'_> {
         if let Some(how_large) = how_large {
             message = format!("{message}; {how_large}");
         }
+        // A part without area has no face to look at.
+        let at = if finding.deviation == Deviation::UnknownParent && !has_faces {
+            finding.features.first().and_then(|part| self.first_point(*part))
+        } else {
+            Some(finding.at)
+        };
+        let trace = at.map(|at| of_extent(&self.map, &finding.faces, &finding.stretches, at)).unwrap_or_default();
         let (cause, remedy) = explanation(finding.deviation);
         Diagnosis {
             rule: Some(finding.rule().id()),
@@ -263,12 +318,21 @@ impl Both<'_> {
             remedy: Some(remedy),
             features: Some(features),
             others: Some(others),
-            look: Some(position(finding.at)),
-            trace: of_extent(&self.map, &finding.faces, &finding.stretches, finding.at),
+            look: at.map(position),
+            trace,
             measures,
             is_violation: true,
             ..Diagnosis::default()
         }
+    }
+
+    /// The first point of a feature of the audited layer, if it has any.
+    fn first_point(&self, feature: FeatureId) -> Option<Point> {
+        self.imported.features.get(feature.index())?.shapes.iter().find_map(|shape| match shape {
+            Shape::Polygon(rings) => rings.first()?.first().copied(),
+            Shape::Line(points) => points.first().copied(),
+            Shape::Point(point) => Some(*point),
+        })
     }
 
     /// The finding in words, with the features of the other layer.

@@ -72,6 +72,8 @@ pub struct Noted {
     pub(crate) not_finite: Vec<usize>,
     /// The features whose geometry is missing or empty, by number.
     pub(crate) without_geometry: Vec<usize>,
+    /// The number of features that have a ring that turns straight back to the point from which it came.
+    pub(crate) kickbacks: usize,
     /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
     /// The first features without geometry, and how many there are.
@@ -98,6 +100,7 @@ impl Noted {
             defects: Vec::new(),
             not_finite: Vec::new(),
             without_geometry: Vec::new(),
+            kickbacks: 0,
             across_antimeridian: 0,
             null: (Vec::new(), 0),
             unique: None,
@@ -139,6 +142,7 @@ impl Noted {
             if !found.is_empty() || !is_finite {
                 self.defects.push((number, found));
             }
+            self.kickbacks += usize::from(feature.shapes.iter().any(turns_back));
         }
         if is_finite && feature.shapes.is_empty() {
             self.without_geometry.push(number);
@@ -264,6 +268,20 @@ around the whole map here; cut them at 180 degrees"
 /// Returns true if an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
 fn goes_around(a: Point, b: Point) -> bool {
     (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
+}
+
+/// Returns true if a ring of a polygon turns straight back to the point from which it came. O(points).
+fn turns_back(shape: &Shape) -> bool {
+    let Shape::Polygon(rings) = shape else { return false };
+    rings.iter().any(|ring| {
+        let mut points = ring.clone();
+        points.dedup();
+        if points.first() == points.last() {
+            points.pop();
+        }
+        let count = points.len();
+        count > 2 && (0..count).any(|i| points[i] == points[(i + 2) % count])
+    })
 }
 
 /// The rings, lines and points of a shape.

@@ -3,8 +3,9 @@
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
+use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::CoverageError;
-use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, check, check_parents};
+use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, check, check_parents, pieces};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
@@ -336,6 +337,49 @@ impl Hierarchy {
         }
         sums
     }
+}
+
+impl Hierarchy {
+    /// The area of each piece, by its part and parent, and the same by counting.
+    fn pieces(&self) -> [BTreeMap<[Option<usize>; 2], f64>; 2] {
+        let map = self.map();
+        let count = self.parts.len();
+        let mut found = BTreeMap::new();
+        for piece in pieces(&map, count).expect("plane") {
+            let pair = [piece.first.map(FeatureId::index), piece.second.map(|one| one.index() - count)];
+            let area = piece.faces.iter().map(|face| face_area(&map, *face).expect("of this map")).sum::<f64>();
+            assert_eq!(found.insert(pair, area), None);
+        }
+        let mut counted = BTreeMap::new();
+        for at in (0..SIZE + 3).flat_map(|x| (0..SIZE + 3).map(move |y| [x, y])) {
+            let covers = |[x, y]: &Box| x[0] <= at[0] && at[0] < x[1] && y[0] <= at[1] && at[1] < y[1];
+            let of = |boxes: Vec<Box>| {
+                let all: Vec<_> = (0..boxes.len()).filter(|one| covers(&boxes[*one])).map(Some).collect();
+                if all.is_empty() { vec![None] } else { all }
+            };
+            let second = of(self.parents.clone());
+            for one in of(self.parts.iter().map(|(part, _)| *part).collect()) {
+                for other in second.iter().filter(|other| one.or(**other).is_some()) {
+                    *counted.entry([one, *other]).or_default() += 1.0;
+                }
+            }
+        }
+        [found, counted]
+    }
+}
+
+#[test]
+fn the_pieces_of_two_layers_have_the_areas_that_are_counted() {
+    fn law(mut layers: Hierarchy) {
+        layers.plant();
+        let [found, counted] = layers.pieces();
+        assert_eq!(found, counted);
+    }
+    QuickCheck::new().tests(200).quickcheck(law as fn(Hierarchy));
+    let mut builder = Builder::new();
+    builder.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
+    builder.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
+    assert!(matches!(pieces(&builder.build().expect("small"), 1), Err(CoverageError::NotPlane(_))));
 }
 
 #[test]

@@ -22,7 +22,7 @@ use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
 use twinedge_report::{Accepted, Audited, Counted, Division, InputKind, Judged, audit_against, audit_in_tiles};
-use write::write;
+use write::{write, write_iso};
 
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
@@ -72,7 +72,11 @@ impl Audit {
             let all = audited.accept_all(accepted.as_ref(), &self.reason, &today).map_err(named(&name))?;
             write_file(path, self.map.path(), &all)?;
         }
-        write(&audited, &to)?;
+        if self.iso.is_some() {
+            write_iso(&audited, &to)?
+        } else {
+            write(&audited, &to)?
+        }
         Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 
@@ -82,7 +86,7 @@ impl Audit {
         let seconds = self.timeout.unwrap_or_default();
         let why = format!("time was up after {seconds} s");
         let to = self.destination.destination(self.map.path())?;
-        if matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
+        if self.iso.is_some() || matches!(to.format, ReportFormat::Geojson | ReportFormat::Html) {
             eprintln!("twinedge: {}: unknown: {why}; nothing is written", plain(&name));
         } else {
             write(&Audited::unfinished(&name, InputKind::Map, &self.options(None), &why), &to)?;

@@ -39,7 +39,7 @@ impl Options {
         match self {
             Self::Snap => asked.map.is_snapped(),
             Self::Coverage => {
-                let of_lists = asked.accept.is_some() || asked.accept_all.is_some();
+                let of_lists = asked.accept.is_some() || asked.accept_all.is_some() || asked.iso.is_some();
                 asked.coverage.is_any() || asked.measured.is_geodesic() || of_lists
             }
             Self::Mesh => asked.mesh.is_any(),
@@ -54,7 +54,7 @@ impl Options {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
             Self::Coverage => format!(
-                "--coverage, its limits, --accept, --accept-all and --geodesic are for maps, and this is {what}"
+                "--coverage, its limits, --accept, --accept-all, --iso and --geodesic are for maps, and this is {what}"
             ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Tiles => format!("--tiles and --memory are for maps, and this is {what}"),

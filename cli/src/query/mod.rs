@@ -10,6 +10,7 @@ mod line;
 mod list;
 mod names;
 mod neighbours;
+mod overlay;
 mod record;
 mod route;
 mod source;
@@ -39,6 +40,7 @@ use twinedge_report::Units;
   twinedge query counties.geojson neighbours --where STATE=Iowa --name-from NAME
   twinedge query counties.geojson neighbours --all --sort length --limit 20 --format csv
   twinedge query parcels.geojson coverage
+  twinedge query soils.gpkg overlay parcels.gpkg
 
 NAME is the name of a feature as the map writes it, or # and its number, counted from 0: '#12'. A file that is called like a \
 question, such as faces, needs its folder: ./faces
@@ -56,6 +58,7 @@ pub(crate) struct Query {
 enum Question {
     Neighbours(neighbours::Neighbours),
     Coverage(coverage::CoverageOf),
+    Overlay(overlay::OverlayOf),
     At(at::At),
     Line(line::Line),
     Contour(contour::Contour),
@@ -72,7 +75,12 @@ impl Question {
             Self::Contour(question) => question.condition(),
             _ => None,
         };
-        Keep { coverage: matches!(self, Self::Coverage(_)), condition, columns: &[], features: false }
+        Keep {
+            coverage: matches!(self, Self::Coverage(_)),
+            condition,
+            columns: &[],
+            features: matches!(self, Self::Overlay(_)),
+        }
     }
 }
 
@@ -84,6 +92,10 @@ impl Query {
         }
         if let Question::Coverage(question) = &self.question {
             question.answer(&imported)?;
+            return Ok(Verdict::Sound);
+        }
+        if let Question::Overlay(question) = &self.question {
+            question.answer(&imported, &self.map.options())?;
             return Ok(Verdict::Sound);
         }
         if !imported.map.is_plane() {
@@ -105,7 +117,7 @@ impl Query {
             Question::Faces(question) => question.answer(&asked),
             Question::Route(question) => question.answer(&asked),
             Question::Lattice(question) => question.answer(&asked),
-            Question::Coverage(_) => Ok(()),
+            Question::Coverage(_) | Question::Overlay(_) => Ok(()),
         }?;
         Ok(Verdict::Sound)
     }

@@ -190,6 +190,18 @@ fn lines_and_points_are_judged_by_the_areas_of_the_other_layer() {
     assert_eq!((&last["rule"], &last["length"], &last["at"]), (&json!("X5"), &json!(3.0), &json!([120.0, -1.5])));
 }
 
+/// A part without area lies outside of nothing, and has a place all the same.
+#[test]
+fn a_point_whose_parent_is_not_known_has_its_place() {
+    let folder = TempDir::new().unwrap();
+    let post = ("Post", json!("Utah"), json!({"type": "Point", "coordinates": [105.0, 10.0]}));
+    let whole = ("Whole", json!("Iowa"), rectangle([100.0, 0.0, 120.0, 20.0]));
+    let file = layer(&folder, "parts.geojson", &[post, whole]);
+    let (_, report) = audited(&file, &["--against", &states(&folder), "--parent-column", "STATE"]);
+    let one = report["findings"].as_array().unwrap().last().unwrap();
+    assert_eq!((&one["kind"], &one["at"], one.get("area")), (&json!("unknown_parent"), &json!([105.0, 10.0]), None));
+}
+
 /// Borders that are one within a cell are one for both layers.
 #[test]
 fn snapping_applies_to_both_layers() {

@@ -14,9 +14,11 @@ mod gate;
 mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
+mod iso;
 mod layers;
 mod literature;
 mod mesh;
+mod overlay;
 mod postgis;
 mod print;
 mod prove;

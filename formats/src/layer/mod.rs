@@ -48,13 +48,13 @@ mod losses;
 mod model;
 #[cfg(any(feature = "geojson", feature = "topojson"))]
 mod names;
+mod overlay;
 mod read;
 #[cfg(feature = "shapefile")]
 mod shapefile;
 mod to_map;
 #[cfg(feature = "topojson")]
 pub mod topojson;
-#[cfg(any(feature = "geopackage", feature = "geoparquet"))]
 mod unique;
 #[cfg(feature = "wkb")]
 mod wkb;
@@ -74,6 +74,7 @@ pub use model::{
     ColumnTaken, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape,
     Value,
 };
+pub use overlay::{Keep, OverlayError, overlay};
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;
 pub use twinedge::io::Format;

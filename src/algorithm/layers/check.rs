@@ -2,9 +2,10 @@
 
 use super::finding::{Deviation, LayerFinding, sort};
 use super::parents::live;
+use super::split;
 use crate::algorithm::area::{Sum, face_area};
 use crate::algorithm::coverage::region::{connected, ends, segment_length};
-use crate::algorithm::coverage::{CoverageError, faces_by_feature, features_of};
+use crate::algorithm::coverage::{CoverageError, faces_by_feature};
 use crate::dcel::{Face, HalfEdge};
 use crate::geometry::Point;
 use crate::map::{FeatureId, Located, PlanarMap};
@@ -73,7 +74,7 @@ impl<'a> Layers<'a> {
         let mut claims: Vec<[Vec<FeatureId>; 2]> = Vec::new();
         let mut is_area = vec![false; audited];
         for face in map.dcel().faces() {
-            let (here, there): (Vec<_>, Vec<_>) = features_of(map, face).partition(|one| one.index() < audited);
+            let [here, there] = split(map, face, audited);
             here.iter().for_each(|one| is_area[one.index()] = true);
             if claims.len() <= face.index() {
                 claims.resize(face.index() + 1, Default::default());

@@ -146,7 +146,7 @@ pub struct LayerFinding {
     pub width: f64,
     /// The length all around the faces, or of the stretches; 0 for a point.
     pub length: f64,
-    /// A point inside the largest face, the middle of the longest stretch, or the point.
+    /// A point inside the largest face, the middle of the longest stretch, or the point; the origin for a part without area.
     pub at: Point,
     /// The faces at fault: of X1 those outside the first of the others.
     pub faces: Vec<FaceKey>,

@@ -20,12 +20,24 @@
 //!
 //! Both layers are features of one map, whose edges are noded together: those of the audited layer first. All is read from the sets of
 //! features of its faces and edges, and nothing is measured, so that the rules are as exact as the map. [`check`] asks all rules but X4,
-//! [`check_parents`] asks that one.
+//! [`check_parents`] asks that one. [`pieces`] are the places that two layers cut each other into.
 
 mod check;
 mod finding;
 mod parents;
+mod pieces;
 
 pub use check::check;
 pub use finding::{Deviation, LayerFinding, LayerRule};
 pub use parents::{Parent, check_parents};
+pub use pieces::{Piece, pieces};
+
+use crate::algorithm::coverage::features_of;
+use crate::dcel::Face;
+use crate::map::{FeatureId, PlanarMap};
+
+/// The features of each layer that cover a face, in order. The first `count` features of the map are those of the first layer.
+fn split(map: &PlanarMap, face: Face<'_>, count: usize) -> [Vec<FeatureId>; 2] {
+    let (here, there) = features_of(map, face).partition(|one| one.index() < count);
+    [here, there]
+}

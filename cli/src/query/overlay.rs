@@ -1,0 +1,98 @@
+//! `twinedge query … overlay`.
+
+use super::list::{Limit, TableFormat, csv, greatest_first};
+use crate::input::open;
+use crate::measured::Measured;
+use crate::output::style::QUIET;
+use crate::output::{measure, plain, print_answer, print_json};
+use crate::progress::busy;
+use crate::status::{Failure, named};
+use clap::ValueEnum;
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use twinedge_report::{Imported, MapOptions, Shared, shared};
+
+/// The area that each feature has in common with each of another layer, or with none of them.
+///
+/// `twinedge overlay` writes the pieces themselves.
+#[derive(Debug, clap::Args)]
+#[command(
+    name = "overlay",
+    after_help = "Examples:
+  twinedge query soils.gpkg overlay parcels.gpkg
+  twinedge query counties.geojson overlay lakes.geojson --geodesic --sort area --limit 10 --format csv
+
+Exit status: 0 there is an answer; 2 a layer could not be read, or the layers cannot be compared."
+)]
+pub(super) struct OverlayOf {
+    /// The other layer.
+    second: PathBuf,
+
+    /// The layer to read of the other file, if it has several.
+    #[arg(long, value_name = "NAME")]
+    second_layer: Option<String>,
+
+    #[command(flatten)]
+    measured: Measured,
+
+    /// The column to sort by.
+    #[arg(long, value_enum, default_value_t)]
+    sort: SortBy,
+
+    #[command(flatten)]
+    limit: Limit,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+/// The order of pairs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum SortBy {
+    /// The features of the first layer in their order, and then those of the second.
+    #[default]
+    Features,
+    /// The area, the largest first.
+    Area,
+}
+
+#[derive(Debug, Serialize)]
+struct OverlayAnswer<'a> {
+    input: &'a str,
+    other: &'a str,
+    unit: &'static str,
+    pairs: &'a [Shared],
+}
+
+const HEADINGS: [&str; 3] = ["first", "second", "area"];
+
+impl OverlayOf {
+    pub(super) fn answer(&self, imported: &Imported, options: &MapOptions) -> Result<(), Failure> {
+        let units = self.measured.units(imported)?;
+        let other = open(Some(&self.second), self.second_layer.as_deref())?;
+        let name = other.name.clone();
+        let found = busy(|stage| shared(imported, other, options, &units, stage));
+        let mut pairs = found.map_err(named(&imported.name))?;
+        if self.sort == SortBy::Area {
+            greatest_first(&mut pairs, |pair| pair.area);
+        }
+        self.limit.cut(&mut pairs);
+        match self.format {
+            TableFormat::Text => {
+                let mut out = String::new();
+                for Shared { first, second, area } in &pairs {
+                    let [first, second] = [first, second].map(|one| one.as_ref().map_or("–", |one| &one.label));
+                    writeln!(out, "{:>16}  {first}, {second}", measure(*area))?;
+                }
+                print_answer(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
+            }
+            TableFormat::Csv => print_answer(&csv(pairs.iter().map(Shared::row), &HEADINGS)?),
+            TableFormat::Json => {
+                let (input, other) = (&*imported.name, &*plain(&name));
+                print_json(&OverlayAnswer { input, other, unit: units.name(), pairs: &pairs })
+            }
+        }
+    }
+}
