@@ -5,7 +5,7 @@ import { cycleOf, faceOf, indexOf } from "./records.js";
 const at = (...points) => points;
 
 /** Adds vertices to a face, at these places. */
-function vertices(structure, put, points, face = 1) {
+export function vertices(structure, put, points, face = 1) {
   return points.map((point) => {
     const before = new Set(structure.state.keys.map(([key]) => key));
     const { keys } = structure.addIsolatedVertex(face);
@@ -19,7 +19,7 @@ function vertices(structure, put, points, face = 1) {
 const edge = ({ half_edges }, u, v) => half_edges.findIndex((row) => row?.origin === u && half_edges[row.twin].origin === v);
 
 /** Adds a polygon to a face, with its vertices counter-clockwise, and gives these. */
-function polygon(structure, put, points, face = 1) {
+export function polygon(structure, put, points, face = 1) {
   const all = vertices(structure, put, points, face);
   for (let i = 0; i + 1 < all.length; i++) {
     const from = i === 0 ? { vertex: all[0] } : { halfEdge: edge(structure.state.table, all[i], all[i - 1]) };
