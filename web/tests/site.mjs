@@ -113,7 +113,7 @@ try {
   await upload(path, await put("parcels-accepted.json", notes));
   await waitFor("status", /1 accepted/);
 
-  // What the page does not take it refuses, with what to run instead.
+  // A file that the page does not take is refused, with a command to run instead.
   await upload(await put("cadastre.gpkg", "SQLite format 3\0"));
   await waitFor("message", /twinedge audit cadastre\.gpkg/);
   const packed = Buffer.from(

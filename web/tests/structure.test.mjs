@@ -159,7 +159,7 @@ describe("links set by hand", () => {
   it("keep operators away until they are undone, or right again", () => {
     const { table } = triangle();
     structure.set({ half_edge: 2 }, "next", "h7");
-    assert.throws(() => structure.splitEdge(2), /set by hand: undo that first/);
+    assert.throws(() => structure.splitEdge(2), /set by hand: undo that before/);
     structure.set({ half_edge: 2 }, "next", `h${table.half_edges[2].next}`);
     assert.deepEqual(figures(structure.splitEdge(2)), [4, 4, 2, 1]);
     assert.equal(structure.state.undo, "split edge");

@@ -17,7 +17,7 @@ function svg(name, attributes, ...children) {
 const path = (points, close = "") => `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}${close}`;
 const middleOf = (line) => line[Math.floor((line.length - 1) / 2)].map((c, i) => (c + line[Math.ceil((line.length - 1) / 2)][i]) / 2);
 
-/** Where everything is: lines of half-edges, and polygons and a place for the label of each face. */
+/** The place of everything: lines of half-edges, and polygons and a place for the label of each face. */
 export function layout(tables, places) {
   const lines = linesOf(tables, places);
   const regions = tables.faces.map((row) => {
