@@ -1,4 +1,4 @@
-// What is wrong with a layer, as layers of a map by MapLibre GL:
+// The findings about a layer of polygons, as layers of a map by MapLibre GL:
 //
 //     const map = new maplibregl.Map({ … });
 //     map.on("load", () => showFindings(map, "parcels.geojson", (lngLat, text) => new maplibregl.Popup().setLngLat(lngLat).setText(text).addTo(map)));
@@ -15,7 +15,7 @@ export const LAYERS = [
   { id: "findings-places", type: "circle", source: "findings", filter: only("Point"), paint: { "circle-color": RED, "circle-radius": 6, "circle-opacity": 0.7 } },
 ];
 
-/** What a popup says about a finding. MapLibre hands over lists as text. */
+/** The text of a popup about a finding. MapLibre hands over lists as text. */
 export const textOf = ({ rule, name, features, message }) => `${rule} ${name} of ${JSON.parse(features).join(", ")}: ${message}`;
 
 /** Puts the findings of a layer on the map, in place of others. `popup` is told where somebody clicked, and what is wrong there. */

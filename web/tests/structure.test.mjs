@@ -4,8 +4,10 @@ import assert from "node:assert/strict";
 import { before, beforeEach, describe, it } from "node:test";
 import { InputError, OptionError } from "../package/errors.js";
 import { loadStructure } from "../package/structure.js";
-import { recordOf, rowOf, textOf } from "../page/lecture/records.js";
-import { nestInEachOther, STEPS } from "../page/lecture/steps.js";
+import { faceOf, recordOf, rowOf, textOf } from "../page/lecture/records.js";
+import { OPERATORS } from "../page/lecture/operators.js";
+import { layout } from "../page/lecture/picture.js";
+import { nestInEachOther, polygon, STEPS, vertices } from "../page/lecture/steps.js";
 
 const broken = ({ rules }) => rules.filter(({ violations }) => violations > 0).map(({ id }) => id);
 const figures = ({ report: { counts: { vertices, edges, faces, components } } }) => [vertices, edges, faces, components];
@@ -157,7 +159,7 @@ describe("links set by hand", () => {
   it("keep operators away until they are undone, or right again", () => {
     const { table } = triangle();
     structure.set({ half_edge: 2 }, "next", "h7");
-    assert.throws(() => structure.splitEdge(2), /set by hand: undo that first/);
+    assert.throws(() => structure.splitEdge(2), /set by hand: undo that before/);
     structure.set({ half_edge: 2 }, "next", `h${table.half_edges[2].next}`);
     assert.deepEqual(figures(structure.splitEdge(2)), [4, 4, 2, 1]);
     assert.equal(structure.state.undo, "split edge");
@@ -179,4 +181,46 @@ describe("steps of the lecture", () => {
     nestInEachOther(structure);
     assert.deepEqual(broken(structure.state), ["T2"]);
   });
+});
+
+describe("operators in the picture", () => {
+  const points = new Map();
+  const put = (key, point) => points.set(key, point);
+  const places = (v) => points.get(structure.state.keys.find(([, record]) => record.vertex === v)[0]);
+
+  function operate(name, chosen) {
+    const tables = structure.state.sound;
+    OPERATORS[name](structure, { tables, chosen, where: layout(tables, places), places, clicked: null });
+    return structure.state.sound;
+  }
+
+  const halfEdge = ({ half_edges }, u, v) => half_edges.findIndex((row) => row?.origin === u && half_edges[row.twin].origin === v);
+  const faceOfVertex = (tables, v) => tables.boundaries[tables.vertices[v].isolated].face;
+
+  for (const order of [["a", "c"], ["c", "a"]]) {
+    it(`split a face so that what lies left of a diagonal is on its left: ${order}`, () => {
+      const [a, b, c] = polygon(structure, put, [[0, 400], [400, 400], [400, 0], [0, 0]]);
+      const inside = faceOf(structure.state.sound, halfEdge(structure.state.sound, a, b));
+      const [upper, lower] = vertices(structure, put, [[100, 100], [300, 300]], inside);
+      const tables = operate("Connect", order.map((one) => `v${{ a, c }[one]}`));
+      assert.equal(faceOfVertex(tables, upper), faceOf(tables, halfEdge(tables, a, c)));
+      assert.equal(faceOfVertex(tables, lower), faceOf(tables, halfEdge(tables, c, a)));
+      assert.equal(structure.state.report.valid, true);
+    });
+  }
+
+  for (const isClockwise of [false, true]) {
+    it(`close a path around a vertex, ${isClockwise ? "clockwise" : "counter-clockwise"}`, () => {
+      const corners = [[0, 400], [400, 400], [200, 0]];
+      const path = vertices(structure, put, isClockwise ? corners.reverse() : corners);
+      const [within, without] = vertices(structure, put, [[200, 300], [500, 300]]);
+      operate("Connect", [`v${path[0]}`, `v${path[1]}`]);
+      operate("Connect", [`v${path[1]}`, `v${path[2]}`]);
+      const tables = operate("Connect", [`v${path[2]}`, `v${path[0]}`]);
+      const face = faceOf(tables, isClockwise ? halfEdge(tables, path[0], path[2]) : halfEdge(tables, path[2], path[0]));
+      assert.notEqual(tables.faces[face].outer, null, "the inside is the bounded face");
+      assert.equal(faceOfVertex(tables, within), face);
+      assert.equal(tables.faces[faceOfVertex(tables, without)].outer, null);
+    });
+  }
 });

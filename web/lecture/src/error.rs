@@ -7,7 +7,7 @@ use twinedge::validate::Record;
 /// The reason why a request was refused. The structure is unchanged.
 #[derive(Debug, PartialEq, Eq, Error)]
 pub(crate) enum LessonError {
-    /// The request is none that there is.
+    /// The request has another form than any operation.
     #[error("{0}")]
     Request(String),
     /// There is no record with this index.
@@ -17,7 +17,7 @@ pub(crate) enum LessonError {
     #[error("{0}")]
     Operator(String),
     /// A link was set by hand.
-    #[error("links were set by hand: undo that first, as operators keep right what is right")]
+    #[error("links were set by hand: undo that before you use an operator")]
     Touched,
     /// The record has no such field.
     #[error("a {0} has no field `{1}`")]

@@ -203,7 +203,7 @@ impl Lesson {
 
     /// Does again what was undone last. Nothing happens if there is nothing.
     pub(crate) fn redo(&mut self) {
-        // What was set by hand came after all operators.
+        // All operators were before the links that were set by hand.
         if !self.history.redo() {
             self.edited.extend(self.undone.pop());
         }

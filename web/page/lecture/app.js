@@ -85,7 +85,7 @@ function attempt(act) {
   show();
 }
 
-/** What the validator says, in a few words. */
+/** The verdict of the validator, in a few words. */
 function verdict() {
   const { rules: all } = structure.state;
   const broken = all.filter(({ violations }) => violations > 0).map(({ id, name }) => `${id} ${name}`);
@@ -133,7 +133,7 @@ function begin(number) {
   [chosen, clicked] = [[], null];
   lesson = { number, trail: [], done: [], wasBroken: false, isDone: false, first: null };
   step.begin(structure, (key, place) => places.set(key, place));
-  // What was made for the step is not undone.
+  // Undo ends at the beginning of the step.
   lesson.first = structure.forget();
   byId("step-title").textContent = step.title;
   byId("step-number").textContent = `Step ${number + 1} of ${STEPS.length}`;

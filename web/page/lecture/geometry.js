@@ -82,7 +82,7 @@ export function linesOf(tables, places) {
   tables.half_edges.forEach((row, h) => {
     if (!row || row.twin < h) return;
     const ends = [row.origin, tables.half_edges[row.twin].origin];
-    const key = ends.toSorted((a, b) => a - b).join();
+    const key = [...ends].sort((a, b) => a - b).join();
     if (!bundles.has(key)) bundles.set(key, []);
     bundles.get(key).push([h, ...ends]);
   });
@@ -103,7 +103,7 @@ export function linesOf(tables, places) {
         line = bend === 0 ? [p, q] : curve([p, [middle[0] + ((q[1] - p[1]) / length) * bend, middle[1] - ((q[0] - p[0]) / length) * bend], q]);
       }
       lines[h] = line;
-      lines[t] = line.toReversed();
+      lines[t] = [...line].reverse();
     });
   }
   return lines;

@@ -60,7 +60,7 @@ function corners(view, needs) {
   return [cornerFor(view, a, angle(p, q)), cornerFor(view, b, angle(q, p))];
 }
 
-/** Where a new vertex is put that an operator split off: near the old one, towards its neighbours or into the corner. */
+/** The place of a new vertex that an operator split off: near the old one, towards its neighbours or into the corner. */
 function splitPlace({ tables, where, places }, corner, neighbours) {
   if (corner.vertex !== undefined) return step(places(corner.vertex), 0, 70);
   const origin = places(tables.half_edges[corner.halfEdge].origin);

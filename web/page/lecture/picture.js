@@ -1,7 +1,7 @@
 // The structure as SVG: faces, half-edges with their arrows, vertices; what is chosen, its links, and what is broken.
 
 import { beside, innermost, linesOf, polygonOf } from "./geometry.js";
-import { faceOf, FIELDS, nameOf, namesOf, rowOf } from "./records.js";
+import { faceOf, FIELDS, nameOf, namesOf, rowOf, textOf } from "./records.js";
 
 export const WIDTH = 800;
 export const HEIGHT = 520;
@@ -17,7 +17,7 @@ function svg(name, attributes, ...children) {
 const path = (points, close = "") => `M${points.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`).join("L")}${close}`;
 const middleOf = (line) => line[Math.floor((line.length - 1) / 2)].map((c, i) => (c + line[Math.ceil((line.length - 1) / 2)][i]) / 2);
 
-/** Where everything is: lines of half-edges, and polygons and a place for the label of each face. */
+/** The place of everything: lines of half-edges, and polygons and a place for the label of each face. */
 export function layout(tables, places) {
   const lines = linesOf(tables, places);
   const regions = tables.faces.map((row) => {
@@ -61,16 +61,14 @@ function placeOf(name, tables, places, { lines, regions }) {
   return start.vertex === undefined ? middleOf(beside(lines[start.half_edge], 5, 16)) : places(start.vertex);
 }
 
-/** The links that were set by hand: from a record to another one. */
+/** The links that were set by hand: from a record to another one. Lists and places are no links. */
 function setByHand({ table, sound }) {
   const found = [];
   for (const letter of ["v", "h", "b", "f"]) {
     for (const name of namesOf(table, letter)) {
-      for (const field of Object.keys(FIELDS[letter])) {
-        const [value, was] = [rowOf(table, name), rowOf(sound, name)].map((row) => row[field]);
-        if (JSON.stringify(value) === JSON.stringify(was)) continue;
-        const to = typeof value === "number" ? FIELDS[letter][field] + value : value && typeof value === "object" && !Array.isArray(value) && !("inner" in value) ? nameOf(value) : null;
-        found.push({ name, field, to });
+      for (const field of Object.keys(FIELDS[letter]).filter((one) => one !== "inner" && one !== "place")) {
+        const [to, was] = [table, sound].map((tables) => textOf(rowOf(tables, name), letter, field));
+        if (to !== was) found.push({ name, field, to });
       }
     }
   }
@@ -119,11 +117,11 @@ export function draw(root, state, places, chosen) {
 
   const hand = svg("g", {});
   for (const { name, field, to } of setByHand(state)) {
-    const [from, end] = [name, to].map((one) => one && placeOf(one, sound, places, where));
-    if (!from) continue;
+    const from = placeOf(name, sound, places, where);
+    const end = to === "-" ? null : placeOf(to, sound, places, where);
     if (end) hand.append(svg("path", { d: path([from, end]), class: "by-hand" }));
     const [x, y] = end ? middleOf([from, end]) : from;
-    hand.append(svg("text", { x, y: y - 12, class: "label by-hand" }, `${field}${end ? "" : " ?"}`));
+    hand.append(svg("text", { x, y: y - 12, class: "label by-hand" }, end ? field : `${field}: ${to}`));
   }
   root.replaceChildren(root.querySelector("defs"), faces, edges, vertices, hand);
   return where;

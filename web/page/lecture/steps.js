@@ -2,10 +2,8 @@
 
 import { cycleOf, faceOf, indexOf } from "./records.js";
 
-const at = (...points) => points;
-
 /** Adds vertices to a face, at these places. */
-function vertices(structure, put, points, face = 1) {
+export function vertices(structure, put, points, face = 1) {
   return points.map((point) => {
     const before = new Set(structure.state.keys.map(([key]) => key));
     const { keys } = structure.addIsolatedVertex(face);
@@ -19,7 +17,7 @@ function vertices(structure, put, points, face = 1) {
 const edge = ({ half_edges }, u, v) => half_edges.findIndex((row) => row?.origin === u && half_edges[row.twin].origin === v);
 
 /** Adds a polygon to a face, with its vertices counter-clockwise, and gives these. */
-function polygon(structure, put, points, face = 1) {
+export function polygon(structure, put, points, face = 1) {
   const all = vertices(structure, put, points, face);
   for (let i = 0; i + 1 < all.length; i++) {
     const from = i === 0 ? { vertex: all[0] } : { halfEdge: edge(structure.state.table, all[i], all[i - 1]) };
@@ -31,11 +29,11 @@ function polygon(structure, put, points, face = 1) {
   return all;
 }
 
-const square = (x, y, size) => at([x, y + size], [x + size, y + size], [x + size, y], [x, y]);
+const square = (x, y, size) => [[x, y + size], [x + size, y + size], [x + size, y], [x, y]];
 
 /** Two triangles that share an edge. */
 function kite(structure, put) {
-  const [a, b, c, d] = polygon(structure, put, at([180, 400], [420, 440], [640, 260], [330, 90]));
+  const [a, b, c, d] = polygon(structure, put, [[180, 400], [420, 440], [640, 260], [330, 90]]);
   const { table } = structure.state;
   structure.connect({ halfEdge: edge(table, b, c) }, { halfEdge: edge(table, d, a) });
 }
@@ -44,14 +42,14 @@ function kite(structure, put) {
 function island(structure, put) {
   const [a, b] = polygon(structure, put, square(170, 60, 400));
   const inside = faceOf(structure.state.table, edge(structure.state.table, a, b));
-  polygon(structure, put, at([230, 390], [410, 390], [320, 190]), inside);
-  vertices(structure, put, at([480, 150]), inside);
+  polygon(structure, put, [[230, 390], [410, 390], [320, 190]], inside);
+  vertices(structure, put, [[480, 150]], inside);
 }
 
 /** Two triangles side by side, in the unbounded face. */
 function pair(structure, put) {
-  polygon(structure, put, at([120, 360], [340, 360], [230, 150]));
-  polygon(structure, put, at([460, 360], [680, 360], [570, 150]));
+  polygon(structure, put, [[120, 360], [340, 360], [230, 150]]);
+  polygon(structure, put, [[460, 360], [680, 360], [570, 150]]);
 }
 
 /** Puts each of the two triangles into the other: every link fits, and nothing is outside any more. */
@@ -74,7 +72,7 @@ export function nestInEachOther(structure) {
 
 const twins = ({ half_edges }, [a, b]) => a?.[0] === "h" && b?.[0] === "h" && half_edges[indexOf(a)]?.twin === indexOf(b);
 
-/** Whether the last names are a whole cycle, in the order of `next`. */
+/** Says if the last names are a whole cycle, in the order of `next`. */
 function wentAround({ half_edges }, trail) {
   const last = trail.at(-1);
   if (last?.[0] !== "h") return false;
@@ -84,7 +82,7 @@ function wentAround({ half_edges }, trail) {
 }
 
 /**
- * The steps. `is` says whether the task is done, by the state now and at the beginning, the names that were chosen one after the other, and the
+ * The steps. `is` says if the task is done, by the state now and at the beginning, the names that were chosen one after the other, and the
  * operators that were done.
  */
 export const STEPS = [
@@ -125,7 +123,7 @@ export const STEPS = [
       "An edge between two corners of the same cycle makes two cycles of it, and two faces of one. The operator is called Connect. All links are set for you, and an operator never breaks a rule.",
     ],
     task: "Choose two vertices that have a face in common and no edge between them, and press Connect.",
-    begin: (structure, put) => void polygon(structure, put, at([180, 400], [420, 440], [640, 260], [330, 90])),
+    begin: (structure, put) => void polygon(structure, put, [[180, 400], [420, 440], [640, 260], [330, 90]]),
     is: ({ state, first }) => state.report.counts.faces > first.report.counts.faces,
   },
   {
