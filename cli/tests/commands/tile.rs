@@ -94,7 +94,7 @@ fn an_audit_by_tiles_is_that_of_the_whole() {
 #[test]
 fn an_audit_within_memory_is_that_of_the_whole() {
     let (_, file) = parcels("tiles-memory");
-    for (file, sizes) in [(file, ["1G", "32K"]), (data("world-110m-crossing.geojson"), ["4M", "1"])] {
+    for (file, sizes) in [(file, ["1G", "32K"]), (data("world-110m-crossing.geojson"), ["64M", "1"])] {
         let whole = json(&["audit", &file, "--format", "json"]);
         let mut columns = Vec::new();
         for size in sizes {
@@ -187,7 +187,8 @@ fn the_sum_of_tiles_whose_borders_cross_has_the_findings_of_the_whole() {
     let (status, sum) = json(&["sum", "--format", "json", &tile(0), &tile(1)]);
     let (_, whole) = json(&["audit", &file, "--format", "json"]);
     assert_eq!((status, &sum["rules"]), (Some(1), &whole["rules"]));
-    for key in ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid", "mismatches", "not_checked"] {
+    for key in ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid", "mismatches", "not_checked"]
+    {
         assert_eq!(sum["coverage"][key], whole["coverage"][key], "{key}");
     }
 }
