@@ -168,7 +168,7 @@ fn main() -> io::Result<()> {
             write!(out, "[{},{}],", *x as f64 * UNIT, *y as f64 * UNIT)?;
         }
         let [x, y] = ring[0];
-        writeln!(out, "[{},{}]]]}}}}}}", x as f64 * UNIT, y as f64 * UNIT)?;
+        writeln!(out, "[{},{}]]]}}}}", x as f64 * UNIT, y as f64 * UNIT)?;
         id += 1;
         points += ring.len();
         Ok(())

@@ -136,7 +136,12 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
     };
     let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
     let named = findings.flat_map(|finding| &finding.features).map(|feature| feature.index());
-    let most = named.chain(outcome.defects.iter().map(|(feature, _)| *feature as usize)).max();
+    let others = outcome
+        .crossings
+        .iter()
+        .flat_map(|one| &one.features)
+        .chain(outcome.defects.iter().map(|(feature, _)| feature));
+    let most = named.chain(others.map(|feature| *feature as usize)).max();
     let mut noted = Noted::new(None);
     noted.defects = numbered(&outcome.defects);
     let [columns, rows] = grid.size();

@@ -153,7 +153,7 @@ impl<'a> Local<'a> {
                 Clash::Touch { vertex, segment } => {
                     let at = points[vertex as usize];
                     // What ends at a vertex elsewhere is known to its tile.
-                    let vertex = vertices.get(&at.hash_key()).filter(|_| self.bounds.contains(at))?;
+                    let vertex = vertices.get(&at.hash_key())?;
                     (CrossingKind::Touch, [at; 2], ends(segment), [self.features_at(vertex), along(segment)].concat())
                 }
                 Clash::SamePlace { .. } => return None,

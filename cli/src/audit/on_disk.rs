@@ -1,68 +1,70 @@
 //! The features of a map on disk, tile by tile, for maps that are larger than memory.
 
 use std::borrow::Cow;
-use std::fs::{File, OpenOptions, remove_file};
-use std::io::{self, BufRead as _, BufReader, BufWriter, Read, Write as _};
-use std::path::PathBuf;
-use tempfile::TempDir;
+use std::fs::File;
+use std::io::{self, BufRead as _, BufReader, BufWriter, Read, Seek as _, SeekFrom, Write as _};
+use std::sync::{Mutex, PoisonError};
 use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
 use twinedge_report::Shelf;
 
-/// The number of bytes that are collected before they are written to the files of their tiles.
+/// The number of bytes that are collected before they are written.
 const COLLECTED: usize = 32 << 20;
 
 const POLYGON: u8 = 0;
 const LINE: u8 = 1;
 const POINT: u8 = 2;
 
-/// Features in files of a folder of its own, which goes with it: first all in one, then those of each tile in one.
+/// Features in files without name, which go with the program however it ends: first one after the other, then those of each tile in stretches.
 pub(super) struct OnDisk {
-    folder: TempDir,
-    all: Option<BufWriter<File>>,
+    all: BufWriter<File>,
+    by_tiles: Mutex<File>,
+    /// Of each tile the stretches of the file: where they start, and how long they are.
+    stretches: Vec<Vec<(u64, usize)>>,
 }
 
 impl OnDisk {
     /// Nothing yet, in the folder for temporary files.
     pub(super) fn new() -> io::Result<Self> {
-        let folder = tempfile::Builder::new().prefix("twinedge-").tempdir()?;
-        let all = Some(BufWriter::new(File::create_new(folder.path().join("all"))?));
-        Ok(Self { folder, all })
-    }
-
-    fn path_of_all(&self) -> PathBuf {
-        self.folder.path().join("all")
-    }
-
-    fn path(&self, tile: usize) -> PathBuf {
-        self.folder.path().join(tile.to_string())
+        let all = BufWriter::new(tempfile::tempfile()?);
+        Ok(Self { all, by_tiles: Mutex::new(tempfile::tempfile()?), stretches: Vec::new() })
     }
 
     /// Shows all features in order, each with its bytes.
-    fn read_all(&self, show: &mut dyn FnMut(&Feature, &[u8]) -> io::Result<()>) -> io::Result<()> {
-        let mut reader = BufReader::new(File::open(self.path_of_all())?);
+    fn read_all(&mut self, show: &mut dyn FnMut(&Feature, &[u8]) -> io::Result<()>) -> io::Result<()> {
+        self.all.flush()?;
+        let mut reader = BufReader::new(self.all.get_ref());
+        reader.rewind()?;
         while !reader.fill_buf()?.is_empty() {
             let feature = read_feature(&mut reader)?;
             show(&feature, &bytes(&feature)?)?;
         }
         Ok(())
     }
+}
 
-    fn append(&self, tile: usize, bytes: &mut Vec<u8>) -> io::Result<()> {
-        OpenOptions::new().append(true).create(true).open(self.path(tile))?.write_all(bytes)?;
+/// Writes what was collected for each tile, and notes where.
+fn append(
+    collected: &mut [Vec<u8>],
+    file: &mut File,
+    end: &mut u64,
+    stretches: &mut [Vec<(u64, usize)>],
+) -> io::Result<()> {
+    for (bytes, stretches) in collected.iter_mut().zip(stretches).filter(|(bytes, _)| !bytes.is_empty()) {
+        file.write_all(bytes)?;
+        stretches.push((*end, bytes.len()));
+        *end += bytes.len() as u64;
         *bytes = Vec::new();
-        Ok(())
     }
+    Ok(())
 }
 
 impl Shelf for OnDisk {
     fn put(&mut self, feature: Feature) -> io::Result<()> {
-        let bytes = bytes(&feature)?;
-        self.all.as_mut().map_or(Ok(()), |all| all.write_all(&bytes))
+        self.all.write_all(&bytes(&feature)?)
     }
 
     fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()> {
-        self.all.as_mut().map_or(Ok(()), io::Write::flush)?;
         self.read_all(&mut |feature, _| {
             show(feature);
             Ok(())
@@ -70,8 +72,8 @@ impl Shelf for OnDisk {
     }
 
     fn file(&mut self, tiles: usize, tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        // Nothing is put down any more.
-        self.all.take().map_or(Ok(()), |mut all| all.flush())?;
+        let (mut file, mut end) = (tempfile::tempfile()?, 0);
+        let mut stretches = vec![Vec::new(); tiles];
         let mut collected: Vec<Vec<u8>> = vec![Vec::new(); tiles];
         let (mut size, mut number) = (0, 0_u32);
         self.read_all(&mut |feature, bytes| {
@@ -83,24 +85,30 @@ impl Shelf for OnDisk {
             number += 1;
             if size > COLLECTED {
                 size = 0;
-                for (tile, bytes) in collected.iter_mut().enumerate().filter(|(_, bytes)| !bytes.is_empty()) {
-                    self.append(tile, bytes)?;
-                }
+                append(&mut collected, &mut file, &mut end, &mut stretches)?;
             }
             Ok(())
         })?;
-        for (tile, bytes) in collected.iter_mut().enumerate() {
-            self.append(tile, bytes)?;
-        }
-        remove_file(self.path_of_all())
+        append(&mut collected, &mut file, &mut end, &mut stretches)?;
+        // The room of the file before is free again.
+        *self = Self { by_tiles: Mutex::new(file), stretches, ..Self::new()? };
+        Ok(())
     }
 
     fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>> {
-        let mut reader = BufReader::new(File::open(self.path(tile))?);
-        let mut features = Vec::new();
-        while !reader.fill_buf()?.is_empty() {
-            let number = read_number(&mut reader)?;
-            features.push((number, Cow::Owned(read_feature(&mut reader)?)));
+        let mut bytes = Vec::new();
+        let mut file = self.by_tiles.lock().unwrap_or_else(PoisonError::into_inner);
+        for (start, length) in self.stretches.get(tile).into_iter().flatten() {
+            let before = bytes.len();
+            bytes.resize(before + length, 0);
+            file.seek(SeekFrom::Start(*start))?;
+            file.read_exact(&mut bytes[before..])?;
+        }
+        drop(file);
+        let (mut rest, mut features) = (&bytes[..], Vec::new());
+        while !rest.is_empty() {
+            let number = read_number(&mut rest)?;
+            features.push((number, Cow::Owned(read_feature(&mut rest)?)));
         }
         Ok(features)
     }
@@ -187,7 +195,7 @@ mod tests {
     use twinedge::map::{Feature, Shape};
 
     #[test]
-    fn features_come_back_by_tiles_as_they_were_and_leave_no_file() {
+    fn features_come_back_by_tiles_as_they_were() {
         let hole = [[0.1, -0.0], [1e-300, 2.0], [3.0, 4.0]];
         let shapes = [
             Shape::polygon([[0.0, 0.0], [9.0, 0.0], [0.0, 9.0]]).hole(hole),
@@ -216,8 +224,5 @@ mod tests {
             of_tile.iter().map(|(number, _)| *number).collect::<Vec<_>>()
         };
         assert_eq!([0, 1, 2].map(numbers), [vec![0], vec![], vec![0, 2]]);
-        let folder = shelf.folder.path().to_owned();
-        drop(shelf);
-        assert!(!folder.exists());
     }
 }

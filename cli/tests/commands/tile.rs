@@ -94,7 +94,7 @@ fn an_audit_by_tiles_is_that_of_the_whole() {
 #[test]
 fn an_audit_within_memory_is_that_of_the_whole() {
     let (_, file) = parcels("tiles-memory");
-    for (file, sizes) in [(file, ["1G", "32K"]), (data("world-110m-crossing.geojson"), ["4M", "1"])] {
+    for (file, sizes) in [(file, ["1G", "32K"]), (data("world-110m-crossing.geojson"), ["64M", "1"])] {
         let whole = json(&["audit", &file, "--format", "json"]);
         let mut columns = Vec::new();
         for size in sizes {
