@@ -18,7 +18,7 @@ const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
 const MAGIC: usize = 4;
 
 /// Opens a file, standard input where the path is `-`, or the built-in map where there is none. Of an archive, what is in it is opened.
-fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
+pub(crate) fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Failure> {
     let mut input = open_as_it_is(path, layer)?;
     let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
     let unpacked = unpack(&head, &mut input.reader, input.path.as_deref(), layer);
@@ -189,6 +189,15 @@ impl MapFile {
 /// The argument of `--list` and the like.
 pub(crate) fn whole(text: &str) -> Result<usize, String> {
     text.parse().map_err(|_| "not a whole number".to_owned())
+}
+
+/// A number of bytes, as `4096`, `64K`, `256M` or `2G`.
+pub(crate) fn size(text: &str) -> Result<u64, String> {
+    let in_units =
+        [("K", 10), ("M", 20), ("G", 30)].into_iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, shift)));
+    let (number, shift) = in_units.unwrap_or((text, 0));
+    let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
+    bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
 }
 
 /// The argument of `--snap`.

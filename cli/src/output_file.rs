@@ -1,6 +1,6 @@
 //! Files that are written: whole or not at all, and never over the input.
 
-use crate::progress::remove_on_interrupt;
+use crate::progress::{finished, unfinished};
 use crate::status::Failure;
 use same_file::is_same_file;
 use std::fs;
@@ -40,19 +40,18 @@ pub(crate) fn write_files(
     if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
         return write(path);
     }
-    // What a link leads to is replaced, and not the link.
+    // The target of a link is replaced, and not the link.
     let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = real.file_name().ok_or_else(|| Failure(format!("{}: this is no file", path.display())))?;
-    let scratch = tempfile::Builder::new().prefix(".twinedge-").tempdir_in(folder).map_err(failed)?;
-    remove_on_interrupt(Some(scratch.path()))?;
+    let scratch = unfinished(|| tempfile::Builder::new().prefix(".twinedge-").tempdir_in(folder).map_err(failed))?;
     let written = scratch.path().join(name);
     let result = write(&written).and_then(|()| replace(&written, &real, all, failed));
-    remove_on_interrupt(None)?;
+    finished();
     // Messages name the file that was asked for.
-    let unfinished = format!("{}{MAIN_SEPARATOR}", scratch.path().display());
+    let of_scratch = format!("{}{MAIN_SEPARATOR}", scratch.path().display());
     let prefix = path.parent().map(|folder| folder.join("").display().to_string()).unwrap_or_default();
-    result.map_err(|Failure(message)| Failure(message.replace(&unfinished, &prefix)))
+    result.map_err(|Failure(message)| Failure(message.replace(&of_scratch, &prefix)))
 }
 
 /// Puts the files that were written in the place of what was there before.

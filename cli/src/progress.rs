@@ -2,11 +2,12 @@
 
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
+use tempfile::TempDir;
 use twinedge_trials::Progress;
 
 /// True if the work is to end early.
@@ -27,10 +28,20 @@ pub(crate) fn stop_on_interrupt() -> Result<(), Failure> {
     handle_interrupts()
 }
 
-/// Makes Ctrl-C remove this folder, which has unfinished files, and end the program; or nothing, once there is none.
-pub(crate) fn remove_on_interrupt(folder: Option<&Path>) -> Result<(), Failure> {
-    *locked(&SCRATCH) = folder.map(Path::to_owned);
-    handle_interrupts()
+/// Makes a folder for unfinished files. Ctrl-C removes it and ends the program, from the moment at which it is there until
+/// [`finished`].
+pub(crate) fn unfinished(make: impl FnOnce() -> Result<TempDir, Failure>) -> Result<TempDir, Failure> {
+    handle_interrupts()?;
+    // Nothing is removed in between.
+    let mut scratch = locked(&SCRATCH);
+    let folder = make()?;
+    *scratch = Some(folder.path().to_owned());
+    Ok(folder)
+}
+
+/// Says that there are no unfinished files any more.
+pub(crate) fn finished() {
+    *locked(&SCRATCH) = None;
 }
 
 fn handle_interrupts() -> Result<(), Failure> {

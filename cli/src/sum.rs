@@ -95,15 +95,18 @@ impl Sum {
         }
         let summary = |Part { name, value }: Part| {
             let saved: Saved = serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
-            Ok(saved.summary)
+            Ok((saved.summary, saved.cut))
         };
         let summaries = parts.into_iter().map(summary).collect::<Result<Vec<_>, Failure>>()?;
+        let (summaries, of_cut): (Vec<_>, Vec<_>) = summaries.into_iter().unzip();
         let whole = merged(summaries)?.ok_or_else(|| Failure("there is no summary".to_owned()))?;
+        let of_cut: Option<Vec<_>> = of_cut.into_iter().collect();
+        let cut = merged(of_cut.unwrap_or_default())?;
         if let Some(path) = &self.output {
-            write_file(path, None, &Saved::bytes(whole)?)?;
+            write_file(path, None, &Saved::bytes(whole, cut)?)?;
             return Ok(Verdict::Sound);
         }
-        let mut audited = audit_summary(whole, &Options::default())?;
+        let mut audited = audit_summary(whole, cut, &Options::default())?;
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         match self.format {
             Format::Text => print(&audited.text()?)?,

@@ -7,8 +7,9 @@ use crate::status::{Failure, Verdict, named};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use twinedge::geometry::Point;
-use twinedge::tile::{Grid, Summary, Tile as Place};
-use twinedge_report::{Imported, Keep, grid_around};
+use twinedge::map::{BuildError, Feature};
+use twinedge::tile::{Cuts, Grid, Summary, Tile as Place, TileError};
+use twinedge_report::{Imported, InMemory, Keep, grid_of};
 
 /// Make the summary of one tile of a map.
 ///
@@ -53,15 +54,18 @@ pub(crate) struct Saved {
     pub(crate) command: String,
     pub(crate) version: String,
     pub(crate) summary: Summary,
+    /// That of the tile with its edges cut, if there is something to cut in the map.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) cut: Option<Summary>,
 }
 
 impl Saved {
     pub(crate) const COMMAND: &'static str = "tile";
 
-    /// The file with this summary.
-    pub(crate) fn bytes(summary: Summary) -> Result<Vec<u8>, Failure> {
+    /// The file with these summaries.
+    pub(crate) fn bytes(summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
         let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
-        let mut bytes = serde_json::to_vec(&Self { command, version, summary })?;
+        let mut bytes = serde_json::to_vec(&Self { command, version, summary, cut })?;
         bytes.push(b'\n');
         Ok(bytes)
     }
@@ -93,16 +97,39 @@ impl Tile {
         if self.map.is_snapped() {
             return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
         }
-        let read = Imported::features(input, &self.map.options(), Keep::default());
-        let (_, features) = read.map_err(named(&name))?;
+        let mut shelf = InMemory::default();
+        let read = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf).map_err(named(&name))?;
         let grid = match self.corners {
             Some([low, high]) => Grid::new(low, high, self.grid[0], self.grid[1])?,
-            None => grid_around(&features, self.grid).map_err(named(&name))?,
+            None => grid_of(read.noted.corners(), self.grid).map_err(named(&name))?,
         };
-        let numbered = (0..).zip(&features);
-        let summary = Summary::new(&grid, self.place, numbered, &self.coverage.options().limits);
-        let summary = summary.map_err(named(&name))?;
-        write_file(&self.output, self.map.path(), &Saved::bytes(summary)?)?;
+        let numbered = (0..).zip(shelf.features());
+        let limits = self.coverage.options().limits;
+        let summary = Summary::new(&grid, self.place, numbered.clone(), &limits).map_err(named(&name))?;
+        let cuts = cuts(read.noted.corners(), numbered.clone()).map_err(named(&name))?;
+        let cut = cuts.map(|cuts| Summary::cut(&grid, self.place, numbered, &limits, &cuts));
+        let cut = cut.transpose().map_err(named(&name))?;
+        write_file(&self.output, self.map.path(), &Saved::bytes(summary, cut)?)?;
         Ok(Verdict::Sound)
     }
+}
+
+/// The cuts of the whole map, which all of its tiles find alike; none, if there is nothing to cut, or too much.
+fn cuts<'f>(
+    corners: Option<[Point; 2]>,
+    features: impl Iterator<Item = (u32, &'f Feature)> + Clone,
+) -> Result<Option<Cuts>, TileError> {
+    let largest = corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
+    let all = Grid::EVERYTHING;
+    let mut cuts = Cuts::new(largest)?;
+    while !cuts.is_complete() {
+        let found = match cuts.search(&all, Place { column: 0, row: 0 }, features.clone()) {
+            Err(TileError::Build(BuildError::TooManyCuts { .. })) => return Ok(None),
+            found => found?,
+        };
+        if cuts.take([found]).is_err() {
+            return Ok(None);
+        }
+    }
+    Ok(Some(cuts).filter(|cuts| !cuts.is_empty()))
 }

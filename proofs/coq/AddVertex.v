@@ -230,7 +230,7 @@ have [c [E Ef Ep]] := lists_inner rep lt'; have lc := heard_live Ef.
 by exists c; rewrite boundary_face_old // boundary_place_old.
 Qed.
 
-(** Where [v] and [b] are free slots and [f] is a face: if all rules held before, they hold after. *)
+(** Let [v] and [b] be free slots and [f] a face: if all rules held before, they hold after. *)
 Theorem add_isolated_vertex_keeps_rules : rules t -> rules t'.
 Proof.
 move/rules_mean_subdivision=> [s /represents_more H].

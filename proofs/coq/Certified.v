@@ -36,7 +36,7 @@ Definition judge_surface (o : surface) : verdict :=
     then Valid else Invalid
   else Unreadable.
 
-(** What is in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
+(** A table in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
 Theorem valid_is_plane o : judge o = Valid -> rules (view_in o) /\ exists s, represents (view_in o) s.
 Proof.
 rewrite /judge; case: (readable _ o) => //; case A: (accepts _ _) => // _; have H := labels_sound A.
@@ -62,7 +62,7 @@ split; first exact: H.
 exact: (drawn_length map D).
 Qed.
 
-(** What is in a folder with the claim "surface" and the verdict "valid" keeps the rules of half-edges, V1, V2 and B1. It has as
+(** A table in a folder with the claim "surface" and the verdict "valid" keeps the rules of half-edges, V1, V2 and B1. It has as
     many components as are counted, and their genera add up to the genus that is computed: V + cycles + 2 · genus = E + 2 · components. *)
 Theorem valid_is_surface o : judge_surface o = Valid -> let t := surface_view_in o in
   [/\ is_map t, v1_leaving t, v2_rotation t, b1_cycle t

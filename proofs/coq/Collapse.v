@@ -15,7 +15,7 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** What [u] is connected to is connected to it, where L1 holds. *)
+(** If L1 holds, connection is symmetric: whatever [u] is connected to is connected to [u]. *)
 Lemma connected_back t u w : l1_twin t -> connected t u w -> connected t w u.
 Proof.
 move=> L1; elim=> [|h v x _ IH O T]; first exact: connected_self.

@@ -18,10 +18,10 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** Whether the face [f] is bounded by [dropped]: then [kept] bounds it in its place. *)
+(** True if the face [f] is bounded by [dropped]: then [kept] bounds it in its place. *)
 Definition takes_over t f dropped := outer t f == Some dropped.
 
-(** What is left in the list of the face [f]. *)
+(** The rest of the list of the face [f]. *)
 Definition bridge_list t f kept dropped :=
   [seq c <- inner_list t f | c != if takes_over t f dropped then kept else dropped].
 
@@ -498,7 +498,7 @@ case S: (boundary_start t c) => [[g|//]|//]; have lg := start_live S.
 by have [[v V _] _ _ _ _] := links_of lg; rewrite V; apply: origin_up.
 Qed.
 
-(** Where what is gone was not the outside, the outside is what it was. *)
+(** If the removed one was not the outside, the outside is as it was. *)
 Lemma outside_up u c : outside_of t u c -> c <> gone -> outside_of t' u c.
 Proof.
 move=> [I [w W C]] cg; have I' : is_inner t' c by apply/is_innerE.
@@ -633,7 +633,7 @@ Qed.
 
 End Bridge.
 
-(** Where [h] and [k] are free slots, and the corners after [a] and after [b] are on two boundary components of one face:
+(** Let [h] and [k] be free slots, and the corners after [a] and after [b] be on two boundary components of one face:
     if all rules held before, they hold after, whichever of the two is kept. *)
 Theorem bridge_keeps_rules t a b h k f kept dropped :
   boundary_of t a = Some kept /\ boundary_of t b = Some dropped \/

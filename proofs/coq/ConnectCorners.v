@@ -72,7 +72,7 @@ Qed.
 
 (** ** Boundary components along a cycle *)
 
-(** Where B1 is kept, a cycle has one boundary component, and a boundary component has one cycle. *)
+(** If B1 is kept, a cycle has one boundary component, and a boundary component has one cycle. *)
 Section Cycles.
 Variable t : view.
 Hypothesis keeps : rules t.

@@ -301,7 +301,7 @@ Qed.
 
 End Attach.
 
-(** Where [v], [h] and [k] are free slots and [b] is the boundary component of the isolated vertex [o]: if all rules held
+(** Let [v], [h] and [k] be free slots and [b] the boundary component of the isolated vertex [o]: if all rules held
     before, they hold after. *)
 Theorem attach_to_isolated_keeps_rules t o v b h k : isolated t o = Some b ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->

@@ -43,7 +43,7 @@ Definition loop_cycles t v h k left right : view := {|
   says_inner := says_inner t
 |}.
 
-(** What is told is the same as for [ConnectSplit.split_face]. *)
+(** The operator is told the same as [ConnectSplit.split_face]. *)
 Definition loop_at_isolated t v h k f g kept made (made_left new_left : bool) moved : view :=
   let left := if made_left then made else kept in
   let right := if made_left then kept else made in
@@ -321,7 +321,7 @@ Qed.
 
 End Loop.
 
-(** Where [h] and [k], [made] and [g] are free slots, and [kept] is the boundary component of the isolated vertex [v]: if all
+(** Let [h] and [k], [made] and [g] be free slots, and [kept] the boundary component of the isolated vertex [v]: if all
     rules held before, they hold after, whatever is told. *)
 Theorem loop_at_isolated_keeps_rules t v h k f g kept made made_left new_left moved :
   isolated t v = Some kept -> boundary_face t kept = Some f ->

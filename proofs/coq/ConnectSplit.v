@@ -346,7 +346,7 @@ Qed.
 
 End Split.
 
-(** Where [h] and [k], [made] and [g] are free slots, and the corners after [a] and after [b] are on one cycle: if all rules
+(** Let [h] and [k], [made] and [g] be free slots, and the corners after [a] and after [b] be on one cycle: if all rules
     held before, they hold after, whatever is told. *)
 Theorem split_face_keeps_rules t a b h k f g kept made made_left new_left moved :
   boundary_of t a = Some kept -> boundary_of t b = Some kept -> boundary_face t kept = Some f ->

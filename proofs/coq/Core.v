@@ -384,7 +384,7 @@ move=> f i lt; have lf : face t f by move: lt; rewrite /inner_count; case: ifP.
 by have [_ /(_ i lt)[b -> _]] := F f lf.
 Qed.
 
-(** What one boundary component passes is connected. *)
+(** The vertices that one boundary component passes are connected. *)
 Lemma passes_connected b u w : boundary t b -> passes t b u -> passes t b w -> connected t u w.
 Proof.
 move=> lb P Q; have [c r] := (core_of_rules, rest_of_rules).

@@ -71,7 +71,7 @@ Definition scanned h : bool :=
 Definition along_step b h : link :=
   if same_link (says_boundary t h) (Some b) then existing (half_edge_slots t) (says_next t h) else None.
 
-(** How many half-edges the walk along [b] visits, if it finds nothing wrong. *)
+(** The number of half-edges that the walk along [b] visits, if it finds nothing wrong. *)
 Definition along b : option nat :=
   match says_boundary_start t b with
   | Some (AtHalfEdge h) => if half_edge t h then round_trip (half_edge_slots t) (along_step b) h else None
@@ -94,7 +94,7 @@ Definition enters p b : bool :=
   | Inner _ => ~~ is_nil (existing (vertex_slots t) (says_vertex_at b))
   end.
 
-(** What the lists of the faces have room for: at this place of this face. *)
+(** The room that the lists of the faces have: at this place of this face. *)
 Definition has_outer f := ~~ is_nil (says_outer t f).
 Definition entries_of f : seq (nat * place) :=
   [seq (f, Outer) | _ <- iota 0 (has_outer f)] ++ [seq (f, Inner i) | i <- iota 0 (says_inner_count t f)].
@@ -103,7 +103,7 @@ Definition entries : seq (nat * place) := flatten [seq entries_of f | f <- face_
 Definition says_listed (e : nat * place) : link :=
   match e.2 with Outer => says_outer t e.1 | Inner i => says_inner t e.1 i end.
 
-(** What is listed there is live, says so itself, and can be walked along. *)
+(** The boundary component that is listed there is live, says so itself, and can be walked along. *)
 Definition entry_ok (e : nat * place) : bool :=
   if says_listed e is Some b then
     [&& boundary t b, same_link (says_boundary_face t b) (Some e.1), same_place (says_boundary_place t b) e.2,
@@ -125,7 +125,7 @@ Definition around_step h : link :=
 Definition names_its_boundary v :=
   if says_isolated t v is Some b then boundary t b && starts_at v (says_boundary_start t b) else false.
 
-(** How many half-edges the walk around [v] visits, if it finds nothing wrong. *)
+(** The number of half-edges that the walk around [v] visits, if it finds nothing wrong. *)
 Definition around v : option nat :=
   if says_leaving t v is Some l then
     if [&& half_edge t l, same_link (says_origin t l) (Some v) & is_nil (says_isolated t v)]
@@ -160,7 +160,7 @@ Definition complete :=
 >>
 *)
 
-(** How many sets there are, if vertices are in the same set that have the same number. *)
+(** The number of sets, if vertices are in the same set that have the same number. *)
 Definition sets (number : memory nat) := size (undup [seq read number v | v <- vertex_ones]).
 
 (** Each vertex has the number that [f] gives it. *)

@@ -37,7 +37,7 @@ move=> x; rewrite inE => /orP[/eqP->|/all[w wc wx]]; first by exists v; rewrite 
 by exists w => //; rewrite inE wc orbT.
 Qed.
 
-(** Where all numbers are different, so is what has them. *)
+(** If all numbers are different, so are the things that have them. *)
 Lemma uniq_map_inj (f : nat -> nat) s : uniq [seq f x | x <- s] -> {in s &, injective f}.
 Proof.
 elim: s => //= x s IH /andP[n u] y z; rewrite !inE => /orP[/eqP->|ys] /orP[/eqP->|zs] // E.
@@ -288,7 +288,7 @@ move=> t3; have [cs Hc] := components_exist; have [g [eq T3]] := euler_number Hc
 by exists cs => //; rewrite /twice; move: eq; rewrite g0; split; arith.
 Qed.
 
-(** Where T3 holds, every component is one set in the end, whether all edges are used or not. *)
+(** If T3 holds, every component is one set in the end, whether all edges are used or not. *)
 Lemma set_of_whole : t3_euler t -> whole (set_of t).
 Proof.
 case/twice_number=> cs Hc [_ E].
@@ -310,7 +310,7 @@ Qed.
 
 (** ** T1 *)
 
-(** Where T3 holds, the sets are the components: so each has one inner boundary component if and only if T1 holds. *)
+(** If T3 holds, the sets are the components: so each has one inner boundary component if and only if T1 holds. *)
 Theorem one_outside_means : t3_euler t -> one_outside_each t (set_of t) <-> t1_outside t.
 Proof.
 move=> /set_of_whole all; have ok := set_of_within.

@@ -292,7 +292,7 @@ move=> xr; rewrite -(half_edge_label low xr) /part /read; split; first by case: 
 by move=> /eqP E; rewrite (label_live map E) E.
 Qed.
 
-(** What the lists of a component are, once all are lists of half-edges. *)
+(** The lists of a component, once all are lists of half-edges. *)
 Lemma component_lists (x : dart t) r vs : labels t (num x) = Some r -> lists vs (connected t (org x)) ->
   lists_one_of_each [seq kept v | v <- vs] (on_orbit (turn t)) (part r).
 Proof.

@@ -100,7 +100,7 @@ Definition place_ok b :=
 
 Definition boundary_ok b := start_ok b && place_ok b.
 
-(** What it lists names it, and the place. *)
+(** Each boundary component that it lists names it, and the place. *)
 Definition entry_ok f p (l : link) := leads (boundary t) l && names_place t f p l.
 
 Definition face_ok f :=

@@ -219,7 +219,7 @@ move=> all names b /all[f [p [Ef Ep L]]]; exists f, p; split=> // f' p'; split=>
 by rewrite Ef Ep => -[[->] [->]].
 Qed.
 
-(** What a view says of a list without repetition: each is at the place of its index. *)
+(** The demand of a view on a list without repetition: each is at the place of its index. *)
 Lemma listed_at (s : seq nat) i b : uniq s ->
   (if i < size s then nth None [seq Some c | c <- s] i else None) = Some b <-> b \in s /\ seq.index b s = i.
 Proof.

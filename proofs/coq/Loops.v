@@ -29,7 +29,7 @@ Fixpoint all_below n (p : nat -> bool) : bool :=
 Fixpoint fold_below A n (f : A -> nat -> A) (a : A) : A :=
   if n is m.+1 then fold_below m f (f a m) else a.
 
-(** How many [i] below [n] have the key [k], for every [k]. *)
+(** The number of [i] below [n] with the key [k], for every [k]. *)
 Definition tally n (key : nat -> link) : memory nat :=
   fold_below n (fun m i => if key i is Some k then write m k (read m k).+1 else m) (blank 0).
 
@@ -80,7 +80,7 @@ Fixpoint climb fuel (up : nat -> link) (good : memory bool) (path : seq nat) x :
 Fixpoint mark (path : seq nat) (good : memory bool) : memory bool :=
   if path is x :: rest then mark rest (write good x true) else good.
 
-(** Whether every live number below [m] leads to the top. [n] bounds the steps. *)
+(** True if every live number below [m] leads to the top. [n] bounds the steps. *)
 Fixpoint all_climb n m (live : nat -> bool) up (good : memory bool) : bool :=
   if m is k.+1 then
     if live k then if climb n up good [::] k is Some path then all_climb n k live up (mark path good) else false

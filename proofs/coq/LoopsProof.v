@@ -38,7 +38,7 @@ rewrite /f; case E: (key n) => [j|] //=; rewrite /write /read.
 by rewrite -[Some j == _]/(j == k) eq_sym; case: eqP => [->|] //=; rewrite addn1.
 Qed.
 
-(** What is recalled is the value of some number with that key, and there is a value if there is such a number. *)
+(** The value that is recalled is that of some number with that key, and there is a value if there is such a number. *)
 Lemma recallP n key value k :
   if has (fun i => key i == Some k) (iota 0 n)
   then exists i, [/\ i < n, key i = Some k & read (recall n key value) k = value i]
@@ -197,11 +197,11 @@ move=> lx; elim=> [|u w xu ux uw]; first exact: reached_self.
 by apply: reached_trans ux; apply: reached_near (reached_self _) _; apply: near_sym uw; apply: reached_live xu.
 Qed.
 
-(** What is labelled is labelled by what reaches it, and so is what is near, or it waits on the stack. *)
+(** Each labelled number has the label of one that reaches it; each of its neighbours is labelled, too, or it waits on the stack. *)
 Definition sound (label : memory link) := forall x r, label x = Some r -> [/\ live x, live r & reached r x].
 Definition waits root (stack : seq nat) (label : memory link) := forall x y r, label x = Some r -> y \in near x ->
   label y = Some r \/ [/\ label y = None, r = root & y \in stack].
-(** What may still be pushed. *)
+(** The numbers that may still be pushed. *)
 Definition weight (label : memory link) := sumn [seq (if label i is Some _ then 0 else size (near i)) | i <- iota 0 n].
 
 Lemma weight_write label x r : x < n -> label x = None ->

@@ -17,7 +17,7 @@ Lemma face_below t f : face t f -> f < face_slots t. Proof. by case/andP. Qed.
 Lemma heard_live T live (says : nat -> option T) i x : heard live says i = Some x -> live i.
 Proof. by rewrite /heard; case: ifP. Qed.
 
-(** What R1 to L3 say of half-edges. *)
+(** The demands of R1 to L3 on half-edges. *)
 Definition is_map t := [/\ half_edges_live t, l1_twin t, l2_next_prev t & l3_target t].
 
 Section Map.
@@ -155,7 +155,7 @@ move=> H /iter_findex <-; elim: (findex _ _ _) => [|k IH]; first exact: joined_r
 exact: joined_trans IH (H _).
 Qed.
 
-(** What holds of a half-edge and of all that are near to it holds of all that are joined to it. *)
+(** A property that passes from a half-edge to all that are near to it holds of all that are joined to it. *)
 Lemma joined_ind (P : dart -> Prop) x y : (forall z, P z -> [/\ P (nx z), P (pv z) & P (tw z)]) ->
   joined x y -> P x -> P y.
 Proof.

@@ -93,7 +93,7 @@ rewrite {1}/inner_count /= -[face t' h]/(face t h); case: eqP => [->|_]; first b
 by case: eqP => [->|_] //; rewrite live_g.
 Qed.
 
-(** What is listed elsewhere than [b] is listed where it was. *)
+(** All that is listed elsewhere than [b] is listed where it was. *)
 Lemma moved_listed h p c : listed t' h p = Some c <->
   (c <> b /\ listed t h p = Some c) \/ [/\ c = b, h = g & p = Inner (inner_count t g)].
 Proof.
@@ -213,7 +213,7 @@ Proof.
 by case=> [k c' w' E W O|k c' w' d k' E W O D I]; rewrite E => -[<-]; rewrite W => -[<-]; [left|right; exists d, k'].
 Qed.
 
-(** Where the component is moved to a face inside it, no face inside it is rooted any more. *)
+(** If the component is moved to a face inside it, no face inside it is rooted any more. *)
 Lemma move_unrooted h : inside t b g -> rooted t' h -> ~ inside t b h.
 Proof.
 move=> in_g; elim=> [k [_ U] k_in|k c w d k' E W O D _ IH k_in].

@@ -46,14 +46,14 @@ Lemma orbit_refl f x : on_orbit f x x. Proof. by exists 0. Qed.
 Lemma orbit_step f x y z : on_orbit f x y -> f y = Some z -> on_orbit f x z.
 Proof. by case=> n E F; exists n.+1; rewrite /= E. Qed.
 
-(** What each step keeps is so on the whole orbit. *)
+(** A property that each step keeps holds on the whole orbit. *)
 Lemma orbit_ind (P : nat -> Prop) f x y : P x -> (forall u w, P u -> f u = Some w -> P w) -> on_orbit f x y -> P y.
 Proof.
 move=> Px keep [n]; elim: n y => [|n IH] y /=; first by case=> <-.
 by case E: (iter n _ _) => [u|] //= /keep; apply; apply: IH E.
 Qed.
 
-(** Where each step of one leads along the other, orbits do. *)
+(** If each step of one leads along the other, orbits do. *)
 Lemma orbit_sub (f f' : nat -> link) x y : (forall u w z, f u = Some w -> on_orbit f' z u -> on_orbit f' z w) ->
   on_orbit f x y -> on_orbit f' x y.
 Proof.
@@ -74,7 +74,7 @@ Qed.
     What is connected to the new vertex [v] is what is connected to [o], and boundary components start where they did, or
     at [v] where they started at [o]. *)
 
-(** Where [v] hangs is [o]. *)
+(** The vertex on which [v] hangs is [o]. *)
 Definition hangs (v o u : nat) := if u == v then o else u.
 
 Section Hanging.

@@ -22,7 +22,7 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** What the old face and the new one list. *)
+(** The lists of the old face and of the new one. *)
 Definition bounds t f kept := outer t f == Some kept.
 Definition old_list t f kept of_old (moved : pred nat) :=
   [seq c <- inner_list t f | (c != kept) && ~~ moved c] ++ (if bounds t f kept then [::] else [:: of_old]).
@@ -389,7 +389,7 @@ rewrite /is_inner placeE // other_new ?other_old //=; case: ifP => _; first by e
 by case: ifP => _; [exists (seq.index c news)|exists i].
 Qed.
 
-(** What an outside is afterwards, and what it was before. *)
+(** An outside afterwards, and the same before. *)
 Definition later c := if c == kept then of_old else c.
 Definition earlier c := if c == of_old then kept else c.
 

@@ -30,7 +30,7 @@ apply: live cy => i z; rewrite /cycle_start; case S: (boundary_start t i) => [s|
 exact: heard_live S.
 Qed.
 
-(** What the rotations, the cycles and their counts rest on. *)
+(** The facts on which the rotations, the cycles and their counts rest. *)
 Record basics t : Prop := Basics {
   basic_map : is_map t;
   basic_leaving : forall v h, leaving t v = Some h -> half_edge t h /\ origin t h = Some v;

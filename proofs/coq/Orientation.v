@@ -32,7 +32,7 @@ Definition crossing (p a b : point) : Z :=
   if a.2 <=? p.2 then if b.2 <=? p.2 then 0 else if 0 <? orient a b p then 1 else 0
   else if b.2 <=? p.2 then if orient a b p <? 0 then - 1 else 0 else 0.
 
-(** How often the triangle runs around the point. *)
+(** The number of times that the triangle runs around the point. *)
 Definition around (p a b c : point) : Z := crossing p a b + crossing p b c + crossing p c a.
 
 Lemma orient_swap a b p : orient b a p = - orient a b p.

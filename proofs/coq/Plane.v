@@ -192,7 +192,7 @@ move: v w total (dot (sub a p) (sub a p)) (dot (sub b p) (sub b p)) (dot (sub a 
 move=> v w total aa bb ab ea eb pa pb neg; nia.
 Qed.
 
-(** What one looks into from a point on an edge has that edge as a side. *)
+(** The face into which one looks from a point on an edge has that edge as a side. *)
 Lemma into_edge p v d e : inner d -> into p v d -> on_edge p e -> cross (edge e) v <> 0 ->
   exists f, [/\ f = e \/ f = twin e, on_edge p f & f \in [:: d; next d; next (next d)]].
 Proof.

@@ -27,10 +27,10 @@ Definition each_face p := all_below (face_slots t) (fun f => if face t f then p 
 
 (** ** What is counted *)
 
-(** How many half-edges leave a vertex. *)
+(** The number of half-edges that leave a vertex. *)
 Definition degrees : memory nat := tally (half_edge_slots t) (origin t).
 
-(** How many half-edges name a boundary component. *)
+(** The number of half-edges that name a boundary component. *)
 Definition lengths : memory nat := tally (half_edge_slots t) (boundary_of t).
 
 (** ** R1 to F2 *)

@@ -19,7 +19,7 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-(** Where [step] leads past the edge of [n] and [m]: [x] itself, if it is of another edge, or what follows around its vertex. *)
+(** The place to which [step] leads past the edge of [n] and [m]: [x] itself, if it is of another edge, or what follows around its vertex. *)
 Definition past (step : nat -> link) n m x : link :=
   if x == n then (if step m == Some m then step n else step m) else
   if x == m then (if step n == Some n then step m else step n) else Some x.
@@ -28,7 +28,7 @@ Definition past (step : nat -> link) n m x : link :=
 Definition corner t n m x : link :=
   let l := past (next t) n m x in if (l == Some n) || (l == Some m) then None else l.
 
-(** Where what is left around the end of [x] starts: at a half-edge that leaves it, or at the vertex. *)
+(** The start of the rest around the end of [x]: at a half-edge that leaves it, or at the vertex. *)
 Definition start_left t n m x : option start :=
   if corner t n m x is Some y then Some (AtHalfEdge y) else omap AtVertex (origin t x).
 
@@ -88,7 +88,7 @@ split=> // i l; rewrite [LHS]/heard ?l //=.
 by rewrite -[vertex _ i]/(vertex t i) l; do 2?case: ifP => //; rewrite /isolated /heard l.
 Qed.
 
-(** Where each step can be taken back, and each leads to what is live, an orbit can be gone the other way round. *)
+(** If each step can be taken back, and each leads to something live, an orbit can be gone the other way round. *)
 Lemma orbit_back k (live : nat -> bool) (f : nat -> link) x y : (forall i, live i -> i < k) ->
   (forall i, live i -> exists2 j, f i = Some j & live j) -> (forall i j, live i -> live j -> f i = f j -> i = j) ->
   live x -> on_orbit f x y -> on_orbit f y x.
@@ -353,7 +353,7 @@ Qed.
 
 Lemma begins x u : begins_at t x u -> origin t x = Some u. Proof. by move/eqP. Qed.
 
-(** Where an isolated vertex is isolated. *)
+(** The face in which an isolated vertex lies. *)
 Definition isolated_at u b := [\/ [/\ begins_at t n u, corner n = None & b = at_n],
   [/\ begins_at t m u, corner m = None & b = at_m] | bare t u /\ isolated t u = Some b].
 

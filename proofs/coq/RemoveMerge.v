@@ -151,7 +151,7 @@ rewrite boundaryE => lb; case: (jointP b) => J.
 by rewrite now_other // lb andbT; apply/eqP=> E; case: J; right.
 Qed.
 
-(** What is left is [kept], or neither of the two. *)
+(** The rest is [kept], or neither of the two. *)
 Lemma boundary_left b : boundary t' b -> b = kept \/ [/\ ~ joint b, boundary t b & now b = b].
 Proof.
 rewrite boundaryE => /andP[/eqP bd lb]; case: (jointP b) => J; first by left; case: J.
@@ -228,7 +228,7 @@ move=> l; have [li _ _] := leftP l; have [x N _] := next_some li; have [y Y ly] 
 by rewrite (nextE out) // N /= Y /= !boundary_ofE // (past_boundary Y) (next_boundary N).
 Qed.
 
-(** What is left of the cycle of an end leads to what comes past it. *)
+(** The rest of the cycle of an end leads to the half-edge that comes past it. *)
 Lemma reach x i : x = n \/ x = m -> half_edge t' i -> boundary_of t i = boundary_of t x ->
   exists y, [/\ past x = Some y, half_edge t' y & on_cycle t' i y].
 Proof.
@@ -595,7 +595,7 @@ Qed.
 
 End Merge.
 
-(** What makes merging right: the two sides of the edge are [kept] and [dropped], and one of these is the outer boundary component
+(** The condition for merging: the two sides of the edge are [kept] and [dropped], and one of these is the outer boundary component
     of [g], the other one is listed by [f]. *)
 Definition is_seam t n m f g kept dropped :=
   [&& twin t n == Some m,

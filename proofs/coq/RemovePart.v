@@ -54,7 +54,7 @@ Definition parted_inn t kept made stays b :=
 Definition part_component t n m f kept made at_n at_m stays :=
   relist (parted t n m f kept made at_n at_m) (parted_inn t kept made stays).
 
-(** Where a way ends that begins at [u] and goes along these half-edges, none of which is of the edge of [n] and [m]. *)
+(** The end of a way that begins at [u] and goes along these half-edges, none of which is of the edge of [n] and [m]. *)
 Fixpoint way_ends t n m u way : link :=
   if way is i :: rest then
     if [&& i != n, i != m & origin t i == Some u] then (if target t i is Some w then way_ends t n m w rest else None) else None
@@ -262,7 +262,7 @@ rewrite (nextE out) // N /= Y /= !boundary_ofE // (past_boundary Y) (next_bounda
 by rewrite (side_step i_n im N).
 Qed.
 
-(** What is left of the cycle leads to what comes past the end on its side. *)
+(** The rest of the cycle leads to the half-edge that comes past the end on its side. *)
 Lemma reach i : half_edge t' i -> boundary_of t i = Some kept ->
   exists y, [/\ past (end_of i) = Some y, half_edge t' y & on_cycle t' i y].
 Proof.
@@ -660,7 +660,7 @@ Qed.
 
 End Part.
 
-(** What makes parting right: both sides of the edge are [kept], of the face [f]; and if that is an outer one, [way] leads, without
+(** The condition for parting: both sides of the edge are [kept], of the face [f]; and if that is an outer one, [way] leads, without
     the edge, from the end that [stays] belongs to, to where the inner boundary component [bo] is. *)
 Definition is_bridge t n m f kept made at_n at_m stays bo way :=
   [&& twin t n == Some m, boundary_of t n == Some kept, boundary_of t m == Some kept, ~~ boundary t made,

@@ -108,7 +108,7 @@ have [b [L Ef Ep]] := lists_inner rep lt; have [_ ->] := same_list same l lt; ex
 by have [-> _ ->] := same_boundary same (heard_live Ef) Ef; rewrite Ep.
 Qed.
 
-(** What keeps the rules keeps them under other numbers. *)
+(** A table that keeps the rules keeps them under other numbers. *)
 Theorem renaming_keeps : rules t -> rules t'.
 Proof. by move/rules_mean_subdivision=> [s /renamed_represents rep]; apply/rules_mean_subdivision; exists s. Qed.
 

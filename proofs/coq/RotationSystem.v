@@ -196,7 +196,7 @@ Qed.
 
 End Represented.
 
-(** Where vertices and half-edges are all that is stored, the rules of closed surfaces mean rotation systems. *)
+(** If vertices and half-edges are all that is stored, the rules of closed surfaces mean rotation systems. *)
 Theorem surface_rules_mean_rotations t : surface_rules t <-> exists s, represents_rotations t s.
 Proof.
 split=> [keeps|[s [nv [nd rep]]]]; first by exists (kept_system keeps); apply: rules_have_rotations.

@@ -353,7 +353,7 @@ move=> s; have [H l1 l2 l3] := surface_half_edges s; split=> //; [split=> [h lh|
 exact: surface_rotation s.
 Qed.
 
-(** Where nothing but vertices and half-edges is stored, the rules of closed surfaces hold if and only if the table has a certificate
+(** If nothing but vertices and half-edges is stored, the rules of closed surfaces hold if and only if the table has a certificate
     when its cycles have got faces. *)
 
 Theorem rotations_certificate t :

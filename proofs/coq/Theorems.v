@@ -39,7 +39,7 @@ Check plane_rules : forall t sf so si, rules_of Expectations.plane (Structure t 
 Check plane_first_broken : forall t sf so si,
   first_broken_of Expectations.plane (Structure t all_parts sf so si) = omap Basic (first_broken t).
 
-(** Where no faces are stored, they mean rotation systems on closed surfaces, and in the plane those that can be drawn edge by edge. *)
+(** If no faces are stored, they mean rotation systems on closed surfaces, and in the plane those that can be drawn edge by edge. *)
 
 Check faceless_surface : forall t records places holes unbounded sf so si,
   rules_of Expectations.surface (Structure t (Parts true true false records places holes unbounded) sf so si) <->
@@ -65,7 +65,7 @@ Check filled_faceless_plane : forall v prev_stored leaving_stored records places
   let s := Structure v (Parts prev_stored leaving_stored false records places_stored holes unbounded) sf so si in
   rules_of Expectations.plane s <-> exists r, represents_rotations (answers (filled Expectations.plane s)) r /\ plane_system r.
 
-(** Where faces are stored, the rules of closed surfaces mean that each face is one cycle of the rotation system, without records for
+(** If faces are stored, the rules of closed surfaces mean that each face is one cycle of the rotation system, without records for
     boundary components and with them. *)
 
 Check named_faces : forall t places holes unbounded sf so si,
@@ -194,7 +194,7 @@ Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2 /\ t3_eule
 
 Check fast_path_leaves_t2 : forall t, rules t <-> fast_path t /\ t2_nesting t.
 
-(** What is accepted with some ranks keeps all rules, and whatever keeps all rules has ranks with which it is accepted. *)
+(** A table that is accepted with some ranks keeps all rules, and whatever keeps all rules has ranks with which it is accepted. *)
 
 Check labels_sound : forall t rank, accepts t rank -> rules t.
 
@@ -202,7 +202,7 @@ Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
 
 Check labels_mean_subdivision : forall t, (exists rank, accepts t rank) <-> exists s, represents t s.
 
-(** Where vertices and half-edges are all that is stored, the rules of closed surfaces mean rotation systems. *)
+(** If vertices and half-edges are all that is stored, the rules of closed surfaces mean rotation systems. *)
 
 Check surface_rules_mean_rotations : forall t, surface_rules t <-> exists s, represents_rotations t s.
 
@@ -245,7 +245,7 @@ Check valid_has_border : forall o, judge_surface o = Valid -> let t := surface_v
       forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
     & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
 
-(** What is in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
+(** A table in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
 
 Check valid_is_plane : forall o, judge o = Valid -> rules (view_in o) /\ exists s, represents (view_in o) s.
 
@@ -280,11 +280,11 @@ Check core_of_rules : forall t, rules t -> Core.core t (Core.inn_of t).
 
 Check tidy_rules : forall n inn, Core.core n inn -> rules (Tidy.tidy n inn).
 
-(** What keeps the rules keeps them under other numbers. *)
+(** A table that keeps the rules keeps them under other numbers. *)
 
 Check renaming_keeps : forall t t' rv rd rb rf rp, renaming t t' rv rd rb rf rp -> rules t -> rules t'.
 
-(** Which half-edge a vertex or a boundary component keeps does not matter. *)
+(** The choice of the half-edge that a vertex or a boundary component keeps does not matter. *)
 
 Check keep_others_keeps_rules : forall t leaves starts, rules t -> rules (keep_others t leaves starts).
 
@@ -392,7 +392,7 @@ Check angular_order : forall (dart : finType) (twin next : dart -> dart) (inner 
   triangulation twin next inner pt -> forall x y, inner x -> pt x = pt y ->
   ~ ((0 < cross (edge next pt x) (edge next pt y))%Z /\ (0 < cross (edge next pt y) (edge next pt (Plane.turn twin next x)))%Z).
 
-(** What is in a folder with the claim "drawing" and the verdict "valid" keeps all rules, and is drawn without crossings: at
+(** A table in a folder with the claim "drawing" and the verdict "valid" keeps all rules, and is drawn without crossings: at
     each rational point p / k there is at most one edge, and no vertex if there is an edge. *)
 
 Check valid_is_drawn : forall o, judge_drawing o = Valid -> let t := view_in (topology o) in let at_ := point_in o in

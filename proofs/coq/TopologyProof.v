@@ -111,7 +111,7 @@ have [b' [o _]] := t1 (org_live map x); have [f' Ef _] := outside_face o.
 exact: (rooted_out E (vertex_at_cycle low S) o Ef (t2 _ _ _ (org_live map x) o Ef)).
 Qed.
 
-(** What bounds a rooted face lies in a rooted face. *)
+(** A boundary component of a rooted face lies in a rooted face. *)
 Lemma rooted_from f b w : rooted t f -> outer t f = Some b -> vertex_at t b = Some w ->
   exists c g, [/\ outside_of t w c, boundary_face t c = Some g & rooted t g].
 Proof.
@@ -261,7 +261,7 @@ rewrite mem /label_at S; have /half_edge_label := H; rewrite dart_live => /eqP <
 apply/eqP/(labelE map); exact: (joined_orbit (joined_nx map) gy).
 Qed.
 
-(** What is tallied under the label is what the component has. *)
+(** The tally under a label is that of its component. *)
 Lemma has_countsP V E cycles : has_counts t (org x) V E cycles <->
   [/\ V = read vertices_of r, E.*2 = read half_edges_of r & cycles = read cycles_of r].
 Proof.
@@ -356,7 +356,7 @@ Proof.
 by move=> up; case: (up R1 isT) => -[H _ _ _] _; split; [|exact: (up L1)|exact: (up L2)|exact: (up L3)].
 Qed.
 
-(** What the checker says is true. *)
+(** All that the checker says is true. *)
 Lemma first_broken_sound t :
   if first_broken t is Some r then index r < index T4 /\ first_broken_is t r else upto t (index T4).
 Proof.

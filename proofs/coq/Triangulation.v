@@ -188,7 +188,7 @@ have /(leq_trans (H _)) : (#|[pred d | ~~ inner d]| <= 3)%N by exact: outer_thre
 by apply; apply/subsetP => x; rewrite !inE => /andP[].
 Qed.
 
-(** What an inner triangle covers, an outer one does, and so all do; and the other way round. *)
+(** A point that an inner triangle covers is covered by an outer one, and so all do; and the other way round. *)
 Lemma covered_outside d : inner d -> covers d -> exists2 o, ~~ inner o & covers o.
 Proof.
 move=> i c; have : (0 < #|[pred d | ~~ inner d && covers d]|)%N.

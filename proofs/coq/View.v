@@ -81,7 +81,7 @@ Definition inner t f i : link := if i < inner_count t f then says_inner t f i el
 (** [l >>= says]: the link [l] is followed. Nil is followed to nil. *)
 Notation "l >>= says" := (obind says l) (at level 50, left associativity).
 
-(** Where a half-edge ends: the origin of its twin. *)
+(** The end of a half-edge: the origin of its twin. *)
 Definition target t h := twin t h >>= origin t.
 
 (** The next half-edge, clockwise, with the same origin: `next(twin(h))`. *)

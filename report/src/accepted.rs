@@ -49,7 +49,7 @@ pub struct AcceptedFinding {
     pub missing: Option<usize>,
 }
 
-/// What became of accepted findings.
+/// The fate of accepted findings.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub(crate) struct AcceptedSummary {
     /// The number of those that occur.

@@ -5,12 +5,15 @@ use crate::error::Error;
 use crate::imported::Imported;
 use crate::input::Input;
 use crate::input_kind::InputKind;
+use crate::layers::{self, Other};
 use crate::noted::Keep;
 use crate::options::Options;
 use crate::options_json::{as_json, of_mesh};
 use crate::packed::Picture;
 use crate::report::AuditReport;
+use crate::shelf::{InMemory, Shelf};
 use crate::tables::TablesReport;
+use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, tiles, topology};
@@ -53,11 +56,37 @@ pub fn audit(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    audit_against(input, kind, None, options, stage)
+}
+
+/// Reads an input and judges it, also by the rules between it and another layer if it is a map. Maps in tiles are not compared.
+///
+/// O(n log n) for n segments of both that cross in O(n) places.
+///
+/// # Errors
+/// [`Error`], if an input could not be read, or cannot be judged as was asked.
+pub fn audit_against(
+    input: Input,
+    kind: InputKind,
+    other: Option<Input>,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    if let (InputKind::Map, Some(across)) = (kind, options.tiles) {
+        return audit_in_tiles(input, options, Division::Across(across), &mut InMemory::default(), stage);
+    }
     let (report, subject) = match kind {
-        InputKind::Map if options.tiles.is_some() => (tiles::audit(input, options, stage)?, Subject::None),
         InputKind::Map => {
-            let imported = Imported::read(input, &options.map, Keep { coverage: true, condition: None }, stage)?;
-            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
+            let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
+            let is_compared = other.is_some() || options.parent.is_some();
+            let keep = Keep { coverage: true, columns: &columns, features: is_compared, ..Keep::default() };
+            let imported = Imported::read(input, &options.map, keep, stage)?;
+            let mut report = map::audit(&imported, options, stage)?;
+            if is_compared {
+                let other = other.map(|other| Other::read(other, options)).transpose()?;
+                layers::judge(&imported, other.as_ref(), options, &mut report, stage)?;
+            }
+            (report, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => {
             let (report, mesh) = mesh::audit(input, format, options)?;
@@ -80,13 +109,34 @@ pub fn audit(
             return Ok(Audited(Outcome::Tables(if options.explain { report } else { report.unexplained() })));
         }
     };
+    Ok(told(report, subject, options, kind))
+}
+
+/// Reads a map onto a shelf, and judges it by its tiles: what [`audit`] says of it, but for the numbers of records, and with the size
+/// of the grid.
+///
+/// # Errors
+/// [`Error`].
+pub fn audit_in_tiles(
+    input: Input,
+    options: &Options,
+    division: Division,
+    shelf: &mut dyn Shelf,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let report = tiles::audit(input, options, division, shelf, stage)?;
+    Ok(told(report, Subject::None, options, InputKind::Map))
+}
+
+/// A report as it was asked for.
+fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKind) -> Audited {
     let mut report = if options.explain { report } else { report.unexplained() };
-    report.options = as_json(options, kind);
+    report.options.extend(as_json(options, kind));
     report.identify();
     if let Some(accepted) = &options.accepted {
         report.accept(accepted);
     }
-    Ok(Audited(Outcome::Report(Box::new(report), subject)))
+    Audited(Outcome::Report(Box::new(report), subject))
 }
 
 /// Judges a mesh that is in memory.
@@ -101,12 +151,13 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
 }
 
-/// Says what the summary of all tiles of a map says, in the words of an audit. Features are known by their numbers.
+/// Says what the summary of all tiles of a map says, in the words of an audit; where edges meet elsewhere than at vertices, with the findings of the
+/// summary of the same tiles with their edges cut. Features are known by their numbers.
 ///
 /// # Errors
 /// [`Error::Finish`].
-pub fn audit_summary(summary: Summary, options: &Options) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary, options)?.unexplained();
+pub fn audit_summary(summary: Summary, cut: Option<Summary>, options: &Options) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary, cut, options)?.unexplained();
     report.identify();
     if let Some(accepted) = &options.accepted {
         report.accept(accepted);
@@ -191,13 +242,12 @@ impl Audited {
         })
     }
 
-    /// The findings of the coverage that are listed, as a list of accepted ones, in JSON. Those that `before` has keep their reason and date.
+    /// The findings of the coverage and those between layers that are listed, as a list of accepted ones, in JSON. Those that `before` has keep their reason and date.
     ///
     /// # Errors
     /// [`Error::NoReport`] for files of tables, and [`Error::Json`].
     pub fn accept_all(&self, before: Option<&Accepted>, reason: &str, date: &str) -> Result<Vec<u8>, Error> {
-        let coverage = self.of_structure()?.coverage.iter();
-        let findings = coverage.flat_map(|coverage| coverage.findings());
+        let findings = self.of_structure()?.acceptable();
         Ok(json(&Accepted::all(findings, before, reason, date))?)
     }
 

@@ -51,7 +51,7 @@ pub fn borders(map: &PlanarMap, noted: &Noted, units: &Units) -> Vec<Border> {
                 (length, both.map(|face| units.area(map, face)).sum())
             }
         };
-        // Where features overlap along a part of their border, that part is known in the units of the coordinates.
+        // If features overlap along a part of their border, that part is known in the units of the coordinates.
         let shared = if plane > 0.0 { length * (border.shared / plane) } else { 0.0 };
         rows.push(Border {
             number: one.index(),

@@ -24,7 +24,7 @@ pub(crate) const SHOWN: usize = 3;
 /// The options by which a coverage is judged.
 #[derive(Clone, Debug, Default)]
 pub struct CoverageOptions {
-    /// What breaks C1 … C7 counts as a violation.
+    /// True if findings of C1 … C7 count as violations.
     pub is_rule: bool,
     /// The limits.
     pub limits: Limits,

@@ -2,10 +2,11 @@
 
 use crate::words::counted;
 use std::io;
+use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
-use twinedge::tile::{FinishError, GridError, MergeError, TileError};
+use twinedge::tile::{AuditError, FinishError, GridError, MergeError, TileError};
 use twinedge_formats::{layer, mesh, postgis};
 
 /// The reason why an input has no report. The name of the input is not in the messages.
@@ -68,6 +69,39 @@ pub enum Error {
         /// The first columns that there are.
         known: Vec<String>,
     },
+    /// No feature has one of the values by which parts name their parents.
+    #[error(
+        "no feature has one of the values of {column} as its {key}, so that no parent is known; COLUMN=KEY says in which column parents \
+have them, and --against which layer they are in"
+    )]
+    NoParents {
+        /// The column of the parts.
+        column: String,
+        /// The key of the parents.
+        key: String,
+    },
+    /// Two features have one key, so that it is not known which of them is a parent.
+    #[error("two features have the {key} {value}, by which parts name their parents")]
+    TwoParents {
+        /// The key of the parents.
+        key: String,
+        /// The value.
+        value: String,
+    },
+    /// The layer by which another one is to be judged has no polygons.
+    #[error("{0} has no polygons, and the rules between layers are about these")]
+    NoAreas(String),
+    /// The layer by which the input is to be judged could not be read.
+    #[error("{input}: {why}")]
+    Against {
+        /// Its name.
+        input: String,
+        /// The reason.
+        why: Box<Self>,
+    },
+    /// The layers cannot be compared.
+    #[error("the layers cannot be compared: {0}")]
+    Layers(#[from] CoverageError),
     /// A map is made of lines and polygons, and there are none.
     #[error("a map is made of lines and polygons, and this file has {}; --allow-empty accepts it", instead(.0))]
     NoMap(Box<ReadSummary>),
@@ -102,5 +136,17 @@ fn instead(read: &ReadSummary) -> String {
         (0, _) => "no features".to_owned(),
         (_, 0) => format!("{features}, none with a geometry"),
         (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
+    }
+}
+
+impl From<AuditError<io::Error>> for Error {
+    fn from(error: AuditError<io::Error>) -> Self {
+        match error {
+            AuditError::Features(error) => Self::Io(error),
+            AuditError::Tile(error) => Self::Tile(error),
+            AuditError::Merge(error) => Self::Merge(error),
+            AuditError::Finish(error) => Self::Finish(error),
+            other => Self::Io(io::Error::other(other)),
+        }
     }
 }

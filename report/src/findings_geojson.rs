@@ -54,7 +54,7 @@ fn looks_like_degrees(feature: &Feature) -> bool {
 }
 
 /// The names of the columns, which all features share.
-struct Columns([Arc<str>; 18]);
+struct Columns([Arc<str>; 19]);
 
 impl Columns {
     fn new() -> Self {
@@ -78,6 +78,7 @@ impl Columns {
                 "cause",
                 "remedy",
                 "accepted",
+                "others",
             ]
             .map(Arc::from),
         )
@@ -110,6 +111,7 @@ impl Columns {
             one.cause.map_or(Value::Null, text),
             one.remedy.map_or(Value::Null, text),
             one.accepted.as_deref().map_or(Value::Null, text),
+            one.others.as_ref().map_or(Value::Null, |all| Value::Json(all.iter().map(FeatureName::key).collect())),
         ];
         Feature {
             id: Some(Id::Number(number.into())),

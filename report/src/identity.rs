@@ -7,7 +7,7 @@ use sha2::{Digest as _, Sha256};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use twinedge::validate::Violation;
-use twinedge_formats::diagnosis::{Diagnosis, Kind, Position};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Figures, Kind, Position};
 
 /// The number of bytes of an id.
 const BYTES: usize = 8;
@@ -23,12 +23,25 @@ impl Identities {
     /// Gives its id to a finding. O(its points).
     pub(crate) fn identify(&mut self, one: &mut Diagnosis) {
         let rule = one.rule.unwrap_or(one.kind.name());
-        let mut features: Vec<&str> =
-            one.features.iter().flatten().filter_map(|f| f.id.as_deref().or(f.name.as_deref())).collect();
-        features.sort_unstable();
+        let keys = |of: &'_ Option<Vec<FeatureName>>| {
+            let mut keys: Vec<String> =
+                of.iter().flatten().filter_map(|f| f.id.clone().or_else(|| f.name.clone())).collect();
+            keys.sort_unstable();
+            keys
+        };
+        let (features, others) = (keys(&one.features), keys(&one.others));
         let mut text = format!("{rule}\n{}\n", one.kind.name());
         // The vertex that names the component depends on the order.
-        if let Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) = one.kind {
+        let figures = match one.kind {
+            Kind::Of(Violation::Genus { vertices, edges, cycles, genus, .. }) => {
+                Some([vertices, edges, cycles, genus].map(|number| number as u64))
+            }
+            Kind::Counted { fields: Figures { vertices, edges, cycles, genus }, .. } => {
+                Some([vertices, edges, cycles, genus])
+            }
+            _ => None,
+        };
+        if let Some([vertices, edges, cycles, genus]) = figures {
             let _ = write!(text, "{vertices} {edges} {cycles} {genus}");
         } else {
             // Each with its length, so that different lists are different texts.
@@ -36,6 +49,9 @@ impl Identities {
                 let _ = write!(text, "{}:{feature}", feature.len());
             }
             text.push('\n');
+            for other in others {
+                let _ = write!(text, "{}:{other},", other.len());
+            }
             match first_corner(one) {
                 Some(at) => text.push_str(&on_grid(at)),
                 None => text.push_str(&one.records.names().join(",")),

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
+use crate::shelf::Shelf;
 use std::io::Read;
 use std::path::Path;
 use twinedge::geometry::noding::Snap;
@@ -30,7 +31,7 @@ pub struct Imported {
     pub read: ReadSummary,
     /// The map.
     pub map: PlanarMap,
-    /// What was found while the map was gathered.
+    /// Findings from the time when the map was gathered.
     pub summary: BuildSummary,
     /// The notes on the features.
     pub noted: Noted,
@@ -38,6 +39,8 @@ pub struct Imported {
     pub builder: Option<Builder>,
     /// The vertices that borders of features lack (C7), if the coverage is judged.
     pub unmatched: Vec<UnmatchedVertex>,
+    /// The features as they were read, if they are kept.
+    pub features: Vec<Feature>,
     /// The coordinate reference system, if the file names one.
     pub crs: Option<Crs>,
     /// True if the format says which way rings turn.
@@ -55,8 +58,15 @@ impl Imported {
         keep: Keep<'_>,
         stage: &mut dyn FnMut(&'static str),
     ) -> Result<Self, Error> {
-        let gathered = Gathered::new(input, options, keep, &mut drop)?;
-        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
+        let (mut builder, mut features) = (Builder::new(), Vec::new());
+        let gathered = Gathered::new(input, options, keep, &mut |feature| {
+            builder.feature(&feature).map_err(ReadError::refused)?;
+            if keep.features {
+                features.push(feature);
+            }
+            Ok(())
+        })?;
+        let Gathered { name, read, noted, crs, orients_rings } = gathered;
         let summary = builder.summary().clone();
         stage("building the map");
         let (map, builder, unmatched) = match options.snap {
@@ -69,28 +79,33 @@ impl Imported {
             None => (builder.build()?, None, Vec::new()),
             Some(snap) if keep.coverage => {
                 let unmatched = builder.unmatched();
-                // What a grid that was asked for removed or made is found by comparing.
+                // Features that the grid removed or made are found by comparing.
                 let kept = matches!(snap, Snap::Size(_)).then(|| builder.clone());
                 (builder.build_with(Noding::Snap(snap))?, kept, unmatched)
             }
             Some(snap) => (builder.build_with(Noding::Snap(snap))?, None, Vec::new()),
         };
-        Ok(Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings })
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings })
     }
 
-    /// Reads the features of a map, and builds no map of them: it has only their names.
+    /// Reads the features of a map, puts them on a shelf, and builds no map of them: it has only their names, and the summary does not know
+    /// of segments that different features repeat.
     ///
     /// # Errors
     /// [`Error`].
-    pub fn features(input: Input, options: &MapOptions, keep: Keep<'_>) -> Result<(Self, Vec<Feature>), Error> {
-        let mut features = Vec::new();
-        let gathered = Gathered::new(input, options, keep, &mut |feature| features.push(feature))?;
-        let Gathered { name, builder, read, noted, crs, orients_rings } = gathered;
-        let summary = builder.summary().clone();
-        drop(builder);
-        let map = names(features.iter().map(|feature| feature.name.clone()))?;
+    pub fn features(input: Input, options: &MapOptions, keep: Keep<'_>, shelf: &mut dyn Shelf) -> Result<Self, Error> {
+        let (mut summary, mut all_names) = (BuildSummary::default(), Vec::new());
+        let gathered = Gathered::new(input, options, keep, &mut |mut feature| {
+            summary.count(&feature).map_err(ReadError::refused)?;
+            all_names.push(feature.name.take());
+            feature.id = None;
+            Ok(shelf.put(feature)?)
+        })?;
+        let Gathered { name, read, noted, crs, orients_rings } = gathered;
+        let map = names(all_names.into_iter())?;
         let (builder, unmatched) = (None, Vec::new());
-        Ok((Self { name, read, map, summary, noted, builder, unmatched, crs, orients_rings }, features))
+        let features = Vec::new();
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings })
     }
 }
 
@@ -103,10 +118,9 @@ pub(crate) fn names(names: impl Iterator<Item = Option<String>>) -> Result<Plana
     Ok(builder.build()?)
 }
 
-/// What was gathered of an input.
+/// All that was gathered of an input.
 struct Gathered {
     name: String,
-    builder: Builder,
     read: ReadSummary,
     noted: Noted,
     crs: Option<Crs>,
@@ -118,40 +132,39 @@ impl Gathered {
         mut input: Input,
         options: &MapOptions,
         keep: Keep<'_>,
-        each: &mut dyn FnMut(Feature),
+        each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
     ) -> Result<Self, Error> {
         let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
         let read_options = input.options();
         let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
         let mut noted = Noted::new(options.name_from.clone());
         noted.not_finite = not_finite;
-        let (builder, read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
-        if !options.allow_empty && read.polygons + read.lines == 0 {
+        let (read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
+        // Points alone can be judged by another layer.
+        let is_map = read.polygons + read.lines > 0 || keep.features && read.points > 0;
+        if !options.allow_empty && !is_map {
             return Err(Error::NoMap(Box::new(read)));
         }
         noted.refuse_unknown_columns(keep)?;
-        Ok(Self { name, builder, read, noted, crs, orients_rings })
+        Ok(Self { name, read, noted, crs, orients_rings })
     }
 }
 
-/// Reads features into a builder, and hands each on.
+/// Reads features, notes what is to be known of each, and hands it on.
 fn gather(
     reader: &mut dyn Read,
     path: Option<&Path>,
     options: &ReadOptions,
     mut noted: Noted,
     keep: Keep<'_>,
-    each: &mut dyn FnMut(Feature),
-) -> Result<(Builder, ReadSummary, Noted, Option<Crs>), ReadError> {
-    let mut builder = Builder::new();
+    each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
+) -> Result<(ReadSummary, Noted, Option<Crs>), ReadError> {
     let mut summary = ReadSummary::default();
     let header = read(reader, path, options, &mut |feature| {
         let mut of_map = to_map(&feature, &mut summary);
         noted.note(&mut of_map, &feature, keep);
-        builder.feature(&of_map).map_err(ReadError::refused)?;
-        each(of_map);
-        Ok(())
+        each(of_map)
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
-    Ok((builder, summary, noted, header.crs))
+    Ok((summary, noted, header.crs))
 }

@@ -85,7 +85,7 @@ impl<R: BufRead> BufRead for Counted<R> {
     }
 
     fn consume(&mut self, length: usize) {
-        // What is consumed is in the buffer, so nothing is read for it.
+        // All that is consumed is in the buffer, so nothing is read for it.
         if let Ok(bytes) = self.inner.fill_buf() {
             self.count.borrow_mut().add(&bytes[..length.min(bytes.len())]);
         }

@@ -63,7 +63,7 @@ fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
         let outcome = match (rule.violations, rule.not_checked()) {
             (0, None) => Outcome::Passed,
             (0, Some(why)) => Outcome::Skipped(why),
-            (n, _) => Outcome::Failed(match lines(&|one| one.rule == Some(rule.id)) {
+            (n, _) => Outcome::Failed(match lines(&|one| one.rule == Some(rule.id) && one.accepted.is_none()) {
                 listed if listed.is_empty() => format!("{n} violations"),
                 listed => listed,
             }),

@@ -35,7 +35,7 @@ pub(crate) fn audit(
     let coverage = Coverage::new(imported, &asked.coverage, &units, list, stage);
     let is_rule = asked.coverage.is_rule;
     let of_coverage = if is_rule { coverage.total() } else { 0 };
-    // What cannot be checked is not known to hold.
+    // A rule that cannot be checked is not known to hold.
     let is_checked = !is_rule || coverage.not_checked().is_none();
     let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
     Ok(AuditReport {
@@ -65,40 +65,41 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
     let clashes = report.outcome(Rule::G4).map_or(0, |outcome| outcome.violations);
     let clash = |violation: &Violation| violation.rule() == Rule::G4;
     let is_mismatch = |violation: &Violation| {
-        // Where two edges cross there is no vertex.
+        // A crossing of two edges has no vertex.
         let may_be =
             clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
         may_be && coverage.lacks_any(&places(map, violation), &features(map, violation))
     };
     let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
     let diagnosis = |violation: &Violation| {
-        let diagnosis = placed(map, violation);
-        // Where borders clash, the map does not fit in the plane.
+        // If borders clash, the map does not fit in the plane.
         let follows_from = match violation.rule() {
             Rule::G4 => is_mismatch(violation).then_some(CoverageRule::Mismatch.id()),
             Rule::T3 if clashes > 0 && of_mismatches == clashes => Some(CoverageRule::Mismatch.id()),
             Rule::T3 if clashes > 0 => Some(Rule::G4.id()),
             _ => None,
         };
-        Diagnosis {
-            features: Some(features(map, violation).into_iter().map(|feature| named(imported, feature)).collect()),
-            remedy: match violation.rule() {
-                // The remedies of the library are its own functions where the map is not plane.
-                Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
-                    Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
-                }
-                Rule::T3 => Some("mend the crossings (G4), from which it follows"),
-                Rule::G4 => Some(
-                    "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
-audited as if they were cut",
-                ),
-                _ => diagnosis.remedy,
-            },
-            follows_from,
-            ..diagnosis
-        }
+        let features = features(map, violation).into_iter().map(|feature| named(imported, feature)).collect();
+        following(Diagnosis { features: Some(features), ..placed(map, violation) }, violation.rule(), follows_from)
     };
     report.violations().iter().map(diagnosis).collect()
+}
+
+/// The violation with what it follows from, and what mends it by the commands of this program.
+pub(crate) fn following(diagnosis: Diagnosis, rule: Rule, follows_from: Option<&'static str>) -> Diagnosis {
+    let remedy = match rule {
+        // The remedies of the library are its own functions where the map is not plane.
+        Rule::G4 | Rule::T3 if follows_from == Some(CoverageRule::Mismatch.id()) => {
+            Some("`twinedge clean` adds the vertices that are missing (C7), from which it follows")
+        }
+        Rule::T3 => Some("mend the crossings (G4), from which it follows"),
+        Rule::G4 => Some(
+            "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
+audited as if they were cut",
+        ),
+        _ => diagnosis.remedy,
+    };
+    Diagnosis { remedy, follows_from, ..diagnosis }
 }
 
 /// The features that a violation touches, in order.
@@ -139,7 +140,7 @@ pub(crate) fn picture(imported: &Imported, report: &AuditReport) -> Picture {
     let mut packed = pack(map);
     let of_input = report.coverage.as_ref().and_then(Coverage::of_input).filter(|_| !map.is_plane());
     packed.areas = of_input.map(|of_input| Box::new(pack(of_input)));
-    // Where the map is not plane, it is not known on it which features are neighbours.
+    // If the map is not plane, it is not known which features are neighbours.
     let colours = feature_colours(of_input.unwrap_or(map));
     let feature = |(id, colour)| {
         let FeatureName { id, name, .. } = named(imported, id);

@@ -50,6 +50,10 @@ pub struct Keep<'a> {
     pub coverage: bool,
     /// The features that meet a condition.
     pub condition: Option<&'a Condition>,
+    /// The values of these columns.
+    pub columns: &'a [String],
+    /// The features as they were read.
+    pub features: bool,
 }
 
 /// The notes on the features.
@@ -60,6 +64,8 @@ pub struct Noted {
     pub ids: Vec<Option<String>>,
     /// The numbers of the features that meet the condition.
     pub matching: Vec<usize>,
+    /// Of each column whose values are kept, the value of each feature; an empty one is none.
+    pub values: Vec<Vec<Option<String>>>,
     /// Features that are not valid by the rules of the OGC, by number.
     pub defects: Vec<(usize, Vec<Defect>)>,
     /// The features whose geometry was left out since a coordinate is not finite, by number.
@@ -88,6 +94,7 @@ impl Noted {
             name_from,
             ids: Vec::new(),
             matching: Vec::new(),
+            values: Vec::new(),
             defects: Vec::new(),
             not_finite: Vec::new(),
             without_geometry: Vec::new(),
@@ -118,7 +125,12 @@ impl Noted {
                 self.matching.push(number);
             }
         }
-        if (self.name_from.is_some() || keep.condition.is_some()) && self.columns.len() < COLUMNS {
+        self.values.resize_with(keep.columns.len(), Vec::new);
+        for (values, column) in self.values.iter_mut().zip(keep.columns) {
+            values.push(text(column).filter(|value| !value.is_empty()));
+        }
+        let is_asked = self.name_from.is_some() || keep.condition.is_some() || !keep.columns.is_empty();
+        if is_asked && self.columns.len() < COLUMNS {
             self.columns.extend(read.attributes.iter().map(|(name, _)| name.to_string()));
         }
         let is_finite = self.not_finite.binary_search(&number).is_err();
@@ -182,6 +194,12 @@ impl Noted {
         Some(format!("the features have no names: --name-from {first} takes them from a column{or}"))
     }
 
+    /// The corners of the box around everything; none, if there is nothing.
+    #[must_use]
+    pub fn corners(&self) -> Option<[Point; 2]> {
+        (self.low.x <= self.high.x).then_some([self.low, self.high])
+    }
+
     /// With how many decimal places a place is shown in text.
     #[must_use]
     pub fn decimals(&self) -> usize {
@@ -193,9 +211,13 @@ impl Noted {
     pub(crate) fn refuse_unknown_columns(&self, keep: Keep<'_>) -> Result<(), Error> {
         let by_name = self.name_from.as_ref().filter(|_| !self.has_name);
         let by_condition = keep.condition.map(|condition| &condition.column).filter(|_| !self.has_condition);
-        let Some(column) = by_name.or(by_condition) else { return Ok(()) };
+        by_name.or(by_condition).map_or(Ok(()), |column| Err(self.no_column(column)))
+    }
+
+    /// The error that no feature has a value in a column.
+    pub(crate) fn no_column(&self, column: &str) -> Error {
         let known = self.columns.iter().take(COLUMNS).map(|column| plain(column)).collect();
-        Err(Error::NoColumn { column: column.clone(), known })
+        Error::NoColumn { column: column.to_owned(), known }
     }
 
     /// Returns true if the coordinates can be longitudes and latitudes, and no other reference system is named.

@@ -3,6 +3,7 @@
 use crate::accepted::Accepted;
 use crate::coverage::CoverageOptions;
 use crate::imported::MapOptions;
+use crate::layers::ParentColumn;
 use twinedge::validate::{Collect, Expectation};
 use twinedge_formats::mesh::HalfEdgeMesh;
 
@@ -20,6 +21,8 @@ pub struct Options {
     pub coverage: CoverageOptions,
     /// The findings of the coverage that are accepted. Those that are not listed are not.
     pub accepted: Option<Accepted>,
+    /// The column by which parts name their parents, if parents are to be made up by their parts.
+    pub parent: Option<ParentColumn>,
     /// The map is cut into so many tiles across, and as many upwards, which are judged one by one.
     pub tiles: Option<u32>,
     /// Lengths in metres along geodesics.
@@ -36,6 +39,7 @@ impl Default for Options {
             map: MapOptions::default(),
             coverage: CoverageOptions::default(),
             accepted: None,
+            parent: None,
             tiles: None,
             geodesic: false,
             mesh: HalfEdgeMesh::expectation(),

@@ -17,6 +17,10 @@ pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> 
     });
     let places: Vec<[f64; 2]> = accepted_gaps.iter().map(|place| (*place).into()).collect();
     let number = |number: &Option<f64>| number.map(Value::from);
+    let parent = options.parent.as_ref().map(|parent| match &parent.key {
+        Some(key) => json!(format!("{}={key}", parent.column)),
+        None => json!(parent.column),
+    });
     let of_map = [
         ("snap", snap),
         ("name_from", options.map.name_from.clone().map(Value::from)),
@@ -26,6 +30,7 @@ pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> 
         ("lake_width", number(lake_width)),
         ("accept_gap", (!places.is_empty()).then(|| json!(places))),
         ("sliver", number(sliver_area)),
+        ("parent_column", parent),
         ("geodesic", options.geodesic.then(|| json!(true))),
     ];
     match kind {

@@ -22,7 +22,7 @@ pub(crate) struct AuditReport {
     /// The reason why more is to be known, in sentences, whatever the rules say.
     pub(crate) doubts: Vec<String>,
     pub(crate) judged: Option<Judged>,
-    /// What became of accepted findings, if there is a list of them.
+    /// The fate of accepted findings, if there is a list of them.
     pub(crate) accepted: Option<AcceptedSummary>,
     /// The options, as JSON.
     pub(crate) options: Map<String, Value>,
@@ -35,7 +35,7 @@ pub(crate) struct AuditReport {
     pub(crate) violations: Vec<Diagnosis>,
     /// The number of violations, listed or not.
     pub(crate) violation_count: u64,
-    /// The faults of the faces of a mesh, and the number of findings.
+    /// The faults of the faces of a mesh or the findings between layers, and their number.
     pub(crate) findings: Vec<Diagnosis>,
     pub(crate) finding_count: u64,
     /// The findings of C1 … C7, for a map with polygons or lines.
@@ -167,14 +167,32 @@ impl AuditReport {
         }
     }
 
-    /// Marks the findings of the coverage that are accepted: they make nothing invalid.
+    /// The listed findings that can be accepted: those of the coverage and those between layers.
+    pub(crate) fn acceptable(&self) -> impl Iterator<Item = &Diagnosis> {
+        let between = self.findings.iter().filter(|one| one.rule.is_some());
+        self.coverage.iter().flat_map(Coverage::findings).chain(between)
+    }
+
+    /// Marks the findings that are accepted: they make nothing invalid.
     pub(crate) fn accept(&mut self, accepted: &Accepted) {
-        let (summary, lines) = accepted.mark(self.coverage.iter_mut().flat_map(Coverage::findings_mut));
+        let between = self.findings.iter_mut().filter(|one| one.rule.is_some());
+        let (summary, lines) = accepted.mark(self.coverage.iter_mut().flat_map(Coverage::findings_mut).chain(between));
+        for rule in &mut self.rules {
+            let accepted = self.findings.iter().filter(|one| one.rule == Some(rule.id) && one.accepted.is_some());
+            rule.violations -= accepted.count() as u64;
+        }
         self.notes.push(Note::Plain(format!("{} accepted", counted(summary.count, "finding"))));
         self.notes.extend(lines.into_iter().map(Note::Plain));
-        let open = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::open);
-        self.found = counted(self.violation_count as usize + open, "violation");
+        self.recount();
         self.accepted = Some(summary);
+    }
+
+    /// Counts the violations of a map anew, as the findings of its coverage and those between layers are now.
+    pub(crate) fn recount(&mut self) {
+        let open = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::open);
+        let accepted = self.findings.iter().filter(|one| one.accepted.is_some()).count();
+        let between = self.finding_count as usize - accepted;
+        self.found = counted(self.violation_count as usize + open + between, "violation");
     }
 
     /// The number of rules that were not checked.

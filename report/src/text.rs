@@ -31,7 +31,7 @@ pub(crate) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
     }
     out.push('\n');
     for (listed, total) in [(&report.findings, report.finding_count), (&report.violations, report.violation_count)] {
-        for one in listed.iter().filter(|one| one.follows_from.is_none()) {
+        for one in listed.iter().filter(|one| one.follows_from.is_none() && one.accepted.is_none()) {
             write(&mut out, one, decimals)?;
         }
         write_more(&mut out, total, listed.len())?;

@@ -106,7 +106,7 @@ const BEFORE_INDEX: [(&str, ToRecord); 12] = [
 /// A message with the names of records in place of their indices.
 fn with_names(message: &str, tables: &Textbook) -> String {
     let mut out = String::new();
-    // What the word before the last said, after an index.
+    // The meaning of the word before the last, after an index.
     let mut kind: Option<ToRecord> = None;
     for (i, word) in message.split(' ').enumerate() {
         let digits = word.bytes().take_while(u8::is_ascii_digit).count();

@@ -4,43 +4,72 @@ use crate::coverage::{Coverage, CoverageOptions, SHOWN};
 use crate::error::Error;
 use crate::imported::{Imported, names};
 use crate::input::Input;
+use crate::map::following;
 use crate::map_json::extra;
 use crate::map_notes::notes;
+use crate::names::named;
 use crate::noted::{Keep, Noted};
 use crate::options::Options;
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
+use crate::shelf::Shelf;
 use crate::trace::position;
 use crate::units::Units;
 use crate::words::counted;
 use serde_json::{Map, Value, json, to_value};
+use twinedge::algorithm::coverage::{CoverageRule, Defect};
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
-use twinedge::map::{BuildSummary, Feature, Shape};
-use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, SeamFault, SeamRule, Summary, Uneven};
-use twinedge::validate::Rule;
-use twinedge_formats::diagnosis::{Diagnosis, Kind, Records, RuleLine};
+use twinedge::map::{BuildSummary, Shape};
+use twinedge::tile::{
+    self, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
+};
+use twinedge::validate::{Rule, Violation};
+use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
 
-/// Cuts the map into tiles, and says what all of them say.
-pub(crate) fn audit(input: Input, asked: &Options, stage: &mut dyn FnMut(&'static str)) -> Result<AuditReport, Error> {
-    let (imported, features) = Imported::features(input, &asked.map, Keep { coverage: true, condition: None })?;
-    let Imported { noted, crs, .. } = &imported;
-    let across = asked.tiles.unwrap_or(1);
-    let grid = grid_around(&features, [across; 2])?;
-    stage("judging the tiles");
-    let columns = grid.size()[0] as usize;
-    let mut given: Vec<Vec<u32>> = vec![Vec::new(); columns * grid.size()[1] as usize];
-    for (number, feature) in (0..).zip(&features) {
-        for tile in grid.tiles_of(feature) {
-            given[tile.row as usize * columns + tile.column as usize].push(number);
-        }
-    }
-    let summary = |(tile, given): (_, &Vec<u32>)| {
-        let of_tile = given.iter().map(|number| (*number, &features[*number as usize]));
-        Ok(Summary::new(&grid, tile, of_tile, &asked.coverage.limits)?)
+/// The way to divide a map into tiles.
+#[derive(Clone, Copy, Debug)]
+pub enum Division {
+    /// Into so many columns and as many rows.
+    Across(u32),
+    /// So that judging the tiles takes about so many bytes.
+    Within(u64),
+}
+
+/// The bytes that judging a tile takes for each vertex of the features that it is given, and how many tiles are judged at once.
+const BYTES: u64 = 700;
+const AT_ONCE: u64 = 3;
+
+/// Grids of up to 2 to this power of columns and rows are chosen.
+const FINEST: u32 = 7;
+
+/// Reads a map onto a shelf, cuts it into tiles, and says what all of them say.
+pub(crate) fn audit(
+    input: Input,
+    asked: &Options,
+    division: Division,
+    shelf: &mut dyn Shelf,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<AuditReport, Error> {
+    let mut imported = Imported::features(input, &asked.map, Keep::default(), shelf)?;
+    stage("dividing the map");
+    let corners = imported.noted.corners();
+    let grid = match division {
+        Division::Across(across) => grid_of(corners, [across; 2])?,
+        Division::Within(bytes) => fitting(corners, shelf, bytes)?,
     };
-    let summaries: Vec<Summary> = grid.tiles().zip(&given).map(summary).collect::<Result<_, Error>>()?;
-    let outcome = merged(summaries)?.ok_or(Error::Grid(twinedge::tile::GridError::Size))?.finish()?;
-    drop(features);
+    let largest = corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
+    let cuts = Cuts::new(largest)?;
+    let columns = grid.size()[0] as usize;
+    let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
+    shelf.file(columns * grid.size()[1] as usize, &|feature| cuts.tiles_of(&grid, feature).map(number).collect())?;
+    stage("judging the tiles");
+    let of_tile = |tile| shelf.of_tile(number(tile));
+    let outcome = tile::audit(&grid, &asked.coverage.limits, cuts, of_tile)?;
+    let summary = &mut imported.summary;
+    // Of segments that are equal, one is an edge.
+    summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
+    imported.noted.defects = numbered(&outcome.defects);
+    let noted = &imported.noted;
     let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
     let mut extra = extra(&imported, &warnings);
     extra.insert("tiles".to_owned(), size(&grid));
@@ -53,21 +82,63 @@ pub(crate) fn audit(input: Input, asked: &Options, stage: &mut dyn FnMut(&'stati
             worst: asked.list.unwrap_or(SHOWN),
             decimals: noted.decimals(),
         },
-        crs: crs.clone(),
+        crs: imported.crs.clone(),
         json: JsonForm { extra, ..found.json },
         ..found
     })
 }
 
-/// Says what the summary of all tiles says. The features are known by their numbers.
-pub(crate) fn audit_summary(summary: Summary, asked: &Options) -> Result<AuditReport, Error> {
+fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
+    defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
+}
+
+/// The coarsest grid of 1, 2, 4 … columns and rows of which no tile is given more than fits into so many bytes; if there is none, the one whose
+/// largest tile is smallest.
+fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
+    let mut sizes = Vec::new();
+    for power in 0..=FINEST {
+        // Lines that are not distinct divide nothing.
+        if let Ok(grid) = grid_of(corners, [1 << power; 2]) {
+            sizes.push((grid, vec![0_u64; 1 << (2 * power)]));
+        }
+    }
+    shelf.each(&mut |feature| {
+        let vertices = feature.shapes.iter().map(|shape| vertices(shape) as u64).sum::<u64>();
+        for (grid, given) in &mut sizes {
+            let columns = grid.size()[0] as usize;
+            for tile in grid.tiles_of(feature) {
+                given[tile.row as usize * columns + tile.column as usize] += vertices;
+            }
+        }
+    })?;
+    let largest = |given: &[u64]| given.iter().copied().max().unwrap_or_default();
+    let fits = |given: &[u64]| largest(given).saturating_mul(BYTES * AT_ONCE) <= bytes;
+    let fitting = sizes.iter().find(|(_, given)| fits(given));
+    let smallest = || sizes.iter().min_by_key(|(_, given)| largest(given));
+    fitting.or_else(smallest).map(|(grid, _)| *grid).ok_or(Error::Grid(GridError::Lines))
+}
+
+fn vertices(shape: &Shape) -> usize {
+    match shape {
+        Shape::Polygon(rings) => rings.iter().map(Vec::len).sum(),
+        Shape::Line(points) => points.len(),
+        Shape::Point(_) => 1,
+    }
+}
+
+/// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
+pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Options) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
     let outcome = summary.finish()?;
+    let outcome = match cut {
+        Some(cut) => outcome.with_cut(cut.finish()?),
+        None => outcome,
+    };
     let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
     let named = findings.flat_map(|finding| &finding.features).map(|feature| feature.index());
     let most = named.chain(outcome.defects.iter().map(|(feature, _)| *feature as usize)).max();
     let mut noted = Noted::new(None);
-    noted.defects = outcome.defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect();
+    noted.defects = numbered(&outcome.defects);
     let [columns, rows] = grid.size();
     let mut read = ReadSummary::default();
     read.polygons = 1;
@@ -79,6 +150,7 @@ pub(crate) fn audit_summary(summary: Summary, asked: &Options) -> Result<AuditRe
         noted,
         builder: None,
         unmatched: Vec::new(),
+        features: Vec::new(),
         crs: None,
         orients_rings: false,
     };
@@ -97,31 +169,17 @@ fn size(grid: &Grid) -> Value {
     json!({ "columns": columns, "rows": rows })
 }
 
-fn points(shape: &Shape) -> &[Point] {
-    match shape {
-        Shape::Polygon(rings) => rings.first().map_or(&[], Vec::as_slice),
-        Shape::Line(points) => points,
-        Shape::Point(point) => std::slice::from_ref(point),
-    }
-}
-
-/// The grid that divides the box around all features.
+/// The grid that divides the box between two corners, or around nothing.
 ///
 /// # Errors
 /// [`Error::Grid`].
-pub fn grid_around(features: &[Feature], [columns, rows]: [u32; 2]) -> Result<Grid, Error> {
-    let all = features.iter().flat_map(|feature| &feature.shapes).flat_map(points);
-    let far = f64::INFINITY;
-    let (mut low, mut high) = (Point::new(far, far), Point::new(-far, -far));
-    for p in all {
-        low = Point::new(low.x.min(p.x), low.y.min(p.y));
-        high = Point::new(high.x.max(p.x), high.y.max(p.y));
-    }
-    // What has no width is divided all the same.
+pub fn grid_of(corners: Option<[Point; 2]>, [columns, rows]: [u32; 2]) -> Result<Grid, Error> {
+    // A box without width is divided all the same.
     let wide = |low: f64, high: f64| if low < high { (low, high) } else { (low.min(0.0) - 1.0, high.max(0.0) + 1.0) };
-    let is_empty = low.x > high.x;
-    let ((left, right), (bottom, top)) =
-        if is_empty { ((0.0, 1.0), (0.0, 1.0)) } else { (wide(low.x, high.x), wide(low.y, high.y)) };
+    let ((left, right), (bottom, top)) = match corners {
+        Some([low, high]) => (wide(low.x, high.x), wide(low.y, high.y)),
+        None => ((0.0, 1.0), (0.0, 1.0)),
+    };
     Ok(Grid::new([left, bottom], [right, top], columns, rows)?)
 }
 
@@ -147,15 +205,38 @@ pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
 /// The report, apart from what is known of the input.
 fn report(
     imported: &Imported,
-    outcome: Outcome,
+    mut outcome: Outcome,
     asked: &CoverageOptions,
     units: &Units,
     list: usize,
 ) -> Result<AuditReport, Error> {
     let mut rules: Vec<RuleLine> = outcome.rules().map(|(rule, outcome)| RuleLine::new(rule, outcome)).collect();
     rules.extend(SeamRule::ALL.into_iter().filter_map(|rule| seam_line(rule, &outcome)));
-    let mut violations: Vec<Diagnosis> = outcome.uneven.iter().map(uneven).collect();
-    violations.extend(outcome.crossings.iter().map(crossing));
+    let is_plane = outcome.crossings.is_empty() && outcome.adds_up.is_some();
+    let why = match &outcome.uncut {
+        Some(why) => why.to_string(),
+        None if is_plane => "tiles contradict each other".to_owned(),
+        None => "borders cross, and it is not known how to cut them".to_owned(),
+    };
+    let coverage = Coverage::of_tiles(imported, asked, units, list, outcome.coverage.take().ok_or(why));
+    let mismatched = |one: &Crossing| {
+        let features = one.features.iter().filter_map(|number| imported.map.feature(*number as usize)).collect();
+        one.kind != CrossingKind::Cross && coverage.lacks_any(&[one.first, one.second].concat(), &features)
+    };
+    let of_mismatches = outcome.crossings.iter().filter(|one| mismatched(one)).count();
+    let source = |is_mismatch: bool, rule: Rule| match is_mismatch {
+        true => Some(CoverageRule::Mismatch.id()),
+        false => (rule == Rule::T3 && !outcome.crossings.is_empty()).then_some(Rule::G4.id()),
+    };
+    let all_mismatch = of_mismatches > 0 && of_mismatches == outcome.crossings.len();
+    let mut violations: Vec<Diagnosis> =
+        outcome.uneven.iter().map(|one| following(uneven(one), Rule::T3, source(all_mismatch, Rule::T3))).collect();
+    violations.extend(
+        outcome
+            .crossings
+            .iter()
+            .map(|one| following(crossing(imported, one), Rule::G4, source(mismatched(one), Rule::G4))),
+    );
     violations.extend(outcome.seams.iter().map(seam));
     violations.extend(outcome.not_given.iter().map(|feature| not_given(*feature)));
     if outcome.adds_up == Some(false) && violations.is_empty() {
@@ -165,10 +246,6 @@ fn report(
     violations.truncate(list);
     let (is_valid, bounds) = (outcome.is_valid(), outcome.bounds().filter(|_| outcome.is_valid()));
     let found = outcome.counts;
-    let is_plane = outcome.crossings.is_empty() && outcome.adds_up.is_some();
-    let why = if is_plane { "tiles contradict each other" } else { "borders cross, and tiles do not cut them" };
-    let found_in_tiles = outcome.coverage.ok_or_else(|| why.to_owned());
-    let coverage = Coverage::of_tiles(imported, asked, units, list, found_in_tiles);
     let of_coverage = if asked.is_rule { coverage.total() } else { 0 };
     let is_coverage = of_coverage == 0 && (!asked.is_rule || coverage.not_checked().is_none());
     Ok(AuditReport {
@@ -219,7 +296,7 @@ fn edge([a, b]: [Point; 2]) -> String {
     format!("({}, {})-({}, {})", a.x, a.y, b.x, b.y)
 }
 
-fn crossing(one: &Crossing) -> Diagnosis {
+fn crossing(imported: &Imported, one: &Crossing) -> Diagnosis {
     let [first, second] = [one.first, one.second].map(edge);
     let (kind, message) = match one.kind {
         CrossingKind::Touch => {
@@ -229,14 +306,35 @@ fn crossing(one: &Crossing) -> Diagnosis {
         CrossingKind::Overlap => ("overlap", format!("the edges {first} and {second} overlap")),
         _ => ("cross", format!("the edges {first} and {second} cross where no vertex is")),
     };
-    violation(Rule::G4.id(), kind, message, &[one.first, one.second].concat())
+    let places = match one.kind {
+        CrossingKind::Touch => [&one.first[..1], &one.second].concat(),
+        _ => [one.first, one.second].concat(),
+    };
+    let features = one.features.iter().filter_map(|number| imported.map.feature(*number as usize));
+    let found = violation(Rule::G4.id(), kind, message, &places);
+    let positions: Vec<_> = places.iter().copied().map(position).collect();
+    let of_whole = match one.kind {
+        CrossingKind::Touch => Violation::Touch { vertex: 0, half_edge: 0 },
+        CrossingKind::Overlap => Violation::Overlap { first: 0, second: 0 },
+        _ => Violation::Cross { first: 0, second: 0 },
+    };
+    Diagnosis {
+        cause: Some(of_whole.cause()),
+        features: Some(features.map(|feature| named(imported, feature)).collect()),
+        look: if one.kind == CrossingKind::Touch { found.look } else { middle(&positions) },
+        ..found
+    }
 }
 
 fn uneven(one: &Uneven) -> Diagnosis {
-    let Uneven { vertices, edges, cycles, at, .. } = one;
+    let Uneven { vertices, edges, cycles, at, .. } = *one;
     let message =
         format!("a component has V = {vertices}, E = {edges} and {cycles} cycles: it does not fit in the plane");
-    violation(Rule::T3.id(), "genus", message, at.as_slice())
+    let found = violation(Rule::T3.id(), "genus", message, at.as_slice());
+    let Some(genus) = one.genus() else { return found };
+    let of_whole = Violation::Genus { vertex: 0, vertices: 0, edges: 0, cycles: 0, genus: 0 };
+    let fields = Figures { vertices, edges, cycles, genus };
+    Diagnosis { kind: Kind::Counted { kind: of_whole.kind(), fields }, cause: Some(of_whole.cause()), ..found }
 }
 
 fn seam(one: &SeamFault) -> Diagnosis {

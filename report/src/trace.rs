@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use twinedge::algorithm::contour::of_faces;
 use twinedge::algorithm::coverage::Finding;
+use twinedge::dcel::FaceKey;
 use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::PlanarMap;
 use twinedge::validate::{Embedding, Record, Start, Violation, places};
@@ -11,12 +12,23 @@ use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 /// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,
 /// and these.
 pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
-    let lines = finding.stretches.iter().map(|stretch| stretch.map(position).to_vec()).collect();
-    let contour = of_faces(map, finding.faces.iter().copied()).unwrap_or_default();
+    let mut trace = of_extent(map, &finding.faces, &finding.stretches, finding.at);
+    if trace.points.is_empty() {
+        trace.points = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
+    } else {
+        // If the map was seen by its tiles, no more is known of the faces than a corner.
+        trace.points.push(position(finding.corner));
+    }
+    trace
+}
+
+/// Faces as polygons, stretches as lines; the place if there are neither.
+pub(crate) fn of_extent(map: &PlanarMap, faces: &[FaceKey], stretches: &[[Point; 2]], at: Point) -> Trace {
+    let lines = stretches.iter().map(|stretch| stretch.map(position).to_vec()).collect();
+    let contour = of_faces(map, faces.iter().copied()).unwrap_or_default();
     let ring = |ring: &[Point]| ring.iter().copied().map(position).collect();
     let polygons: Vec<_> = contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
-    let missing = finding.missing.iter().map(|vertex| position(vertex.at)).collect();
-    let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { missing };
+    let points = if polygons.is_empty() && stretches.is_empty() { vec![position(at)] } else { Vec::new() };
     Trace { points, lines, polygons }
 }
 

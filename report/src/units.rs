@@ -3,9 +3,11 @@
 use crate::error::Error;
 use crate::imported::Imported;
 use geographiclib_rs::{Geodesic, InverseGeodesic};
+use std::collections::HashSet;
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::{CoverageRule, Finding};
-use twinedge::dcel::{Face, Vertex};
+use twinedge::algorithm::layers::LayerFinding;
+use twinedge::dcel::{Face, FaceKey, Vertex};
 use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
@@ -85,6 +87,26 @@ impl Units {
         -ends.map(|edge| area_above(earth, base, edge)).sum::<f64>()
     }
 
+    /// The area of a set of faces, and the length all around it.
+    fn area_and_length(&self, map: &PlanarMap, faces: &[FaceKey]) -> (f64, f64) {
+        let faces: Vec<Face<'_>> = faces.iter().filter_map(|f| map.dcel().face(*f).ok()).collect();
+        let inside: HashSet<usize> = faces.iter().map(|face| face.index()).collect();
+        let border = faces.iter().flat_map(|f| f.half_edges()).filter(|h| !inside.contains(&h.twin().face().index()));
+        let length = border.map(|h| self.distance(point(map, h.origin()), point(map, h.target()))).sum();
+        (faces.iter().map(|face| self.area(map, *face)).sum(), length)
+    }
+
+    /// A finding between layers in these units.
+    pub(crate) fn convert_between(&self, map: &PlanarMap, finding: &mut LayerFinding) {
+        let Self::Geodesic(_) = self else { return };
+        if finding.faces.is_empty() {
+            finding.length = finding.stretches.iter().map(|stretch| self.length(stretch)).sum();
+            return;
+        }
+        (finding.area, finding.length) = self.area_and_length(map, &finding.faces);
+        finding.width = if finding.length > 0.0 { 2.0 * finding.area / finding.length } else { 0.0 };
+    }
+
     /// A finding in these units. The area of a near miss is scaled as at its place: it has no faces.
     pub(crate) fn convert(&self, map: &PlanarMap, finding: &mut Finding) {
         let Self::Geodesic(_) = self else { return };
@@ -99,10 +121,7 @@ impl Units {
             finding.area *= by_degree(Point::new(x + step, y)) * by_degree(Point::new(x, y - step.copysign(y)));
             finding.length = finding.stretches.iter().map(|stretch| self.length(stretch)).sum();
         } else {
-            let faces: Vec<Face<'_>> = finding.faces.iter().filter_map(|f| map.dcel().face(*f).ok()).collect();
-            let border = faces.iter().flat_map(|f| f.half_edges()).filter(|h| !faces.contains(&h.twin().face()));
-            finding.length = border.map(|h| self.distance(point(map, h.origin()), point(map, h.target()))).sum();
-            finding.area = faces.iter().map(|face| self.area(map, *face)).sum();
+            (finding.area, finding.length) = self.area_and_length(map, &finding.faces);
         }
         finding.width = if finding.length > 0.0 { 2.0 * finding.area / finding.length } else { 0.0 };
     }

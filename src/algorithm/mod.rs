@@ -14,6 +14,7 @@
 //! | [`coverage`] | which faces does a feature cover? where do features overlap, leave gaps, nearly meet? are they valid by the OGC? |
 //! | `dual` | what way leads from face to face, and what hangs by one edge? (feature `petgraph`) |
 //! | [`lattice`] | how many lattice points lie inside a face, and does Pick's theorem hold? |
+//! | [`layers`] | does each feature lie within one of another layer, do both cover the same, do parts make up their parents? |
 //! | [`neighbours`] | which faces or features share a border, where, and how long is it? |
 //! | [`mod@overlay`] | what do two maps make together? |
 //! | `voronoi` | which place is nearest to which of some sites? (feature `spade`) |
@@ -29,6 +30,7 @@ pub mod coverage;
 #[cfg(feature = "petgraph")]
 pub mod dual;
 pub mod lattice;
+pub mod layers;
 pub mod neighbours;
 pub mod overlay;
 #[cfg(feature = "spade")]

@@ -23,6 +23,9 @@
 //! # Ok::<(), twinedge::dcel::OperatorError>(())
 //! ```
 //!
+//! A lecture for browsers explains the records step by step, and does these operators on a picture: `web/README.md` in the repository says how
+//! to open it.
+//!
 //! # Reading
 //!
 //! A key is checked once, where it enters ([`Dcel::half_edge`] and the like). What comes out is a reference ([`HalfEdge`])

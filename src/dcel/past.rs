@@ -1,4 +1,4 @@
-//! What can be undone and redone, whatever it is that changes.
+//! Changes that can be undone and redone, of whatever kind.
 
 use super::timeline::{Mark, Timeline};
 use crate::store::{Entry, Journal, Way};
@@ -13,7 +13,7 @@ pub(crate) trait Recorder {
 
     /// The journal; none if there is another structure in place, which writes none.
     fn journal(&mut self) -> Option<&mut Journal>;
-    /// What the change that is being made has written beside links, for good.
+    /// The writes beside links of the change that is being made, for good.
     fn take_others(&mut self) -> Vec<Self::Other>;
     /// Takes back what a part of the journal and others say that was written last, from the end, or writes it again.
     fn replay(&mut self, links: Range<usize>, others: &mut [Self::Other], way: Way);
@@ -130,7 +130,7 @@ impl<R: Recorder> Past<R> {
         self.timeline.redo_name()
     }
 
-    /// What the last call did or took back: a part of the links, and others.
+    /// The changes that the last call made or took back: a part of the links, and others.
     pub(crate) fn last(&self) -> (Range<usize>, &[R::Other]) {
         let [start, end] = self.last;
         (start[0]..end[0], &self.others[start[1]..end[1]])

@@ -220,7 +220,7 @@ impl PlanarMap {
     }
 }
 
-/// What is drawn differently before and after a change: edges by their even half-edges, and vertices that may be isolated, by index.
+/// Records that are drawn differently before and after a change: edges by their even half-edges, and vertices that may be isolated, by index.
 struct Redrawn {
     edges: Vec<usize>,
     vertices: Vec<usize>,

@@ -64,6 +64,7 @@ mod summary;
 
 #[cfg(feature = "near")]
 pub use audited::Audited;
+pub(crate) use construct::usual_cuts;
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
 pub use feature::{Feature, FeatureId, Shape};
 #[cfg(feature = "near")]

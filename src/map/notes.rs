@@ -5,12 +5,12 @@ use crate::geometry::Point;
 use crate::store::Journal;
 use crate::validate::near::WriteSet;
 
-/// What edits are to note. A clone of the map goes on without.
+/// The notes that edits take. A clone of the map goes on without.
 #[derive(Default)]
 pub(super) struct Notes {
     /// The records that were written.
     pub(super) written: Option<Box<WriteSet>>,
-    /// What was overwritten. A map has one or the other, or neither.
+    /// Values that were overwritten. A map has one or the other, or neither.
     pub(super) journal: Option<Box<MapJournal>>,
 }
 
@@ -37,7 +37,7 @@ impl Clone for Notes {
     }
 }
 
-/// What the change that is being made has overwritten.
+/// Values that the change that is being made has overwritten.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MapJournal {
     pub(super) links: Journal,

@@ -1,4 +1,4 @@
-//! What features claim together, by which duplicates are found (C5).
+//! Areas that features claim together, by which duplicates are found (C5).
 
 use rustc_hash::FxHashMap;
 

@@ -49,13 +49,24 @@ impl Bounds {
             && self.top.is_none_or(|y| low.y < y)
     }
 
+    /// The same with each line moved outwards.
+    pub(super) fn grown(&self, by: f64) -> Self {
+        let moved = |line: Option<f64>, by: f64| line.map(|line| line + by);
+        Self {
+            left: moved(self.left, -by),
+            right: moved(self.right, by),
+            bottom: moved(self.bottom, -by),
+            top: moved(self.top, by),
+        }
+    }
+
     /// A point of the tile.
     pub(super) fn any_point(&self) -> Point {
         let within = |low: Option<f64>, high: Option<f64>| low.or(high.map(f64::next_down)).unwrap_or_default();
         Point::new(within(self.left, self.right), within(self.bottom, self.top))
     }
 
-    /// Where an edge passes the border of the tile. O(1).
+    /// The places at which an edge passes the border of the tile. O(1).
     pub(super) fn crossings(&self, [a, b]: Ends) -> Crossings {
         let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
         let upright = |x: Option<f64>| {

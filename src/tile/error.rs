@@ -48,6 +48,24 @@ pub enum FinishError {
     },
 }
 
+/// The error of [`audit`](super::audit).
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum AuditError<E> {
+    /// The features of a tile could not be had.
+    #[error("{0}")]
+    Features(E),
+    /// A tile could not be judged.
+    #[error(transparent)]
+    Tile(#[from] TileError),
+    /// Summaries could not be merged.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    /// Tiles are missing.
+    #[error(transparent)]
+    Finish(#[from] FinishError),
+}
+
 /// The number of tiles that are missing.
 struct Missing(u64);
 

@@ -21,7 +21,7 @@ pub enum CrossingKind {
 }
 
 /// Edges that meet elsewhere than at a shared endpoint (rule G4).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Crossing {
@@ -31,6 +31,8 @@ pub struct Crossing {
     pub first: Ends,
     /// Another edge.
     pub second: Ends,
+    /// The features along them, and along all edges at the vertex, by number, in order.
+    pub features: Vec<u32>,
 }
 
 impl Crossing {
@@ -58,6 +60,15 @@ pub struct Uneven {
 }
 
 impl Uneven {
+    /// The genus; none if no surface has these numbers.
+    #[must_use]
+    pub const fn genus(&self) -> Option<u64> {
+        match self.edges.saturating_add(2).checked_sub(self.vertices.saturating_add(self.cycles)) {
+            Some(twice) if twice % 2 == 0 => Some(twice / 2),
+            _ => None,
+        }
+    }
+
     pub(super) fn compare(&self, other: &Self) -> Ordering {
         let key = |one: &Self| (one.vertices, one.edges, one.cycles, one.at.is_some());
         key(self).cmp(&key(other)).then_with(|| match (self.at, other.at) {

@@ -1,4 +1,4 @@
-//! The findings of C1 … C5, from the regions of a whole map.
+//! The findings of C1 … C5 and C7, from the regions of a whole map and the vertices that borders lack.
 
 use super::claimed::first_like;
 use super::ends::compare_edges;
@@ -6,6 +6,7 @@ use super::region::{Claim, Drawing, Edge, Region, sort_edges};
 use super::summary::Summary;
 use crate::algorithm::coverage::check::Found;
 use crate::algorithm::coverage::gap::{Gaps, accepted_faces};
+use crate::algorithm::coverage::mismatch::by_pairs;
 use crate::algorithm::coverage::near_miss::{near_misses_beside, width_by};
 use crate::algorithm::coverage::sliver::chosen_area;
 use crate::algorithm::coverage::{Coverage, CoverageRule, Finding};
@@ -24,6 +25,7 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
         width: sliver.width,
         length: sliver.length,
         at: sliver.at,
+        corner: sliver.corner,
         faces: Vec::new(),
         stretches: Vec::new(),
         missing: Vec::new(),
@@ -54,7 +56,9 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
         gap_width,
         sliver_area,
     };
-    found.sorted()
+    let mut found = found.sorted();
+    found.findings.extend(by_pairs(summary.unmatched.iter().copied()));
+    found
 }
 
 /// Near misses between the borders of some unclaimed regions.

@@ -1,4 +1,4 @@
-//! What the summaries of all tiles say of the whole.
+//! The audit of the whole, from the summaries of all tiles.
 
 use super::error::FinishError;
 use super::fault::{Crossing, SeamFault, Uneven};
@@ -6,6 +6,7 @@ use super::findings::coverage;
 use super::grid::Tile;
 use super::summary::Summary;
 use crate::algorithm::coverage::{Coverage, Defect};
+use crate::map::BuildError;
 use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
 
 /// The audit of a map by its tiles.
@@ -20,8 +21,11 @@ pub struct Outcome {
     pub uneven: Vec<Uneven>,
     /// The places where two tiles contradict each other (S1 … S3).
     pub seams: Vec<SeamFault>,
-    /// The findings of C1 … C5; none if the map is not plane, or tiles contradict each other: then it is not known what features cover.
+    /// The findings of C1 … C5 and C7; none if edges meet elsewhere than at vertices and were not cut, or tiles contradict each other: then it is
+    /// not known what features cover.
     pub coverage: Option<Coverage>,
+    /// The reason why edges that meet elsewhere than at vertices could not be cut, if that was tried in vain.
+    pub uncut: Option<BuildError>,
     /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
     /// The features that not every tile was given that the box around them meets, by number.
@@ -43,6 +47,18 @@ impl Outcome {
 }
 
 impl Outcome {
+    /// The outcome with the coverage of the same map with its edges cut, if they meet elsewhere than at vertices and tiles do not contradict each other.
+    #[must_use]
+    pub fn with_cut(self, cut: Self) -> Self {
+        if self.needs_cut() { Self { coverage: cut.coverage, ..self } } else { self }
+    }
+
+    /// Returns true if it would be known what features cover, if edges were cut where they meet.
+    #[must_use]
+    pub fn needs_cut(&self) -> bool {
+        !self.crossings.is_empty() && self.seams.is_empty() && self.not_given.is_empty()
+    }
+
     /// The outcomes of R1 … G5, as the report of the whole map has them. The rules that every map keeps that is built of features were checked
     /// when it was.
     pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
@@ -126,11 +142,8 @@ impl Summary {
         // Each component has one cycle outside, and each other cycle bounds a face.
         let bounded = totals.cycles.saturating_sub(with_edges);
         let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
-        let genus = |one: &Uneven| {
-            let twice = one.edges.saturating_add(2).checked_sub(one.vertices.saturating_add(one.cycles));
-            twice.filter(|twice| twice % 2 == 0).map(|twice| twice / 2)
-        };
-        let genus = self.uneven.iter().map(genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
+        let genus =
+            self.uneven.iter().map(Uneven::genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
         let counts = Counts {
             vertices: number(totals.vertices),
             half_edges: number(totals.edges.saturating_mul(2)),
@@ -149,6 +162,7 @@ impl Summary {
         Ok(Outcome {
             counts,
             coverage: is_known.then(|| coverage(&self)),
+            uncut: None,
             not_given,
             defects: self.defects,
             crossings: self.crossings,

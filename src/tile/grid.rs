@@ -65,6 +65,10 @@ pub enum GridError {
 }
 
 impl Grid {
+    /// The grid of one tile, which is all of the plane.
+    pub const EVERYTHING: Self =
+        Self { low: Point { x: 0.0, y: 0.0 }, high: Point { x: 1.0, y: 1.0 }, columns: 1, rows: 1 };
+
     /// The grid of so many columns and rows whose lines divide the box between two corners. O(columns + rows).
     ///
     /// # Errors
@@ -138,7 +142,7 @@ impl Grid {
     }
 
     /// The tiles that meet the closed box between two corners, row by row.
-    fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
+    pub(super) fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
         let (first, last) = (self.tile_of(low), self.tile_of(high));
         let columns = first.column..=last.column;
         (first.row..=last.row).flat_map(move |row| columns.clone().map(move |column| Tile { column, row }))

@@ -10,6 +10,7 @@ use crate::geometry::crossing::{Clash, clashes};
 use crate::map::{FeatureId, PlanarMap};
 use crate::slots::NIL;
 use crate::validate::Embedding as _;
+use rustc_hash::FxHashMap;
 
 /// The part of an edge that lies in the tile.
 pub(super) struct Part {
@@ -117,6 +118,17 @@ impl<'a> Local<'a> {
         features.map(|features| self.numbers(features)).unwrap_or_default()
     }
 
+    /// The numbers of the features along an edge.
+    pub(super) fn features_along(&self, h: usize) -> Vec<u32> {
+        let along = self.half_edge(h).and_then(|h| self.map.features_along(h.key()).ok());
+        along.map(|along| self.numbers(along)).unwrap_or_default()
+    }
+
+    /// The numbers of the features along the edges at a vertex.
+    fn features_at(&self, vertex: &Vertex<'_>) -> Vec<u32> {
+        vertex.rotation().flat_map(|h| self.features_along(h.index())).collect()
+    }
+
     /// The pairs of edges that meet elsewhere than at shared endpoints.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
         if self.map.is_plane() {
@@ -130,16 +142,27 @@ impl<'a> Local<'a> {
         let number = |p: Point| points.binary_search_by(|q| compare_points(*q, p)).unwrap_or_default() as u32;
         let segments: Vec<[u32; 2]> = self.parts.iter().map(|part| part.ends.map(number)).collect();
         let ends = |segment: u32| self.parts[segment as usize].ends;
+        let vertices = self.map.dcel().vertices().filter(|v| self.vertex_is_inside(*v));
+        let vertices: FxHashMap<(u64, u64), Vertex<'_>> =
+            vertices.map(|v| (self.map.point(v.index()).hash_key(), v)).collect();
+        let along = |segment: u32| self.features_along(self.parts[segment as usize].half_edges[0]);
         let crossing = |clash: Clash| {
-            let (kind, a, b) = match clash {
-                Clash::Cross { a, b } => (CrossingKind::Cross, ends(a), ends(b)),
-                Clash::Overlap { a, b } => (CrossingKind::Overlap, ends(a), ends(b)),
-                Clash::Touch { vertex, segment } => (CrossingKind::Touch, [points[vertex as usize]; 2], ends(segment)),
+            let (kind, a, b, mut features) = match clash {
+                Clash::Cross { a, b } => (CrossingKind::Cross, ends(a), ends(b), [along(a), along(b)].concat()),
+                Clash::Overlap { a, b } => (CrossingKind::Overlap, ends(a), ends(b), [along(a), along(b)].concat()),
+                Clash::Touch { vertex, segment } => {
+                    let at = points[vertex as usize];
+                    // What ends at a vertex elsewhere is known to its tile.
+                    let vertex = vertices.get(&at.hash_key()).filter(|_| self.bounds.contains(at))?;
+                    (CrossingKind::Touch, [at; 2], ends(segment), [self.features_at(vertex), along(segment)].concat())
+                }
                 Clash::SamePlace { .. } => return None,
             };
+            features.sort_unstable();
+            features.dedup();
             let is_in_order = kind == CrossingKind::Touch || compare_edges(&a, &b).is_le();
             let [first, second] = if is_in_order { [a, b] } else { [b, a] };
-            Some(Crossing { kind, first, second })
+            Some(Crossing { kind, first, second, features })
         };
         let (found, _) = clashes(&points, &segments, usize::MAX).unwrap_or_default();
         found.into_iter().filter_map(crossing).collect()

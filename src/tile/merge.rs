@@ -83,6 +83,7 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
     one.areas.append(&mut other.areas);
     one.claimed.append(&mut other.claimed);
     one.defects.append(&mut other.defects);
+    one.unmatched.append(&mut other.unmatched);
     one.crossings.append(&mut other.crossings);
     one.uneven.append(&mut other.uneven);
     one.seams.append(&mut other.seams);

@@ -2,8 +2,8 @@
 //!
 //! A map that is too large for one machine, or that several work on, is cut by a [`Grid`]. [`Summary::new`] makes the summary of a tile from
 //! the features that meet it. [`Summary::merge`] makes one summary of two, in whatever order. [`Summary::finish`] says of the summary
-//! of all tiles what the audit of the whole map says: the counts, whether the map is a planar subdivision, and the findings of C1 … C6, with the
-//! same features and places, and, up to rounding, the same areas, widths and lengths.
+//! of all tiles what the audit of the whole map says: the counts, whether the map is a planar subdivision, and the findings of C1 … C7, with the
+//! same features and places, and, up to rounding, the same areas, widths and lengths. [`audit`] does all of it on one machine.
 //!
 //! ```
 //! use twinedge::algorithm::coverage::{CoverageRule, Limits};
@@ -35,7 +35,9 @@
 //!
 //! All features whose boxes meet the tile, whole, with their numbers in the map; [`Grid::tiles_of`] says which tiles a feature is to be given to. So a tile knows by
 //! itself which features cover its faces, also where there is no edge in it, and neighbours must agree on that.
-//! Edges are taken as they are: they should meet at shared endpoints only.
+//! [`Summary::new`] takes edges as they are: they should meet at shared endpoints only. Where they do not, that is found, and the map is then judged
+//! once more, with edges that are cut where they meet: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes the summaries from which the
+//! coverage is known.
 //!
 //! # What a summary holds
 //!
@@ -78,17 +80,19 @@
 //! # What is checked
 //!
 //! Most rules hold of every map that is built of features: rotations are sorted by exact predicates, and cycles, faces and what lies in what
-//! follow. G4 is checked in each tile, T3 of each component and of the sums. Where edges cross (G4), nothing is known of faces: then G3, G5 and
-//! C1 … C5 are not checked ([`Outcome::rules`], [`Outcome::coverage`]). C7, which is of maps whose edges meet elsewhere than at vertices, is not
-//! checked in tiles.
+//! follow. G4 is checked in each tile, T3 of each component and of the sums. Where edges cross (G4), nothing is known of faces: then G3 and G5
+//! are not checked ([`Outcome::rules`]), and C1 … C5 and C7 are those of the map with its edges cut ([`Outcome::coverage`]). Where edges are cut too often, or
+//! bend so often that they drift into other tiles, [`Outcome::uncut`] says so.
 //!
 //! Source for tiles of subdivisions: L. Calderón-Romero, A. Magdy, V. J. Tsotras, "Scalable overlay operations over DCEL polygon layers", SSTD
 //! 2023, where cells are joined in a second phase; here they are joined by merging.
 //!
 //! [`Limits`]: crate::algorithm::coverage::Limits
 
+mod audit;
 mod claimed;
 mod clip;
+mod cuts;
 mod ends;
 mod error;
 mod extent;
@@ -107,7 +111,9 @@ mod side;
 mod summary;
 mod tally;
 
-pub use error::{FinishError, MergeError, TileError};
+pub use audit::audit;
+pub use cuts::{Cuts, Found};
+pub use error::{AuditError, FinishError, MergeError, TileError};
 pub use fault::{Crossing, CrossingKind, SeamFault, SeamRule, Uneven};
 pub use finish::Outcome;
 pub use grid::{Grid, GridError, Tile};

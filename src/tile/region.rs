@@ -140,6 +140,7 @@ pub(super) struct Sliver {
     pub(super) width: f64,
     pub(super) length: f64,
     pub(super) at: Point,
+    pub(super) corner: Point,
 }
 
 impl Sliver {
@@ -159,9 +160,9 @@ pub(super) fn examined(part: &Region, limits: &Limits) -> (f64, Option<Sliver>) 
         return (area, None);
     }
     let sliver = Drawing::new(&part.edges).map(|drawing| {
-        let Finding { area, width, length, at, .. } =
+        let Finding { area, width, length, at, corner, .. } =
             drawing.finding(CoverageRule::Sliver, &[feature], &|features| part.claim.is_of(features));
-        Sliver { feature, area, width, length, at }
+        Sliver { feature, area, width, length, at, corner }
     });
     (area, sliver.filter(|sliver| is_small(sliver.area) && is_thin(sliver.area, sliver.length, limits)))
 }

@@ -9,6 +9,7 @@ use super::side::Side;
 use super::summary::{Border, Component, Face, Summary, Totals};
 use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::predicates::in_range;
+use crate::map::UnmatchedVertex;
 use thiserror::Error;
 
 /// A summary as it was read.
@@ -29,6 +30,7 @@ pub(super) struct Saved {
     areas: Vec<f64>,
     claimed: Vec<Claimed>,
     defects: Vec<(u32, Vec<Defect>)>,
+    unmatched: Vec<UnmatchedVertex>,
     is_plane: bool,
     crossings: Vec<Crossing>,
     uneven: Vec<Uneven>,
@@ -51,7 +53,8 @@ impl TryFrom<Saved> for Summary {
 
     fn try_from(saved: Saved) -> Result<Self, SavedError> {
         let Saved { grid, limits, tiles, totals, borders, faces, components, cycles, regions, closed, .. } = saved;
-        let Saved { slivers, lengths, areas, claimed, defects, is_plane, crossings, uneven, seams, .. } = saved;
+        let Saved { slivers, lengths, areas, claimed, defects, unmatched, is_plane, crossings, uneven, seams, .. } =
+            saved;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
         if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
             return Err(SavedError::Tiles);
@@ -120,6 +123,7 @@ impl TryFrom<Saved> for Summary {
             areas,
             claimed,
             defects,
+            unmatched,
             is_plane,
             crossings,
             uneven,

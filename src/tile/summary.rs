@@ -1,4 +1,4 @@
-//! What is known of some tiles together.
+//! The knowledge of some tiles together.
 
 use super::claimed::{Claimed, add_up};
 use super::ends::{Ends, compare_edges, compare_points};
@@ -8,7 +8,9 @@ use super::region::{Claim, Region, Sliver, examined};
 use super::side::Side;
 use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::Point;
+use crate::map::UnmatchedVertex;
 use crate::slots::{NIL, Sets};
+use core::cmp::Ordering;
 
 /// The summary of one tile, or of several that were merged: what lies wholly inside is counted, and what the border cuts is listed, so
 /// that it can be joined with what lies on the other side.
@@ -42,6 +44,8 @@ pub struct Summary {
     pub(super) claimed: Vec<Claimed>,
     /// The features whose shapes are not valid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,
+    /// The vertices that borders lack (C7), if edges were cut.
+    pub(super) unmatched: Vec<UnmatchedVertex>,
     /// False if edges meet elsewhere than at shared endpoints, as far as was seen. Nothing is known of faces then.
     pub(super) is_plane: bool,
     /// The pairs of edges that do.
@@ -140,7 +144,14 @@ impl Component {
     }
 }
 
-/// Which faces, components and cycles of a summary are the same.
+/// The order of unmatched vertices by place.
+pub(super) fn compare_unmatched(a: &UnmatchedVertex, b: &UnmatchedVertex) -> Ordering {
+    compare_points(a.at, b.at)
+        .then_with(|| (a.of, a.lacked_by).cmp(&(b.of, b.lacked_by)))
+        .then_with(|| compare_edges(&a.segment, &b.segment))
+}
+
+/// Faces, components and cycles of a summary that are the same.
 pub(super) struct Joins {
     pub(super) faces: Sets,
     pub(super) components: Sets,
@@ -204,6 +215,7 @@ impl Summary {
             areas: Vec::new(),
             claimed: Vec::new(),
             defects: Vec::new(),
+            unmatched: Vec::new(),
             is_plane: true,
             crossings: Vec::new(),
             uneven: Vec::new(),
@@ -296,6 +308,7 @@ impl Summary {
         self.slivers.sort_by(Sliver::compare);
         add_up(&mut self.claimed);
         self.defects.sort_by_key(|(feature, _)| *feature);
+        self.unmatched.sort_by(compare_unmatched);
         self.tiles.sort_unstable();
         self.crossings.sort_by(Crossing::compare);
         self.crossings.dedup();

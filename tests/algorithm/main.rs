@@ -11,6 +11,8 @@ mod coverage;
 mod dual;
 mod homework;
 mod lattice;
+mod layers;
+mod mismatch;
 mod neighbours;
 mod overlay;
 mod planar;

@@ -232,7 +232,7 @@ fn another_structure_begins_another_history() {
     one.change("swap", |a| other.change("swap", |b| swap(a, b))).unwrap();
     assert!(!one.undo() && !one.redo() && !one.undo_to(mark) && !other.undo() && !other.redo());
     assert_eq!((one.get().edge_count(), other.get().edge_count()), (1, 0));
-    // What could be redone is dropped, and its key is not issued again.
+    // The change that could be redone is dropped, and its key is not issued again.
     let again = other.change("loop", |dcel| loop_at(dcel, v)).unwrap();
     assert_ne!(again.half_edge, made.half_edge);
     assert!(other.undo() && !other.undo());

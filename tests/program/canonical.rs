@@ -139,7 +139,7 @@ fn rooted_maps_of_every_genus_are_as_many_as_published() {
     }
 }
 
-/// Whether there is a correspondence of half-edges that keeps everything, found by trying all.
+/// True if some correspondence of half-edges keeps everything, found by trying all.
 fn correspond(one: &Dcel, other: &Dcel) -> bool {
     let counts = |map: &Dcel| {
         let isolated = map.vertices().filter(|v| v.isolated().is_some()).count();

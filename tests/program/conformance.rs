@@ -36,7 +36,7 @@ fn the_models_and_the_structure_do_the_same() {
     assert!(total.applied > 2500 && total.refused > 500, "{sum}");
 }
 
-/// What is wrong with a subject.
+/// The fault of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fault {
     /// It begins with a vertex in it.
@@ -71,7 +71,7 @@ struct Faulty {
     model: RotationSystem,
     fault: Fault,
     parts: Parts,
-    /// How many questions it was asked.
+    /// The number of questions that it was asked.
     asked: Rc<Cell<usize>>,
     /// A question after so many panics.
     panics_after: Option<usize>,

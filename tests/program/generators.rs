@@ -24,7 +24,7 @@ fn run(program: &Program) -> Dcel {
     runner.into_subject()
 }
 
-/// Whether some bounded face has a hole that is a cycle.
+/// True if some bounded face has a hole that is a cycle.
 fn has_hole(program: &Program) -> bool {
     run(program).faces().any(|f| !f.is_unbounded() && f.inner().any(|b| b.start().is_some()))
 }
@@ -79,7 +79,7 @@ fn generators_draw_what_they_are_told_and_no_more() {
     for nothing in [Program::generator().only(&[]), Program::generator().length(0..=0)] {
         assert_eq!(nothing.generate(&mut runner).0, []);
     }
-    // Where a source has run out it answers with zeros, so the length is the least.
+    // A source that has run out answers with zeros, so the length is the least.
     assert_eq!(Program::generator().length(3..=9).generate(&mut Bytes::new(&[])).0.len(), 3);
 }
 

@@ -35,7 +35,7 @@ fn a_right_mesh_agrees_with_the_reference() {
     }
 }
 
-/// What a program of a counterexample does, without the numbers.
+/// The operators of the program of a counterexample, without the numbers.
 fn operators(found: &Counterexample) -> Vec<&str> {
     found.program.0.iter().map(|op| op.name()).collect()
 }
@@ -284,7 +284,7 @@ fn names_stay() {
     assert!(!mesh.is_half_edge(usize::MAX) && mesh.twin(usize::MAX).is_none() && mesh.origin(usize::MAX).is_none());
 }
 
-/// What still leads to a half-edge that has been removed leads to the number that it had.
+/// A link that still leads to a removed half-edge leads to the number that it had.
 #[test]
 fn a_link_to_a_removed_half_edge_has_its_number() {
     let found = Conformance::of(&MESH).check(|| named(5, &PYRAMID, Bug::StaleLeaving)).unwrap_err();

@@ -23,7 +23,7 @@ const OCTAHEDRON: [[usize; 3]; 8] =
 /// A ring of six triangles, with two borders.
 const RING: [[usize; 3]; 6] = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
 
-/// What `flip_edge` does.
+/// The behaviour of `flip_edge`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flip {
     Right,
@@ -533,7 +533,7 @@ fn half_edges_on_the_border_need_no_next() {
             assert!(check(|| make(true), &MESH).is_err());
         }
     }
-    // Where it is kept, it is compared.
+    // If it is kept, it is compared.
     let summary = check(|| Mesh::new(6, &RING, false), &MESH).unwrap();
     assert!(summary.not_compared().all(|part| part != NotCompared::BorderNext), "{summary}");
 }

@@ -314,7 +314,7 @@ fn random_programs_do_much_and_are_refused_for_every_reason() {
 
 #[test]
 fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
-    // Whether some bounded face has a hole that is a cycle.
+    // True if some bounded face has a hole that is a cycle.
     let has_hole = |program: &Program| {
         let mut runner = Runner::new(Dcel::new());
         runner.run(program);

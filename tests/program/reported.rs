@@ -1,4 +1,4 @@
-//! What the operators report, on every store.
+//! The reports of the operators, on every store.
 
 use twinedge::dcel::Dcel;
 use twinedge::program::{Program, conformance};

@@ -208,7 +208,7 @@ fn any_order_of_merging_gives_the_same_bytes() {
             chosen.reverse();
             let second = merged(chosen, &mut random);
             assert_eq!(bytes(&first), bytes(&second));
-            // What is saved is read.
+            // A saved summary is read.
             let read: Summary = serde_json::from_slice(&bytes(&first)).expect("it was saved");
             assert_eq!(read, first);
         }

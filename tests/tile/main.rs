@@ -4,6 +4,7 @@
 mod corrupted;
 mod counts;
 mod coverages;
+mod cut;
 mod drawn;
 mod maps;
 mod whole;

@@ -1,18 +1,70 @@
 //! A map as a whole and by its tiles.
 
 use crate::maps::Random;
-use twinedge::algorithm::coverage::{Finding, Limits, check, defects};
-use twinedge::map::{Builder, Feature, PlanarMap};
-use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Uneven};
+use twinedge::algorithm::coverage::{Coverage, Finding, Limits, check, defects, mismatches};
+use twinedge::geometry::noding::Snap;
+use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge::tile::{Crossing, CrossingKind, Cuts, Grid, Outcome, Summary, Uneven};
 use twinedge::validate::{Embedding as _, Report, Rule, Violation};
 
-/// The map of all features.
-pub(crate) fn whole(features: &[Feature]) -> PlanarMap {
+fn builder(features: &[Feature]) -> Builder {
     let mut builder = Builder::new();
     for feature in features {
         builder.feature(feature).expect("in range");
     }
-    builder.build().expect("there is room")
+    builder
+}
+
+/// The map of all features.
+pub(crate) fn whole(features: &[Feature]) -> PlanarMap {
+    builder(features).build().expect("there is room")
+}
+
+/// The findings of the map whose edges are cut where they meet.
+pub(crate) fn whole_cut(features: &[Feature], limits: &Limits) -> Coverage {
+    let builder = builder(features);
+    let unmatched = builder.unmatched();
+    let map = builder.build_with(Noding::Snap(Snap::Auto)).expect("in reach");
+    let mut coverage = check(&map, limits).expect("it is plane");
+    coverage.findings.extend(mismatches(&map, &unmatched).expect("it is plane"));
+    coverage
+}
+
+/// The number of times that edges of the whole are bent.
+pub(crate) fn rounds(features: &[Feature]) -> usize {
+    let map = builder(features).build_with(Noding::Snap(Snap::Auto)).expect("in reach");
+    map.noding().map_or(0, |summary| summary.rounds)
+}
+
+/// The largest magnitude of a coordinate.
+fn largest(features: &[Feature]) -> f64 {
+    let points = |shape: &Shape| match shape {
+        Shape::Polygon(rings) => rings.concat(),
+        Shape::Line(points) => points.clone(),
+        Shape::Point(point) => vec![*point],
+    };
+    let all = features.iter().flat_map(|feature| &feature.shapes).flat_map(points);
+    all.fold(0.0, |most, p| most.max(p.x.abs()).max(p.y.abs()))
+}
+
+/// The findings by tiles that cut edges. Each tile has only those features that it is to be given.
+pub(crate) fn by_tiles_cut(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) -> Coverage {
+    let mut cuts = Cuts::new(largest(features)).expect("finite");
+    let given = |cuts: &Cuts, tile| {
+        let numbered = (0..).zip(features);
+        let is_given = |(_, feature): &(u32, &Feature)| cuts.tiles_of(grid, feature).any(|other| other == tile);
+        numbered.filter(is_given).collect::<Vec<_>>()
+    };
+    while !cuts.is_complete() {
+        let concerned = grid.tiles().filter(|tile| cuts.concern(grid, *tile));
+        let found = concerned.map(|tile| cuts.search(grid, tile, given(&cuts, tile)).expect("in range"));
+        let found: Vec<_> = found.collect();
+        cuts.take(found).expect("few rounds");
+    }
+    let summary = |tile| Summary::cut(grid, tile, given(&cuts, tile), limits, &cuts).expect("in range");
+    let outcome = merged(grid.tiles().map(summary).collect(), random).finish().expect("no tile is missing");
+    assert!(outcome.is_valid(), "{outcome:?}");
+    outcome.coverage.expect("it is plane")
 }
 
 /// The grid with lines at these places: at most two of each kind.
@@ -64,12 +116,13 @@ pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random
     assert_eq!(outcome.rules().count(), report.outcomes().len());
     let all = (0..).zip(features).map(|(number, feature)| (number, defects(&feature.shapes)));
     assert_eq!(outcome.defects, all.filter(|(_, found)| !found.is_empty()).collect::<Vec<_>>());
-    let Some(by_tiles) = outcome.coverage else {
+    let (by_tiles, whole) = if let Some(by_tiles) = outcome.coverage {
+        (by_tiles, check(&map, limits).expect("it is plane"))
+    } else {
         assert!(!map.is_plane());
         broken(&map, &report, &outcome.crossings, &outcome.uneven);
-        return;
+        (by_tiles_cut(features, grid, limits, random), whole_cut(features, limits))
     };
-    let whole = check(&map, limits).expect("it is plane");
     assert!(
         near(by_tiles.gap_width, whole.gap_width) && near(by_tiles.sliver_area, whole.sliver_area),
         "{grid:?} {features:?}"
@@ -102,7 +155,7 @@ fn broken(map: &PlanarMap, report: &Report, crossings: &[Crossing], uneven: &[Un
                 expected.push((CrossingKind::Touch, [point(vertex); 2], edge(half_edge)));
             }
             Violation::Genus { vertices, edges, cycles, .. } => components.push((vertices, edges, cycles)),
-            // Which follow from the crossings, and are not checked by tiles.
+            // These follow from the crossings, and are not checked by tiles.
             _ => assert!(matches!(violation.rule(), Rule::G2 | Rule::G3 | Rule::G5), "{violation:?}"),
         }
     }
@@ -133,7 +186,8 @@ fn same(these: Vec<Finding>, those: Vec<Finding>, context: &str) {
     let (these, those) = (sorted(these), sorted(those));
     assert_eq!(these.len(), those.len(), "{context}\n{these:?}\n{those:?}");
     for (a, b) in these.iter().zip(&those) {
-        let is_same = (a.rule, &a.features, a.at) == (b.rule, &b.features, b.at);
+        let key = |one: &Finding| (one.rule, one.features.clone(), one.at, one.corner, one.missing.clone());
+        let is_same = key(a) == key(b);
         let is_near = near(a.area, b.area) && near(a.width, b.width) && near(a.length, b.length);
         let stretches = |one: &Finding| {
             let mut all: Vec<[[u64; 2]; 2]> =

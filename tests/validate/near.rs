@@ -195,7 +195,7 @@ fn ring(edges: usize) -> Dcel {
     dcel
 }
 
-/// What it reads does not grow with the structure.
+/// The amount that it reads does not grow with the structure.
 #[test]
 fn what_is_read_depends_on_the_change_only() {
     type Change = fn(&mut Dcel);
@@ -327,7 +327,7 @@ fn forgotten_records_are_caught_up_with() {
     assert!(watched.twin.get() < 100);
 }
 
-/// What the baseline did not follow would be a false alarm, and be followed by a full validation.
+/// A change that the baseline did not follow would be a false alarm, and be followed by a full validation.
 #[test]
 fn a_baseline_follows_a_sequence_without_reading_everything() {
     type Change = fn(&mut Dcel);

@@ -293,7 +293,7 @@ fn what_only_one_check_finds() {
     }
 }
 
-/// What a half-edge that has not changed says of one that has, found by no other check.
+/// A fault in the links from an unchanged half-edge to a changed one, found by no other check.
 #[test]
 fn what_only_a_half_edge_that_has_not_changed_tells() {
     type Change = fn(&mut Table);

@@ -71,14 +71,14 @@ impl Scene {
     }
 }
 
-/// What became of a judgement.
+/// The outcome of a judgement.
 #[derive(Default, Debug)]
 struct Tally {
     judged: usize,
     right: usize,
     /// For each rule of geometry, and for T1 … T4, how often it was broken.
     broken: [usize; 9],
-    /// How often a right structure was validated in full.
+    /// The number of times that a right structure was validated in full.
     in_full: usize,
 }
 
@@ -168,7 +168,7 @@ fn one_baseline_follows_many_edits_at_once() {
         }
     }
     assert!(tally.judged > 1_000, "{tally:?}");
-    // What lies where is not always told by what has changed.
+    // The changed records do not always tell what lies in which face.
     assert!(tally.in_full * 20 < tally.judged, "{tally:?}");
 }
 
@@ -370,7 +370,7 @@ fn exchanged(table: &Table, one: usize, other: usize) -> Option<Table> {
     Some(table)
 }
 
-/// What geometry proves of topology: T1 and T2 of each component.
+/// The part of topology that geometry proves: T1 and T2 of each component.
 #[test]
 fn boundary_components_in_the_place_of_others() {
     let mut tally = Tally::default();

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { audit, close } from "../package/index.js";
+import { audit, close } from "twinedge";
 
-const FILE = process.env.MAP ?? new URL("../../formats/tests/layer/data/south-america.topojson", import.meta.url);
+const FILE = process.env.MAP ?? new URL("map.topojson", import.meta.url);
 
 let report;
 before(async () => (report = await audit(await readFile(FILE), { name: String(FILE), explain: true })));

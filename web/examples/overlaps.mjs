@@ -3,7 +3,7 @@
 //     node overlaps.mjs counties.topojson counties
 
 import { readFile } from "node:fs/promises";
-import { audit, close } from "../package/index.js";
+import { audit, close } from "twinedge";
 
 const [file, layer] = process.argv.slice(2);
 const topology = JSON.parse(await readFile(file, "utf8"));

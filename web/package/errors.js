@@ -1,4 +1,4 @@
-// What is thrown.
+// Errors that are thrown.
 
 /** Something that could not be done. `code` says what kind of error it is, `place` where in the input. */
 export class TwinedgeError extends Error {

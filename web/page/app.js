@@ -5,7 +5,7 @@ import { AcceptedFindings } from "./accepted.js";
 import { example } from "./example.js";
 import { History } from "./history.js";
 import { spawn, wasm } from "./inline.js";
-import { LIMIT, refusal } from "./refusal.js";
+import { commandFor, LIMIT, refusal } from "./refusal.js";
 
 const byId = (id) => document.getElementById(id);
 const twinedge = new TwinedgeWorker(wasm(), spawn);
@@ -68,7 +68,8 @@ function showError(error) {
     });
     parts.push(element("p", { textContent: "Open one of its layers:" }), element("ul", {}, ...buttons));
   }
-  if (error.code === "too-large") parts.push(element("pre", { textContent: "twinedge audit FILE -o report.html\ntwinedge clean FILE -o clean.gpkg" }));
+  const command = lastFiles && commandFor(error, lastFiles[0]);
+  if (command) parts.push(element("p", { textContent: "The program takes it. Run this instead:" }), element("pre", { textContent: command }));
   if (history.now) {
     const back = element("button", { type: "button", textContent: "Back to the report" });
     back.addEventListener("click", show);

@@ -1,7 +1,7 @@
 // The module and its worker, which are in the page itself: a page from a folder may load nothing.
 
 // The bundler puts both here.
-import packed from "twinedge.wasm.gz";
+import packed from "module.wasm.gz";
 import workerText from "site-worker";
 
 /** The module of WebAssembly. */

@@ -1,4 +1,4 @@
-// What the page does not take, and what to run instead.
+// Files that the page does not take, and what to run instead.
 
 /** The largest file that is taken, in bytes. */
 export const LIMIT = 300 * 2 ** 20;
@@ -9,11 +9,17 @@ const begins = (bytes, text) => bytes && [...text].every((letter, i) => bytes[i]
 
 const run = (name) => ({ code: `twinedge audit ${name} -o report.html\ntwinedge clean ${name} -o clean.gpkg` });
 
+const quoted = (name) => (name.includes(" ") ? `"${name}"` : name);
+
+/** The command for what only the program reads, if an error is about that: a database in an archive, a map without end. */
+export const commandFor = ({ code, message }, file) =>
+  code === "too-large" || (code === "format" && /SQLite|GeoParquet/.test(message)) ? run(quoted(file.name)).code : null;
+
 /** The parts of a message, if these files are refused. */
 export function refusal(files) {
   const main = files[0];
   const size = files.reduce((sum, file) => sum + (file.size ?? file.bytes.length), 0);
-  const name = main.name.includes(" ") ? `"${main.name}"` : main.name;
+  const name = quoted(main.name);
   if (size > LIMIT || files.some(({ bytes }) => bytes === null)) {
     return [{ text: `${main.name} has ${Math.round(size / MIB)} MB. A browser holds maps of up to ${LIMIT / MIB} MB; the program takes any. Run this instead:` }, run(name)];
   }

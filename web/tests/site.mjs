@@ -2,28 +2,15 @@
 
 import assert from "node:assert/strict";
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
-import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { load } from "../package/sync.js";
+import { open } from "./browser.mjs";
 
-const puppeteer = createRequire(process.env.MODULES + "/")("puppeteer-core");
-const pictures = process.argv[2];
+const { page, faults, pictures, site, text, waitFor, click, close } = await open("index.html");
 const folder = await mkdtemp(join(tmpdir(), "twinedge-site-"));
-const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM, headless: true, args: ["--no-sandbox"] });
-const page = await browser.newPage();
-const faults = [];
-page.on("pageerror", (error) => faults.push(error.message));
-page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-page.on("request", (request) => /^(file|data|blob|about):/.test(request.url()) || faults.push(`asks for ${request.url()}`));
-
-const site = new URL("../site/index.html", import.meta.url).href;
-const text = (id) => page.$eval(`#${id}`, (one) => one.textContent);
-const waitFor = (id, pattern) =>
-  page.waitForFunction((id, source) => new RegExp(source).test(document.getElementById(id).textContent), { timeout: 60_000 }, id, pattern.source);
 const frame = async () => (await page.waitForSelector("#report")).contentFrame();
 const inReport = async (act, ...args) => (await frame()).evaluate(act, ...args);
-const click = (id) => page.click(`#${id}`);
 
 async function put(name, bytes) {
   const path = join(folder, name);
@@ -31,8 +18,16 @@ async function put(name, bytes) {
   return path;
 }
 
-async function open(...paths) {
+async function upload(...paths) {
   await (await page.$("#files")).uploadFile(...paths);
+}
+
+/** Drops files on the page, as the pointer brings them from a folder. */
+async function drop(...paths) {
+  const session = await page.createCDPSession();
+  const data = { items: [], files: paths, dragOperationsMask: 1 };
+  for (const type of ["dragEnter", "dragOver", "drop"]) await session.send("Input.dispatchDragEvent", { type, x: 600, y: 400, data });
+  await session.detach();
 }
 
 /** The text of a file that a button saves. */
@@ -68,7 +63,7 @@ try {
   await page.screenshot({ path: join(pictures, "welcome.png") });
   const zip = twinedge.convert(planted, { to: "shapefile", name: "parcels.geojson" });
   const path = await put("parcels.zip", zip.bytes);
-  await open(path);
+  await drop(path);
   await waitFor("status", /findings/);
   assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
   await (await frame()).waitForSelector("#list [role=option]");
@@ -98,7 +93,7 @@ try {
   assert.equal(twinedge.audit({ name: "again.zip", bytes: new Uint8Array(await saved("save-map")) }).valid, true);
 
   // A finding is accepted with a reason, by keys alone, and known again.
-  await open(path);
+  await upload(path);
   await waitFor("status", /^parcels\.zip: \d+ findings$/);
   await (await frame()).waitForSelector("#list [role=option]");
   await click("accept-open");
@@ -115,23 +110,29 @@ try {
   const notes = await saved("save-accepted");
   const findings = JSON.parse(await saved("save-findings"));
   assert.ok(findings.features.some(({ properties }) => properties.accepted === "a disputed strip"));
-  await open(path, await put("parcels-accepted.json", notes));
+  await upload(path, await put("parcels-accepted.json", notes));
   await waitFor("status", /1 accepted/);
 
-  // What the page does not take it refuses, with what to run instead.
-  await open(await put("cadastre.gpkg", "SQLite format 3\0"));
+  // The page refuses files that it does not take, with what to run instead.
+  await upload(await put("cadastre.gpkg", "SQLite format 3\0"));
   await waitFor("message", /twinedge audit cadastre\.gpkg/);
-  await open(await put("broken.geojson", '{"type": "FeatureCollection", "features": ['));
+  const packed = Buffer.from(
+    "UEsDBBQAAAAAAAAAIQAL4Pb0EAAAABAAAAAGAAAAYS5ncGtnU1FMaXRlIGZvcm1hdCAzAFBLAQIUAxQAAAAAAAAAIQAL4Pb0EAAAABAAAAAGAAAAAAAAAAAAAACAAQAAAABhLmdwa2dQSwUGAAAAAAEAAQA0AAAANAAAAAAA",
+    "base64",
+  );
+  await upload(await put("packed.zip", packed));
+  await waitFor("message", /twinedge audit packed\.zip/);
+  await upload(await put("broken.geojson", '{"type": "FeatureCollection", "features": ['));
   await waitFor("message", /broken\.geojson: line 1/);
 
   // Meshes, TopoJSON and hostile names.
-  await open(await put("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n"));
+  await upload(await put("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n"));
   await waitFor("status", /open\.off/);
   const hostile = { ...planted, features: [square("<img src=x onerror=alert(1)>", 0, 4), square("B", 3.5, 4)] };
-  await open(await put("hostile.geojson", JSON.stringify(hostile)));
+  await upload(await put("hostile.geojson", JSON.stringify(hostile)));
   await waitFor("status", /hostile/);
   const topology = await readFile(new URL("../../formats/tests/layer/data/south-america.topojson", import.meta.url));
-  await open(await put("south-america.topojson", topology));
+  await upload(await put("south-america.topojson", topology));
   await waitFor("status", /south-america/);
 
   // On a phone, and in the dark.
@@ -147,6 +148,6 @@ try {
   assert.deepEqual(faults, []);
   console.log("the site: all is well");
 } finally {
-  await browser.close();
+  await close();
   await rm(folder, { recursive: true, force: true });
 }

@@ -1,6 +1,7 @@
 // The types say what the functions take and give.
 
 import { acceptAll, audit, check, clean, convert, type InputError, neighbours, validate, voronoi } from "../package/index.js";
+import { loadStructure } from "../package/structure.js";
 import { load } from "../package/sync.js";
 
 export async function used(topology: { type: "Topology" }, bytes: Uint8Array, error: InputError): Promise<void> {
@@ -21,6 +22,12 @@ export async function used(topology: { type: "Topology" }, bytes: Uint8Array, er
   const now: boolean = sync.audit(bytes).valid;
   const place: number | undefined = error.place?.line;
   console.log(accepted, lines, valid, failures, pairs[0]?.length, cells.features, now, place);
+  const structure = await loadStructure(bytes);
+  const next: number | null | undefined = structure.connect({ vertex: 1 }, { halfEdge: 2 }).table.half_edges[2]?.next;
+  const broken: string[] = structure.set({ half_edge: 2 }, "next", "h3").violations.map(({ rule }) => rule);
+  console.log(next, broken);
+  // @ts-expect-error a corner is at a half-edge or at a vertex
+  structure.connect({ face: 1 }, { vertex: 1 });
   // @ts-expect-error there is no such format
   await convert(bytes, { to: "geopackage" });
   // @ts-expect-error there is no such option

@@ -34,7 +34,7 @@
 //!
 //! # Prose
 //!
-//! [`openings`] counts the documentation comments that begin with a question word. At most two in a hundred of each crate may.
+//! [`questions`] finds the comments that begin with a question word, in every language. There are none.
 
 mod graph;
 mod guide;
@@ -53,7 +53,7 @@ pub use guide::{Missing, missing_paths};
 pub use layers::{LAYERS, Upward, WITH_FEATURE, upward};
 pub use let_chains::let_chains;
 pub use modules::Unreadable;
-pub use prose::{Openings, QUESTIONS, openings};
+pub use prose::{QUESTIONS, questions};
 pub use workspace::{Crate, crates, crates_of};
 
 /// All imports between the files of these crates.

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use twinedge_sources::{
-    Crate, Imports, LAYERS, Openings, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, missing_paths,
-    openings, upward,
+    Crate, Imports, LAYERS, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, missing_paths, questions,
+    upward,
 };
 
 /// The imports of one library, `src/lib.rs` and these files.
@@ -352,8 +352,8 @@ fn a_let_joined_to_something_else_is_found_and_nothing_else_is() {
 #[test]
 fn comments_that_begin_with_a_question_word_are_found() {
     let source = "//! Whether it is.\n//! What else.\n\n/// Whatever it is.\nfn f() {\n    /// How many.\n    let x = 1;\n}\n\
-//// Where it is.\n// Which it is.\n";
-    assert_eq!(openings(source), Openings { comments: 3, questions: vec![1, 6] });
+// Of one kind.\n/// Which is another.\n(** Where Coq. *)\n(* What. *)\n# It is.\n# How it goes on.\nlet what = What;\n";
+    assert_eq!(questions(source), [1, 6, 10, 11, 12]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::coverage_arguments::CoverageArguments;
 use crate::input::MapFile;
 use crate::measured::Measured;
 use std::path::PathBuf;
-use twinedge_report::{Accepted, Options};
+use twinedge_report::{Accepted, Options, ParentColumn};
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -34,6 +34,7 @@ use twinedge_report::{Accepted, Options};
   twinedge audit --format json - < parcels.geojson | jq .valid
   twinedge audit parcels.geojson -o findings.geojson     what was found as a layer, for QGIS
   twinedge audit counties.shp -o report.html             the map and what was found, for a browser
+  twinedge audit counties.shp --against states.shp --parent-column STATE
   twinedge audit bunny.obj --closed --genus 0 --triangles
   twinedge audit --arcs counties.topojson --layer counties
   twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
@@ -58,12 +59,12 @@ pub(crate) struct Audit {
     #[arg(long)]
     pub(super) explain: bool,
 
-    /// Accept the findings of C1 … C7 that are listed in this file, as long as they do not grow: with --coverage they break nothing. The report says which
+    /// Accept the findings of C1 … C7 and X1 … X6 that are listed in this file, as long as they do not grow: with --coverage they break nothing. The report says which
     /// of them no longer occur. `--accept-all` writes such a file.
     #[arg(long, value_name = "FILE")]
     pub(super) accept: Option<PathBuf>,
 
-    /// Write all findings of C1 … C7 to this file, as accepted ones. Those that the file of --accept has keep their reason and date.
+    /// Write all findings of C1 … C7 and X1 … X6 to this file, as accepted ones. Those that the file of --accept has keep their reason and date.
     #[arg(long, value_name = "FILE")]
     pub(super) accept_all: Option<PathBuf>,
 
@@ -86,10 +87,30 @@ pub(crate) struct Audit {
     #[arg(long, conflicts_with = "postgis")]
     pub(super) arcs: bool,
 
-    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report. Edges are not cut where they cross, so
-    /// of a map on which they do, C6 alone of C1 to C7 is checked, and violations do not name records.
+    /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report, but violations do not name records.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub(super) tiles: Option<u32>,
+
+    /// Judge the map by another layer, too (X1 … X6): each feature lies within one of the other layer, both cover the same places, the
+    /// borders of the other layer run along borders of this one, lines run along its borders, and points lie inside its features. `--snap`
+    /// applies to both layers together; without it, borders that cross or touch are cut on the finest grid.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tiles", "memory", "arcs", "postgis"])]
+    pub(super) against: Option<PathBuf>,
+
+    /// The layer to read of the file of --against, if it has several.
+    #[arg(long, value_name = "NAME", requires = "against")]
+    pub(super) against_layer: Option<String>,
+
+    /// Parts make up their parents exactly (X4): this column names the parent of each part. Parents are the features of --against, or
+    /// of the map itself where levels are in one file. They are known by their column KEY; without it by the column of the same name in the other
+    /// layer, or else by their ids, or else by their names.
+    #[arg(long, value_name = "COLUMN[=KEY]", conflicts_with_all = ["tiles", "memory"])]
+    pub(super) parent_column: Option<ParentColumn>,
+
+    /// Judge a map that is larger than memory: it is cut into tiles in the folder for temporary files (TMPDIR), as many as it takes to judge each
+    /// within SIZE, as 800M or 2G. Names and ids of features, and what tiles found, come on top.
+    #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with = "tiles")]
+    pub(super) memory: Option<u64>,
 
     #[command(flatten)]
     pub(super) coverage: CoverageArguments,
@@ -108,6 +129,7 @@ impl Audit {
         Options {
             list: if is_all { Some(usize::MAX) } else { self.list },
             accepted,
+            parent: self.parent_column.clone(),
             explain: self.explain,
             map: self.map.options(),
             coverage: self.coverage.options(),

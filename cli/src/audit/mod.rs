@@ -3,22 +3,25 @@
 mod arguments;
 mod destination;
 mod mesh_options;
+mod on_disk;
 mod options;
 mod timeout;
 mod write;
 
 pub(crate) use arguments::Audit;
 
+use crate::input::open;
 use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use destination::ReportFormat;
+use on_disk::OnDisk;
 use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Accepted, Audited, Counted, InputKind, Judged, audit};
+use twinedge_report::{Accepted, Audited, Counted, Division, InputKind, Judged, audit_against, audit_in_tiles};
 use write::write;
 
 impl Audit {
@@ -42,8 +45,16 @@ impl Audit {
             counter = Some(counted);
         }
         let accepted = self.accept.as_deref().map(accepted).transpose()?;
-        let mut audited =
-            busy(|stage| audit(input, kind, &self.options(accepted.clone()), stage)).map_err(named(&name))?;
+        let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
+        let options = self.options(accepted.clone());
+        let audited = match self.memory {
+            Some(bytes) => {
+                let mut shelf = OnDisk::new().map_err(named("--memory"))?;
+                busy(|stage| audit_in_tiles(input, &options, Division::Within(bytes), &mut shelf, stage))
+            }
+            None => busy(|stage| audit_against(input, kind, other, &options, stage)),
+        };
+        let mut audited = audited.map_err(named(&name))?;
         let judged: Option<Judged> = match counter {
             Some(counter) => Some(counter.judged()),
             None => self.map.judged()?,

@@ -16,17 +16,19 @@ enum Options {
     Mesh,
     /// `--format geojson` and `html`.
     Picture,
-    /// `--tiles`.
+    /// `--tiles` and `--memory`.
     Tiles,
+    /// `--against` and `--parent-column`.
+    Layers,
 }
 
 impl Options {
-    const ALL: [Self; 5] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles];
+    const ALL: [Self; 6] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles, Self::Layers];
 
     /// Those that a kind of inputs takes.
     const fn of(kind: InputKind) -> &'static [Self] {
         match kind {
-            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles],
+            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles, Self::Layers],
             InputKind::Mesh(_) => &[Self::Mesh],
             InputKind::Textbook | InputKind::Postgis | InputKind::Arcs => &[Self::Picture],
             InputKind::Tables => &[],
@@ -42,7 +44,8 @@ impl Options {
             }
             Self::Mesh => asked.mesh.is_any(),
             Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
-            Self::Tiles => asked.tiles.is_some(),
+            Self::Tiles => asked.tiles.is_some() || asked.memory.is_some(),
+            Self::Layers => asked.against.is_some() || asked.parent_column.is_some(),
         }
     }
 
@@ -54,7 +57,8 @@ impl Options {
                 "--coverage, its limits, --accept, --accept-all and --geodesic are for maps, and this is {what}"
             ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
-            Self::Tiles => format!("--tiles is for maps, and this is {what}"),
+            Self::Tiles => format!("--tiles and --memory are for maps, and this is {what}"),
+            Self::Layers => format!("--against and --parent-column are for maps, and this is {what}"),
             Self::Picture => format!(
                 "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
             ),
@@ -71,7 +75,7 @@ impl Audit {
         }
         let taken = Options::of(kind);
         let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(self, to));
-        if refused.is_none() && self.tiles.is_some() {
+        if refused.is_none() && Options::Tiles.are_given(self, to) {
             self.refuse_with_tiles(to, input)?;
         }
         refused.map_or(Ok(()), |options| Err(Failure(format!("{}: {}", input.name, options.refusal(kind.words())))))
@@ -86,7 +90,10 @@ impl Audit {
             (is_geodesic, "--geodesic"),
         ];
         match needs.into_iter().find(|(is_given, _)| *is_given) {
-            Some((_, other)) => Err(Failure(format!("{}: {other} and --tiles do not go together", input.name))),
+            Some((_, other)) => {
+                let tiles = if self.tiles.is_some() { "--tiles" } else { "--memory" };
+                Err(Failure(format!("{}: {other} and {tiles} do not go together", input.name)))
+            }
             None => Ok(()),
         }
     }

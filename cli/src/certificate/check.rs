@@ -24,17 +24,8 @@ pub(crate) struct Check {
     folder: PathBuf,
 
     /// Memory for the columns. What does not fit is read again where it is needed, so that certificates of any size can be checked
-    #[arg(long, value_name = "SIZE", default_value = "1G", value_parser = size)]
+    #[arg(long, value_name = "SIZE", default_value = "1G", value_parser = crate::input::size)]
     memory: u64,
-}
-
-/// A number of bytes, as `4096`, `64K`, `256M` or `2G`.
-fn size(text: &str) -> Result<u64, String> {
-    let in_units =
-        [("K", 10), ("M", 20), ("G", 30)].into_iter().find_map(|(unit, shift)| Some((text.strip_suffix(unit)?, shift)));
-    let (number, shift) = in_units.unwrap_or((text, 0));
-    let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(1 << shift));
-    bytes.ok_or_else(|| "a number, or one with K, M or G behind it, as in 256M".to_owned())
 }
 
 impl Check {

@@ -72,7 +72,7 @@ impl Question {
             Self::Contour(question) => question.condition(),
             _ => None,
         };
-        Keep { coverage: matches!(self, Self::Coverage(_)), condition }
+        Keep { coverage: matches!(self, Self::Coverage(_)), condition, columns: &[], features: false }
     }
 }
 

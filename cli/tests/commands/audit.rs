@@ -253,7 +253,7 @@ fn every_format_of_the_library_is_read() {
     let output = twinedge_reading(&["audit", "-", "--format", "json"], polygon);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((&found["import"]["with_extra_dimensions"], &found["import"]["dropped_empty"]), (&json!(4), &json!(1)));
-    // What cannot be read is named, with a way to convert it.
+    // A file that cannot be read is named, with a way to convert it.
     let output = twinedge_reading(&["audit", "-"], b"SQLite format 3\0 and more");
     assert_eq!(output.status.code(), Some(2));
     assert!(complaint(&output).contains("ogr2ogr"), "{}", complaint(&output));

@@ -101,7 +101,7 @@ fn violations_and_findings_are_points_lines_and_polygons() {
     assert_eq!(crossing["feature_ids"], json!(["729", "140", "728"]));
     assert_eq!(crossing["violation"], true);
     assert!(crossing["cause"].is_string() && crossing["remedy"].is_string());
-    // Where they cross, to a millionth of a degree.
+    // The place of the crossing, to a millionth of a degree.
     let at = [&crossing["x"], &crossing["y"]].map(|x| x.as_f64().unwrap());
     assert!((at[0] - 23.888_056).abs() < 1e-6 && (at[1] - 8.619_091).abs() < 1e-6, "{at:?}");
     let overlap = &features(&found)[2]["properties"];

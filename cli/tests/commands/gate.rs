@@ -23,7 +23,7 @@ fn layer(folder: &TempDir, name: &str, lake: u32, order: [usize; 3]) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// What a coverage is judged by: borders are cut, so that overlaps do not break G4.
+/// Arguments that judge a coverage: borders are cut, so that overlaps do not break G4.
 const JUDGED: [&str; 6] = ["--snap", "auto", "--coverage", "--format", "json", "--quiet"];
 
 fn audited(layer: &str, options: &[&str]) -> (Option<i32>, Value) {
@@ -156,7 +156,7 @@ fn reports_that_do_not_say_all_are_not_compared() {
     }
 }
 
-/// What the schema of SARIF 2.1.0 (OASIS, sections 3.13 to 3.54) asks of what is written here: what must be there, the names, the forms of values.
+/// The demands of the schema of SARIF 2.1.0 (OASIS, sections 3.13 to 3.54) on this output: required members, the names, the forms of values.
 fn sarif_schema() -> Value {
     let message =
         json!({"type": "object", "required": ["text"], "properties": {"text": {"type": "string", "minLength": 1}}});

@@ -3,6 +3,7 @@
 mod support;
 
 mod audit;
+mod between;
 mod certificate;
 mod conveniences;
 mod corrupt;

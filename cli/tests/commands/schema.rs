@@ -54,6 +54,7 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
     let at = town.windows(4).position(|bytes| bytes == [0, 0, 0, 93]).expect("a box");
     town[at + 93] ^= 1;
     let signed = "LINESTRING (-0.0 0, 2 2)\nLINESTRING (0 2, 2 -0.0)\nLINESTRING (-0.0 0, 0 0, -1 -1)\n";
+    let state = file("state.wkt", b"POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))");
     for (input, options, is_drawn) in [
         (data("world-110m-crossing.geojson"), &[][..], true),
         (file("signed.wkt", signed.as_bytes()), &[], true),
@@ -67,6 +68,7 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
             &[],
             true,
         ),
+        (file("counties.wkt", b"POLYGON ((0 0, 3 0, 3 2, 0 2, 0 0))"), &["--against", &state], true),
         (file("arcs.topojson", arcs.to_string().as_bytes()), &["--arcs"], true),
         (file("town.copy", &town), &[], true),
     ] {

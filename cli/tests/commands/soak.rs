@@ -29,7 +29,7 @@ fn all_stores_stay_in_step() {
     for row in rows {
         let steps = ["applied", "refused", "skipped", "no_room"].map(|key| count(row, key)).iter().sum::<u64>();
         assert_eq!((count(row, "programs"), steps), (60, 60 * 60));
-        // What is refused or has no room is tried on purpose, and not most of it.
+        // Refusals and steps without room are tried on purpose, and are the smaller part.
         assert!(count(row, "applied") > 1000 && count(row, "refused") > 300, "{row}");
         assert!(row["on"] == "fixed" || count(row, "no_room") == 0, "{row}");
     }

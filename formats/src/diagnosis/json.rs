@@ -19,6 +19,8 @@ struct Entry<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     features: Option<Features<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    others: Option<&'a [FeatureName]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     feature_numbers: Option<Vec<usize>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     area: Option<f64>,
@@ -84,6 +86,7 @@ impl Serialize for Diagnosis {
                 let titles = || all.iter().map(FeatureName::title).collect();
                 if is_coverage { Features::Numbered(all) } else { Features::Titles(titles()) }
             }),
+            others: self.others.as_deref(),
             feature_numbers: features.filter(|_| !is_coverage).map(|all| all.iter().map(|one| one.number).collect()),
             area: self.measures.area.map(unsigned_zero),
             width: self.measures.width.map(unsigned_zero),

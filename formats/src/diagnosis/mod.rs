@@ -63,6 +63,8 @@ pub struct Diagnosis {
     pub records: Records,
     /// The features involved, where there are features.
     pub features: Option<Vec<FeatureName>>,
+    /// The features of another layer that are involved, of a finding between two layers.
+    pub others: Option<Vec<FeatureName>>,
     /// The places involved, where there are places: vertices, ends of edges, bends.
     pub places: Option<Vec<Position>>,
     /// The place to look at.
@@ -96,6 +98,27 @@ pub enum Kind {
         /// The name.
         kind: &'static str,
     },
+    /// A violation by a component whose records have no numbers.
+    Counted {
+        /// The name.
+        kind: &'static str,
+        /// The numbers of what the component has.
+        fields: Figures,
+    },
+}
+
+/// The numbers of what a component has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Figures {
+    /// V.
+    pub vertices: u64,
+    /// E.
+    pub edges: u64,
+    /// The number of cycles.
+    pub cycles: u64,
+    /// The genus.
+    pub genus: u64,
 }
 
 impl Kind {
@@ -104,7 +127,7 @@ impl Kind {
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Of(violation) => violation.kind(),
-            Self::Named { kind } => kind,
+            Self::Named { kind } | Self::Counted { kind, .. } => kind,
         }
     }
 }

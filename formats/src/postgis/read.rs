@@ -291,7 +291,7 @@ impl Topology {
         let (Some(first), Some(last)) = (points.next(), points.next_back()) else { return };
         let nodes = ends.map(|node| self.points.get(node as usize).copied());
         let lies_at = |node: Option<Point>, end: Point| {
-            // What is no number is the matter of G1, and a node without point has been reported.
+            // A coordinate that is no number is the matter of G1, and a node without point has been reported.
             #[expect(clippy::float_cmp, reason = "PostGIS, too, wants the very point of the node")]
             let same = |a: f64, b: f64| a == b || a.is_nan();
             node.is_none_or(|at| same(at.x, end.x) && same(at.y, end.y))

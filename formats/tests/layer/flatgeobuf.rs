@@ -55,7 +55,7 @@ fn what_gdal_wrote_is_read() {
         layer.features.iter().map(|one| one.id.clone()).collect::<Vec<_>>(),
         [Some(Id::Number(0.into())), Some(Id::Number(1.into()))]
     );
-    // What was read comes back as it was.
+    // All that was read comes back as it was.
     let again = through(&layer, Format::FlatGeobuf);
     assert_eq!(again, layer);
     assert!(losses(&layer, Format::FlatGeobuf).is_empty(), "{:?}", losses(&layer, Format::FlatGeobuf));

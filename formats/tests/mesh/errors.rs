@@ -244,7 +244,7 @@ fn errors_say_where_and_what() {
         "STL, byte 0: expected 80 bytes of header and the number of triangles, but there is nothing more"
     );
     assert_eq!(say("OFF BINARY", Format::Off), "OFF, line 1: binary OFF cannot be read");
-    // What is shown of a file is short and harmless.
+    // The excerpt of a file in a message is short and harmless.
     let long = format!("v 1 2 \u{1b}[31m{}", "x".repeat(10_000));
     let said = say(&long, Format::Obj);
     assert!(said.contains("\\u{1b}[31m") && said.ends_with("…`") && said.len() < 120, "{said}");

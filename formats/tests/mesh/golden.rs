@@ -136,7 +136,7 @@ fn faces_that_cannot_bound_anything_are_left_out_and_the_rest_is_joined() {
             Finding::RepeatedFace { face: 10, first: 2, reversed: true, vertices: vec![3, 2, 1] },
         ]
     );
-    // What is left is the tetrahedron.
+    // The rest is the tetrahedron.
     assert_eq!(numbers(&found), (4, 6, 11, 1, Some(0), 2, Some(0)));
     assert_eq!(found.counts().left_out_faces, 7);
     assert!(found.report().is_valid());

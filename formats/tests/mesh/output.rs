@@ -46,7 +46,7 @@ fn json_has_the_keys_that_scripts_use() {
 fn json_says_valid_only_where_the_audit_does() {
     for extra in [None, Some([0, 2, 1])] {
         let audit = audit(&mesh(4, TETRAHEDRON.into_iter().chain(extra)), &HalfEdgeMesh::expectation(), Collect::All);
-        // What is joined is right, but one face was left out.
+        // All joints are right, but one face was left out.
         assert!(audit.report().is_valid());
         assert_eq!(serde_json::to_value(&audit).expect("no maps with strange keys")["valid"], extra.is_none());
     }
@@ -93,7 +93,7 @@ fn findings_come_first_and_v2_is_told_to_follow_from_them() {
         text.contains("M4 counts the half-edges that could not be joined because of the findings above, too"),
         "{text}"
     );
-    // Where nothing is broken, nothing follows.
+    // If nothing is broken, nothing follows.
     let whole = audit(&mesh(8, CUBE), &HalfEdgeMesh::expectation(), Collect::All).to_string();
     assert!(whole.starts_with("vertices (V)") && !whole.contains("because"), "{whole}");
 }

@@ -56,7 +56,7 @@ fn findings_and_counts_are_those_of_the_second_opinion() {
             assert_eq!(counts.orientable, expected.orientable());
         }
         if found.findings().is_faultless() {
-            // Where every vertex has one fan, border loops do not touch.
+            // If every vertex has one fan, border loops do not touch.
             assert_eq!(counts.borders, Some(expected.border_graph_components()));
         }
     }

@@ -355,7 +355,7 @@ fn isolated_nodes_are_placed_without_links() {
             assert_eq!(messages(&audit), [message]);
         }
     }
-    // Where the lines around a face do not close, nobody knows what lies in it, so P2 is not checked.
+    // If the lines around a face do not close, nobody knows what lies in it, so P2 is not checked.
     let unknown = changed(|rows| {
         wrong_link(rows);
         rows.row(EDGE, 1)[LEFT_FACE] = int(3);

@@ -20,7 +20,7 @@ let content folder name =
 
 type claim = Plane_claim | Drawing_claim | Surface_claim
 
-(* Which claim is to be judged; whether it is this one is for [judge] and its like to say. *)
+(* The claim to be judged; whether it is this one is for [judge] and its like to say. *)
 let claim_of folder =
   let claim = content folder "claim.txt" in
   let claims line =

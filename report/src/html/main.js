@@ -7,7 +7,7 @@ const areas = data.map.areas ? unpack(data.map.areas) : structure;
 const byId = (id) => document.getElementById(id);
 const [stage, base, over] = ["stage", "base", "over"].map(byId);
 const [baseContext, overContext] = [base, over].map((canvas) => canvas.getContext("2d"));
-// What is being drawn, and what was drawn last with the view of then.
+// The picture that is being drawn, and the last one with the view of then.
 const back = document.createElement("canvas").getContext("2d");
 let [painter, finished] = [null, null];
 const view = new View();

@@ -1,4 +1,4 @@
-// What part of the map is seen, in which scale.
+// The part of the map that is seen, and its scale.
 
 /** Pixels to a unit are limited, so that positions in pixels are exact. */
 const CLOSEST = 2 ** 38;

@@ -85,6 +85,8 @@ pub struct Finding {
     pub length: f64,
     /// A point inside it; the first missing vertex of a mismatch.
     pub at: Point,
+    /// The first corner from left to right, and of those above each other the lowest: of the faces or the stretches.
+    pub corner: Point,
     /// The faces that make it up; none for a near miss or a mismatch, and where the map was seen by its tiles.
     pub faces: Vec<FaceKey>,
     /// The stretches of borders that face each other, of a near miss; the segments that lack a vertex, of a mismatch; none for the

@@ -15,7 +15,7 @@
 use super::check::CoverageError;
 use super::claims::features_of;
 use super::finding::{CoverageRule, Finding, MissingVertex};
-use super::region::segment_length;
+use super::region::{first_corner, segment_length};
 use crate::algorithm::area::Sum;
 use crate::dcel::Vertex;
 use crate::geometry::Point;
@@ -50,6 +50,15 @@ use std::collections::BTreeMap;
 pub fn mismatches(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Vec<Finding>, CoverageError> {
     map.plane()?;
     let snapped = |p: Point| map.noding().map_or(p, |noding| noding.snapped(p));
+    Ok(by_pairs(apart(map, unmatched, snapped)))
+}
+
+/// The unmatched vertices around which the two features do not overlap. `snapped` says where a point lies on the map.
+pub(crate) fn apart(
+    map: &PlanarMap,
+    unmatched: &[UnmatchedVertex],
+    snapped: impl Fn(Point) -> Point,
+) -> impl Iterator<Item = UnmatchedVertex> {
     let mut vertices: FxHashMap<(u64, u64), Option<Vertex<'_>>> =
         unmatched.iter().map(|one| (snapped(one.at).hash_key(), None)).collect();
     for vertex in map.dcel().vertices() {
@@ -57,16 +66,22 @@ pub fn mismatches(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Vec<
             *found = Some(vertex);
         }
     }
-    let mut pairs: BTreeMap<[FeatureId; 2], Vec<&UnmatchedVertex>> = BTreeMap::new();
+    let is_apart = move |one: &UnmatchedVertex| {
+        let vertex = vertices.get(&snapped(one.at).hash_key()).copied().flatten();
+        !vertex.is_some_and(|vertex| overlap_at(map, vertex, [one.of, one.lacked_by]))
+    };
+    unmatched.iter().copied().filter(is_apart)
+}
+
+/// The findings that unmatched vertices are.
+pub(crate) fn by_pairs(unmatched: impl IntoIterator<Item = UnmatchedVertex>) -> Vec<Finding> {
+    let mut pairs: BTreeMap<[FeatureId; 2], Vec<UnmatchedVertex>> = BTreeMap::new();
     for one in unmatched {
-        let pair = [one.of.min(one.lacked_by), one.of.max(one.lacked_by)];
-        if !vertices[&snapped(one.at).hash_key()].is_some_and(|vertex| overlap_at(map, vertex, pair)) {
-            pairs.entry(pair).or_default().push(one);
-        }
+        pairs.entry([one.of.min(one.lacked_by), one.of.max(one.lacked_by)]).or_default().push(one);
     }
     let mut found: Vec<Finding> = pairs.into_iter().map(|(pair, all)| mismatch(pair, &all)).collect();
     found.sort_by_key(|finding| std::cmp::Reverse(finding.missing.len()));
-    Ok(found)
+    found
 }
 
 /// Returns true if both features claim one of the faces around a vertex.
@@ -75,7 +90,7 @@ fn overlap_at(map: &PlanarMap, vertex: Vertex<'_>, pair: [FeatureId; 2]) -> bool
 }
 
 /// The finding that the missing vertices of two features are.
-fn mismatch(pair: [FeatureId; 2], all: &[&UnmatchedVertex]) -> Finding {
+fn mismatch(pair: [FeatureId; 2], all: &[UnmatchedVertex]) -> Finding {
     let mut missing: Vec<MissingVertex> =
         all.iter().map(|one| MissingVertex { at: one.at, feature: one.lacked_by }).collect();
     missing.sort_by(|a, b| compare_lexicographic(a.at, b.at).then(a.feature.cmp(&b.feature)));
@@ -91,6 +106,7 @@ fn mismatch(pair: [FeatureId; 2], all: &[&UnmatchedVertex]) -> Finding {
         width: 0.0,
         length: length.value(),
         at: missing.first().map(|one| one.at).unwrap_or_default(),
+        corner: first_corner(stretches.iter().flatten().copied()),
         faces: Vec::new(),
         stretches,
         missing,

@@ -32,7 +32,7 @@ mod claims;
 mod duplicate;
 mod finding;
 pub(crate) mod gap;
-mod mismatch;
+pub(crate) mod mismatch;
 pub(crate) mod near_miss;
 mod overlap;
 pub(crate) mod region;

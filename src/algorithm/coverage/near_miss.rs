@@ -14,7 +14,7 @@
 
 use super::claims::features_of;
 use super::finding::{CoverageRule, Finding};
-use super::region::{ends, length, mean_width};
+use super::region::{ends, first_corner, length, mean_width};
 use super::sliver::median;
 use crate::algorithm::area::Sum;
 use crate::dcel::HalfEdge;
@@ -195,7 +195,7 @@ fn near_miss(
     if !is_long && (total.value() < 2.0 * LEAST * width || parts(&pieces, width)) {
         return None;
     }
-    let stretches = pieces.iter().map(|piece| piece.ends).collect();
+    let stretches: Vec<[Point; 2]> = pieces.iter().map(|piece| piece.ends).collect();
     narrow(&mut pieces);
     let (length, area): (Sum, Sum) =
         (pieces.iter().map(|piece| piece.length).collect(), pieces.iter().map(Piece::area).collect());
@@ -209,6 +209,7 @@ fn near_miss(
         width: mean_width(area, length),
         length,
         at: longest.middle(sides),
+        corner: first_corner(stretches.iter().flatten().copied()),
         faces: Vec::new(),
         stretches,
         missing: Vec::new(),

@@ -15,12 +15,12 @@ pub(in crate::algorithm) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
 }
 
 /// The length of a segment.
-pub(super) fn segment_length([a, b]: [Point; 2]) -> f64 {
+pub(in crate::algorithm) fn segment_length([a, b]: [Point; 2]) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
 
 /// Returns the coordinates of the origin and the target of a half-edge.
-pub(super) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
+pub(in crate::algorithm) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
     [h.origin(), h.target()].map(|v| map.point(v.index()))
 }
 
@@ -56,27 +56,52 @@ pub(in crate::algorithm) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> 
     around.filter(|h| !inside.contains(&h.twin().face().index())).collect()
 }
 
-/// The finding that a set of bounded faces is. Its place is in the largest face; of those that are equally large, in the one whose place comes
+/// The size and the place of a set of faces.
+pub(crate) struct Extent {
+    pub(crate) area: f64,
+    pub(crate) width: f64,
+    pub(crate) length: f64,
+    pub(crate) at: Point,
+    /// The first corner of the border.
+    pub(crate) corner: Point,
+}
+
+/// Measures a set of bounded faces. Its place is in the largest face; of those that are equally large, in the one whose place comes
 /// last from left to right.
-pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
+pub(crate) fn extent(map: &PlanarMap, faces: &[Face<'_>]) -> Extent {
     let areas = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default());
     let area: Sum = areas.clone().collect();
-    let around: Sum = border(faces).into_iter().map(|h| length(map, h)).collect();
+    let border = border(faces);
+    let around: Sum = border.iter().map(|h| length(map, *h)).collect();
     let (area, length) = (area.value(), around.value());
+    let corner = first_corner(border.iter().map(|h| map.point(h.origin().index())));
     let place = |face: &Face<'_>| point_inside(map, *face).unwrap_or_default();
     let order = |a: &Face<'_>, b: &Face<'_>| compare_lexicographic(place(a), place(b));
     let largest = areas.zip(faces).max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| order(a.1, b.1)));
+    let at = largest.map(|(_, face)| place(face)).unwrap_or_default();
+    Extent { area, width: mean_width(area, length), length, at, corner }
+}
+
+/// The finding that a set of bounded faces is.
+pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
+    let Extent { area, width, length, at, corner } = extent(map, faces);
     Finding {
         rule,
         features,
         area,
-        width: mean_width(area, length),
+        width,
         length,
-        at: largest.map(|(_, face)| place(face)).unwrap_or_default(),
+        at,
+        corner,
         faces: faces.iter().map(|f| f.key()).collect(),
         stretches: Vec::new(),
         missing: Vec::new(),
     }
+}
+
+/// The first of some points from left to right, and of those above each other the lowest.
+pub(super) fn first_corner(points: impl Iterator<Item = Point>) -> Point {
+    points.min_by(|a, b| compare_lexicographic(*a, *b)).unwrap_or_default()
 }
 
 /// Twice the area by the length of the border.

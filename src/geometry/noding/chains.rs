@@ -22,7 +22,8 @@ impl Chains {
         &self.pool[self.starts[chain]..self.starts[chain + 1]]
     }
 
-    fn all(&self) -> impl Iterator<Item = &[u32]> + Clone {
+    /// All chains, in order of the runs.
+    pub(super) fn all(&self) -> impl Iterator<Item = &[u32]> + Clone {
         (0..self.len()).map(|chain| self.get(chain))
     }
 
@@ -49,7 +50,7 @@ impl Chains {
     }
 
     /// The chains of segments through the vertices that they visit, in order.
-    fn through(segments: &[Segment], vertices: &[Pixel], mut visits: Vec<[u32; 2]>) -> Self {
+    pub(super) fn through(segments: &[Segment], vertices: &[Pixel], mut visits: Vec<[u32; 2]>) -> Self {
         let place = |&[s, v]: &[u32; 2]| (s, segments[s as usize].progress(vertices[v as usize]));
         threads::sort_unstable_by(&mut visits, |a, b| place(a).cmp(&place(b)));
         let mut chains = Self {
@@ -94,7 +95,7 @@ pub(super) fn snap(
     let mut bends: FxHashMap<[u32; 2], Vec<u32>> = FxHashMap::default();
     let hot = vertices.len();
     while !fresh.is_empty() {
-        let segments: Vec<Segment> = fresh.iter().map(|&edge| between(vertices, edge)).collect();
+        let segments: Vec<Segment> = fresh.iter().map(|&edge| Segment::between(vertices, edge)).collect();
         let found = search(Pixels::ONE_STEP, &segments, vertices, bends_left)
             .map_err(|error| match error {
                 NodingError::TooManyCuts { .. } => NodingError::TooManyCuts { allowed: cuts },
@@ -161,10 +162,4 @@ fn edges(chain: &[u32]) -> impl Iterator<Item = [u32; 2]> {
 
 pub(super) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
-}
-
-/// The segment from the centre of one pixel to that of another, in steps of one pixel.
-fn between(vertices: &[Pixel], [p, q]: [u32; 2]) -> Segment {
-    let (at_p, at_q) = (vertices[p as usize], vertices[q as usize]);
-    if at_p < at_q { Segment { a: at_p, b: at_q, ends: [p, q] } } else { Segment { a: at_q, b: at_p, ends: [q, p] } }
 }

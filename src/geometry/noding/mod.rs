@@ -94,6 +94,8 @@ mod chords;
 mod estimate;
 mod grid;
 mod input;
+#[cfg(feature = "map")]
+mod part;
 mod pixel;
 mod read;
 mod runs;
@@ -109,6 +111,8 @@ use read::{Read, largest_coordinate};
 use runs::Runs;
 
 pub use input::{Input, NodingError, Snap};
+#[cfg(feature = "map")]
+pub(crate) use part::PartNoding;
 
 /// Counts and measures of one noding.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

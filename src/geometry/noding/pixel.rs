@@ -25,6 +25,12 @@ pub(super) struct Segment {
 }
 
 impl Segment {
+    /// The segment from the centre of one pixel to that of another, in steps of one pixel.
+    pub(super) fn between(vertices: &[Pixel], [p, q]: [u32; 2]) -> Self {
+        let (at_p, at_q) = (vertices[p as usize], vertices[q as usize]);
+        if at_p < at_q { Self { a: at_p, b: at_q, ends: [p, q] } } else { Self { a: at_q, b: at_p, ends: [q, p] } }
+    }
+
     /// From `a` to `b`.
     pub(super) fn direction(&self) -> [i64; 2] {
         minus(self.b, self.a)

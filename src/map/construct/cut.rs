@@ -159,7 +159,7 @@ pub(super) fn exact(
 }
 
 /// Returns the number of cuts allowed by default.
-pub(super) const fn usual_cuts(segments: usize) -> usize {
+pub(crate) const fn usual_cuts(segments: usize) -> usize {
     segments.saturating_mul(16).saturating_add(1 << 20)
 }
 

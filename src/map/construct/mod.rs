@@ -9,6 +9,7 @@
 
 mod arrange;
 mod builder;
+mod counted;
 mod cover;
 mod cut;
 mod error;
@@ -18,5 +19,6 @@ mod unmatched;
 
 pub use builder::Builder;
 pub use cut::Noding;
+pub(crate) use cut::usual_cuts;
 pub use error::BuildError;
 pub use unmatched::UnmatchedVertex;

@@ -11,6 +11,7 @@ use rustc_hash::FxHashMap;
 
 /// A vertex of a feature's polygon in the interior of a segment of another feature's polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct UnmatchedVertex {
     /// The place.

@@ -75,7 +75,7 @@ impl PlanarMap {
         let line = Line { from: p, through: to };
         let mut first: Option<LineEvent<'_>> = None;
         each_event(self, &line, &QueryLine::Segment(p, to), [None; 2], |event| {
-            // What lies beyond says nothing: not all records are looked at there.
+            // Records beyond say nothing: not all are looked at there.
             let is_between =
                 line.order(LinePlace::At(p), event.place).is_le() && line.order(event.place, LinePlace::At(to)).is_le();
             if is_between && first.is_none_or(|first| line.order(event.place, first.place).is_lt()) {

@@ -195,7 +195,7 @@ impl<M: View> Named<M> {
             (self.place[n], self.ends[n]) = (place, ends);
             self.number.insert(place, n);
         }
-        // What leads to a half-edge that is gone leads to the number that it had.
+        // A link to a half-edge that is gone leads to the number that it had.
         for (place, n) in before {
             if self.place(n).is_none() {
                 self.number.entry(place).or_insert(n);
@@ -314,7 +314,7 @@ impl<M: View> Subject for Named<M> {
         let vertices = |mesh: &M| (0..mesh.vertex_slots()).filter(|v| mesh.is_vertex(*v)).collect::<BTreeSet<usize>>();
         let before = vertices(&self.mesh);
         self.run(n, |named| &mut named.collapse_edge)?;
-        // What the two ends have become: one of them, or a vertex that is new.
+        // The two ends afterwards: one of them, or a vertex that is new.
         let after = vertices(&self.mesh);
         let of_both = ends.into_iter().flatten().chain(after.difference(&before).copied()).find(|v| after.contains(v));
         self.find_again(|v| if ends.contains(&Some(v)) { of_both.unwrap_or(v) } else { v });

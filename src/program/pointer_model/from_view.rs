@@ -158,7 +158,7 @@ impl PointerModelStart {
     fn nest(&mut self, view: &dyn View, records: &Records, parts: Parts) -> Result<(), StartError> {
         let unbounded = self.model.faces[0].clone();
         unbounded.borrow_mut().border = !parts.has(Part::UnboundedFace);
-        // What is in no face lies outside.
+        // A boundary component in no face lies outside.
         for record in records.values() {
             label(record, &unbounded, false);
         }

@@ -317,7 +317,7 @@ impl Subject for PointerModel {
             return Err(Refusal::NotDisc);
         }
         let outer = is_outer(&n) && is_outer(&t);
-        // What is left of the boundary at either end; the same cycle, if two cycles become one.
+        // The rest of the boundary at either end; the same cycle, if two cycles become one.
         let rests: Vec<_> = [next(&n), next(&t)].into_iter().filter(|h| !same(h, &n) && !same(h, &t)).collect();
         // The face around the other stays, and of two that lie side by side the left one.
         let kept = if is_outer(&n) && !is_outer(&t) { &right } else { &left };

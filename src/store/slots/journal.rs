@@ -87,7 +87,7 @@ pub(crate) enum Way {
     Forth,
 }
 
-/// What was written, and the keys that must not be issued again.
+/// Entries that were written, and the keys that must not be issued again.
 #[derive(Debug, Default)]
 pub struct Journal {
     pub(crate) entries: Vec<Entry>,

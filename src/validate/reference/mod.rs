@@ -13,6 +13,7 @@
 
 mod compare;
 mod rules;
+mod structure;
 
 pub use super::validator::rule_by_rule;
 pub use compare::{Disagreement, compare, compare_first, disagreement};

@@ -101,7 +101,7 @@ impl<K: Subject> Worker<'_, K> {
         let on = first.subject();
         let ops: Vec<Op> = every_mesh_op(on).into_iter().chain(every_op(on)).collect();
         drop(first);
-        // How often in a row the structure said that it does not have an operator, on this map: elsewhere it is asked again, so that
+        // The number of times in a row that the structure said it has no such operator, on this map: elsewhere it is asked again, so that
         // the counts do not depend on which thread had which maps.
         let mut lacks: BTreeMap<&str, u32> = BTreeMap::new();
         for op in ops {

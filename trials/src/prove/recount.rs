@@ -106,7 +106,7 @@ fn symmetries(edges: usize) -> Symmetries {
             return;
         }
         for automorphism in (0..map.len()).filter_map(|image| automorphism(map, image)) {
-            // Where each face goes.
+            // The number under which each face goes.
             let images: Vec<usize> = faces
                 .iter()
                 .filter_map(|face| faces.iter().position(|other| other.contains(&automorphism[face[0]])))

@@ -103,7 +103,7 @@ impl Acceptor for AnyRanks {
 fn a_checker_that_compares_no_ranks_accepts_wrong_tables() {
     let outcome = judged(&AnyRanks, work(Expectation::plane(), Parts::ALL, [1, 2, 2, 2]));
     let [reference, checker, both] = &outcome.judges[..] else { panic!("{outcome:?}") };
-    // Whether or not the loop lies in its own inside: 3 ranks of each half-edge are as good.
+    // The loop may lie in its own inside, or not: 3 ranks of each half-edge are as good.
     assert_eq!((reference.accepted, reference.differences, both.accepted), (16, 0, 16 * 9));
     assert_eq!((checker.accepted, checker.differences), (both.accepted + outcome.differences, outcome.differences));
     assert!(outcome.differences > 0);

@@ -13,7 +13,7 @@ fn slots() -> Structure<Dcel> {
     Structure::new("slots", Dcel::new, Expectation::plane())
 }
 
-/// What is counted of connected maps.
+/// The counts of connected maps.
 fn counts(outcome: &ProveOutcome) -> Vec<[u64; 5]> {
     let rows = outcome.edges.iter();
     rows.map(|row| [row.rooted, row.sensed, row.plane, row.applications, row.refused]).collect()

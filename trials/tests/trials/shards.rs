@@ -28,7 +28,7 @@ fn parts<O>(count: u32, part: impl Fn(&Run<'_>) -> O) -> Vec<O> {
     shards.map(|shard| part(&Run::default().shard(shard))).collect()
 }
 
-/// Whether the sums for these numbers of parts are what one run finds, and as JSON again.
+/// True if the sums for these numbers of parts are the results of one run, and again as JSON.
 fn adds_up<O>(counts: &[u32], part: impl Fn(&Run<'_>) -> O) -> O
 where
     O: Outcome + PartialEq + std::fmt::Debug + serde::Serialize + serde::de::DeserializeOwned,

@@ -1,5 +1,5 @@
 //! From a file to a mesh.
-// What the readers share is not all needed by each of them.
+// Not all that the readers share is needed by each of them.
 #![cfg_attr(
     not(all(feature = "obj", feature = "off", feature = "ply", feature = "stl")),
     allow(dead_code, reason = "some readers are off")

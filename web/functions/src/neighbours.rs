@@ -1,6 +1,5 @@
 //! `neighbours`: all pairs of features with a border or an overlap.
 
-use crate::buffers::Buffers;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};
@@ -8,6 +7,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use twinedge_report::words::json as json_bytes;
 use twinedge_report::{Imported, Keep, Units, borders};
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {

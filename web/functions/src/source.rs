@@ -1,6 +1,5 @@
 //! The files of an input.
 
-use crate::buffers::{Buffers, Id};
 use crate::error::CallError;
 use serde::{Deserialize, Serialize};
 use std::io::Cursor;
@@ -8,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use twinedge_formats::layer::{Files, Format, Header, Layer, read_layer, unpack_bytes};
 use twinedge_report::Input;
+use twinedge_web_bridge::{Buffers, Id};
 
 /// A buffer, as it stands in JSON.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]

@@ -1,12 +1,12 @@
 //! `audit`, `auditPage`, `acceptAll`, `findings`.
 
-use crate::buffers::Buffers;
 use crate::error::CallError;
 use crate::options::AuditOptions;
 use crate::source::{Buffer, NamedFile, input};
 use serde::Deserialize;
 use serde_json::{Map, Value, to_value};
 use twinedge_report::{InputKind, audit};
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {
@@ -35,7 +35,7 @@ pub(crate) fn answer(
 ) -> Result<Value, CallError> {
     stage("reading");
     let mut options = asked.options.options()?;
-    // What is not listed would neither be accepted nor be written.
+    // A finding that is not listed would neither be accepted nor be written.
     if options.accepted.is_some() || asked.want == [Output::AcceptAll] {
         options.list = Some(usize::MAX);
     }

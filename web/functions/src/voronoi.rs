@@ -1,6 +1,5 @@
 //! `voronoi`: the cells or the triangles of points.
 
-use crate::buffers::Buffers;
 use crate::error::CallError;
 use crate::source::{Buffer, NamedFile, layer};
 use serde::Deserialize;
@@ -8,6 +7,7 @@ use serde_json::{Map, Value, json};
 use twinedge::algorithm::voronoi::{delaunay, voronoi};
 use twinedge::geometry::Point;
 use twinedge_report::voronoi::{Sites, cells, triangles};
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {

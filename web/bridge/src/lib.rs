@@ -1,9 +1,21 @@
-//! The functions that JavaScript calls, and those that it has for this module.
+//! The border between a module of WebAssembly and JavaScript: the functions that it calls, and those that it has for the module.
 //!
-//! A buffer is filled and read at its address, between two calls. No pointer is followed here.
+//! A buffer is filled and read at its address, between two calls. No pointer is followed here. A module exports one function more, `call`. Elsewhere the names
+//! are not exported, as `free` is a name of C:
+//!
+//! ```ignore
+//! #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+//! #[must_use]
+//! pub extern "C" fn call(request: Id) -> Id {
+//!     answer(request, |buffers, request, stage| …)
+//! }
+//! ```
 #![allow(unsafe_code, reason = "exported names, which nothing else has")]
 
-use crate::buffers::{Buffers, Id};
+mod buffers;
+
+pub use buffers::{Buffers, Id};
+
 use std::cell::RefCell;
 use std::panic;
 
@@ -12,35 +24,39 @@ thread_local! {
 }
 
 /// Adds a buffer of so many bytes, all 0.
-#[unsafe(no_mangle)]
-extern "C" fn buffer(length: u32) -> Id {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+#[must_use]
+pub extern "C" fn buffer(length: u32) -> Id {
     BUFFERS.with_borrow_mut(|buffers| buffers.add(vec![0; length as usize]))
 }
 
 /// The address of a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn address(id: Id) -> *const u8 {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+#[must_use]
+pub extern "C" fn address(id: Id) -> *const u8 {
     BUFFERS.with_borrow(|buffers| buffers.get(id).as_ptr())
 }
 
 /// The length of a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn length(id: Id) -> u32 {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+#[must_use]
+pub extern "C" fn length(id: Id) -> u32 {
     BUFFERS.with_borrow(|buffers| buffers.get(id).len() as u32)
 }
 
 /// Drops a buffer.
-#[unsafe(no_mangle)]
-extern "C" fn free(id: Id) {
+#[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
+pub extern "C" fn free(id: Id) {
     BUFFERS.with_borrow_mut(|buffers| drop(buffers.take(id)));
 }
 
-/// Answers the request in a buffer, and drops it and those that it names. The answer is in another buffer.
-#[unsafe(no_mangle)]
-extern "C" fn call(request: Id) -> Id {
+/// Answers the request in a buffer by a function, which takes it away and those that it names, and leaves the answer in another buffer.
+///
+/// A panic tells JavaScript its message before the module ends.
+pub fn answer(request: Id, call: impl FnOnce(&mut Buffers, Id, &mut dyn FnMut(&'static str)) -> Id) -> Id {
     panic::set_hook(Box::new(|info| host::panicked(&info.to_string())));
     let mut buffers = BUFFERS.take();
-    let answer = crate::call::call(&mut buffers, request, &mut host::stage);
+    let answer = call(&mut buffers, request, &mut host::stage);
     BUFFERS.set(buffers);
     answer
 }

@@ -1,18 +1,18 @@
 //! Bytes that JavaScript fills and reads.
 
 /// The number of a buffer.
-pub(crate) type Id = u32;
+pub type Id = u32;
 
 /// Buffers by their numbers. A number is used again once its buffer is taken.
 #[derive(Debug, Default)]
-pub(crate) struct Buffers(Vec<Option<Vec<u8>>>);
+pub struct Buffers(Vec<Option<Vec<u8>>>);
 
 impl Buffers {
     /// Adds a buffer.
     ///
     /// # Panics
     /// If there are 2³² of them, for which there is no memory.
-    pub(crate) fn add(&mut self, bytes: Vec<u8>) -> Id {
+    pub fn add(&mut self, bytes: Vec<u8>) -> Id {
         let place = self.0.iter().position(Option::is_none).unwrap_or(self.0.len());
         if place == self.0.len() {
             self.0.push(None);
@@ -22,12 +22,13 @@ impl Buffers {
     }
 
     /// The bytes of a buffer; none, if there is no such buffer.
-    pub(crate) fn get(&self, id: Id) -> &[u8] {
+    #[must_use]
+    pub fn get(&self, id: Id) -> &[u8] {
         self.0.get(id as usize).and_then(Option::as_deref).unwrap_or_default()
     }
 
     /// Takes a buffer away; nothing is in it, if there is no such buffer.
-    pub(crate) fn take(&mut self, id: Id) -> Vec<u8> {
+    pub fn take(&mut self, id: Id) -> Vec<u8> {
         self.0.get_mut(id as usize).and_then(Option::take).unwrap_or_default()
     }
 }

@@ -2,11 +2,11 @@
 //!
 //! A request is `{"op": …}` with what the operation takes; `{"buffer": 3}` in it stands for bytes. The answer is `{"ok": …}` or `{"error": …}`.
 
-use crate::buffers::{Buffers, Id};
 use crate::error::CallError;
 use crate::{audit, check, clean, convert, neighbours, validate, voronoi};
 use serde::Deserialize;
 use serde_json::{Value, json};
+use twinedge_web_bridge::{Buffers, Id};
 
 #[derive(Deserialize)]
 #[serde(tag = "op", rename_all = "snake_case")]

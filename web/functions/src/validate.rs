@@ -1,6 +1,5 @@
 //! `validate`: half-edges in columns of integers.
 
-use crate::buffers::Buffers;
 use crate::error::CallError;
 use crate::source::Buffer;
 use serde::Deserialize;
@@ -8,6 +7,7 @@ use serde_json::{Value, json};
 use twinedge::validate::{Collect, Expectation};
 use twinedge_columns::{Column, Columns, ColumnsError};
 use twinedge_report::words::json as json_bytes;
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {

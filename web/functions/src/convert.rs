@@ -1,6 +1,5 @@
 //! `convert`: a layer in another format.
 
-use crate::buffers::Buffers;
 use crate::error::CallError;
 use crate::source::{Buffer, NamedFile, layer, stem};
 use serde::{Deserialize, Serialize};
@@ -8,6 +7,7 @@ use serde_json::{Value, json};
 use std::borrow::Cow;
 use std::path::Path;
 use twinedge_formats::layer::{Format, Layer, Loss, losses, refuse_losses, write_files, zip};
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {

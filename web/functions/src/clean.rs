@@ -1,6 +1,5 @@
 //! `clean`: a layer of polygons, repaired.
 
-use crate::buffers::Buffers;
 use crate::convert::{Target, write};
 use crate::error::CallError;
 use crate::options::{Gaps, Grid, snap};
@@ -11,6 +10,7 @@ use twinedge::algorithm::clean::{Options, Winner};
 use twinedge_formats::layer::clean::{CleanOptions, clean};
 use twinedge_report::clean::{Cleaning, Names};
 use twinedge_report::words::json as json_bytes;
+use twinedge_web_bridge::Buffers;
 
 #[derive(Deserialize)]
 pub(crate) struct Request {

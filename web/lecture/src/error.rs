@@ -1,0 +1,54 @@
+//! Errors of requests.
+
+use thiserror::Error;
+use twinedge::dcel::{Dcel, OperatorError};
+use twinedge::validate::Record;
+
+/// The reason why a request was refused. The structure is unchanged.
+#[derive(Debug, PartialEq, Eq, Error)]
+pub(crate) enum LessonError {
+    /// The request is none that there is.
+    #[error("{0}")]
+    Request(String),
+    /// There is no record with this index.
+    #[error("there is no {0}")]
+    NoRecord(Record),
+    /// The operator refuses.
+    #[error("{0}")]
+    Operator(String),
+    /// A link was set by hand.
+    #[error("links were set by hand: undo that first, as operators keep right what is right")]
+    Touched,
+    /// The record has no such field.
+    #[error("a {0} has no field `{1}`")]
+    NoField(&'static str, String),
+    /// The value is no link to such a record.
+    #[error("`{value}` is no value of {field}: {expected}")]
+    Value {
+        /// The text that was given.
+        value: String,
+        /// The field.
+        field: String,
+        /// The form of its values.
+        expected: &'static str,
+    },
+}
+
+impl LessonError {
+    /// The error of an operator. The records that it names have the names of the tables.
+    pub(crate) fn operator(error: OperatorError, dcel: &Dcel) -> Self {
+        let mut text = error.to_string();
+        for (key, record) in crate::state::keys(dcel) {
+            text = text.replace(&key, &crate::state::name(record));
+        }
+        Self::Operator(text)
+    }
+
+    /// The code that JavaScript throws it with.
+    pub(crate) const fn code(&self) -> &'static str {
+        match self {
+            Self::Request(_) | Self::NoRecord(_) | Self::NoField(..) | Self::Value { .. } => "option",
+            Self::Operator(_) | Self::Touched => "refused",
+        }
+    }
+}

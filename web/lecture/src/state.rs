@@ -1,0 +1,94 @@
+//! A structure as JavaScript sees it: tables, rules, violations.
+
+use serde::Serialize;
+use twinedge::dcel::Dcel;
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Table, Violation, validate};
+
+/// The name of a record in tables and sentences.
+pub(crate) fn name(record: Record) -> String {
+    let letter = match record {
+        Record::Vertex(_) => 'v',
+        Record::HalfEdge(_) => 'h',
+        Record::Boundary(_) => 'b',
+        Record::Face(_) => 'f',
+    };
+    format!("{letter}{}", record.index())
+}
+
+/// The keys of all records, as errors print them. No record that is removed leaves its key to another one.
+pub(crate) fn keys(dcel: &Dcel) -> Vec<(String, Record)> {
+    let vertices = dcel.vertices().map(|vertex| (format!("{:?}", vertex.key()), Record::Vertex(vertex.index())));
+    let half_edges = dcel.half_edges().map(|h| (format!("{:?}", h.key()), Record::HalfEdge(h.index())));
+    let boundaries = dcel.boundaries().map(|b| (format!("{:?}", b.key()), Record::Boundary(b.index())));
+    let faces = dcel.faces().map(|face| (format!("{:?}", face.key()), Record::Face(face.index())));
+    vertices.chain(half_edges).chain(boundaries).chain(faces).collect()
+}
+
+/// A rule and what came of it.
+#[derive(Debug, Serialize)]
+struct RuleState {
+    id: &'static str,
+    name: &'static str,
+    statement: &'static str,
+    violations: u64,
+    /// Says why it was not checked.
+    unchecked: Option<String>,
+}
+
+/// A violation in the words of the validator.
+#[derive(Debug, Serialize)]
+struct Broken {
+    rule: &'static str,
+    kind: &'static str,
+    message: String,
+    cause: &'static str,
+    remedy: &'static str,
+    records: Vec<Record>,
+}
+
+/// All that a page shows of a structure.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) struct State {
+    /// The tables, with what was set by hand.
+    table: Table,
+    /// The tables without that: the structure that a picture shows.
+    sound: Table,
+    /// The keys of records, in the order of the tables. They tell a record from another one that has its index later.
+    keys: Vec<(String, Record)>,
+    /// The name of what can be undone.
+    undo: Option<String>,
+    /// The name of what can be redone.
+    redo: Option<String>,
+    /// The report on `table`.
+    report: Report,
+    rules: Vec<RuleState>,
+    violations: Vec<Broken>,
+}
+
+fn broken(violation: &Violation) -> Broken {
+    Broken {
+        rule: violation.rule().id(),
+        kind: violation.kind(),
+        message: violation.named(name).message(),
+        cause: violation.cause(),
+        remedy: violation.remedy(),
+        records: violation.records().into_iter().flatten().collect(),
+    }
+}
+
+impl State {
+    pub(crate) fn new(dcel: &Dcel, sound: Table, table: Table, undo: Option<String>, redo: Option<String>) -> Self {
+        let report = validate(&table, &Expectation::plane(), Collect::All);
+        let of_rule = |(rule, outcome): (Rule, twinedge::validate::RuleOutcome)| RuleState {
+            id: rule.id(),
+            name: rule.name(),
+            statement: rule.statement(),
+            violations: outcome.violations,
+            unchecked: outcome.unchecked.map(|reason| reason.to_string()),
+        };
+        let rules = report.outcomes().map(of_rule).collect();
+        let violations = report.violations().iter().map(broken).collect();
+        Self { keys: keys(dcel), table, sound, undo, redo, report, rules, violations }
+    }
+}
