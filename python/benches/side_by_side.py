@@ -10,7 +10,8 @@ import numpy as np
 import shapely
 
 import twinedge
-from twinedge import adapters
+from twinedge import _audit, _twinedge, adapters
+from twinedge._validate import _asked
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 from conftest import planar_grid  # noqa: E402
@@ -51,10 +52,11 @@ def main():
     print("| | ms | ratio |\n| --- | --- | --- |")
     row("`coverage_is_valid`", theirs, theirs)
     row("`is_valid` of each polygon", best(lambda: shapely.is_valid(array)), theirs)
-    text = twinedge._audit._collection(layer).encode()
-    row("conversion to GeoJSON", best(lambda: twinedge._audit._collection(layer)), theirs)
-    asked = {"coverage": True, "gap_width": None, "sliver_area": None, "snap": None, "list": 10}
-    row("building the map, all rules, C1 to C6", best(lambda: twinedge._twinedge.audit_map(text, "geojson", asked)), theirs)
+    convert = lambda: _audit._source(layer)  # noqa: E731
+    row("conversion to GeoJSON", best(convert), theirs)
+    source = convert()
+    asked = {"coverage": True, "limits": _audit._limits(), "snap": None, "name": None, "accept": None, "list": 10}
+    row("the audit: building the map, all rules, C1 to C7", best(lambda: _twinedge.audit(source, asked, _asked(), None)), theirs)
 
 
 if __name__ == "__main__":

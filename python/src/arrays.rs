@@ -22,7 +22,7 @@
 use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicI32, AtomicI64, Ordering::Relaxed};
 use twinedge_columns::{Cell, Column};
 
 /// An integer of numpy, with the atomic integer as which it is read.
@@ -51,8 +51,6 @@ macro_rules! atomic {
 atomic! {
     i32, AtomicI32;
     i64, AtomicI64;
-    u32, AtomicU32;
-    u64, AtomicU64;
 }
 
 /// One array, with the memory that its elements span.

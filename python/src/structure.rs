@@ -62,7 +62,8 @@ impl<V: View> View for Interruptible<V> {
 /// The names of the columns of half-edges, and of those of vertices and faces.
 const NAMES: [&str; 8] = ["origin", "target", "twin", "next", "prev", "face", "leaving", "face_half_edge"];
 
-/// Validates a structure whose links are arrays: `columns` has an array or none for each name, all of one type.
+/// Validates a structure whose links are arrays: `columns` has an array or none for each name, all of one type. Types without a sign are
+/// seen as those with one, so that the validator is compiled for two.
 #[pyfunction]
 pub(crate) fn validate(
     py: Python<'_>,
@@ -78,12 +79,8 @@ pub(crate) fn validate(
         of_type::<i64>(py, columns, vertices, faces, &asked)
     } else if dtype.is_equiv_to(&numpy::dtype::<i32>(py)) {
         of_type::<i32>(py, columns, vertices, faces, &asked)
-    } else if dtype.is_equiv_to(&numpy::dtype::<u32>(py)) {
-        of_type::<u32>(py, columns, vertices, faces, &asked)
-    } else if dtype.is_equiv_to(&numpy::dtype::<u64>(py)) {
-        of_type::<u64>(py, columns, vertices, faces, &asked)
     } else {
-        return Err(PyTypeError::new_err(format!("next: dtype {dtype} is no integer of 32 or 64 bits")));
+        return Err(PyTypeError::new_err(format!("next: dtype {dtype} is no integer of 32 or 64 bits with a sign")));
     }?;
     serde_json::to_string(&report).map_err(|error| PyRuntimeError::new_err(error.to_string()))
 }

@@ -60,6 +60,9 @@ def test_the_first_and_the_bytes_that_were_judged_are_named(report, tmp_path):
 def test_ids_are_the_same_in_another_order(report):
     ids = {finding.id for finding in report.findings}
     assert len(ids) == len(FAULTS) == len(report.findings)
+    # They are made of the labels.
+    assert [entry["id"] for entry in report.findings[0].fields["features"]] == ["p7", "p25"]
+    assert not ids & {finding.id for finding in twinedge.audit(parcels(), coverage=True).findings if finding.rule != "C2"}
     shuffled = FRAME.iloc[random.Random(1).sample(range(27), 27)]
     assert {finding.id for finding in twinedge.audit(shuffled, coverage=True).findings} == ids
 

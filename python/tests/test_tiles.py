@@ -116,6 +116,15 @@ def test_dask(whole, features):
     assert told(tiles.finish(one, grid=GRID, coverage=True, **LIMITS)) == told(whole)
 
 
+def test_tiles_to_which_nothing_was_assigned_are_made_at_the_end(whole, features):
+    grid = tiles.Grid((0, 0, 48, 48), 8, 8)
+    parts = [*tiles.audit_tiles(tiles.assign(features, grid), grid, **LIMITS)]
+    assert len(parts) == 10
+    with pytest.raises(ValueError, match="54 tiles are missing, the first of them 0,2"):
+        tiles.finish(parts)
+    assert told(tiles.finish(parts, grid=grid, coverage=True, **LIMITS)) == told(whole)
+
+
 def test_what_is_missing_or_twice_is_named(features):
     parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
     with pytest.raises(ValueError, match="1 tile is missing, the first of them 1,1"):

@@ -225,3 +225,19 @@ def test_signals_are_handled_during_a_validation_and_end_it_if_they_raise():
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
     assert twinedge.validate(**big(3)).valid
+
+
+def test_types_without_a_sign_are_seen_with_one_where_that_bit_is_not_needed(triangle):
+    from twinedge._validate import _columns
+
+    for unsigned, signed in [("u4", "i4"), ("u8", "i8")]:
+        links = {name: column.astype(unsigned) for name, column in triangle.items()}
+        seen = _columns(links, None, 3)
+        assert {array.dtype for array in seen.values()} == {np.dtype(signed)}
+        assert all(np.shares_memory(seen[name], links[name]) for name in links)
+        # As many as 2 to the power of 31 have no room beside the sign, and are copied to 64 bits.
+        many = _columns(links, 2**31 + 1)
+        assert {array.dtype for array in many.values()} == {np.dtype("i8")} and not np.shares_memory(many["next"], links["next"])
+        links["twin"][0] = 2**31
+        dangling = twinedge.validate(**links).violations[0]
+        assert dangling.kind == "dangling" and dangling.fields["value"] == (2**64 - 1 if unsigned == "u4" else 2**31)

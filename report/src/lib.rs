@@ -4,7 +4,7 @@
 //!   Input ─► InputKind::of ─► audit ─► Audited ─► JSON · text · layer of findings · page
 //! ```
 //!
-//! The program `twinedge` and the package for browsers call [`audit`]: what one of them says of an input, the other says, too. Nothing here
+//! The program `twinedge`, the package for browsers and that for Python call [`audit`]: what one of them says of an input, the others say, too. Nothing here
 //! opens a file by itself, starts a thread or looks at the time.
 //!
 //! ```

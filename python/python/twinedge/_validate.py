@@ -66,12 +66,19 @@ def _copied(array: npt.NDArray[Any]) -> npt.NDArray[np.int64]:
     return signed
 
 
-def _columns(given: dict[str, Any]) -> dict[str, npt.NDArray[Any]]:
-    """The arrays that are given, all of one type that is read in place."""
+def _signed(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """The same memory with a sign: nil is −1 then, and what is too large is negative, so it dangles."""
+    return array.view(f"i{array.itemsize}") if array.dtype.kind == "u" else array
+
+
+def _columns(given: dict[str, Any], *counts: int | None) -> dict[str, npt.NDArray[Any]]:
+    """The arrays that are given, all of one type with a sign that is read in place."""
     arrays = {name: _links(name, value) for name, value in given.items() if value is not None}
-    if len({array.dtype for array in arrays.values()}) > 1 or not all(map(_in_place, arrays.values())):
-        arrays = {name: _copied(array) for name, array in arrays.items()}
-    return arrays
+    # So many records need the bit of the sign.
+    is_large = any((count or 0) > 2**31 for count in (*counts, *map(len, arrays.values())))
+    if len({array.dtype for array in arrays.values()}) > 1 or is_large or not all(map(_in_place, arrays.values())):
+        return {name: _copied(array) for name, array in arrays.items()}
+    return {name: _signed(array) for name, array in arrays.items()}
 
 
 def _same_length(columns: dict[str, npt.NDArray[Any]]) -> None:
@@ -256,7 +263,7 @@ def validate(
     ``ndarray.resize(…, refcheck=False)`` must not be called, since it frees memory that is in use.
     """
     if mesh is not _NOTHING:
-        links = {
+        given = {
             "origin": origin, "next": next, "twin": twin, "target": target, "prev": prev, "face": face, "leaving": leaving,
             "face_half_edge": face_half_edge, "vertices": vertices, "faces": faces,
         }
@@ -264,7 +271,7 @@ def validate(
             "plane": plane, "open": open, "preset": preset, "sides": sides, "simple": simple, "closed": closed, "used": used,
             "border_kept": border_kept, "components": components, "borders": borders, "genus": genus, "list": list,
         }
-        return _of_mesh(mesh, links, claims)
+        return _of_mesh(mesh, given, claims)
     if next is None:
         raise TypeError("next is required: the half-edge that follows each one on its cycle")
     if (origin is None) == (target is None):
@@ -273,7 +280,8 @@ def validate(
         raise TypeError("face_half_edge: needs face")
     if faces is not None and face is None:
         raise TypeError("faces: needs face")
-    columns = _columns({
+    vertex_count, face_count = _count("vertices", vertices, _MOST), _count("faces", faces, _MOST)
+    links = {
         "origin": origin,
         "target": target,
         "twin": twin,
@@ -282,7 +290,8 @@ def validate(
         "face": face,
         "leaving": leaving,
         "face_half_edge": face_half_edge,
-    })
+    }
+    columns = _columns(links, vertex_count, face_count)
     _same_length(columns)
     asked = _asked(
         plane=plane,
@@ -298,4 +307,4 @@ def validate(
         genus=genus,
         list=list,
     )
-    return Report(_twinedge.validate(columns, _count("vertices", vertices, _MOST), _count("faces", faces, _MOST), asked))
+    return Report(_twinedge.validate(columns, vertex_count, face_count, asked))
