@@ -97,7 +97,7 @@ fn machines_get_these_keys() {
         assert_eq!(keys(rule), ["checked", "id", "unchecked", "violations"]);
     }
     for violation in found["violations"].as_array().unwrap() {
-        let of_all = ["at", "features", "fields", "id", "kind", "message", "records", "rule"];
+        let of_all = ["at", "feature_numbers", "features", "fields", "id", "kind", "message", "records", "rule"];
         assert_eq!(keys(violation).into_iter().filter(|key| *key != "follows_from").collect::<Vec<_>>(), of_all);
     }
 }

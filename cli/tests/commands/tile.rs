@@ -52,6 +52,7 @@ fn compared(mut value: Value) -> Value {
             // The vertex that names a component is any one of it.
             violation.remove("at");
             violation.remove("features");
+            violation.remove("feature_numbers");
             violation["fields"].as_object_mut().unwrap().remove("vertex");
         }
     }
