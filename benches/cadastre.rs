@@ -46,8 +46,27 @@ fn mixed(of: [i64; 4]) -> u64 {
 /// The noise of a place, an even number of units up to `most`.
 fn noise(of: [i64; 4], most: i64) -> Place {
     let number = mixed(of);
-    let part = |bits: u64| (bits as i64 & 0xffff) * most / 0x10000 / 2 * 2 - most / 2 / 2 * 2;
+    let part = |bits: u64| (bits.cast_signed() & 0xffff) * most / 0x10000 / 2 * 2 - most / 2 / 2 * 2;
     [part(number), part(number >> 32)]
+}
+
+fn corner(i: i64, j: i64) -> Place {
+    let [x, y] = noise([0, i, j, 0], PITCH / 8);
+    [i * PITCH + x, j * PITCH + y]
+}
+
+/// The middle between two places.
+fn middle(p: Place, q: Place) -> Place {
+    [0, 1].map(|axis| i64::midpoint(p[axis], q[axis]))
+}
+
+/// Two squares left of the block with a slit between them.
+fn near_miss(number: i64) -> [Vec<Place>; 2] {
+    let square = |x: i64| {
+        let y = 2 * number * PITCH;
+        vec![[x, y], [x + PITCH, y], [x + PITCH, y + PITCH], [x, y + PITCH]]
+    };
+    [square(-5 * PITCH), square(-4 * PITCH + 64)]
 }
 
 struct Cadastre {
@@ -56,14 +75,9 @@ struct Cadastre {
 }
 
 impl Cadastre {
-    fn corner(&self, i: i64, j: i64) -> Place {
-        let [x, y] = noise([0, i, j, 0], PITCH / 8);
-        [i * PITCH + x, j * PITCH + y]
-    }
-
     /// The border from a corner to the next one, upwards or to the right, without its end.
     fn border(&self, [i, j]: Place, is_upright: bool) -> Vec<Place> {
-        let (a, b) = (self.corner(i, j), if is_upright { self.corner(i, j + 1) } else { self.corner(i + 1, j) });
+        let (a, b) = (corner(i, j), if is_upright { corner(i, j + 1) } else { corner(i + 1, j) });
         let between = |t: i64| {
             let [x, y] = noise([1 + i64::from(is_upright), i, j, t], PITCH / self.edges / 4);
             [0, 1].map(|axis| (a[axis] + (b[axis] - a[axis]) * t / self.edges + [x, y][axis]) / 2 * 2)
@@ -82,8 +96,8 @@ impl Cadastre {
         [
             self.border([i, j], false),
             self.border([i + 1, j], true),
-            back(self.border([i, j + 1], false), self.corner(i + 1, j + 1)),
-            back(self.border([i, j], true), self.corner(i, j + 1)),
+            back(self.border([i, j + 1], false), corner(i + 1, j + 1)),
+            back(self.border([i, j], true), corner(i, j + 1)),
         ]
     }
 
@@ -103,7 +117,8 @@ impl Cadastre {
             }
             Some(Fault::Sliver) => {
                 let [p, q] = [ring[first], ring[first + 1]];
-                let apex = [(p[0] + q[0]) / 2 - 64, (p[1] + q[1]) / 2];
+                let [x, y] = middle(p, q);
+                let apex = [x - 64, y];
                 ring.insert(first + 1, apex);
                 more.push(vec![p, q, apex]);
             }
@@ -114,21 +129,12 @@ impl Cadastre {
             }
             Some(Fault::Mismatch) => {
                 let [p, q] = [ring[first], ring[first + 1]];
-                ring.insert(first + 1, [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2]);
+                ring.insert(first + 1, middle(p, q));
             }
             None => {}
         }
         more.insert(0, ring);
         more
-    }
-
-    /// Two squares left of the block with a slit between them.
-    fn near_miss(&self, number: i64) -> [Vec<Place>; 2] {
-        let square = |x: i64| {
-            let y = 2 * number * PITCH;
-            vec![[x, y], [x + PITCH, y], [x + PITCH, y + PITCH], [x, y + PITCH]]
-        };
-        [square(-5 * PITCH), square(-4 * PITCH + 64)]
     }
 }
 
@@ -137,7 +143,7 @@ fn main() -> io::Result<()> {
     let number = |i: usize, default: i64| arguments.get(i).and_then(|text| text.parse().ok()).unwrap_or(default);
     let (parcels, vertices, times) = (number(0, 10_000), number(1, 12), number(2, 10));
     let is_plane = arguments.get(3).is_some_and(|word| word == "plane");
-    let columns = (1..).find(|side| side * side >= parcels).unwrap_or(1);
+    let columns = (1..=parcels).find(|side| side * side >= parcels).unwrap_or(1);
     let cadastre = Cadastre { edges: (vertices / 4).max(3) };
     let kinds: Vec<Fault> = OF_PARCELS
         .into_iter()
@@ -145,7 +151,7 @@ fn main() -> io::Result<()> {
         .collect();
     // Every third parcel of every third row may have a fault, so that none meets another.
     let (across, rows) = (columns / 3, parcels / columns / 3);
-    let (places, wanted) = (across * rows, kinds.len() as i64 * times);
+    let (places, wanted) = (across * rows, i64::try_from(kinds.len()).map_or(0, |kinds| kinds * times));
     if places < wanted {
         return Err(io::Error::other("there are too few parcels for so many faults"));
     }
@@ -155,7 +161,7 @@ fn main() -> io::Result<()> {
         }
         let (place, every) = (j / 3 * across + i / 3, places / wanted);
         let planted = place / every;
-        (place % every == 0 && planted < wanted).then(|| kinds[planted as usize % kinds.len()])
+        (place % every == 0 && planted < wanted).then(|| kinds[planted.unsigned_abs() as usize % kinds.len()])
     };
     let mut out = BufWriter::new(io::stdout().lock());
     let (mut id, mut points) = (0_u64, 0);
@@ -180,7 +186,7 @@ fn main() -> io::Result<()> {
         }
     }
     for number in 0..times {
-        for ring in cadastre.near_miss(number) {
+        for ring in near_miss(number) {
             write(&ring)?;
         }
     }

@@ -106,7 +106,7 @@ impl Tile {
         let numbered = (0..).zip(shelf.features());
         let limits = self.coverage.options().limits;
         let summary = Summary::new(&grid, self.place, numbered.clone(), &limits).map_err(named(&name))?;
-        let cuts = cuts(read.noted.corners(), numbered.clone()).map_err(named(&name))?;
+        let cuts = cuts(read.noted.corners(), &numbered).map_err(named(&name))?;
         let cut = cuts.map(|cuts| Summary::cut(&grid, self.place, numbered, &limits, &cuts));
         let cut = cut.transpose().map_err(named(&name))?;
         write_file(&self.output, self.map.path(), &Saved::bytes(summary, cut)?)?;
@@ -117,7 +117,7 @@ impl Tile {
 /// The cuts of the whole map, which all of its tiles find alike; none, if there is nothing to cut, or too much.
 fn cuts<'f>(
     corners: Option<[Point; 2]>,
-    features: impl Iterator<Item = (u32, &'f Feature)> + Clone,
+    features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),
 ) -> Result<Option<Cuts>, TileError> {
     let largest = corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
     let all = Grid::EVERYTHING;

@@ -229,9 +229,9 @@ fn report(
         one.kind != CrossingKind::Cross && coverage.lacks_any(&[one.first, one.second].concat(), &features)
     };
     let of_mismatches = outcome.crossings.iter().filter(|one| mismatched(one)).count();
-    let source = |is_mismatch: bool, rule: Rule| match is_mismatch {
-        true => Some(CoverageRule::Mismatch.id()),
-        false => (rule == Rule::T3 && !outcome.crossings.is_empty()).then_some(Rule::G4.id()),
+    let source = |is_mismatch: bool, rule: Rule| {
+        let of_clash = (rule == Rule::T3 && !outcome.crossings.is_empty()).then_some(Rule::G4.id());
+        if is_mismatch { Some(CoverageRule::Mismatch.id()) } else { of_clash }
     };
     let all_mismatch = of_mismatches > 0 && of_mismatches == outcome.crossings.len();
     let mut violations: Vec<Diagnosis> =

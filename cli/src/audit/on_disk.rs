@@ -146,7 +146,9 @@ fn put_length(length: usize, bytes: &mut Vec<u8>) -> io::Result<()> {
 
 fn put_chain(points: &[Point], bytes: &mut Vec<u8>) -> io::Result<()> {
     put_length(points.len(), bytes)?;
-    points.iter().for_each(|point| put_point(*point, bytes));
+    for point in points {
+        put_point(*point, bytes);
+    }
     Ok(())
 }
 
