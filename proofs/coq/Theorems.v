@@ -4,7 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near Merge.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -417,3 +417,17 @@ Check drawn_half_edge_face : forall t r, drawn t r -> forall h, half_edge t h ->
 
 Check drawn_isolated_face : forall t r, drawn t r -> forall v b, vertex t v -> isolated t v = Some b ->
   exists2 x : dart_type r, dart_point r x = v & boundary_face t b = Some (dart_face r x).
+
+(** Summaries of tiles: merging gives the summary of both together. It is commutative and, as a border has two sides, associative;
+    however the same tiles are merged, the result is the same. *)
+
+Check merge_is_union : forall A B, two_sided (A ++ B) -> same (merge (summarize A) (summarize B)) (summarize (A ++ B)).
+
+Check merge_commutes : forall a b, same (merge a b) (merge b a).
+
+Check merge_associates : forall u v w, two_sided (contacts u ++ contacts v ++ contacts w) ->
+  same (merge (result u) (merge (result v) (result w))) (merge (merge (result u) (result v)) (result w)).
+
+Check merge_nothing : forall w, two_sided (contacts w) -> same (merge (result w) (summarize [::])) (result w).
+
+Check merged_anyhow : forall v w, two_sided (contacts v) -> perm_eq (contacts v) (contacts w) -> same (result v) (result w).
