@@ -140,7 +140,8 @@ pub(crate) fn finish(py: Python<'_>, summaries: Vec<PyBackedBytes>, asked: MapAs
     let found = py.detach(|| {
         let whole = sum(&summaries)?.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
         let options = asked.options()?;
-        told(&audit_summary(whole, &options)?, options.accepted.as_ref())
+        // What is cut where edges meet elsewhere than at vertices is known to the whole map only.
+        told(&audit_summary(whole, None, &options)?, options.accepted.as_ref())
     });
     Ok(found?)
 }
