@@ -149,6 +149,18 @@ def test_a_feature_that_a_tile_was_not_given_is_found(features):
     assert report.verdict == "invalid" and {rule for rule in report.broken_rules if rule[0] == "S"}
 
 
+def test_edges_that_cross_are_named_and_the_rest_is_not_called_checked():
+    layer = [shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3), shapely.box(5, 0, 6, 1)]
+    grid = tiles.Grid((0, 0, 6, 3), 3, 2)
+    parts = [tiles.audit_tile(part, grid, tile) for tile, part in tiles.assigned(tiles.table(layer), grid).items()]
+    report = tiles.finish(parts, coverage=True)
+    assert report.verdict == "invalid" and report.first.rule == "G4"
+    assert {v.kind for v in report.violations if v.rule == "G4"} == {"cross"} and "not_checked" in report.to_dict()["coverage"]
+    # Each crossing once, as in the whole.
+    whole = twinedge.audit(layer, coverage=True)
+    assert [sum(v.rule == "G4" for v in one.violations) for one in (report, whole)] == [2, 2]
+
+
 def test_tables_that_are_wrong_are_refused(features):
     for table, error, text in [
         (features.drop_columns("geometry"), ValueError, "there is no column 'geometry'; there are feature"),
