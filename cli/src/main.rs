@@ -73,7 +73,7 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    Audit(audit::Audit),
+    Audit(Box<audit::Audit>),
     Clean(clean::Clean),
     Diff(diff::Diff),
     Certify(certificate::Certify),

@@ -7,6 +7,7 @@ use crate::input::Input;
 use crate::names::named;
 use crate::noted::Keep;
 use crate::options::Options;
+use crate::parent_column::ParentColumn;
 use crate::report::AuditReport;
 use crate::shelf::InMemory;
 use crate::trace::{of_extent, position};
@@ -15,42 +16,11 @@ use crate::words::{grouped, measure, plain};
 use serde::Serialize;
 use serde_json::json;
 use std::collections::HashMap;
-use std::str::FromStr;
 use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, Piece, check, check_parents, pieces};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures, RuleLine};
-
-/// The column in which parts name their parents, and the column in which parents have that value: by default the column of the same name in the
-/// other layer, or else their ids, or else their names.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ParentColumn {
-    /// The column of the parts.
-    pub column: String,
-    /// The column of the parents.
-    pub key: Option<String>,
-}
-
-impl FromStr for ParentColumn {
-    type Err = &'static str;
-
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let (column, key) = text.split_once('=').map_or((text, None), |(column, key)| (column, Some(key)));
-        if column.is_empty() || key == Some("") {
-            return Err("neither COLUMN nor COLUMN=KEY");
-        }
-        Ok(Self { column: column.to_owned(), key: key.map(str::to_owned) })
-    }
-}
-
-impl ParentColumn {
-    /// The columns of the audited layer that are read.
-    pub(crate) fn columns(&self, has_other: bool) -> Vec<String> {
-        let key = self.key.iter().filter(|_| !has_other);
-        std::iter::once(&self.column).chain(key).cloned().collect()
-    }
-}
 
 /// The other layer.
 pub(crate) struct Other {

@@ -3,7 +3,7 @@
 use crate::accepted::Accepted;
 use crate::coverage::CoverageOptions;
 use crate::imported::MapOptions;
-use crate::layers::ParentColumn;
+use crate::parent_column::ParentColumn;
 use twinedge::validate::{Collect, Expectation};
 use twinedge_formats::mesh::HalfEdgeMesh;
 

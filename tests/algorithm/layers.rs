@@ -1,5 +1,4 @@
 //! Rules between layers: small layers by hand, and random ones beside a raster of unit squares.
-#![expect(clippy::float_cmp, reason = "areas and lengths of whole coordinates are exact")]
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
@@ -33,7 +32,9 @@ fn indices(features: &[FeatureId]) -> Vec<usize> {
 }
 
 /// Deviation, features, others, area, length.
-fn brief(found: &[LayerFinding]) -> Vec<(Deviation, Vec<usize>, Vec<usize>, f64, f64)> {
+type Brief = (Deviation, Vec<usize>, Vec<usize>, f64, f64);
+
+fn brief(found: &[LayerFinding]) -> Vec<Brief> {
     let of = |one: &LayerFinding| (one.deviation, indices(&one.features), indices(&one.others), one.area, one.length);
     found.iter().map(of).collect()
 }

@@ -73,9 +73,9 @@ impl Audit {
             write_file(path, self.map.path(), &all)?;
         }
         if self.iso.is_some() {
-            write_iso(&audited, &to)?
+            write_iso(&audited, &to)?;
         } else {
-            write(&audited, &to)?
+            write(&audited, &to)?;
         }
         Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }

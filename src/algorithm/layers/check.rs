@@ -75,7 +75,9 @@ impl<'a> Layers<'a> {
         let mut is_area = vec![false; audited];
         for face in map.dcel().faces() {
             let [here, there] = split(map, face, audited);
-            here.iter().for_each(|one| is_area[one.index()] = true);
+            for one in &here {
+                is_area[one.index()] = true;
+            }
             if claims.len() <= face.index() {
                 claims.resize(face.index() + 1, Default::default());
             }
