@@ -14,7 +14,7 @@ def run(folder, *arguments):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="the program is a shell script here")
-@pytest.mark.skipif(os.path.exists(os.path.join(sysconfig.get_path("scripts"), "twinedge")), reason="the program is installed with the package")
+@pytest.mark.skipif(os.path.exists(os.path.join(sysconfig.get_path("scripts"), "twinedge")), reason="the program is installed beside Python")
 def test_the_program_is_run_with_its_arguments_and_its_status(tmp_path):
     missing = run(tmp_path)
     assert missing.returncode == 2 and "the program is not installed" in missing.stderr

@@ -10,7 +10,7 @@ import sysconfig
 
 
 def _program() -> str | None:
-    """The program that was installed with this package, or else the one on the path."""
+    """The program beside Python, as in a virtual environment, or else the one on the path."""
     here = os.pathsep.join([sysconfig.get_path("scripts"), os.path.dirname(sys.executable)])
     return shutil.which("twinedge", path=here) or shutil.which("twinedge")
 
