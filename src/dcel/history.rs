@@ -47,10 +47,14 @@ use core::ops::Range;
 /// again, and names the same record; the key of a record that it made is stale, until `redo`. A key that a change has issued never
 /// names another record: not when the change was taken back, nor when it can no longer be done again.
 ///
-/// So data beside the structure need not be undone. Keep it by key in a `HashMap`, add an entry for each record that is made, and leave
-/// those of removed records: whichever records are live after `undo` and `redo`, their entries are there. (A
+/// So data that is only added beside the structure need not be undone. Keep it by key in a `HashMap`, add an entry for each record that is
+/// made, and leave those of removed records: whichever records are live after `undo` and `redo`, their entries are there. (A
 /// [`SecondaryMap`](super::SecondaryMap) has room for one entry in each slot. A record that takes the slot of another one takes its place there,
-/// too.) The example `undo` is an editor of parcels whose owners follow like this.
+/// too.)
+///
+/// An entry that is overwritten for a record that stays keeps its new value after `undo`. Compute such data again where something was
+/// [`written`](Self::written), or keep it in the features of a `PlanarMap`, which are undone with the map. The example `editor` does the
+/// first with the areas of parcels and the second with their owners.
 ///
 /// # One line, no branches
 ///

@@ -24,7 +24,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! With the feature `near`, `History` has edits that are undone and redone, and `Audited` validates after each.
+//! With the feature `near`, `History` has edits that are undone and redone, and `Audited` validates after each. The example `editor` is the
+//! core of an editor of parcels, whose owners and areas follow.
 //!
 //! | module | purpose |
 //! | --- | --- |
