@@ -15,11 +15,11 @@ fn ring(points: &[[f64; 2]]) -> Vec<Point> {
     points.iter().copied().map(Point::from).collect()
 }
 
-pub fn area([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> Shape {
+pub(crate) fn area([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> Shape {
     Shape::polygon([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
 }
 
-pub fn map(shapes: &[Shape]) -> PlanarMap {
+pub(crate) fn map(shapes: &[Shape]) -> PlanarMap {
     let mut builder = Builder::new();
     for shape in shapes {
         builder.shape(shape).expect("in range");
@@ -45,7 +45,7 @@ fn near(a: f64, b: f64) -> bool {
 }
 
 /// Three parcels of 10 by 10 in a row, and a fourth above the first two.
-pub fn parcels() -> Vec<Shape> {
+pub(crate) fn parcels() -> Vec<Shape> {
     vec![
         area([0.0, 0.0], [10.0, 10.0]),
         area([10.0, 0.0], [20.0, 10.0]),
