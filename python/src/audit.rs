@@ -52,7 +52,7 @@ impl MapAsked {
     pub(crate) fn options(&self) -> Result<Options, Failure> {
         let accepted = self.accept.as_deref().map(Accepted::read).transpose();
         Ok(Options {
-            // What is not listed would not be accepted.
+            // A finding that is not listed would not be accepted.
             list: Some(if self.accept.is_some() { usize::MAX } else { self.list }),
             map: MapOptions { snap: snap(self.snap), name_from: self.name.clone(), allow_empty: false },
             coverage: CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() },

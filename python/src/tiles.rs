@@ -140,7 +140,7 @@ pub(crate) fn finish(py: Python<'_>, summaries: Vec<PyBackedBytes>, asked: MapAs
     let found = py.detach(|| {
         let whole = sum(&summaries)?.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
         let options = asked.options()?;
-        // What is cut where edges meet elsewhere than at vertices is known to the whole map only.
+        // Only the whole map knows the cuts of edges that meet elsewhere than at vertices.
         told(&audit_summary(whole, None, &options)?, options.accepted.as_ref())
     });
     Ok(found?)

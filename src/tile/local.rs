@@ -152,7 +152,7 @@ impl<'a> Local<'a> {
                 Clash::Overlap { a, b } => (CrossingKind::Overlap, ends(a), ends(b), [along(a), along(b)].concat()),
                 Clash::Touch { vertex, segment } => {
                     let at = points[vertex as usize];
-                    // What ends at a vertex elsewhere is known to its tile.
+                    // An edge that ends at a vertex elsewhere is known to its tile.
                     let vertex = vertices.get(&at.hash_key())?;
                     (CrossingKind::Touch, [at; 2], ends(segment), [self.features_at(vertex), along(segment)].concat())
                 }

@@ -76,7 +76,7 @@ fn what_was_accepted_is_no_error() {
     run(&["audit", &fields(&folder), "--accept-all", &list, "--format", "json"]);
     let (_, quality) = measured(&folder, &["--accept", &list]);
     let values: Vec<_> = quality["measures"].as_array().unwrap().iter().map(|one| &one["value"]).collect();
-    // Whether a ring turns back is no finding of its own.
+    // A ring that turns back is no finding of its own.
     assert_eq!(values, [0, 0, 0, 0, 0, 1].map(|value| json!(value)).iter().collect::<Vec<_>>());
 }
 
