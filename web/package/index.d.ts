@@ -54,7 +54,7 @@ export interface GapOptions {
 }
 
 export interface AuditOptions extends MapOptions, GapOptions {
-  /** Count what breaks C1 … C6 as violations. */
+  /** Count what breaks C1 … C7 as violations. */
   coverage?: boolean;
   /** These findings break nothing, as long as they do not grow. All findings are listed then. */
   accept?: AcceptedFindings;
@@ -129,6 +129,7 @@ export interface Coverage {
   slivers: number;
   duplicates: number;
   ogc_invalid: number;
+  mismatches: number;
   unit: string;
   not_checked?: string;
   gap_width?: number;
@@ -142,7 +143,13 @@ export interface Coverage {
 /** A report: `docs/report.md` of twinedge describes it. */
 export interface Report {
   schema?: "twinedge-report/1";
+  /** `unknown` if a rule could not be checked or a part was not read. `valid` is true for the first alone. */
+  verdict: "valid" | "invalid" | "unknown";
   valid: boolean;
+  /** The first rule that fails, with the id of its finding and its place. */
+  first?: { rule: string | null; id: string; at: Position | null } | null;
+  /** The bytes that were judged. */
+  judged?: { sha256: string; bytes: number } | null;
   counts: Record<string, number | null>;
   rules: { id: string; checked: number; violations: number; unchecked: unknown }[];
   violation_count: number;
