@@ -3,7 +3,7 @@
 //! A buffer is filled and read at its address, between two calls. No pointer is followed here. A module exports one function more, `call`. Elsewhere the names
 //! are not exported, as `free` is a name of C:
 //!
-//! ```ignore
+//! ```text
 //! #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 //! #[must_use]
 //! pub extern "C" fn call(request: Id) -> Id {

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! A request is `{"op": …}` with the arguments of the operator. Records are named by their indices. The answer is `{"ok": …}`, the whole
-//! [`State`](state::State), or `{"error": …}`.
+//! `State`, or `{"error": …}`.
 #![allow(unsafe_code, reason = "an exported name, which nothing else has")]
 
 mod call;
