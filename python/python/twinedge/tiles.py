@@ -5,8 +5,8 @@ what its border cuts. Summaries add up, in any order::
 
     assign ─► (group by tile) ─► audit_tile ─► merge … merge ─► finish
 
-Where edges meet elsewhere than at vertices, what features cover is known once edges are cut, alike in all tiles. Cuts are found in rounds, three or
-four as a rule, and only the first one takes all tiles: see :class:`Cuts`.
+Where edges meet elsewhere than at vertices, what features cover is known once edges are cut, alike in all tiles. Cuts are found in a
+few rounds, of which only the first one takes all tiles: see :class:`Cuts`.
 
 >>> import shapely, twinedge
 >>> from twinedge import tiles
@@ -25,8 +25,8 @@ Tables are those of Arrow, with a column ``geometry`` of well-known binary and a
 from 0 to 4,294,967,295 that no two have in common. Whatever has an Arrow table has such columns: DuckDB, Dask, Polars, Spark, GeoParquet read
 by pyarrow. This module needs pyarrow.
 
-All tiles must be made with one grid, the same limits and the same cuts. A tile that is made again of the same features has the same bytes, so a worker that is
-lost loses nothing.
+All tiles must be made with one grid, the same limits and the same cuts. A tile that is made again of the same features has the same bytes, so a
+worker that is lost loses nothing.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ class Cuts:
         return pa.RecordBatch.from_pydict({"found": pa.array([found], pa.binary())})
 
     def search_tiles(self, batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordBatch]:
-        """What the tiles that rows were assigned to find in this round: a generator, for rows as :func:`audit_tiles` takes them."""
+        """The cuts that tiles find in this round, from the rows that were assigned to them: a generator, for rows as :func:`audit_tiles` takes them."""
         wanted = {*self.tiles(grid)}
         return (self.search(part, grid, tile, **options) for tile, part in _by_tile(batches) if tile in wanted)
 
@@ -169,7 +169,7 @@ def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str 
     """
     import pyarrow as pa
 
-    # How near depends on the box only.
+    # The distance depends on the box only.
     margin = None if cuts is None else Cuts(cuts.box).state
     for batch in _batches(batches):
         rows, found = _twinedge.tiles_of(grid._native(), _wkb(batch, geometry), margin)
@@ -270,7 +270,7 @@ def finish(
     coverage, accept, list
         As for :func:`twinedge.audit`.
     limits
-        Those of the tiles, for the empty ones.
+        Those of the tiles, for the empty ones. These need no cuts.
 
     Raises
     ------
