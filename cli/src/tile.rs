@@ -123,12 +123,10 @@ fn cuts<'f>(
     let all = Grid::EVERYTHING;
     let mut cuts = Cuts::new(largest)?;
     while !cuts.is_complete() {
-        let found = match cuts.search(&all, Place { column: 0, row: 0 }, features.clone()) {
+        let found = cuts.search(&all, Place { column: 0, row: 0 }, features.clone());
+        match found.and_then(|found| cuts.take([found])) {
             Err(TileError::Build(BuildError::TooManyCuts { .. })) => return Ok(None),
-            found => found?,
-        };
-        if cuts.take([found]).is_err() {
-            return Ok(None);
+            taken => taken?,
         }
     }
     Ok(Some(cuts).filter(|cuts| !cuts.is_empty()))

@@ -35,6 +35,10 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(maps::build_map, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::bounds, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::tiles_of, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::no_cuts, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::tiles_to_search, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::search, module)?)?;
+    module.add_function(wrap_pyfunction!(tiles::take, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::summarise, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::tiles_in, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::merge, module)?)?;

@@ -1,4 +1,4 @@
-//! Tiles of maps: geometries as well-known binary, summaries as bytes.
+//! Tiles of maps: geometries as well-known binary, summaries and cuts as bytes.
 
 use crate::audit::{LimitsAsked, MapAsked, Told, told};
 use crate::source::Failure;
@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 use twinedge::io::ReadSummary;
-use twinedge::map::{Feature, Shape};
-use twinedge::tile::{Grid, Summary, Tile};
+use twinedge::map::{BuildError, Feature, Shape};
+use twinedge::tile::{Cuts, Found, Grid, Summary, Tile, TileError};
 use twinedge_formats::layer::{Feature as LayerFeature, geometry_of_wkb, to_map};
 use twinedge_report::{audit_summary, merged};
 
@@ -45,14 +45,45 @@ fn feature(place: usize, geometry: Option<&PyBackedBytes>) -> Result<Feature, Fa
     Ok(to_map(&LayerFeature { geometry, ..LayerFeature::default() }, &mut ReadSummary::default()))
 }
 
+fn features(geometries: &[Option<PyBackedBytes>]) -> Result<Vec<Feature>, Failure> {
+    geometries.iter().enumerate().map(|(place, geometry)| feature(place, geometry.as_ref())).collect()
+}
+
+fn cuts(bytes: &[u8]) -> Result<Cuts, Failure> {
+    serde_json::from_slice(bytes).map_err(|error| Failure::Value(format!("cuts: {error}")))
+}
+
+fn refused(error: TileError) -> Failure {
+    match error {
+        TileError::Build(BuildError::TooManyCuts { .. }) => {
+            Failure::Value(format!("the coverage cannot be judged in tiles: {error}"))
+        }
+        TileError::Build(BuildError::OutOfReach { x, y }) => {
+            Failure::Value(format!("({x}, {y}) lies farther out than the box of the cuts"))
+        }
+        error => Failure::value(error),
+    }
+}
+
 /// The tiles that each geometry is to be given to.
 #[pyfunction]
-pub(crate) fn tiles_of(py: Python<'_>, of: GridArguments, geometries: Geometries) -> PyResult<Assignment<'_>> {
+pub(crate) fn tiles_of(
+    py: Python<'_>,
+    of: GridArguments,
+    geometries: Geometries,
+    cut: Option<PyBackedBytes>,
+) -> PyResult<Assignment<'_>> {
     let found = py.detach(|| {
         let grid = grid(of)?;
+        let cuts = cut.map(|bytes| cuts(&bytes)).transpose()?;
         let (mut places, mut tiles) = (Vec::new(), Vec::new());
         for (place, geometry) in geometries.iter().enumerate() {
-            for tile in grid.tiles_of(&feature(place, geometry.as_ref())?) {
+            let feature = feature(place, geometry.as_ref())?;
+            let met: Vec<Tile> = match &cuts {
+                Some(cuts) => cuts.tiles_of(&grid, &feature).collect(),
+                None => grid.tiles_of(&feature).collect(),
+            };
+            for tile in met {
                 places.push(place as u64);
                 tiles.push(number(&grid, tile));
             }
@@ -86,7 +117,58 @@ pub(crate) fn bounds(py: Python<'_>, geometries: Geometries) -> PyResult<Option<
     Ok(found?)
 }
 
-/// The summary of a tile, from the features that meet it, each with its number in the map.
+/// No cuts yet, of a map whose coordinates are at most so large.
+#[pyfunction]
+pub(crate) fn no_cuts(py: Python<'_>, largest: f64) -> PyResult<Bound<'_, PyBytes>> {
+    let cuts = Cuts::new(largest).map_err(Failure::value)?;
+    Ok(PyBytes::new(py, &serde_json::to_vec(&cuts).map_err(Failure::value)?))
+}
+
+/// The tiles that have something to find in this round; none, if all cuts are found.
+#[pyfunction]
+pub(crate) fn tiles_to_search(py: Python<'_>, cut: PyBackedBytes, of: GridArguments) -> PyResult<Vec<u64>> {
+    let found = py.detach(|| {
+        let (cuts, grid) = (cuts(&cut)?, grid(of)?);
+        let concerned = grid.tiles().filter(|tile| cuts.concern(&grid, *tile));
+        Ok::<_, Failure>(concerned.map(|tile| number(&grid, tile)).collect())
+    });
+    Ok(found?)
+}
+
+/// The cuts that a tile finds in this round, from the features that come near it.
+#[pyfunction]
+pub(crate) fn search(
+    py: Python<'_>,
+    cut: PyBackedBytes,
+    of: GridArguments,
+    at: u64,
+    geometries: Geometries,
+) -> PyResult<Bound<'_, PyBytes>> {
+    let bytes = py.detach(|| {
+        let (cuts, grid) = (cuts(&cut)?, grid(of)?);
+        let features = features(&geometries)?;
+        let found = cuts.search(&grid, tile(&grid, at)?, (0..).zip(&features)).map_err(refused)?;
+        serde_json::to_vec(&found).map_err(Failure::value)
+    });
+    Ok(PyBytes::new(py, &bytes?))
+}
+
+/// The cuts after a round in which tiles found these.
+#[pyfunction]
+pub(crate) fn take(py: Python<'_>, cut: PyBackedBytes, found: Vec<PyBackedBytes>) -> PyResult<Bound<'_, PyBytes>> {
+    let bytes = py.detach(|| {
+        let mut cuts = cuts(&cut)?;
+        let read = |(place, bytes): (usize, &PyBackedBytes)| {
+            serde_json::from_slice(bytes).map_err(|error| Failure::Value(format!("found {place}: {error}")))
+        };
+        let found: Vec<Found> = found.iter().enumerate().map(read).collect::<Result<_, _>>()?;
+        cuts.take(found).map_err(refused)?;
+        serde_json::to_vec(&cuts).map_err(Failure::value)
+    });
+    Ok(PyBytes::new(py, &bytes?))
+}
+
+/// The summary of a tile, from the features that meet it, each with its number in the map; and with edges cut, if all cuts are known.
 #[pyfunction]
 pub(crate) fn summarise<'py>(
     py: Python<'py>,
@@ -95,17 +177,26 @@ pub(crate) fn summarise<'py>(
     numbers: PyReadonlyArray1<'py, u32>,
     geometries: Geometries,
     limits: LimitsAsked,
-) -> PyResult<Bound<'py, PyBytes>> {
+    cut: Option<PyBackedBytes>,
+) -> PyResult<(Bound<'py, PyBytes>, Option<Bound<'py, PyBytes>>)> {
     let numbers = numbers.as_array().to_vec();
     let bytes = py.detach(|| {
         let grid = grid(of)?;
-        let features = geometries.iter().enumerate().map(|(place, geometry)| feature(place, geometry.as_ref()));
-        let features: Vec<Feature> = features.collect::<Result<_, _>>()?;
-        let given = numbers.into_iter().zip(&features);
-        let summary = Summary::new(&grid, tile(&grid, at)?, given, &limits.limits()).map_err(Failure::value)?;
-        serde_json::to_vec(&summary).map_err(Failure::value)
+        let (features, tile, limits) = (features(&geometries)?, tile(&grid, at)?, limits.limits());
+        let given = || numbers.iter().copied().zip(&features);
+        let bytes = |summary: Result<Summary, TileError>| {
+            serde_json::to_vec(&summary.map_err(refused)?).map_err(Failure::value)
+        };
+        let cuts = cut.map(|bytes| cuts(&bytes)).transpose()?;
+        if cuts.as_ref().is_some_and(|cuts| !cuts.is_complete()) {
+            return Err(Failure::Value("cuts: not all of them are found yet".to_owned()));
+        }
+        let summary = bytes(Summary::new(&grid, tile, given(), &limits))?;
+        let cut = cuts.map(|cuts| bytes(Summary::cut(&grid, tile, given(), &limits, &cuts))).transpose()?;
+        Ok((summary, cut))
     });
-    Ok(PyBytes::new(py, &bytes?))
+    let (summary, cut) = bytes?;
+    Ok((PyBytes::new(py, &summary), cut.map(|cut| PyBytes::new(py, &cut))))
 }
 
 fn sum(summaries: &[PyBackedBytes]) -> Result<Option<Summary>, Failure> {
@@ -134,14 +225,18 @@ pub(crate) fn tiles_in(summary: &[u8]) -> PyResult<Vec<u64>> {
     Ok(summary.tiles().iter().map(|tile| number(grid, *tile)).collect())
 }
 
-/// The report that the summaries of all tiles make.
+/// The report that the summaries of all tiles make, and those of the same tiles with edges cut, if there are any.
 #[pyfunction]
-pub(crate) fn finish(py: Python<'_>, summaries: Vec<PyBackedBytes>, asked: MapAsked) -> PyResult<Told> {
+pub(crate) fn finish(
+    py: Python<'_>,
+    summaries: Vec<PyBackedBytes>,
+    cuts: Vec<PyBackedBytes>,
+    asked: MapAsked,
+) -> PyResult<Told> {
     let found = py.detach(|| {
         let whole = sum(&summaries)?.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
         let options = asked.options()?;
-        // Only the whole map knows the cuts of edges that meet elsewhere than at vertices.
-        told(&audit_summary(whole, None, &options)?, options.accepted.as_ref())
+        told(&audit_summary(whole, sum(&cuts)?, &options)?, options.accepted.as_ref())
     });
     Ok(found?)
 }

@@ -1,6 +1,8 @@
 """Audits in tiles: the same result as that of the whole, on each engine."""
 
+import json
 import multiprocessing
+import pickle
 import random
 
 import numpy as np
@@ -159,6 +161,114 @@ def test_edges_that_cross_are_named_and_the_rest_is_not_called_checked():
     # Each crossing once, as in the whole.
     whole = twinedge.audit(layer, coverage=True)
     assert [sum(v.rule == "G4" for v in one.violations) for one in (report, whole)] == [2, 2]
+
+
+#: Layers whose edges meet elsewhere than at vertices, on the seams x = 2 and y = 2 and across them, and rules that are broken there.
+MEETING = {
+    "an overlap across a seam": ([shapely.box(0.25, 0.25, 2.5, 1.25), shapely.box(1.5, 0.5, 3.75, 1.75)], {"C1"}),
+    "an overlap on the corner of four tiles": ([shapely.box(0, 0, 2.5, 2.5), shapely.box(1.5, 1.5, 4, 4)], {"C1"}),
+    "a vertex on a seam": ([shapely.box(0, 0, 2, 4), shapely.box(2, 0, 4, 1.5), shapely.box(2, 1.5, 4, 4)], {"C7"}),
+    "a vertex in an edge across a seam": ([shapely.box(0, 0, 4, 1), shapely.box(0, 1, 2.5, 3), shapely.box(2.5, 1, 4, 3)], {"C7"}),
+    "triangles that cross where no double is": (
+        [shapely.Polygon([(0, 0), (4, 0.1), (1, 3.7)]), shapely.Polygon([(3.9, 0), (0.1, 1.3), (3.3, 4)]), shapely.box(1.9, 1.7, 2.3, 2.1)],
+        {"C1"},
+    ),
+}
+QUARTERS = tiles.Grid((0, 0, 4, 4), 2, 2)
+
+
+def rounds(features, grid):
+    """All cuts, and the rows of the tiles. Each search is repeated by another worker, with rows in another order, and one is taken twice."""
+    cuts = tiles.Cuts(tiles.bounds(features))
+    parts = tiles.assigned(features, grid, cuts)
+    while wanted := cuts.tiles(grid):
+        found = [cuts.search(parts[tile], grid, tile) for tile in wanted]
+        worker = pickle.loads(pickle.dumps(cuts))
+        assert worker == cuts
+        assert [worker.search(parts[tile].take(np.arange(len(parts[tile]))[::-1]), grid, tile) for tile in wanted] == found
+        assert [*worker.search_tiles(tiles.assign(features.to_batches(max_chunksize=1), grid, worker), grid)] == [
+            one for one, tile in zip(found, wanted, strict=True) if len(parts[tile])
+        ]
+        cuts = cuts.take(found)
+        assert worker.take(*found[::-1], found[0]) == cuts
+    return cuts, parts
+
+
+@pytest.mark.parametrize("grid", [QUARTERS, tiles.Grid((0, 0, 4, 4), 7, 5), tiles.Grid((-4, -4, 12, 12), 8, 8)])
+@pytest.mark.parametrize("name", MEETING)
+def test_edges_that_meet_elsewhere_than_at_vertices_are_cut_alike_in_all_tiles(name, grid):
+    layer, rules = MEETING[name]
+    whole, features = twinedge.audit(layer, coverage=True), tiles.table(layer)
+    assert whole.verdict == "invalid" and {finding.rule for finding in whole.findings} >= rules
+    cuts, parts = rounds(features, grid)
+    summaries = [tiles.audit_tile(part, grid, tile, cuts=cuts) for tile, part in parts.items()]
+    assert all(one.schema == tiles.schema() and one["cut"].null_count == 0 for one in summaries)
+    merged = tiles.merge(summaries[3:], tiles.merge(*summaries[:3]))
+    some = [*tiles.audit_tiles(tiles.assign(features, grid, cuts), grid, cuts=cuts)]
+    for report in (tiles.finish(merged, coverage=True), tiles.finish(some, grid=grid, coverage=True)):
+        assert told(report) == told(whole) and "not_checked" not in report.to_dict()["coverage"]
+        assert sorted(finding.id for finding in report.findings) == sorted(finding.id for finding in whole.findings)
+        assert [violation.rule for violation in report.violations] == [violation.rule for violation in whole.violations]
+
+
+def test_processes_search_for_cuts():
+    layer = MEETING["an overlap on the corner of four tiles"][0]
+    cuts, features = tiles.Cuts((0, 0, 4, 4)), tiles.table(layer)
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        while wanted := cuts.tiles(QUARTERS):
+            cuts = cuts.take(pool.starmap(cuts.search, [(features, QUARTERS, tile) for tile in wanted]))
+    assert cuts == rounds(features, QUARTERS)[0]
+
+
+def test_cuts_that_are_wrong_are_refused(features):
+    layer = tiles.table(MEETING["an overlap on the corner of four tiles"][0])
+    cuts = tiles.Cuts(tiles.bounds(layer))
+    # Boundaries cross at (2.5, 1.5) and (1.5, 2.5).
+    found = cuts.search(layer, QUARTERS, 1)
+    with pytest.raises(ValueError, match="cuts: not all of them are found yet"):
+        tiles.audit_tile(layer, QUARTERS, 0, cuts=cuts)
+    with pytest.raises(ValueError, match="there is nothing that a tile found"):
+        cuts.take()
+    after = cuts.take(found)
+    for other in (after, tiles.Cuts((0, 0, 5, 5))):
+        with pytest.raises(ValueError, match="found in another round, or are those of another map"):
+            other.take(found)
+    with pytest.raises(ValueError, match=r"\(5, 0\) lies farther out than the box of the cuts"):
+        cuts.search(features, QUARTERS, 0)
+    with pytest.raises(ValueError, match="tile"):
+        cuts.search(layer, QUARTERS, 4)
+    # Damaged on the way: cut short, or with other numbers in it.
+    (whole,) = found["found"].to_pylist()
+    chain = json.loads(whole)
+    chain["chains"][0][1][0] = [0.1, 2.0]
+    for damaged in (b"", b"{}", whole[:-1], json.dumps(chain).encode()):
+        with pytest.raises(ValueError, match="found 0: "):
+            cuts.take(pa.table({"found": [damaged]}))
+    state = json.loads(after.state)
+    state["chains"][0][1] = []
+    for damaged in (b"{}", after.state[:-1], json.dumps(state).encode()):
+        wrong = tiles.Cuts(after.box, damaged)
+        for use in (
+            lambda cuts: cuts.tiles(QUARTERS),
+            lambda cuts: cuts.search(layer, QUARTERS, 0),
+            lambda cuts: cuts.take(found),
+            lambda cuts: tiles.audit_tile(layer, QUARTERS, 0, cuts=cuts),
+        ):
+            with pytest.raises(ValueError, match="cuts: "):
+                use(wrong)
+    for box in [(0, 0, 1), (0, 0, 1, float("nan")), (0, 0, 1, float("inf"))]:
+        with pytest.raises(ValueError, match=r"box|reach|range"):
+            tiles.Cuts(box)
+    complete, _ = rounds(layer, QUARTERS)
+    with pytest.raises(ValueError, match="some summaries were made with cuts, and others without"):
+        tiles.merge(tiles.audit_tile(layer, QUARTERS, 0), tiles.audit_tile(layer, QUARTERS, 1, cuts=complete))
+
+
+def test_more_cuts_than_can_be_judged_are_said_to_be():
+    lines = [line for at in range(1, 801) for line in (shapely.LineString([(at, 0), (at, 801)]), shapely.LineString([(0, at), (801, at)]))]
+    cuts = tiles.Cuts((0, 0, 801, 801))
+    with pytest.raises(ValueError, match="the coverage cannot be judged in tiles"):
+        cuts.search(tiles.table(lines), tiles.Grid((0, 0, 801, 801), 1, 1), 0)
 
 
 def test_tables_that_are_wrong_are_refused(features):

@@ -27,6 +27,13 @@ impl Point {
         // Adding zero turns −0 into 0.
         (folded((self.x + 0.0).to_bits()), folded((self.y + 0.0).to_bits()))
     }
+
+    /// The place that has a key.
+    #[cfg(all(feature = "serde", feature = "map"))]
+    pub(crate) fn of_hash_key((x, y): (u64, u64)) -> Self {
+        // Folding is undone by folding: the upper half is as it was.
+        Self::new(f64::from_bits(folded(x)), f64::from_bits(folded(y)))
+    }
 }
 
 /// A number for hash tables: the upper half of the bits of another, mixed into the lower. Different numbers stay

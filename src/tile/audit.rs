@@ -79,12 +79,9 @@ fn complete<F: Borrow<Feature>, E: Send>(
             let features = features(*tile).map_err(AuditError::Features)?;
             Ok(cuts.search(grid, *tile, borrowed(&features))?)
         });
-        match found.into_iter().collect::<Result<Vec<Found>, AuditError<E>>>() {
-            Ok(found) => {
-                if let Err(why) = cuts.take(found) {
-                    return Ok(Err(why));
-                }
-            }
+        let found = found.into_iter().collect::<Result<Vec<Found>, AuditError<E>>>();
+        match found.and_then(|found| Ok(cuts.take(found)?)) {
+            Ok(()) => {}
             Err(AuditError::Tile(TileError::Build(why @ BuildError::TooManyCuts { .. }))) => return Ok(Err(why)),
             Err(error) => return Err(error),
         }

@@ -25,7 +25,11 @@ use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::geometry::noding::{NodingError, PartNoding};
 use crate::map::{BuildError, Feature, Shape, usual_cuts};
+use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
+
+#[cfg(feature = "serde")]
+mod saved;
 
 /// The greatest number of rounds: more would let a chain drift out of the tiles that its feature was given to.
 const ROUNDS: u32 = 60;
@@ -68,13 +72,17 @@ fn key(ends: &Ends) -> Key {
 /// assert_eq!(whole.coverage.unwrap().findings[0].area, 1.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// With the feature `serde` they are saved and read between rounds, too, and equal ones as equal bytes.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "saved::SavedCuts", into = "saved::SavedCuts"))]
 pub struct Cuts {
     noding: PartNoding,
     largest: f64,
     rounds: u32,
     is_complete: bool,
-    /// The hot pixels in which edges cross and none ends.
+    /// The hot pixels in which edges cross and none ends, in order.
     crossings: Vec<Point>,
     /// The hot pixels that edges visit, in order from the smaller end, by the ends of the edges in the input.
     chains: FxHashMap<Key, Vec<Point>>,
@@ -85,9 +93,15 @@ pub struct Cuts {
     seen: FxHashSet<Key>,
 }
 
-/// The cuts that a tile found in a round.
-#[derive(Clone, Debug, Default)]
+/// The cuts that a tile found in a round. With the feature `serde` they are saved as equal bytes whenever they are found.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "saved::SavedFound"))]
 pub struct Found {
+    /// The largest coordinate and the round for which they were found.
+    largest: f64,
+    round: u32,
+    // All in order.
     crossings: Vec<Point>,
     chains: Vec<(Ends, Vec<Point>)>,
     doubtful: Vec<Ends>,
@@ -191,7 +205,7 @@ impl Cuts {
             let pieces: Vec<Ends> = self.pieces(&bounds).copied().collect();
             let bends = self.noding.bends(&pieces, &hot, usual_cuts(pieces.len())).map_err(refused)?;
             let chains = bends.into_iter().map(|(piece, chain)| (pieces[piece], chain)).collect();
-            Found { chains, ..Found::default() }
+            Found { chains, ..self.nothing() }
         };
         // Each pixel is that of one tile.
         found.crossings.retain(|p| bounds.contains(*p));
@@ -199,7 +213,18 @@ impl Cuts {
             chain.retain(|p| bounds.contains(*p));
         }
         found.chains.retain(|(_, chain)| !chain.is_empty());
+        found.crossings.sort_by(|a, b| compare_points(*a, *b));
+        // Edges of several features are found once for each.
+        found.chains.sort_by(|a, b| compare_edges(&a.0, &b.0));
+        found.chains.dedup_by_key(|(ends, _)| *ends);
+        found.doubtful.sort_by(compare_edges);
+        found.doubtful.dedup();
         Ok(found)
+    }
+
+    fn nothing(&self) -> Found {
+        let (largest, round) = (self.largest, self.rounds);
+        Found { largest, round, crossings: Vec::new(), chains: Vec::new(), doubtful: Vec::new() }
     }
 
     fn cuts_of(&self, segments: &[Ends], vertices: &[Point]) -> Result<Found, TileError> {
@@ -208,32 +233,46 @@ impl Cuts {
             crossings: found.crossings,
             chains: found.chains.into_iter().map(|(segment, chain)| (segments[segment], chain)).collect(),
             doubtful: found.doubtful.into_iter().map(|segment| segments[segment]).collect(),
+            ..self.nothing()
         })
     }
 
-    /// Takes what all tiles found in a round, which ends it. O(n log n) for what they found.
+    /// Takes what all tiles found in a round, which ends it. What a tile found may come twice. O(n log n) for what they found.
     ///
     /// # Errors
-    /// [`BuildError::TooManyCuts`], if edges bend so often that they drift out of their tiles.
-    pub fn take(&mut self, found: impl IntoIterator<Item = Found>) -> Result<(), BuildError> {
+    /// [`TileError::OtherCuts`], and nothing is taken; [`TileError::Build`] with [`BuildError::TooManyCuts`], if edges bend so often that they
+    /// drift out of their tiles.
+    pub fn take(&mut self, found: impl IntoIterator<Item = Found>) -> Result<(), TileError> {
         let mut of_round: FxHashMap<Key, (Ends, Vec<Point>)> = FxHashMap::default();
-        let mut doubtful = Vec::new();
+        let (mut crossings, mut doubtful) = (Vec::new(), Vec::new());
         for mut one in found {
-            self.crossings.append(&mut one.crossings);
+            if self.is_complete || one.round != self.rounds || one.largest.to_bits() != self.largest.to_bits() {
+                return Err(TileError::OtherCuts);
+            }
+            crossings.append(&mut one.crossings);
             doubtful.append(&mut one.doubtful);
             for (ends, mut chain) in one.chains {
                 of_round.entry(key(&ends)).or_insert_with(|| (ends, Vec::new())).1.append(&mut chain);
             }
         }
         let is_first = self.rounds == 0;
-        self.fresh.clear();
-        let mut pieces = Vec::new();
-        for (key, (ends, mut chain)) in of_round {
-            let [first, last] = if is_first { ends.map(|p| self.noding.snapped(p)) } else { ends };
+        for (ends, chain) in of_round.values_mut() {
+            let ends = self.ends_of(ends, is_first);
             // Chains never turn back, neither in x nor in y.
-            let way = |p: &Point| (p.x - first.x).abs() + (p.y - first.y).abs();
+            let way = |p: &Point| (p.x - ends[0].x).abs() + (p.y - ends[0].y).abs();
             chain.sort_by(|a, b| way(a).total_cmp(&way(b)));
             chain.dedup();
+            if !is_way(ends, chain) {
+                return Err(TileError::OtherCuts);
+            }
+        }
+        self.crossings.append(&mut crossings);
+        self.crossings.sort_by(|a, b| compare_points(*a, *b));
+        self.crossings.dedup();
+        self.fresh.clear();
+        let mut pieces = Vec::new();
+        for (key, (ends, chain)) in of_round {
+            let [first, last] = self.ends_of(&ends, is_first);
             let all = [first].into_iter().chain(chain.iter().copied()).chain([last]);
             pieces.extend(all.clone().zip(all.skip(1)));
             (if is_first { &mut self.chains } else { &mut self.bends }).insert(key, chain);
@@ -250,9 +289,14 @@ impl Cuts {
         self.rounds += 1;
         self.is_complete = self.fresh.is_empty();
         if self.rounds > ROUNDS && !self.is_complete {
-            return Err(BuildError::TooManyCuts { allowed: self.bends.len() });
+            return Err(BuildError::TooManyCuts { allowed: self.bends.len() }.into());
         }
         Ok(())
+    }
+
+    /// The ends of the chain of an edge: of one of the input, or of a piece.
+    fn ends_of(&self, ends: &Ends, of_input: bool) -> Ends {
+        if of_input { ends.map(|p| self.noding.snapped(p)) } else { *ends }
     }
 
     /// Refuses a feature with a coordinate that is larger than was said.
@@ -351,6 +395,17 @@ fn steps_around(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
 /// The point with zeros that have no sign.
 fn unsigned(p: Point) -> Point {
     Point::new(p.x + 0.0, p.y + 0.0)
+}
+
+/// Returns true if points lead from end to end, and never back.
+fn is_way([first, last]: Ends, between: &[Point]) -> bool {
+    let course = |a: Point, b: Point| [a.x.partial_cmp(&b.x), a.y.partial_cmp(&b.y)];
+    let whole = course(first, last);
+    let leads = |a: Point, b: Point| {
+        a != b && course(a, b).iter().zip(&whole).all(|(step, whole)| step == whole || *step == Some(Ordering::Equal))
+    };
+    let all = [first].into_iter().chain(between.iter().copied()).chain([last]);
+    !between.is_empty() && all.clone().zip(all.skip(1)).all(|(a, b)| leads(a, b))
 }
 
 fn in_order(a: Point, b: Point) -> Ends {

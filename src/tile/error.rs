@@ -4,7 +4,7 @@ use super::grid::Tile;
 use crate::map::BuildError;
 use thiserror::Error;
 
-/// The error of [`Summary::new`](super::Summary::new).
+/// The error of [`Summary::new`](super::Summary::new), and of finding [`Cuts`](super::Cuts).
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum TileError {
@@ -14,6 +14,9 @@ pub enum TileError {
     /// Two features have the same number.
     #[error("two features have the number {0}")]
     SameNumber(u32),
+    /// Cuts were found in another round, or are those of another map.
+    #[error("cuts were found in another round, or are those of another map")]
+    OtherCuts,
     /// A feature was refused.
     #[error("{0}")]
     Build(#[from] BuildError),

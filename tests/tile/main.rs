@@ -7,4 +7,5 @@ mod coverages;
 mod cut;
 mod drawn;
 mod maps;
+mod saved;
 mod whole;

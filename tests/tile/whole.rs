@@ -37,7 +37,7 @@ pub(crate) fn rounds(features: &[Feature]) -> usize {
 }
 
 /// The largest magnitude of a coordinate.
-fn largest(features: &[Feature]) -> f64 {
+pub(crate) fn largest(features: &[Feature]) -> f64 {
     let points = |shape: &Shape| match shape {
         Shape::Polygon(rings) => rings.concat(),
         Shape::Line(points) => points.clone(),

@@ -5,27 +5,34 @@ what its border cuts. Summaries add up, in any order::
 
     assign ─► (group by tile) ─► audit_tile ─► merge … merge ─► finish
 
+Where edges meet elsewhere than at vertices, what features cover is known once edges are cut, alike in all tiles. Cuts are found in a
+few rounds, of which only the first one takes all tiles: see :class:`Cuts`.
+
 >>> import shapely, twinedge
 >>> from twinedge import tiles
 >>> parcels = [shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)]
->>> features = tiles.table([*parcels, *parcels[1:]])
+>>> features = tiles.table(parcels)
 >>> grid = tiles.Grid(tiles.bounds(features), 2, 2)
->>> parts = [tiles.audit_tile(features, grid, tile) for tile in tiles.assigned(features, grid)]
->>> tiles.finish(tiles.merge(parts[:2]), *parts[2:]).verdict
-'invalid'
+>>> cuts = tiles.Cuts(tiles.bounds(features))
+>>> while found := [cuts.search(features, grid, tile) for tile in cuts.tiles(grid)]:
+...     cuts = cuts.take(*found)
+>>> parts = [tiles.audit_tile(features, grid, tile, cuts=cuts) for tile in tiles.assigned(features, grid, cuts)]
+>>> report = tiles.finish(tiles.merge(parts[:2]), *parts[2:])
+>>> [(finding.rule, finding.features, finding.area) for finding in report.findings]
+[('C1', (0, 1), 1.0)]
 
 Tables are those of Arrow, with a column ``geometry`` of well-known binary and a column ``feature``, the number of each feature in the layer: an integer
 from 0 to 4,294,967,295 that no two have in common. Whatever has an Arrow table has such columns: DuckDB, Dask, Polars, Spark, GeoParquet read
 by pyarrow. This module needs pyarrow.
 
-All tiles must be made with one grid and the same limits. A tile that is made again of the same features has the same bytes, so a worker that is
-lost loses nothing.
+All tiles must be made with one grid, the same limits and the same cuts. A tile that is made again of the same features has the same bytes, so a
+worker that is lost loses nothing.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -38,7 +45,7 @@ from ._validate import _count
 if TYPE_CHECKING:
     import pyarrow as pa
 
-__all__ = ["Grid", "assign", "assigned", "audit_tile", "audit_tiles", "bounds", "finish", "merge", "schema", "table"]
+__all__ = ["Cuts", "Grid", "assign", "assigned", "audit_tile", "audit_tiles", "bounds", "finish", "merge", "schema", "table"]
 
 
 @dataclass(frozen=True)
@@ -56,10 +63,7 @@ class Grid:
     rows: int
 
     def __post_init__(self) -> None:
-        box = tuple(map(float, self.box))
-        if len(box) != 4:
-            raise ValueError(f"box: expected (x0, y0, x1, y1), not {self.box!r}")
-        object.__setattr__(self, "box", box)
+        object.__setattr__(self, "box", _box(self.box))
         for name in ("columns", "rows"):
             object.__setattr__(self, name, _count(name, getattr(self, name), 65_536))
 
@@ -68,6 +72,62 @@ class Grid:
 
     def _native(self) -> tuple[Sequence[float], int, int]:
         return ([*self.box], self.columns, self.rows)
+
+
+@dataclass(frozen=True)
+class Cuts:
+    """The places where edges meet elsewhere than at vertices, and the edges that are cut there: first none, and more after each round.
+
+    In a round, tiles are searched, on any worker and in any order, and what all of them found is taken; then :meth:`tiles` says which tiles the
+    next round is for. It ends when these are none. Rows are those of ``assign(batches, grid, cuts)``, with cuts of any round. Cuts are bytes, as
+    many as there is cut: a worker gets them as an argument, or as a broadcast variable.
+    """
+
+    #: The box ``(x0, y0, x1, y1)`` around the layer, as :func:`bounds` returns it. It must be the same in all rounds.
+    box: tuple[float, float, float, float]
+    #: The cuts. Equal ones have the same bytes.
+    state: bytes = field(default=b"", repr=False)
+
+    def __post_init__(self) -> None:
+        box = _box(self.box)
+        object.__setattr__(self, "box", box)
+        if not self.state:
+            object.__setattr__(self, "state", _twinedge.no_cuts(float(np.abs(box).max())))
+
+    def tiles(self, grid: Grid) -> list[int]:
+        """The tiles that have something to find in this round: none, if all cuts are found. O(tiles · pieces that the last round made)."""
+        return _twinedge.tiles_to_search(self.state, grid._native())
+
+    def search(self, batches: Any, grid: Grid, tile: int, *, geometry: str = "geometry") -> pa.RecordBatch:
+        """The cuts that a tile finds in this round: a batch with one row, in the column ``found``, which is binary.
+
+        ``batches`` must have every feature that :func:`assign` says, whole; others may be there, too. A search that is repeated finds the
+        same bytes. O(n log n + k) for k cuts.
+
+        Raises ``ValueError`` if a geometry is malformed or lies farther out than the box, and if there are so many cuts that the coverage
+        cannot be judged in tiles.
+        """
+        import pyarrow as pa
+
+        geometries = [one for batch in _batches(batches) for one in _wkb(batch, geometry)]
+        found = _twinedge.search(self.state, grid._native(), _count("tile", tile, 2**32), geometries)
+        return pa.RecordBatch.from_pydict({"found": pa.array([found], pa.binary())})
+
+    def search_tiles(self, batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordBatch]:
+        """The cuts that tiles find in this round, from the rows that were assigned to them: a generator, for rows as :func:`audit_tiles` takes them."""
+        wanted = {*self.tiles(grid)}
+        return (self.search(part, grid, tile, **options) for tile, part in _by_tile(batches) if tile in wanted)
+
+    def take(self, *batches: Any) -> Cuts:
+        """The cuts after a round, in which these batches were found, in any order. What a tile found may be there twice.
+
+        Raises ``ValueError`` if they were found in another round, or of another layer; or if edges bend so often that the coverage cannot be judged
+        in tiles: then :func:`finish` without cuts says all else.
+        """
+        found = _binary(batches, "found")
+        if not found:
+            raise ValueError("found: there is nothing that a tile found in this round")
+        return Cuts(self.box, _twinedge.take(self.state, found))
 
 
 def table(layer: Any) -> pa.Table:
@@ -83,10 +143,10 @@ def table(layer: Any) -> pa.Table:
 
 
 def schema() -> pa.Schema:
-    """The columns of summaries: ``summary``, which is binary."""
+    """The columns of summaries, which are binary: ``summary``, and ``cut``, that of the same tile with its edges cut, null without :class:`Cuts`."""
     import pyarrow as pa
 
-    return pa.schema([("summary", pa.binary())])
+    return pa.schema([("summary", pa.binary()), ("cut", pa.binary())])
 
 
 def bounds(batches: Any, *, geometry: str = "geometry") -> tuple[float, float, float, float]:
@@ -101,31 +161,28 @@ def bounds(batches: Any, *, geometry: str = "geometry") -> tuple[float, float, f
     return (float(low[0]), float(low[1]), float(high[2]), float(high[3]))
 
 
-def assign(batches: Any, grid: Grid, *, geometry: str = "geometry") -> Iterator[pa.RecordBatch]:
+def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> Iterator[pa.RecordBatch]:
     """The rows of a table, each as often as it meets tiles, with the number of the tile in a column ``tile`` before the others.
 
-    It is a generator of batches, one for each batch that comes, so ``mapInArrow`` of Spark takes it. O(points + tiles that meet).
+    It is a generator of batches, one for each batch that comes, so ``mapInArrow`` of Spark takes it. With cuts, of any round, a feature goes to
+    tiles that it comes very near, too, as edges are bent a little where they are cut. O(points + tiles that meet).
     """
     import pyarrow as pa
 
+    # The distance depends on the box only.
+    margin = None if cuts is None else Cuts(cuts.box).state
     for batch in _batches(batches):
-        rows, found = _twinedge.tiles_of(grid._native(), _wkb(batch, geometry))
+        rows, found = _twinedge.tiles_of(grid._native(), _wkb(batch, geometry), margin)
         taken = batch.take(pa.array(rows))
         columns = [pa.array(found.astype(np.int64)), *taken.columns]
         yield pa.RecordBatch.from_arrays(columns, names=["tile", *batch.schema.names])
 
 
-def assigned(batches: Any, grid: Grid, *, geometry: str = "geometry") -> dict[int, pa.Table]:
+def assigned(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> dict[int, pa.Table]:
     """The table of each tile of the grid, empty ones included: what :func:`assign` says, grouped, in memory."""
     import pyarrow as pa
-    import pyarrow.compute as pc
 
-    given = _batches(batches)
-    parts = [*assign(given, grid, geometry=geometry)]
-    found: dict[int, pa.Table] = {}
-    if parts:
-        whole = pa.Table.from_batches(parts)
-        found = {tile: whole.filter(pc.equal(whole["tile"], tile)) for tile in pc.unique(whole["tile"]).to_pylist()}
+    found = dict(_by_tile(assign(batches, grid, cuts, geometry=geometry)))
     nothing = pa.table({"feature": pa.array([], pa.uint32()), geometry: pa.array([], pa.binary())})
     return {tile: found.get(tile, nothing) for tile in range(len(grid))}
 
@@ -135,6 +192,7 @@ def audit_tile(
     grid: Grid,
     tile: int,
     *,
+    cuts: Cuts | None = None,
     gap_width: float | None = None,
     lake_width: float | None = None,
     accept_gaps: Iterable[Sequence[float]] | None = None,
@@ -142,7 +200,7 @@ def audit_tile(
     geometry: str = "geometry",
     feature: str = "feature",
 ) -> pa.RecordBatch:
-    """The summary of one tile: a batch with one row, in the column ``summary``.
+    """The summary of one tile: a batch with one row, in the columns of :func:`schema`. With cuts it has both.
 
     ``batches`` must have every feature that meets the tile, as :func:`assign` says, each once and whole; others may be there, too. So a
     tile to which nothing was assigned is made of no batches, and must be made all the same. The limits are those of
@@ -153,7 +211,7 @@ def audit_tile(
     TypeError
         Features have no numbers, or none of 32 bits.
     ValueError
-        Two features have the same number; a geometry is malformed or not finite; the grid has no such tile.
+        Two features have the same number; a geometry is malformed or not finite; the grid has no such tile; not all cuts are found yet.
     """
     import pyarrow as pa
 
@@ -162,8 +220,9 @@ def audit_tile(
     geometries = [one for _, wkb in given for one in wkb]
     limits = _limits(gap_width, lake_width, accept_gaps, sliver_area)
     place = _count("tile", tile, 2**32)
-    summary = _twinedge.summarise(grid._native(), place, numbers, geometries, limits)
-    return pa.RecordBatch.from_pylist([{"summary": summary}], schema())
+    state = None if cuts is None else cuts.state
+    summary, cut = _twinedge.summarise(grid._native(), place, numbers, geometries, limits, state)
+    return pa.RecordBatch.from_pylist([{"summary": summary, "cut": cut}], schema())
 
 
 def audit_tiles(batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordBatch]:
@@ -171,28 +230,21 @@ def audit_tiles(batches: Any, grid: Grid, **options: Any) -> Iterator[pa.RecordB
 
     The rows have the column ``tile`` of :func:`assign`, and all rows of a tile are there: a partition by ``tile``. Options are those of :func:`audit_tile`.
     """
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    given = [*_batches(batches)]
-    if not given:
-        return
-    whole = pa.Table.from_batches(given)
-    for tile in sorted(pc.unique(whole["tile"]).to_pylist()):
-        yield audit_tile(whole.filter(pc.equal(whole["tile"], tile)), grid, tile, **options)
+    return (audit_tile(part, grid, tile, **options) for tile, part in _by_tile(batches))
 
 
 def merge(*batches: Any) -> pa.RecordBatch:
-    """One summary of all in these batches, in whatever order: a batch with one row, or with none if there is none.
+    """One summary of all in these batches, in whatever order: a batch with one row, or with none if there is none. Both columns are merged.
 
     Associative and commutative, down to the bytes. O(what the borders cut and the tiles found).
 
-    Raises ``ValueError`` if they are of different grids or limits, or have a tile in common.
+    Raises ``ValueError`` if they are of different grids or limits, have a tile in common, or only some were made with cuts.
     """
     import pyarrow as pa
 
-    summary = _twinedge.merge(_summaries(batches))
-    return pa.RecordBatch.from_pylist([] if summary is None else [{"summary": summary}], schema())
+    summaries, cuts = _summaries(batches)
+    summary, cut = _twinedge.merge(summaries), _twinedge.merge(cuts)
+    return pa.RecordBatch.from_pylist([] if summary is None else [{"summary": summary, "cut": cut}], schema())
 
 
 def finish(
@@ -206,7 +258,8 @@ def finish(
     """The report on the layer, of the summaries of all tiles.
 
     It says what :func:`twinedge.audit` of the whole says: the verdict, the counts, and each violation and finding once, with its place;
-    ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it.
+    ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it. Where edges meet elsewhere than
+    at vertices, C1 to C5 and C7 are checked if tiles were made with :class:`Cuts`.
 
     Parameters
     ----------
@@ -217,18 +270,21 @@ def finish(
     coverage, accept, list
         As for :func:`twinedge.audit`.
     limits
-        Those of the tiles, for the empty ones.
+        Those of the tiles, for the empty ones. These need no cuts.
 
     Raises
     ------
     ValueError
         Tiles are missing, or as :func:`merge`.
     """
-    summaries = _summaries(batches)
+    summaries, cuts = _summaries(batches)
     if grid is not None:
         have = {int(tile) for summary in summaries for tile in _twinedge.tiles_in(summary)}
         empty = [audit_tile([], grid, tile, **limits) for tile in range(len(grid)) if tile not in have]
-        summaries += _summaries(empty)
+        nothing, _ = _summaries(empty)
+        summaries += nothing
+        # In an empty tile there is nothing to cut.
+        cuts += nothing if cuts else []
     asked = {
         "coverage": bool(coverage),
         "limits": _limits(**limits),
@@ -237,7 +293,26 @@ def finish(
         "accept": _accepted(accept),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
     }
-    return Report._told(_twinedge.finish(summaries, asked))
+    return Report._told(_twinedge.finish(summaries, cuts, asked))
+
+
+def _box(given: Any) -> tuple[float, ...]:
+    box = tuple(map(float, given))
+    if len(box) != 4:
+        raise ValueError(f"box: expected (x0, y0, x1, y1), not {given!r}")
+    return box
+
+
+def _by_tile(batches: Any) -> Iterator[tuple[int, pa.Table]]:
+    """The rows of each tile that has some, in order."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    given = [*_batches(batches)]
+    if given:
+        whole = pa.Table.from_batches(given)
+        for tile in sorted(pc.unique(whole["tile"]).to_pylist()):
+            yield tile, whole.filter(pc.equal(whole["tile"], tile))
 
 
 def _batches(given: Any) -> Iterator[pa.RecordBatch]:
@@ -282,5 +357,15 @@ def _numbers(batch: pa.RecordBatch, name: str) -> Any:
     return numbers.astype(np.uint32)
 
 
-def _summaries(batches: Iterable[Any]) -> list[bytes]:
-    return [one for given in batches for batch in _batches(given) for one in _wkb(batch, "summary") if one is not None]
+def _binary(batches: Iterable[Any], name: str) -> list[bytes]:
+    return [one for given in batches for batch in _batches(given) for one in _wkb(batch, name) if one is not None]
+
+
+def _summaries(batches: Iterable[Any]) -> tuple[list[bytes], list[bytes]]:
+    """The summaries, and those with edges cut: as many, or none."""
+    given = [batch for one in batches for batch in _batches(one)]
+    summaries = _binary(given, "summary")
+    cuts = _binary((batch for batch in given if "cut" in batch.schema.names), "cut")
+    if cuts and len(cuts) != len(summaries):
+        raise ValueError("some summaries were made with cuts, and others without")
+    return summaries, cuts
