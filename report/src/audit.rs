@@ -12,7 +12,7 @@ use crate::options::Options;
 use crate::options_json::{as_json, of_mesh};
 use crate::packed::Picture;
 use crate::report::AuditReport;
-use crate::shelf::{InMemory, Shelf};
+use crate::shelf::Shelf;
 use crate::tables::TablesReport;
 use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
@@ -57,37 +57,10 @@ pub fn audit(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
-    audit_against(input, kind, None, options, stage)
-}
-
-/// Reads an input and judges it, also by the rules between it and another layer if it is a map. Maps in tiles are not compared.
-///
-/// O(n log n) for n segments of both that cross in O(n) places.
-///
-/// # Errors
-/// [`Error`], if an input could not be read, or cannot be judged as was asked.
-pub fn audit_against(
-    input: Input,
-    kind: InputKind,
-    other: Option<Input>,
-    options: &Options,
-    stage: &mut dyn FnMut(&'static str),
-) -> Result<Audited, Error> {
-    if let (InputKind::Map, Some(across)) = (kind, options.tiles) {
-        return audit_in_tiles(input, options, Division::Across(across), &mut InMemory::default(), stage);
-    }
     let (report, subject) = match kind {
         InputKind::Map => {
-            let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
-            let is_compared = other.is_some() || options.parent.is_some();
-            let keep = Keep { coverage: true, columns: &columns, features: is_compared, ..Keep::default() };
-            let imported = Imported::read(input, &options.map, keep, stage)?;
-            let mut report = map::audit(&imported, options, stage)?;
-            if is_compared {
-                let other = other.map(|other| Other::read(other, options)).transpose()?;
-                layers::judge(&imported, other.as_ref(), options, &mut report, stage)?;
-            }
-            (report, Subject::Map(Box::new(imported)))
+            let imported = Imported::read(input, &options.map, Keep { coverage: true, ..Keep::default() }, stage)?;
+            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => {
             let (report, mesh) = mesh::audit(input, format, options)?;
@@ -111,6 +84,27 @@ pub fn audit_against(
         }
     };
     Ok(told(report, subject, options, kind))
+}
+
+/// Reads a map and judges it, also by the rules between it and another layer, and between its parts and their parents.
+///
+/// O(n log n) for n segments of both that cross in O(n) places.
+///
+/// # Errors
+/// [`Error`], if an input could not be read, or cannot be judged as was asked.
+pub fn audit_against(
+    input: Input,
+    other: Option<Input>,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
+    let keep = Keep { coverage: true, columns: &columns, features: true, ..Keep::default() };
+    let imported = Imported::read(input, &options.map, keep, stage)?;
+    let mut report = map::audit(&imported, options, stage)?;
+    let other = other.map(|other| Other::read(other, options)).transpose()?;
+    layers::judge(&imported, other.as_ref(), options, &mut report, stage)?;
+    Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
 }
 
 /// Reads a map onto a shelf, and judges it by its tiles: what [`audit`] says of it, but for the numbers of records, and with the size

@@ -23,8 +23,6 @@ pub struct Options {
     pub accepted: Option<Accepted>,
     /// The column by which parts name their parents, if parents are to be made up by their parts.
     pub parent: Option<ParentColumn>,
-    /// The map is cut into so many tiles across, and as many upwards, which are judged one by one.
-    pub tiles: Option<u32>,
     /// Lengths in metres along geodesics.
     pub geodesic: bool,
     /// The properties that a mesh must have.
@@ -40,7 +38,6 @@ impl Default for Options {
             coverage: CoverageOptions::default(),
             accepted: None,
             parent: None,
-            tiles: None,
             geodesic: false,
             mesh: HalfEdgeMesh::expectation(),
         }

@@ -139,7 +139,6 @@ impl Audit {
             explain: self.explain,
             map: self.map.options(),
             coverage: self.coverage.options(),
-            tiles: self.tiles,
             geodesic: self.measured.is_geodesic(),
             mesh: self.mesh.expectation(),
         }

@@ -21,7 +21,9 @@ use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
-use twinedge_report::{Accepted, Audited, Counted, Division, InputKind, Judged, audit_against, audit_in_tiles};
+use twinedge_report::{
+    Accepted, Audited, Counted, Division, InMemory, InputKind, Judged, audit, audit_against, audit_in_tiles,
+};
 use write::{write, write_iso};
 
 impl Audit {
@@ -47,12 +49,18 @@ impl Audit {
         let accepted = self.accept.as_deref().map(accepted).transpose()?;
         let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
         let options = self.options(accepted.clone());
-        let audited = match self.memory {
-            Some(bytes) => {
+        let is_compared = other.is_some() || self.parent_column.is_some();
+        let audited = match (self.memory, self.tiles) {
+            (Some(bytes), _) => {
                 let mut shelf = OnDisk::new().map_err(named("--memory"))?;
                 busy(|stage| audit_in_tiles(input, &options, Division::Within(bytes), &mut shelf, stage))
             }
-            None => busy(|stage| audit_against(input, kind, other, &options, stage)),
+            (None, Some(across)) => {
+                let mut shelf = InMemory::default();
+                busy(|stage| audit_in_tiles(input, &options, Division::Across(across), &mut shelf, stage))
+            }
+            (None, None) if is_compared => busy(|stage| audit_against(input, other, &options, stage)),
+            (None, None) => busy(|stage| audit(input, kind, &options, stage)),
         };
         let mut audited = audited.map_err(named(&name))?;
         let judged: Option<Judged> = match counter {
