@@ -235,10 +235,11 @@ function addButtons() {
   });
 }
 
-addPointer();
-addKeys();
-addButtons();
+// Nothing can be asked before there is a structure.
 moduleOf(wasm()).then((module) => {
   structure = new Structure(new Engine(module));
+  addPointer();
+  addKeys();
+  addButtons();
   begin(stepInAddress());
 });
