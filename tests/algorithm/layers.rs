@@ -61,6 +61,19 @@ fn parts_that_make_up_their_parents_are_accepted() {
     assert_eq!(found(&counties()), [vec![], vec![]]);
 }
 
+/// Places that no part covers, on the left and on the right: the larger one comes first.
+#[test]
+fn findings_of_a_rule_come_by_size() {
+    for (end, areas) in [(0.25, [1.5, 1.0]), (0.75, [1.0, 0.5])] {
+        let mut shapes = counties();
+        shapes[0] = rectangle([0.0, end], [0.0, 2.0]);
+        shapes[3] = rectangle([3.0, 3.5], [0.0, 2.0]);
+        let [of_layers, _] = found(&shapes);
+        let uncovered = of_layers.iter().filter(|one| one.deviation == Deviation::OnlyThere);
+        assert_eq!(uncovered.map(|one| one.area).collect::<Vec<_>>(), areas);
+    }
+}
+
 /// The vertex (2, 0) of the parts 1 and 2 is moved to (2.5, 0): a triangle of area 0.5 changes sides, and the border of
 /// the parents runs along no border of the parts.
 #[test]
