@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use twinedge::geometry::Point;
 use twinedge::map::{BuildError, Feature};
 use twinedge::tile::{Cuts, Grid, Summary, Tile as Place, TileError};
-use twinedge_report::{Imported, InMemory, Keep, grid_of};
+use twinedge_report::{Imported, InMemory, Keep, grid_of, no_cuts};
 
 /// Make the summary of one tile of a map.
 ///
@@ -119,9 +119,8 @@ fn cuts<'f>(
     corners: Option<[Point; 2]>,
     features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),
 ) -> Result<Option<Cuts>, TileError> {
-    let largest = corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
     let all = Grid::EVERYTHING;
-    let mut cuts = Cuts::new(largest)?;
+    let mut cuts = no_cuts(corners)?;
     while !cuts.is_complete() {
         let found = cuts.search(&all, Place { column: 0, row: 0 }, features.clone());
         match found.and_then(|found| cuts.take([found])) {

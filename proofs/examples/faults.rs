@@ -74,12 +74,13 @@ enum End {
 }
 
 /// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 7] = [
+const TESTS: [(&str, &[&str], &str); 8] = [
     ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
     ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
     ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
     ("map", &["-p", "twinedge", "--test", "map"], "tests/map/main.rs"),
     ("algorithm", &["-p", "twinedge", "--test", "algorithm"], "tests/algorithm/main.rs"),
+    ("tile", &["-p", "twinedge", "--test", "tile"], "tests/tile/main.rs"),
     ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
     ("commands", &["-p", "twinedge-cli", "--test", "commands"], "tests/commands/main.rs"),
 ];
@@ -337,6 +338,7 @@ impl Check {
                 "commands",
             ],
             file if file.starts_with("src/algorithm/") => &["algorithm"],
+            file if file.starts_with("src/tile/") => &["tile"],
             _ => &["dcel", "program", "prove", "soak", "audited"],
         };
         near.iter().any(|name| self.name.split(' ').next() == Some(name))

@@ -64,7 +64,7 @@ impl Source {
         self.text.is_some()
     }
 
-    /// The name, for what is said of it.
+    /// The name by which messages call the layer.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }

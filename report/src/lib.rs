@@ -82,6 +82,6 @@ pub use options::Options;
 pub use parent_column::ParentColumn;
 pub use shelf::{InMemory, Shelf};
 pub use tables::EXPECT;
-pub use tiles::{Division, grid_of, merged};
+pub use tiles::{Division, grid_of, merged, no_cuts};
 pub use units::Units;
 pub use verdict::{Judged, Verdict};

@@ -19,7 +19,7 @@ use serde_json::{Map, Value, json, to_value};
 use twinedge::algorithm::coverage::{CoverageRule, Defect};
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
-use twinedge::map::{BuildSummary, Shape};
+use twinedge::map::{BuildError, BuildSummary, Shape};
 use twinedge::tile::{
     self, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
 };
@@ -57,8 +57,7 @@ pub(crate) fn audit(
         Division::Across(across) => grid_of(corners, [across; 2])?,
         Division::Within(bytes) => fitting(corners, shelf, bytes)?,
     };
-    let largest = corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
-    let cuts = Cuts::new(largest)?;
+    let cuts = no_cuts(corners)?;
     let columns = grid.size()[0] as usize;
     let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
     shelf.file(columns * grid.size()[1] as usize, &|feature| cuts.tiles_of(&grid, feature).map(number).collect())?;
@@ -172,6 +171,14 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
 fn size(grid: &Grid) -> Value {
     let [columns, rows] = grid.size();
     json!({ "columns": columns, "rows": rows })
+}
+
+/// No cuts yet, of a map in the box between two corners, or of nothing.
+///
+/// # Errors
+/// [`BuildError::OutOfReach`].
+pub fn no_cuts(corners: Option<[Point; 2]>) -> Result<Cuts, BuildError> {
+    Cuts::new(corners.iter().flatten().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs())))
 }
 
 /// The grid that divides the box between two corners, or around nothing.

@@ -223,6 +223,23 @@ fn points_lie_inside_one_feature() {
         assert_eq!((&one.features[..], one.others.len(), one.area), (&[point][..], others, 0.0));
     }
     assert_eq!(at(0.0, 0.0)[0].others, [other]);
+    // A point that cannot be on a map is not passed over.
+    for x in [f64::NAN, f64::INFINITY, 1e300] {
+        assert_eq!(at(x, 1.0).iter().map(|one| one.deviation).collect::<Vec<_>>(), [Deviation::NotInside], "{x}");
+    }
+}
+
+/// If all features are of the audited layer, the other one has none.
+#[test]
+fn more_features_than_there_are_may_be_audited() {
+    let map = built(&counties());
+    let all = map.features().count();
+    let kinds =
+        |audited: usize| check(&map, audited, &[]).expect("plane").iter().map(LayerFinding::rule).collect::<Vec<_>>();
+    assert!(kinds(all).contains(&LayerRule::Within));
+    assert_eq!(kinds(usize::MAX), kinds(all));
+    let both = pieces(&map, usize::MAX).expect("plane");
+    assert!(both.iter().all(|piece| piece.second.is_none()) && !both.is_empty());
 }
 
 #[test]

@@ -38,7 +38,7 @@ fn borders_with_different_vertices_break_only_c7() {
 
 #[test]
 fn a_corner_beside_the_side_of_a_neighbour_is_a_mismatch() {
-    // The fourth parcel has no vertex where the first two meet, and is told so of both.
+    // The fourth parcel lacks the vertex at which the first two meet. Each of these two makes a finding with it.
     let (found, others) = mismatched(&parcels());
     assert_eq!((lacked(&found), others), (vec![([10.0, 10.0], 3), ([10.0, 10.0], 3)], vec![]));
     let features: Vec<Vec<usize>> =

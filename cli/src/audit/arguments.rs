@@ -62,7 +62,7 @@ pub(crate) struct Audit {
 
     /// Write the measures of this standard instead of the report: what metadata of quality need. `-o` says the form, .xml (ISO/TS 19139) or .json;
     /// without it, XML.
-    #[arg(long, value_name = "STANDARD", value_parser = ["19157"], conflicts_with_all = ["format", "tiles"])]
+    #[arg(long, value_name = "STANDARD", value_parser = ["19157"], conflicts_with_all = ["format", "tiles", "memory"])]
     pub(super) iso: Option<String>,
 
     /// Accept the findings of C1 … C7 and X1 … X6 that are listed in this file, as long as they do not grow: with --coverage they break nothing. The report says which

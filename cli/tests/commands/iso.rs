@@ -149,3 +149,16 @@ fn the_xml_has_the_form_of_iso_19139() {
         assert_eq!(report, expected);
     }
 }
+
+/// Tiles do not count the rings that turn straight back, which two of the measures need.
+#[test]
+fn measures_are_not_taken_from_tiles() {
+    let folder = TempDir::new().unwrap();
+    let layer = fields(&folder);
+    for tiles in [["--tiles", "2"], ["--memory", "1G"]] {
+        let output = twinedge(&[&["audit", &layer, "--iso", "19157"], &tiles[..]].concat());
+        let text = String::from_utf8(output.stderr).unwrap();
+        let conflict = format!("'--iso <STANDARD>' cannot be used with '{}", tiles[0]);
+        assert!(output.status.code() == Some(2) && text.contains(&conflict), "{text}");
+    }
+}

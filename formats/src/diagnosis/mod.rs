@@ -107,7 +107,7 @@ pub enum Kind {
     },
 }
 
-/// The numbers of what a component has.
+/// The counts of a component of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Figures {

@@ -6,7 +6,7 @@ use super::split;
 use crate::algorithm::area::{Sum, face_area};
 use crate::algorithm::coverage::region::{connected, ends, segment_length};
 use crate::algorithm::coverage::{CoverageError, faces_by_feature};
-use crate::dcel::{Face, HalfEdge};
+use crate::dcel::{Face, HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::map::{FeatureId, Located, PlanarMap};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -71,6 +71,8 @@ struct Layers<'a> {
 
 impl<'a> Layers<'a> {
     fn new(map: &'a PlanarMap, audited: usize) -> Self {
+        // More features than there are may be named.
+        let audited = audited.min(map.features().count());
         let mut claims: Vec<[Vec<FeatureId>; 2]> = Vec::new();
         let mut is_area = vec![false; audited];
         for face in map.dcel().faces() {
@@ -204,14 +206,16 @@ impl<'a> Layers<'a> {
     fn not_inside(&self, (feature, point): (FeatureId, Point)) -> Option<LayerFinding> {
         let at = self.map.noding().map_or(point, |noding| noding.snapped(point));
         let dcel = self.map.dcel();
-        let faces: Vec<Face<'_>> = match self.map.locate(at).ok()? {
-            Located::Face(face) => dcel.face(face).into_iter().collect(),
-            Located::Edge(h) => dcel.half_edge(h).into_iter().flat_map(|h| [h.face(), h.twin().face()]).collect(),
-            Located::Vertex(v) => {
-                let vertex = dcel.vertex(v).ok()?;
-                let alone = vertex.isolated().map(|boundary| boundary.face());
-                vertex.rotation().map(HalfEdge::face).chain(alone).collect()
-            }
+        let around = |vertex: Vertex<'a>| -> Vec<Face<'a>> {
+            let alone = vertex.isolated().map(|boundary| boundary.face());
+            vertex.rotation().map(HalfEdge::face).chain(alone).collect()
+        };
+        let faces: Vec<Face<'_>> = match self.map.locate(at) {
+            Ok(Located::Face(face)) => dcel.face(face).into_iter().collect(),
+            Ok(Located::Edge(h)) => dcel.half_edge(h).into_iter().flat_map(|h| [h.face(), h.twin().face()]).collect(),
+            Ok(Located::Vertex(v)) => dcel.vertex(v).into_iter().flat_map(around).collect(),
+            // A point that cannot be on the map lies inside of nothing.
+            Err(_) => Vec::new(),
         };
         let first = faces.first().map(|face| self.there(*face)).unwrap_or_default();
         if first.iter().any(|one| faces.iter().all(|face| self.there(*face).contains(one))) {

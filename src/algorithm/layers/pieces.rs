@@ -21,7 +21,7 @@ pub struct Piece {
 /// Returns the pieces of two layers on one map. The first `count` features of the map are those of the first layer. Pieces come in order of the
 /// features of the first layer and then of the other; those without come last.
 ///
-/// Where features of one layer overlap, a face belongs to a piece of each. O(faces + p log p), for p pairs of a face and its features of both layers.
+/// A face that two features of one layer cover is in a piece of each of them. O(faces + p log p) for p pairs of a face and a piece that has it.
 ///
 /// ```
 /// use twinedge::algorithm::layers::pieces;

@@ -33,22 +33,34 @@ impl BuildSummary {
             BuildError::OutOfRange { position, x, y } => BuildError::OutOfRange { position: of_map(position), x, y },
             other => other,
         })?;
-        let one = builder.summary();
-        for irregularity in &one.irregularities {
+        // All are named, so that none is forgotten.
+        let BuildSummary {
+            features,
+            segments,
+            duplicate_segments,
+            zero_length_segments,
+            open_rings,
+            degenerate_rings,
+            rings_wound_wrongly,
+            self_touching_rings,
+            spikes,
+            irregularities,
+        } = builder.summary();
+        for irregularity in irregularities {
             let is_like = |other: &&Irregularity| other.kind == irregularity.kind;
             if self.irregularities.iter().filter(is_like).count() < Self::LISTED {
                 self.irregularities.push(Irregularity { position: of_map(irregularity.position), ..*irregularity });
             }
         }
-        self.features += 1;
-        self.segments += one.segments;
-        self.duplicate_segments += one.duplicate_segments;
-        self.zero_length_segments += one.zero_length_segments;
-        self.open_rings += one.open_rings;
-        self.degenerate_rings += one.degenerate_rings;
-        self.rings_wound_wrongly += one.rings_wound_wrongly;
-        self.self_touching_rings += one.self_touching_rings;
-        self.spikes += one.spikes;
+        self.features += features;
+        self.segments += segments;
+        self.duplicate_segments += duplicate_segments;
+        self.zero_length_segments += zero_length_segments;
+        self.open_rings += open_rings;
+        self.degenerate_rings += degenerate_rings;
+        self.rings_wound_wrongly += rings_wound_wrongly;
+        self.self_touching_rings += self_touching_rings;
+        self.spikes += spikes;
         Ok(())
     }
 }
