@@ -2,7 +2,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict.
-From twinedge Require Import ExpectationsFaceless ExpectationsParts ExpectationsFaces.
+From twinedge Require Import ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -77,6 +77,28 @@ Definition triangle := mesh [:: 0; 1; 2]
 
 Example triangle_open : rules_of with_border triangle /\ first_broken_of surface triangle = Some (Basic R1).
 Proof. by split; [apply/first_broken_of_none|]; vm_compute. Qed.
+
+(** It is a rotation system of which one cycle is missing, and it lies in the plane. *)
+Example triangle_plane : rules_of (open_on true) triangle /\ is_open_map true (answers triangle) /\
+  open_faces (answers triangle) (says_face triangle) (says_outer_half_edge triangle).
+Proof.
+have H : rules_of (open_on true) triangle by apply/first_broken_of_none; vm_compute.
+by split=> //; exact: ((open_named (on := true) _ false false _ _ _ (erefl : false && true = false)).1 H).
+Qed.
+
+(** Two such triangles with one vertex in common are refused: the cycles that are missing would meet there. *)
+Definition bow_tie := mesh [:: 0; 1; 2; 4; 5]
+  [:: HalfEdgeRow #0 'nil #1 #2 'nil; HalfEdgeRow #1 'nil #2 #0 'nil; HalfEdgeRow #2 'nil #0 #1 'nil;
+      HalfEdgeRow #0 'nil #4 #5 'nil; HalfEdgeRow #3 'nil #5 #3 'nil; HalfEdgeRow #4 'nil #3 #4 'nil] [:: #0; #0; #0; #1; #1; #1] [:: 0; 3].
+
+Example bow_tie_meets : first_broken_of with_border bow_tie = Some (Basic V2) /\
+  ~ exists r missing, @represents_without (answers bow_tie) r missing.
+Proof.
+have E : first_broken_of with_border bow_tie = Some (Basic V2) by vm_compute.
+split=> // R; have [no _] := (first_broken_of_some _ _ _).1 E; apply: no.
+have keeps := (open_rules_mean_missing (answers bow_tie)).2 R.
+exact: (@open_v2 (answers bow_tie) false false false false (says_face bow_tie) (says_outer_half_edge bow_tie) (says_inner_start bow_tie) true false keeps).
+Qed.
 
 (** It is a disc of triangles: one component, one border loop, and genus 0; and it is not closed. *)
 Example triangle_is_disc :

@@ -4,7 +4,7 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near Merge.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -103,6 +103,35 @@ Check filled_recorded_plane : forall v prev_stored leaving_stored places unbound
   let s := Structure v (Parts prev_stored leaving_stored true true places false unbounded) sf so si in
   rules_of Expectations.plane s <->
   is_plane (answers (filled Expectations.plane s)) /\ surface_with_faces (answers (filled Expectations.plane s)) true.
+
+(** If open boundaries are legal, they mean a rotation system from which some cycles may be missing, which do not meet; the structure
+    stores the rest. Each cycle that is there has a face of its own, or none, and one that has a half-edge without twin has a face. *)
+
+Check open_rules_mean_missing : forall t, open_rules t <-> exists r missing, @represents_without t r missing.
+
+Check open_faceless : forall on t records places holes unbounded sf so si,
+  rules_of (open_on on) (Structure t (Parts true true false records places holes unbounded) sf so si) <-> is_open_map on t.
+
+Check open_named : forall on t places holes unbounded sf so si, holes && on = false ->
+  rules_of (open_on on) (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  is_open_map on t /\ open_faces t sf so.
+
+Check open_recorded : forall on t places holes unbounded sf so si, holes && on = false ->
+  rules_of (open_on on) (Structure t (Parts true true true true places holes unbounded) sf so si) <->
+  is_open_map on t /\ open_boundaries t places.
+
+Check filled_open_faceless : forall on v prev_stored leaving_stored places holes unbounded sf so si records,
+  let s := Structure v (Parts prev_stored leaving_stored false records places holes unbounded) sf so si in
+  rules_of (open_on on) s <-> is_open_map on (answers (filled (open_on on) s)).
+
+Check filled_open_named : forall on v prev_stored leaving_stored places holes unbounded sf so si, holes && on = false ->
+  let s := Structure v (Parts prev_stored leaving_stored true false places holes unbounded) sf so si in
+  rules_of (open_on on) s <-> is_open_map on (answers (filled (open_on on) s)) /\ open_faces v sf so.
+
+Check filled_open_recorded : forall on v prev_stored leaving_stored places holes unbounded sf so si, holes && on = false ->
+  let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
+  rules_of (open_on on) s <->
+  is_open_map on (answers (filled (open_on on) s)) /\ open_boundaries (answers (filled (open_on on) s)) true.
 
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
