@@ -48,6 +48,10 @@ mod losses;
 mod model;
 #[cfg(any(feature = "geojson", feature = "topojson"))]
 mod names;
+#[cfg(any(feature = "osm", feature = "shapefile"))]
+mod nesting;
+#[cfg(feature = "osm")]
+pub mod osm;
 mod overlay;
 mod read;
 #[cfg(feature = "shapefile")]

@@ -1,0 +1,287 @@
+//! A layer of boundaries, and what is wrong with the relations that make it.
+
+use super::elements::{Elements, OsmError, Relation, Role};
+use super::filter::TagFilter;
+use super::finding::{Findings, Found, Kind};
+use super::rings::{Piece, around, open_ends, rings};
+use crate::diagnosis::{Diagnosis, FeatureName, RuleLine};
+use crate::layer::nesting::{Extent, area, direction, lies_in};
+use crate::layer::{Crs, Dimensions, Feature, Geometry, Header, Id, Layer, Line, Position, Shape, Value};
+use rustc_hash::FxHashSet;
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+use std::path::Path;
+use twinedge::geometry::Point;
+
+/// The boundaries of a file.
+#[derive(Clone, Debug)]
+pub struct Boundaries {
+    /// A feature for each relation, in the order of their ids, with its tags as attributes. Its polygons are what its closed rings enclose,
+    /// whatever their roles.
+    pub layer: Layer,
+    /// The outcome of O1 … O5.
+    pub rules: Vec<RuleLine>,
+    /// The violations that were kept, in the order of the rules.
+    pub findings: Vec<Diagnosis>,
+}
+
+/// Reads the relations of the types `boundary` and `multipolygon` that are asked for, from a file `.osm.pbf`. Up to `limit` violations of each rule are
+/// kept; all are counted.
+///
+/// O(file) for each of three passes by all threads, and O(r²) for r rings of a relation whose boxes lie in each other. Memory O(nodes of what is asked for).
+///
+/// # Errors
+/// [`OsmError`].
+pub fn read(path: &Path, filter: &TagFilter, limit: usize) -> Result<Boundaries, OsmError> {
+    let elements = Elements::read(path, filter)?;
+    let mut made = Making { elements: &elements, findings: Findings::new(limit), sides: BTreeMap::new() };
+    let features = elements.relations.iter().enumerate().map(|(number, relation)| made.feature(number, relation));
+    let features: Vec<Feature> = features.collect();
+    made.same_sides();
+    let rules = made.findings.rules();
+    let mut findings = made.findings.kept;
+    findings.sort_by_key(|one| one.rule);
+    let header = Header { name: Some(filter.to_string()), crs: Some(Crs::epsg(4326)), ..Header::default() };
+    Ok(Boundaries { layer: Layer { header, features }, rules, findings })
+}
+
+struct Making<'a> {
+    elements: &'a Elements,
+    findings: Findings,
+    /// The relations on each side of a way: true for the left one.
+    sides: BTreeMap<(i64, bool), Vec<usize>>,
+}
+
+/// A ring with its place among the others of its relation.
+struct Placed {
+    line: Line,
+    /// The number of rings around it.
+    depth: usize,
+    /// The smallest ring around it.
+    parent: Option<usize>,
+}
+
+impl<'a> Making<'a> {
+    fn feature(&mut self, number: usize, relation: &Relation) -> Feature {
+        let pieces = self.pieces(number, relation);
+        self.findings.checked[1] += 1;
+        let open = open_ends(&pieces);
+        if !open.is_empty() {
+            let is_complete = pieces.len() == relation.members.len();
+            let places = open.iter().filter_map(|node| self.place(*node)).collect();
+            self.findings.add(Kind::OPEN, || Found {
+                message: format!("the ways of {} do not close: {} of them end alone", said(relation), open.len()),
+                records: open.iter().map(|node| format!("node {node}")).collect(),
+                places,
+                follows_from: (!is_complete).then_some("O1"),
+                ..Found::of([named(number, relation)])
+            });
+        }
+        let rings = rings(&pieces);
+        let placed = placed(rings.iter().map(|ring| self.line(&around(ring, &pieces))).collect());
+        self.findings.checked[4] += placed.len() as u64;
+        for (ring, place) in rings.iter().zip(&placed) {
+            self.role(number, relation, ring.iter().map(|(piece, _)| pieces[*piece]), place);
+            let is_outer = place.depth.is_multiple_of(2);
+            let inside_is_left = match direction(&place.line) {
+                Ordering::Equal => continue,
+                turns => (turns == Ordering::Greater) == is_outer,
+            };
+            for (piece, is_forward) in ring {
+                let side = (pieces[*piece].way, *is_forward == inside_is_left);
+                self.sides.entry(side).or_default().push(number);
+            }
+        }
+        let attributes = relation.tags.iter().map(|(key, value)| (key.as_str().into(), Value::Text(value.clone())));
+        Feature {
+            id: Some(Id::Text(id(relation))),
+            attributes: attributes.collect(),
+            geometry: geometry(placed),
+            ..Feature::default()
+        }
+    }
+
+    /// The members that can be used: O1 and O3.
+    fn pieces(&mut self, number: usize, relation: &Relation) -> Vec<Piece<'a>> {
+        let elements = self.elements;
+        let mut seen = FxHashSet::default();
+        let mut pieces = Vec::new();
+        for member in &relation.members {
+            for rule in [0, 2] {
+                self.findings.checked[rule] += 1;
+            }
+            let of_member = |message: String| Found {
+                message,
+                records: vec![format!("way {}", member.way)],
+                ..Found::of([named(number, relation)])
+            };
+            let Some(nodes) = elements.ways.get(&member.way).filter(|nodes| nodes.len() > 1) else {
+                let message = || format!("way {} of {} is not in the file", member.way, said(relation));
+                self.findings.add(Kind::WAY_MISSING, || of_member(message()));
+                continue;
+            };
+            if let Some(node) = nodes.iter().find(|node| !elements.nodes.contains_key(node)) {
+                let message = || {
+                    format!("node {node} of way {}, a member of {}, is not in the file", member.way, said(relation))
+                };
+                self.findings.add(Kind::NODE_MISSING, || of_member(message()));
+                continue;
+            }
+            if !seen.insert(member.way) {
+                let message = || format!("way {} is a member of {} more than once", member.way, said(relation));
+                let line = self.points(nodes);
+                self.findings.add(Kind::REPEATED, || Found {
+                    places: line.first().copied().into_iter().collect(),
+                    lines: vec![line],
+                    ..of_member(message())
+                });
+                continue;
+            }
+            pieces.push(Piece { way: member.way, role: member.role, nodes });
+        }
+        pieces
+    }
+
+    /// O5.
+    fn role<'p>(&mut self, number: usize, relation: &Relation, ring: impl Iterator<Item = Piece<'p>>, place: &Placed) {
+        let is_outer = place.depth.is_multiple_of(2);
+        let (wrong, what) = if is_outer { (Role::Inner, "an outer ring") } else { (Role::Outer, "a hole") };
+        let ways: Vec<i64> = ring.filter(|piece| piece.role == wrong).map(|piece| piece.way).collect();
+        let Some(first) = ways.first() else { return };
+        self.findings.add(Kind::ROLE, || {
+            let line: Vec<_> = place.line.iter().map(|p| [p.x, p.y]).collect();
+            let role = if is_outer { "inner" } else { "outer" };
+            let others = match ways.len() - 1 {
+                0 => String::new(),
+                n => format!(" and {n} more"),
+            };
+            Found {
+                message: format!("way {first}{others} of {what} of {} has the role {role}", said(relation)),
+                records: ways.iter().map(|way| format!("way {way}")).collect(),
+                places: line.first().copied().into_iter().collect(),
+                lines: vec![line],
+                ..Found::of([named(number, relation)])
+            }
+        });
+    }
+
+    /// O4: one finding for each pair of relations.
+    fn same_sides(&mut self) {
+        let mut pairs: BTreeMap<[usize; 2], Vec<i64>> = BTreeMap::new();
+        for ((way, _), numbers) in &self.sides {
+            for pair in numbers.windows(2) {
+                pairs.entry([pair[0], pair[1]]).or_default().push(*way);
+            }
+        }
+        self.findings.checked[3] = self.sides.len() as u64;
+        let elements = self.elements;
+        for (pair, ways) in pairs {
+            let lines: Vec<_> =
+                ways.iter().filter_map(|way| elements.ways.get(way)).map(|nodes| self.points(nodes)).collect();
+            self.findings.add(Kind::SAME_SIDE, || {
+                let [first, second] = pair.map(|number| &elements.relations[number]);
+                let along = match &ways[..] {
+                    [way] => format!("way {way}"),
+                    ways => format!("{} ways", ways.len()),
+                };
+                Found {
+                    message: format!("{} and {} lie on the same side of {along}", said(first), said(second)),
+                    records: ways.iter().map(|way| format!("way {way}")).collect(),
+                    places: lines.iter().filter_map(|line| line.get(line.len() / 2)).copied().collect(),
+                    lines,
+                    ..Found::of(pair.map(|number| named(number, &elements.relations[number])))
+                }
+            });
+        }
+    }
+
+    fn place(&self, node: i64) -> Option<[f64; 2]> {
+        self.elements.nodes.get(&node).map(|Point { x, y }| [*x, *y])
+    }
+
+    fn points(&self, nodes: &[i64]) -> Vec<[f64; 2]> {
+        nodes.iter().filter_map(|node| self.place(*node)).collect()
+    }
+
+    fn line(&self, nodes: &[i64]) -> Line {
+        self.points(nodes).into_iter().map(|[x, y]| Position::new(x, y)).collect()
+    }
+}
+
+/// The place of each ring among the others.
+fn placed(lines: Vec<Line>) -> Vec<Placed> {
+    let extents: Vec<(Extent, f64)> = lines.iter().map(|line| (Extent::of(line), area(line).abs())).collect();
+    let around = |inner: usize| {
+        let (extent, of_inner) = &extents[inner];
+        let is_larger = |outer: usize| {
+            extents[outer].1.total_cmp(of_inner).then(inner.cmp(&outer)) == Ordering::Greater
+        };
+        (0..lines.len())
+            .filter(|outer| *outer != inner && extents[*outer].0.contains(extent) && is_larger(*outer))
+            .filter(|outer| lies_in(&lines[inner], &lines[*outer]))
+            .collect::<Vec<_>>()
+    };
+    let places: Vec<(usize, Option<usize>)> = (0..lines.len())
+        .map(|ring| {
+            let around = around(ring);
+            let smallest = around.iter().copied().min_by(|a, b| extents[*a].1.total_cmp(&extents[*b].1));
+            (around.len(), smallest)
+        })
+        .collect();
+    let place = |(line, (depth, parent))| Placed { line, depth, parent };
+    lines.into_iter().zip(places).map(place).collect()
+}
+
+/// The polygons: an outer ring each, counter-clockwise, with the holes right inside of it, clockwise.
+fn geometry(placed: Vec<Placed>) -> Option<Geometry> {
+    let mut polygons: BTreeMap<usize, Vec<Line>> = BTreeMap::new();
+    for (number, ring) in placed.iter().enumerate().filter(|(_, ring)| ring.depth.is_multiple_of(2)) {
+        polygons.insert(number, vec![turned(ring.line.clone(), Ordering::Greater)]);
+    }
+    for ring in placed {
+        if !ring.depth.is_multiple_of(2)
+            && let Some(polygon) = ring.parent.and_then(|parent| polygons.get_mut(&parent))
+        {
+            polygon.push(turned(ring.line, Ordering::Less));
+        }
+    }
+    let mut polygons: Vec<Vec<Line>> = polygons.into_values().collect();
+    let shape = match polygons.len() {
+        0 => return None,
+        1 => Shape::Polygon(polygons.remove(0)),
+        _ => Shape::MultiPolygon(polygons),
+    };
+    Some(Geometry::new(Dimensions::Xy, shape))
+}
+
+fn turned(mut ring: Line, way: Ordering) -> Line {
+    if direction(&ring) == way.reverse() {
+        ring.reverse();
+    }
+    ring
+}
+
+/// As other programs write it.
+fn id(relation: &Relation) -> String {
+    format!("relation/{}", relation.id)
+}
+
+fn name(relation: &Relation) -> Option<&str> {
+    relation.tags.iter().find(|(key, _)| key == "name").map(|(_, name)| name.as_str())
+}
+
+/// The relation in a sentence.
+fn said(relation: &Relation) -> String {
+    let id = id(relation);
+    name(relation).map_or_else(|| id.clone(), |name| format!("{} ({id})", plain(name)))
+}
+
+fn named(number: usize, relation: &Relation) -> FeatureName {
+    let id = id(relation);
+    FeatureName { number, label: said(relation), name: name(relation).map(str::to_owned), id: Some(id) }
+}
+
+/// Fit for a terminal.
+fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
