@@ -5,6 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -132,6 +133,50 @@ Check filled_open_recorded : forall on v prev_stored leaving_stored places holes
   let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
   rules_of (open_on on) s <->
   is_open_map on (answers (filled (open_on on) s)) /\ open_boundaries (answers (filled (open_on on) s)) true.
+
+(** If lists of inner boundary components are stored, in the plane, the faces are nested, too: open, and closed. *)
+
+Check open_holes_named : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true false places true unbounded) sf so si in
+  rules_of (open_on true) s <-> is_open_map true t /\ faces_nested (open_on true) s.
+
+Check open_holes_recorded : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true true places true unbounded) sf so si in
+  rules_of (open_on true) s <-> [/\ is_open_map true t, faces_nested (open_on true) s & nested_records t places].
+
+Check filled_open_holes_named : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places true unbounded) sf so si in let u := filled (open_on true) s in
+  rules_of (open_on true) s <-> is_open_map true (answers u) /\ faces_nested (open_on true) u.
+
+Check filled_open_holes_recorded : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled (open_on true) s in
+  rules_of (open_on true) s <-> [/\ is_open_map true (answers u), faces_nested (open_on true) u & nested_records (answers u) true].
+
+Check holes_named : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true false places true unbounded) sf so si in
+  rules_of Expectations.plane s <->
+  [/\ is_plane t, faces_nested Expectations.plane s & forall h, half_edge t h -> face_of Expectations.plane s h <> None].
+
+Check holes_recorded : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true true places true unbounded) sf so si in
+  rules_of Expectations.plane s <-> [/\ is_plane t, faces_nested Expectations.plane s, nested_records t places
+    & forall h, half_edge t h -> boundary_of t h <> None].
+
+Check filled_holes_named : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places true unbounded) sf so si in let u := filled Expectations.plane s in
+  rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u
+    & forall h, half_edge (answers u) h -> face_of Expectations.plane u h <> None].
+
+Check filled_holes_recorded : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled Expectations.plane s in
+  rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u, nested_records (answers u) true
+    & forall h, half_edge (answers u) h -> boundary_of (answers u) h <> None].
+
+(** A closed structure is an open one in which each half-edge has a twin and, if faces are stored, a face. *)
+
+Check closed_rules : forall t on faces records places holes unbounded sf so si,
+  let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
+  rules_of (closed_on on) s <-> rules_of (open_on on) s /\ no_border t on faces records places holes unbounded sf so si.
 
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
