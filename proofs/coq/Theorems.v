@@ -5,7 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
-From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed NearWalks NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -211,6 +211,44 @@ Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next 
   b1_cycle t <-> one_cycle_each t /\ forall b, boundary t b ->
     (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
     forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
+
+(** Walks in step find whether members are on one orbit: what they find is so, and what is so they find, in as many steps as there
+    are half-edges. So they decide V2 and B1 after a change, together with the question whether a member was there before. *)
+
+Check on_one_sound : forall (T : eqType) (step : T -> option T) (members : seq T) limit, on_one step members limit -> uniq members ->
+  forall g h, g \in members -> h \in members -> exists2 m, m \in members & NearWalks.leads step m g /\ NearWalks.leads step m h.
+
+Check on_one_complete : forall (T : finType) (F : T -> T) (members : seq T), injective F -> uniq members ->
+  (forall g h, g \in members -> h \in members -> fconnect F g h) ->
+  forall limit, #|T| <= limit -> on_one (fun x => Some (F x)) members limit.
+
+Check near_rotations_walked : forall t t', Map.is_map t' -> forall limit (ms : nat -> seq nat),
+  Map.is_map t -> v2_rotation t -> half_edge_slots t' <= limit ->
+  let member := Near.member (half_edge t) (half_edge t') (View.turn t) (View.turn t') (origin t) (origin t') in
+  (forall v, uniq (ms v) /\ forall h, h \in ms v <-> member h /\ origin t' h = Some v) ->
+  v2_rotation t' <-> (forall v, on_one (View.turn t') (ms v) limit) /\
+    joins t t' (View.turn t) (View.turn t') (origin t) (origin t').
+
+Check near_cycles_walked : forall t t', Map.is_map t' -> forall limit (ms : nat -> seq nat),
+  Map.is_map t -> one_cycle_each t -> (forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h) ->
+  half_edge_slots t' <= limit ->
+  let member := Near.member (half_edge t) (half_edge t') (next t) (next t') (boundary_of t) (boundary_of t') in
+  (forall b, uniq (ms b) /\ forall h, h \in ms b <-> member h /\ boundary_of t' h = Some b) ->
+  one_cycle_each t' <-> (forall b, on_one (next t') (ms b) limit) /\ joins t t' (next t) (next t') (boundary_of t) (boundary_of t').
+
+(** The sum V - E + F = 1 + I says that there are as many inner boundary components as components, less the handles. If each
+    component has one at least, that is T1 and T3. *)
+
+Check sum_says : forall t, holds_before t T1 -> forall vs es fs cs bs : seq nat,
+  lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> lists fs (face t) ->
+  lists_one_of_each cs (connected t) (vertex t) -> lists bs (Rules.is_inner t) ->
+  exists g, (g = 0 <-> t3_euler t) /\ (size vs + size fs = 1 + size bs + size es <-> size bs + g = size cs).
+
+Check sum_enough : forall t, holds_before t T1 -> forall vs es fs cs bs : seq nat,
+  lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> lists fs (face t) ->
+  lists_one_of_each cs (connected t) (vertex t) -> lists bs (Rules.is_inner t) ->
+  (forall v, vertex t v -> exists b, outside_of t v b) ->
+  size vs + size fs = 1 + size bs + size es <-> t1_outside t /\ t3_euler t.
 
 (** F2 is a count of each list, if each entry says so itself. *)
 
