@@ -130,6 +130,13 @@ Definition open_rules :=
 Lemma iter_nil (f : nat -> link) k : iter k (obind f) None = None.
 Proof. by elim: k => //= k ->. Qed.
 
+Lemma orbit_reversed (f b : nat -> link) : (forall i j, f i = Some j -> b j = Some i) -> forall i j, on_orbit f i j -> on_orbit b j i.
+Proof.
+move=> undo i j [n]; elim: n j => [|n IH] j; first by case=> ->; exists 0.
+rewrite iterS; case E: (iter n _ _) => [k|] // kj; have [m M] := IH k E.
+by exists m.+1; rewrite iterSr /= (undo k j kj).
+Qed.
+
 (** A walk along a function that can be undone ends where nothing came before its start. *)
 Lemma walk_ends n (f b : nat -> link) x : (forall i j, f i = Some j -> b j = Some i) -> b x = None ->
   (forall k i, iter k (obind f) (Some x) = Some i -> i < n) ->
@@ -186,13 +193,7 @@ by case P: (prev t h) => [k|] //= /twin_back ->; apply: prev_next.
 Qed.
 
 Lemma orbit_undone g h : on_orbit turn_other g h <-> on_orbit (turn t) h g.
-Proof.
-have one (f b : nat -> link) : (forall i j, f i = Some j -> b j = Some i) -> forall i j, on_orbit f i j -> on_orbit b j i.
-  move=> undo i j [n]; elim: n j => [|n IH] j; first by case=> ->; exists 0.
-  rewrite iterS; case E: (iter n _ _) => [k|] // kj; have [m M] := IH k E.
-  by exists m.+1; rewrite iterSr /= (undo k j kj).
-by split; apply: one => i j /turn_undone.
-Qed.
+Proof. by split; apply: orbit_reversed => i j /turn_undone. Qed.
 
 Lemma turn_lacks h : lacks_twin h -> turn t h = None.
 Proof. by case/lacks_twinP=> _; rewrite /turn => ->. Qed.

@@ -3,6 +3,7 @@
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Table RotationSystem Expectations ExpectationsCheck ExpectationsVerdict.
 From twinedge Require Import ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -136,4 +137,46 @@ Example two_triangles_plane : rules_of plane two_triangles /\ is_plane (answers 
 Proof.
 have H : rules_of plane two_triangles by apply/first_broken_of_none; vm_compute.
 split=> //; exact: ((named_faces_plane _ false false _ _ _).1 H).1.
+Qed.
+
+(** ** A loop with an isolated vertex inside, without records for boundary components
+
+<<
+        ┌──◄──h0──┐          the unbounded face 0 lists, inside, the cycle of h0
+        │    ·1   │          the face 1 has the cycle of h1 as its outer one, and lists the vertex 1 inside
+        └──0──────┘
+>>
+*)
+
+Definition loop_of_faces (sides : seq link) (outers : seq link) (inners : seq (seq start)) (unbounded : bool) := {|
+  answers := view_of {|
+    vertex_rows := [:: Some (VertexRow #0 'nil); Some (VertexRow 'nil 'nil)];
+    half_edge_rows := [:: Some (HalfEdgeRow #0 #1 #0 #0 'nil); Some (HalfEdgeRow #0 #0 #1 #1 'nil)];
+    boundary_rows := [::];
+    face_rows := [seq Some (FaceRow None [seq None | _ <- l]) | l <- inners] |};
+  stored := Parts true true true false false true unbounded;
+  says_face := nth None sides;
+  says_outer_half_edge := nth None outers;
+  says_inner_start := fun f i => nth None (map Some (nth [::] inners f)) i
+|}.
+
+Definition point_in_loop := loop_of_faces [:: #0; #1] [:: 'nil; #1] [:: [:: AtHalfEdge 0]; [:: AtVertex 1]] true.
+
+Example point_in_loop_nested : rules_of plane point_in_loop /\ is_plane (answers point_in_loop) /\ faces_nested plane point_in_loop.
+Proof.
+have H : rules_of plane point_in_loop by apply/first_broken_of_none; vm_compute.
+by split=> //; have [] := (holes_named _ false true _ _ _).1 H.
+Qed.
+
+(** Without an unbounded face: the loop bounds two faces, and the vertex lies in neither of them. *)
+Example point_nowhere : rules_of plane (loop_of_faces [:: #0; #1] [:: #0; #1] [:: [::]; [::]] false).
+Proof. by apply/first_broken_of_none; vm_compute. Qed.
+
+(** A loop that lies in the face that it bounds is not nested. *)
+Definition loop_inside_itself := loop_of_faces [:: #0; #0] [:: #1] [:: [:: AtHalfEdge 0]] false.
+
+Example loop_not_nested : first_broken_of plane loop_inside_itself = Some (Basic T2) /\ ~ faces_nested plane loop_inside_itself.
+Proof.
+split; [by vm_compute|case=> _ _ _ _ _ _ [depth [same deeper]]].
+by have := deeper 0 0 0 0 erefl erefl; rewrite ltnn.
 Qed.

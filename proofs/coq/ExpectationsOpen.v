@@ -65,17 +65,26 @@ move=> T; apply/(open_t3 on faces records places holes unbounded sf so si keeps)
 exact: (@all_t3 w on false false false sf so si false rotations T).
 Qed.
 
-Lemma open_all_t4 (key : nat -> nat) : t3_euler (flat w) ->
-  (forall f, face (seen e s) f -> exists2 h, half_edge t h & forall y, half_edge t y -> on_cycle t h y -> key y = f) -> t4 e s.
+(** T4: if there is more than one face, there are no more faces than cycles of the whole. *)
+Lemma open_t4_if : t3_euler (flat w) ->
+  (forall fs, lists fs (face (seen e s)) -> size fs <= maxn 1 (size (cycles (flat w)))) -> t4 e s.
 Proof.
-move=> T named _ sim vs es fs Hv He Hf V3.
+move=> T few _ sim vs es fs Hv He Hf V3.
 have plain : simple (flat w).
   by apply: (@same_simple (flat w) sf so si); exact: (open_simple keeps sim).
 split.
   apply: (edges_bound low T plain Hv _ V3); apply: (least_edges_each low).
   by apply: (lists_iff _ He) => h; exact: (least_edges_whole t h).
-apply: leq_trans (cycles_bound low T plain Hv V3); rewrite leq_add2r -[X in _ <= X](size_map key).
-have [u mem] := Hf; have [_ live _ each] := cycles_each low; apply: uniq_leq_size => // f /mem lf.
+have := few fs Hf; rewrite leq_max => /orP[le|le].
+  by apply: leq_trans (leq_mul (leqnn 2) V3); rewrite -[2 * 3]/(1 + 5) (leq_add le).
+by apply: leq_trans (cycles_bound low T plain Hv V3); rewrite leq_add2r.
+Qed.
+
+Lemma open_all_t4 (key : nat -> nat) : t3_euler (flat w) ->
+  (forall f, face (seen e s) f -> exists2 h, half_edge t h & forall y, half_edge t y -> on_cycle t h y -> key y = f) -> t4 e s.
+Proof.
+move=> T named; apply: open_t4_if T _ => fs Hf; rewrite leq_max -[X in _ || (_ <= X)](size_map key).
+have [u mem] := Hf; have [_ live _ each] := cycles_each low; apply/orP; right; apply: uniq_leq_size => // f /mem lf.
 have [h lh K] := named f lf; have lw : half_edge w h := live_old lh.
 have [y yc c] := each h lw; have lyw : half_edge w y := live y yc; apply/mapP; exists y => //.
 have hy : on_cycle w h y := cycle_sym (whole_map keeps) lyw lw c.
