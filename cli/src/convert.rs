@@ -4,11 +4,12 @@ use crate::input::LayerFile;
 use crate::output::style::BAD;
 use crate::output::{counted, plain, print, print_bytes};
 use crate::output_file::{write_file, write_files};
-use crate::status::{Failure, Verdict};
+use crate::status::{Failure, Verdict, named};
 use same_file::is_same_file;
 use std::borrow::Cow;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use twinedge_formats::layer::osm::{self, TagFilter};
 use twinedge_formats::layer::{Format, Layer, Loss, WriteError, files, losses, refuse_losses, write, write_path};
 use twinedge_report::clean::Written;
 
@@ -20,6 +21,7 @@ use twinedge_report::clean::Written;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge convert counties.shp -o counties.geojson
+  twinedge convert luxembourg.osm.pbf --boundaries admin_level=6 -o cantons.gpkg
   twinedge convert cadastre.gpkg --layer parcels -o parcels.shp --id-column parcel
   twinedge convert parcels.geojson -o - --to wkt | head
 
@@ -27,6 +29,10 @@ Exit status: 0 it is written; 2 it could not be read, or cannot be written witho
 pub(crate) struct Convert {
     #[command(flatten)]
     input: LayerFile,
+
+    /// The input is a file of `OpenStreetMap`, .osm.pbf: take the boundaries with these tags, KEY=VALUE or KEY, separated by commas.
+    #[arg(long, value_name = "TAGS", conflicts_with = "layer")]
+    boundaries: Option<TagFilter>,
 
     #[command(flatten)]
     output: LayerOutput,
@@ -197,12 +203,30 @@ impl Convert {
         if !self.output.is_given() {
             return Err(Failure("no file to write was given: -o FILE".to_owned()));
         }
-        let (name, layer) = self.input.read()?;
+        let (name, layer) = match &self.boundaries {
+            Some(tags) => self.boundaries(tags)?,
+            None => self.input.read()?,
+        };
         let written = self.output.write(&layer, self.input.path())?;
         if let Some(Written { name: to, format }) = written.filter(|_| !self.output.is_stdout()) {
             let count = counted(layer.features.len(), "feature");
             print(&format!("{}: {count} written to {} ({format})\n", plain(&name), plain(&to)))?;
         }
         Ok(Verdict::Sound)
+    }
+
+    /// Reads boundaries, and warns if what is wrong with their relations makes polygons wrong.
+    fn boundaries(&self, tags: &TagFilter) -> Result<(String, Layer), Failure> {
+        let path = self.input.path();
+        let path = path.ok_or_else(|| Failure("--boundaries: a file .osm.pbf is needed".to_owned()))?;
+        let name = path.display().to_string();
+        let found = osm::read(path, tags, 0).map_err(named(&name))?;
+        if found.violation_count() > 0 {
+            let count = counted(found.violation_count() as usize, "fault");
+            anstream::eprintln!(
+                "{BAD}warning{BAD:#}: the relations have {count}, which `twinedge audit --boundaries` lists"
+            );
+        }
+        Ok((name, found.layer))
     }
 }

@@ -20,6 +20,8 @@ use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, tiles, topology};
 use twinedge::io::tables::Textbook;
 use twinedge::tile::Summary;
+use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
+use twinedge_formats::layer::Layer;
 use twinedge_formats::layer::topojson::ArcTopology;
 use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
@@ -104,6 +106,44 @@ pub fn audit_against(
     let mut report = map::audit(&imported, options, stage)?;
     let other = other.map(|other| Other::read(other, options)).transpose()?;
     layers::judge(&imported, other.as_ref(), options, &mut report, stage)?;
+    Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
+}
+
+/// The findings of whoever read a layer.
+#[derive(Clone, Debug)]
+pub struct OfReader {
+    /// The outcome of each of its rules.
+    pub rules: Vec<RuleLine>,
+    /// The violations that are listed.
+    pub findings: Vec<Diagnosis>,
+    /// The name of the option by which it was read, and its value.
+    pub option: (&'static str, String),
+}
+
+/// Judges a layer that is in memory, and says what its reader found.
+///
+/// # Errors
+/// [`Error`], if it cannot be judged as was asked.
+pub fn audit_layer(
+    name: &str,
+    layer: Layer,
+    of_reader: OfReader,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
+    let mut map = options.map.clone();
+    // What is empty for a reason that is found is no other input.
+    let OfReader { rules, findings, option: (option, value) } = of_reader;
+    let found = rules.iter().map(|rule| rule.violations).sum::<u64>();
+    map.allow_empty |= found > 0;
+    let imported = Imported::of_layer(name, layer, &map, Keep { coverage: true, ..Keep::default() }, stage)?;
+    let mut report = map::audit(&imported, options, stage)?;
+    report.rules.splice(0..0, rules);
+    report.findings.extend(findings);
+    report.finding_count += found;
+    report.json.has_findings = true;
+    report.options.insert(option.to_owned(), value.into());
+    report.recount();
     Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
 }
 

@@ -4,12 +4,10 @@ use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
 use crate::shelf::Shelf;
-use std::io::Read;
-use std::path::Path;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
-use twinedge_formats::layer::{Crs, Format, ReadError, ReadOptions, read, to_map};
+use twinedge_formats::layer::{Crs, Feature as LayerFeature, Format, Header, Layer, ReadError, read, to_map};
 
 /// The way to build a map.
 #[derive(Clone, Debug, Default)]
@@ -58,8 +56,31 @@ impl Imported {
         keep: Keep<'_>,
         stage: &mut dyn FnMut(&'static str),
     ) -> Result<Self, Error> {
+        Self::built(options, keep, stage, |each| Gathered::new(input, options, keep, each))
+    }
+
+    /// Builds the map of a layer that is in memory, as [`read`](Self::read) does.
+    ///
+    /// # Errors
+    /// [`Error`].
+    pub fn of_layer(
+        name: &str,
+        layer: Layer,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        stage: &mut dyn FnMut(&'static str),
+    ) -> Result<Self, Error> {
+        Self::built(options, keep, stage, |each| Gathered::of_layer(name, layer, options, keep, each))
+    }
+
+    fn built(
+        options: &MapOptions,
+        keep: Keep<'_>,
+        stage: &mut dyn FnMut(&'static str),
+        gather: impl FnOnce(&mut dyn FnMut(Feature) -> Result<(), ReadError>) -> Result<Gathered, Error>,
+    ) -> Result<Self, Error> {
         let (mut builder, mut features) = (Builder::new(), Vec::new());
-        let gathered = Gathered::new(input, options, keep, &mut |feature| {
+        let gathered = gather(&mut |feature| {
             builder.feature(&feature).map_err(ReadError::refused)?;
             if keep.features {
                 features.push(feature);
@@ -139,7 +160,32 @@ impl Gathered {
         let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
         let mut noted = Noted::new(options.name_from.clone());
         noted.not_finite = not_finite;
-        let (read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
+        let read = |each: &mut dyn FnMut(_) -> _| read(&mut reader, path.as_deref(), &read_options, each);
+        Self::of(name, orients_rings, options, keep, gather(read, noted, keep, each)?)
+    }
+
+    fn of_layer(
+        name: &str,
+        layer: Layer,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
+    ) -> Result<Self, Error> {
+        let read = |each: &mut dyn FnMut(_) -> _| {
+            layer.features.into_iter().try_for_each(each)?;
+            Ok(layer.header)
+        };
+        let noted = Noted::new(options.name_from.clone());
+        Self::of(name.to_owned(), true, options, keep, gather(read, noted, keep, each)?)
+    }
+
+    fn of(
+        name: String,
+        orients_rings: bool,
+        options: &MapOptions,
+        keep: Keep<'_>,
+        (read, noted, crs): (ReadSummary, Noted, Option<Crs>),
+    ) -> Result<Self, Error> {
         // Points alone can be judged by another layer.
         let is_map = read.polygons + read.lines > 0 || keep.features && read.points > 0;
         if !options.allow_empty && !is_map {
@@ -152,15 +198,13 @@ impl Gathered {
 
 /// Reads features, notes what is to be known of each, and hands it on.
 fn gather(
-    reader: &mut dyn Read,
-    path: Option<&Path>,
-    options: &ReadOptions,
+    read: impl FnOnce(&mut dyn FnMut(LayerFeature) -> Result<(), ReadError>) -> Result<Header, ReadError>,
     mut noted: Noted,
     keep: Keep<'_>,
     each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
 ) -> Result<(ReadSummary, Noted, Option<Crs>), ReadError> {
     let mut summary = ReadSummary::default();
-    let header = read(reader, path, options, &mut |feature| {
+    let header = read(&mut |feature| {
         let mut of_map = to_map(&feature, &mut summary);
         noted.note(&mut of_map, &feature, keep);
         each(of_map)

@@ -6,6 +6,7 @@ use crate::coverage_arguments::CoverageArguments;
 use crate::input::MapFile;
 use crate::measured::Measured;
 use std::path::PathBuf;
+use twinedge_formats::layer::osm::TagFilter;
 use twinedge_report::{Accepted, Options, ParentColumn};
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
@@ -38,6 +39,7 @@ use twinedge_report::{Accepted, Options, ParentColumn};
   twinedge audit parcels.gpkg --iso 19157 -o quality.xml
   twinedge audit bunny.obj --closed --genus 0 --triangles
   twinedge audit --arcs counties.topojson --layer counties
+  twinedge audit luxembourg.osm.pbf --boundaries boundary=administrative,admin_level=6
   twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
   twinedge tables --half-edges 2 --print | twinedge audit -
   twinedge audit examples/tables/five_faces.txt
@@ -92,6 +94,12 @@ pub(crate) struct Audit {
     /// arc has one polygon at most, that they meet at their ends only, and that polygons lie where their arcs lead around.
     #[arg(long, conflicts_with = "postgis")]
     pub(super) arcs: bool,
+
+    /// The input is a file of `OpenStreetMap`, .osm.pbf: judge the boundaries with these tags, KEY=VALUE or KEY, separated by commas, as a coverage. Their
+    /// relations are judged, too (O1 … O5): ways or nodes that are missing, rings that are open, ways that are members twice, two relations on the
+    /// same side of a way, wrong roles.
+    #[arg(long, value_name = "TAGS", conflicts_with_all = ["tiles", "memory", "arcs", "postgis", "against", "parent_column"])]
+    pub(super) boundaries: Option<TagFilter>,
 
     /// Cut the map into N by N tiles, judge each alone, and merge what they say: the same report, but violations do not name records.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]

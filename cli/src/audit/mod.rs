@@ -21,8 +21,11 @@ use std::fs::Metadata;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
+use twinedge::validate::Collect;
+use twinedge_formats::layer::osm::{self, Boundaries, TagFilter};
 use twinedge_report::{
-    Accepted, Audited, Counted, Division, InMemory, InputKind, Judged, audit, audit_against, audit_in_tiles,
+    Accepted, Audited, Counted, Division, InMemory, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
+    audit_in_tiles, audit_layer,
 };
 use write::{write, write_iso};
 
@@ -37,7 +40,10 @@ impl Audit {
         let before = self.map.path().and_then(changed);
         let mut input = self.map.open()?;
         let name = input.name.clone();
-        let kind = InputKind::of(self.postgis, self.arcs, &mut input).map_err(named(&name))?;
+        let kind = match &self.boundaries {
+            Some(_) => InputKind::Map,
+            None => InputKind::of(self.postgis, self.arcs, &mut input).map_err(named(&name))?,
+        };
         let to = self.destination.destination(self.map.path())?;
         self.refuse_options(kind, &to, &input)?;
         let mut counter = None;
@@ -47,22 +53,11 @@ impl Audit {
             counter = Some(counted);
         }
         let accepted = self.accept.as_deref().map(accepted).transpose()?;
-        let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
         let options = self.options(accepted.clone());
-        let is_compared = other.is_some() || self.parent_column.is_some();
-        let audited = match (self.memory, self.tiles) {
-            (Some(bytes), _) => {
-                let mut shelf = OnDisk::new().map_err(named("--memory"))?;
-                busy(|stage| audit_in_tiles(input, &options, Division::Within(bytes), &mut shelf, stage))
-            }
-            (None, Some(across)) => {
-                let mut shelf = InMemory::default();
-                busy(|stage| audit_in_tiles(input, &options, Division::Across(across), &mut shelf, stage))
-            }
-            (None, None) if is_compared => busy(|stage| audit_against(input, other, &options, stage)),
-            (None, None) => busy(|stage| audit(input, kind, &options, stage)),
+        let mut audited = match &self.boundaries {
+            Some(tags) => self.of_boundaries(tags, &name, &options)?,
+            None => self.of_input(input, kind, &options)?,
         };
-        let mut audited = audited.map_err(named(&name))?;
         let judged: Option<Judged> = match counter {
             Some(counter) => Some(counter.judged()),
             None => self.map.judged()?,
@@ -86,6 +81,38 @@ impl Audit {
             write(&audited, &to)?;
         }
         Ok(if audited.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+    }
+
+    /// Reads an input, and judges it.
+    fn of_input(&self, input: Input, kind: InputKind, options: &Options) -> Result<Audited, Failure> {
+        let name = input.name.clone();
+        let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
+        let is_compared = other.is_some() || self.parent_column.is_some();
+        let audited = match (self.memory, self.tiles) {
+            (Some(bytes), _) => {
+                let mut shelf = OnDisk::new().map_err(named("--memory"))?;
+                busy(|stage| audit_in_tiles(input, options, Division::Within(bytes), &mut shelf, stage))
+            }
+            (None, Some(across)) => {
+                let mut shelf = InMemory::default();
+                busy(|stage| audit_in_tiles(input, options, Division::Across(across), &mut shelf, stage))
+            }
+            (None, None) if is_compared => busy(|stage| audit_against(input, other, options, stage)),
+            (None, None) => busy(|stage| audit(input, kind, options, stage)),
+        };
+        audited.map_err(named(&name))
+    }
+
+    /// Reads boundaries of `OpenStreetMap`, and judges their relations and the map that they make.
+    fn of_boundaries(&self, tags: &TagFilter, name: &str, options: &Options) -> Result<Audited, Failure> {
+        let path = self.map.path().ok_or_else(|| Failure("--boundaries: a file .osm.pbf is needed".to_owned()))?;
+        let limit = options.list.unwrap_or(Collect::DEFAULT_CAP);
+        busy(|stage| {
+            stage("reading the boundaries");
+            let Boundaries { layer, rules, findings, .. } = osm::read(path, tags, limit).map_err(named(name))?;
+            let of_reader = OfReader { rules, findings, option: ("boundaries", tags.to_string()) };
+            audit_layer(name, layer, of_reader, options, stage).map_err(named(name))
+        })
     }
 
     /// The report that time was up, in the formats that need no more than a verdict.

@@ -11,6 +11,8 @@ mod geojson_edit;
 mod geoparquet;
 mod hostile;
 mod losses;
+mod osm;
+mod pbf;
 mod random;
 mod round_trips;
 mod shapefiles;

@@ -25,6 +25,14 @@ pub struct Boundaries {
     pub findings: Vec<Diagnosis>,
 }
 
+impl Boundaries {
+    /// The number of violations of O1 … O5, kept or not.
+    #[must_use]
+    pub fn violation_count(&self) -> u64 {
+        self.rules.iter().map(|rule| rule.violations).sum()
+    }
+}
+
 /// Reads the relations of the types `boundary` and `multipolygon` that are asked for, from a file `.osm.pbf`. Up to `limit` violations of each rule are
 /// kept; all are counted.
 ///
@@ -59,15 +67,32 @@ struct Placed {
     depth: usize,
     /// The smallest ring around it.
     parent: Option<usize>,
+    /// It is known whether it is an outer ring or a hole.
+    is_certain: bool,
+}
+
+impl Placed {
+    const fn is_outer(&self) -> bool {
+        self.depth.is_multiple_of(2)
+    }
+
+    /// The ways with the role of a ring that lies elsewhere.
+    fn wrong<'p>(&self, ring: impl Iterator<Item = Piece<'p>>) -> Vec<i64> {
+        let wrong = if self.is_outer() { Role::Inner } else { Role::Outer };
+        ring.filter(|piece| piece.role == wrong).map(|piece| piece.way).collect()
+    }
 }
 
 impl<'a> Making<'a> {
     fn feature(&mut self, number: usize, relation: &Relation) -> Feature {
-        let pieces = self.pieces(number, relation);
+        let (pieces, is_complete) = self.pieces(number, relation);
         self.findings.checked[1] += 1;
+        if relation.members.is_empty() {
+            let message = || format!("no way is a member of {} as a border", said(relation));
+            self.findings.add(Kind::NO_WAYS, || Found { message: message(), ..Found::of([named(number, relation)]) });
+        }
         let open = open_ends(&pieces);
         if !open.is_empty() {
-            let is_complete = pieces.len() == relation.members.len();
             let places = open.iter().filter_map(|node| self.place(*node)).collect();
             self.findings.add(Kind::OPEN, || Found {
                 message: format!("the ways of {} do not close: {} of them end alone", said(relation), open.len()),
@@ -78,14 +103,19 @@ impl<'a> Making<'a> {
             });
         }
         let rings = rings(&pieces);
-        let placed = placed(rings.iter().map(|ring| self.line(&around(ring, &pieces))).collect());
+        let mut placed = placed(rings.iter().map(|ring| self.line(&around(ring, &pieces))).collect());
         self.findings.checked[4] += placed.len() as u64;
-        for (ring, place) in rings.iter().zip(&placed) {
-            self.role(number, relation, ring.iter().map(|(piece, _)| pieces[*piece]), place);
-            let is_outer = place.depth.is_multiple_of(2);
+        for (ring, place) in rings.iter().zip(&mut placed) {
+            let ways = place.wrong(ring.iter().map(|(piece, _)| pieces[*piece]));
+            // A ring around it may be missing.
+            place.is_certain = is_complete || ways.is_empty();
+            if !place.is_certain {
+                continue;
+            }
+            self.role(number, relation, &ways, place);
             let inside_is_left = match direction(&place.line) {
                 Ordering::Equal => continue,
-                turns => (turns == Ordering::Greater) == is_outer,
+                turns => (turns == Ordering::Greater) == place.is_outer(),
             };
             for (piece, is_forward) in ring {
                 let side = (pieces[*piece].way, *is_forward == inside_is_left);
@@ -101,11 +131,12 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// The members that can be used: O1 and O3.
-    fn pieces(&mut self, number: usize, relation: &Relation) -> Vec<Piece<'a>> {
+    /// The members that can be used, and whether these are all: O1 and O3.
+    fn pieces(&mut self, number: usize, relation: &Relation) -> (Vec<Piece<'a>>, bool) {
         let elements = self.elements;
         let mut seen = FxHashSet::default();
         let mut pieces = Vec::new();
+        let mut is_complete = true;
         for member in &relation.members {
             for rule in [0, 2] {
                 self.findings.checked[rule] += 1;
@@ -118,6 +149,7 @@ impl<'a> Making<'a> {
             let Some(nodes) = elements.ways.get(&member.way).filter(|nodes| nodes.len() > 1) else {
                 let message = || format!("way {} of {} is not in the file", member.way, said(relation));
                 self.findings.add(Kind::WAY_MISSING, || of_member(message()));
+                is_complete = false;
                 continue;
             };
             if let Some(node) = nodes.iter().find(|node| !elements.nodes.contains_key(node)) {
@@ -125,6 +157,7 @@ impl<'a> Making<'a> {
                     format!("node {node} of way {}, a member of {}, is not in the file", member.way, said(relation))
                 };
                 self.findings.add(Kind::NODE_MISSING, || of_member(message()));
+                is_complete = false;
                 continue;
             }
             if !seen.insert(member.way) {
@@ -139,18 +172,15 @@ impl<'a> Making<'a> {
             }
             pieces.push(Piece { way: member.way, role: member.role, nodes });
         }
-        pieces
+        (pieces, is_complete)
     }
 
     /// O5.
-    fn role<'p>(&mut self, number: usize, relation: &Relation, ring: impl Iterator<Item = Piece<'p>>, place: &Placed) {
-        let is_outer = place.depth.is_multiple_of(2);
-        let (wrong, what) = if is_outer { (Role::Inner, "an outer ring") } else { (Role::Outer, "a hole") };
-        let ways: Vec<i64> = ring.filter(|piece| piece.role == wrong).map(|piece| piece.way).collect();
+    fn role(&mut self, number: usize, relation: &Relation, ways: &[i64], place: &Placed) {
         let Some(first) = ways.first() else { return };
         self.findings.add(Kind::ROLE, || {
             let line: Vec<_> = place.line.iter().map(|p| [p.x, p.y]).collect();
-            let role = if is_outer { "inner" } else { "outer" };
+            let (role, what) = if place.is_outer() { ("inner", "an outer ring") } else { ("outer", "a hole") };
             let others = match ways.len() - 1 {
                 0 => String::new(),
                 n => format!(" and {n} more"),
@@ -228,18 +258,19 @@ fn placed(lines: Vec<Line>) -> Vec<Placed> {
             (around.len(), smallest)
         })
         .collect();
-    let place = |(line, (depth, parent))| Placed { line, depth, parent };
+    let place = |(line, (depth, parent))| Placed { line, depth, parent, is_certain: true };
     lines.into_iter().zip(places).map(place).collect()
 }
 
 /// The polygons: an outer ring each, counter-clockwise, with the holes right inside of it, clockwise.
 fn geometry(placed: Vec<Placed>) -> Option<Geometry> {
     let mut polygons: BTreeMap<usize, Vec<Line>> = BTreeMap::new();
-    for (number, ring) in placed.iter().enumerate().filter(|(_, ring)| ring.depth.is_multiple_of(2)) {
+    for (number, ring) in placed.iter().enumerate().filter(|(_, ring)| ring.is_certain && ring.is_outer()) {
         polygons.insert(number, vec![turned(ring.line.clone(), Ordering::Greater)]);
     }
     for ring in placed {
-        if !ring.depth.is_multiple_of(2)
+        if ring.is_certain
+            && !ring.is_outer()
             && let Some(polygon) = ring.parent.and_then(|parent| polygons.get_mut(&parent))
         {
             polygon.push(turned(ring.line, Ordering::Less));

@@ -39,6 +39,12 @@ impl Kind {
         cause: "a way was split or removed, and the relation does not have all of its parts",
         remedy: "add the way that leads from one of the places to the next",
     };
+    pub(super) const NO_WAYS: Self = Self {
+        rule: 1,
+        name: "no_ways",
+        cause: "all members were removed, or have roles that are none of a border",
+        remedy: "add the ways of the border, or remove the relation",
+    };
     pub(super) const REPEATED: Self = Self {
         rule: 2,
         name: "way_repeated",

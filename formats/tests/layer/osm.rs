@@ -1,0 +1,175 @@
+//! Boundaries of OpenStreetMap: rings of ways, and the rules O1 … O5.
+
+use crate::pbf::{File, Members};
+use twinedge_formats::diagnosis::Diagnosis;
+use twinedge_formats::layer::osm::{Boundaries, InvalidFilter, OsmError, TagFilter, read};
+use twinedge_formats::layer::{Crs, Feature, Position, Shape};
+
+/// Two squares side by side, west and east of way 10, and a third one around both with them as its hole.
+fn squares() -> File {
+    let mut file = File::default();
+    let nodes = [(1, 0, 0), (2, 1, 0), (3, 1, 1), (4, 0, 1), (5, 2, 0), (6, 2, 1)];
+    let around = [(7, -1, -1), (8, 3, -1), (9, 3, 2), (10, -1, 2)];
+    for (id, x, y) in nodes.into_iter().chain(around) {
+        file.node(id, x, y);
+    }
+    file.way(10, &[2, 3]);
+    file.way(11, &[3, 4, 1, 2]);
+    file.way(12, &[2, 5, 6, 3]);
+    file.way(13, &[7, 8, 9, 10, 7]);
+    file.relation(100, "6", "West", &[(10, "outer"), (11, "outer")]);
+    file.relation(200, "6", "East", &[(12, ""), (10, "")]);
+    file.relation(300, "6", "Around", &[(13, "outer"), (11, "inner"), (12, "inner")]);
+    file.relation(400, "8", "Another level", &[(99, "outer")]);
+    file
+}
+
+fn boundaries(file: &File) -> Boundaries {
+    let written = file.written();
+    read(written.path(), &"admin_level=6".parse().unwrap(), 100).unwrap()
+}
+
+/// The kind, the rule from which it follows, and the ids of the features of each finding.
+fn found(file: &File) -> Vec<(&'static str, Option<&'static str>, Vec<String>)> {
+    let Boundaries { rules, findings, .. } = boundaries(file);
+    let violations: u64 = rules.iter().map(|rule| rule.violations).sum();
+    assert_eq!(violations, findings.len() as u64);
+    for one in &findings {
+        let of_rule = rules.iter().find(|rule| Some(rule.id) == one.rule).unwrap();
+        assert!(of_rule.violations > 0 && one.is_violation && one.cause.is_some() && one.remedy.is_some());
+    }
+    let ids = |one: &Diagnosis| one.features.iter().flatten().map(|feature| feature.id.clone().unwrap()).collect();
+    findings.iter().map(|one| (one.kind.name(), one.follows_from, ids(one))).collect()
+}
+
+fn ids<const N: usize>(ids: [u32; N]) -> Vec<String> {
+    ids.map(|id| format!("relation/{id}")).to_vec()
+}
+
+fn rings(feature: &Feature) -> Vec<Vec<(f64, f64)>> {
+    let Some(Shape::Polygon(rings)) = feature.geometry.as_ref().map(|geometry| &geometry.shape) else {
+        panic!("no polygon: {feature:?}")
+    };
+    let points = |ring: &Vec<Position>| ring.iter().map(|p| (p.x, p.y)).collect();
+    rings.iter().map(points).collect()
+}
+
+#[test]
+fn ways_make_polygons_whichever_way_they_run() {
+    let Boundaries { layer, rules, findings, .. } = boundaries(&squares());
+    assert!(findings.is_empty(), "{findings:?}");
+    let checked: Vec<_> = rules.iter().map(|rule| (rule.id, rule.checked)).collect();
+    assert_eq!(checked, [("O1", 7), ("O2", 3), ("O3", 7), ("O4", 7), ("O5", 4)]);
+    assert_eq!(layer.header.crs, Some(Crs::epsg(4326)));
+    let [west, east, around] = &layer.features[..] else { panic!("{layer:?}") };
+    assert_eq!(west.id.as_ref().unwrap().to_string(), "relation/100");
+    assert_eq!((west.name().as_deref(), east.name().as_deref()), (Some("West"), Some("East")));
+    assert_eq!(east.get("admin_level").and_then(|level| level.text()).as_deref(), Some("6"));
+    assert_eq!(rings(west), [[(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0), (1.0, 0.0)]]);
+    assert_eq!(rings(east), [[(1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 0.0)]]);
+    let of_around = rings(around);
+    assert_eq!(of_around.iter().map(Vec::len).collect::<Vec<_>>(), [5, 7]);
+    assert_eq!(of_around[0][0], (-1.0, -1.0));
+}
+
+#[test]
+fn rings_that_touch_at_a_node_are_told_apart() {
+    let mut file = squares();
+    for (id, x, y) in [(20, 3, 0), (21, 3, 1)] {
+        file.node(id, x, y);
+    }
+    // Two triangles that meet at node 2, by ways that all end there or at another corner.
+    file.way(21, &[1, 2]);
+    file.way(22, &[2, 20, 21]);
+    file.way(23, &[4, 1]);
+    file.way(24, &[2, 4]);
+    file.way(25, &[21, 2]);
+    file.relation(500, "4", "Both", &[(21, ""), (22, ""), (23, ""), (24, ""), (25, "")]);
+    let both = read(file.written().path(), &"admin_level=4".parse().unwrap(), 100).unwrap();
+    assert_eq!(both.violation_count(), 0);
+    let shape = &both.layer.features[0].geometry.as_ref().unwrap().shape;
+    let Shape::MultiPolygon(polygons) = shape else { panic!("{shape:?}") };
+    assert_eq!(polygons.iter().map(|rings| rings.iter().map(Vec::len).collect::<Vec<_>>()).collect::<Vec<_>>(), [[4], [4]]);
+}
+
+#[test]
+fn each_rule_is_broken_alone() {
+    type Breaking = fn(&mut File);
+    let cases: [(Breaking, Vec<(&str, Option<&str>, Vec<String>)>); 7] = [
+        (
+            |file| file.ways.retain(|(way, _)| *way != 13),
+            vec![("way_missing", None, ids([300]))],
+        ),
+        (
+            |file| file.nodes.retain(|(node, ..)| *node != 9),
+            vec![("node_missing", None, ids([300]))],
+        ),
+        (|file| file.members(100).truncate(1), vec![("open_ring", None, ids([100]))]),
+        (|file| file.members(100).clear(), vec![("no_ways", None, ids([100]))]),
+        (|file| file.members(200).push((12, "outer")), vec![("way_repeated", None, ids([200]))]),
+        (|file| file.relation(600, "6", "West again", &[(11, ""), (10, "")]), vec![("same_side", None, ids([100, 600]))]),
+        (|file| file.members(300)[1].1 = "outer", vec![("wrong_role", None, ids([300]))]),
+    ];
+    for (breaking, expected) in cases {
+        let mut file = squares();
+        breaking(&mut file);
+        assert_eq!(found(&file), expected);
+    }
+}
+
+#[test]
+fn a_ring_that_is_open_as_a_way_is_missing_follows_from_that() {
+    let mut file = squares();
+    file.ways.retain(|(way, _)| *way != 12);
+    let open = |id| ("open_ring", Some("O1"), ids([id]));
+    let missing = |id| ("way_missing", None, ids([id]));
+    assert_eq!(found(&file), [missing(200), missing(300), open(200), open(300)]);
+    // What closes is still there.
+    assert_eq!(rings(&boundaries(&file).layer.features[2]).len(), 1);
+}
+
+#[test]
+fn findings_beyond_the_limit_are_counted() {
+    let mut file = squares();
+    file.ways.clear();
+    let found = read(file.written().path(), &"admin_level".parse().unwrap(), 2).unwrap();
+    assert_eq!((found.rules[0].violations, found.findings.len(), found.violation_count()), (8, 2, 8));
+}
+
+#[test]
+fn files_that_are_not_read() {
+    let filter: TagFilter = "admin_level=6".parse().unwrap();
+    let error = |bytes: &[u8]| {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), bytes).unwrap();
+        read(file.path(), &filter, 100).unwrap_err()
+    };
+    assert!(matches!(error(b""), OsmError::Content(_)));
+    assert!(matches!(error(b"{\"type\": \"FeatureCollection\"}"), OsmError::Content(_)));
+    let bytes = squares().bytes();
+    let cut = error(&bytes[..bytes.len() - 10]);
+    assert!(matches!(cut, OsmError::Content(_)), "{cut}");
+    let history = File { needs: Some("HistoricalInformation"), ..squares() };
+    assert!(matches!(error(&history.bytes()), OsmError::Needs(what) if what == "HistoricalInformation"));
+    let none = read(squares().written().path(), &"admin_level=2,name=Nowhere".parse().unwrap(), 100).unwrap_err();
+    assert!(none.to_string().contains("admin_level=2,name=Nowhere"), "{none}");
+    assert!(matches!(none, OsmError::None(_)));
+    assert!(matches!(read("/nowhere".as_ref(), &filter, 100), Err(OsmError::Io(_))));
+    let invalid: InvalidFilter = "admin_level=6,=4".parse::<TagFilter>().unwrap_err();
+    assert!(invalid.to_string().contains("admin_level=6,=4"));
+}
+
+/// A type of a member that the format does not have makes the crate that reads it panic.
+#[test]
+fn an_unknown_type_of_a_member_is_an_error() {
+    let file = File { type_of_members: 7, ..squares() };
+    let error = read(file.written().path(), &"admin_level".parse().unwrap(), 100).unwrap_err();
+    assert!(matches!(error, OsmError::Content(_)), "{error}");
+}
+
+/// The members of a relation.
+impl File {
+    fn members(&mut self, relation: i64) -> &mut Members {
+        &mut self.relations.iter_mut().find(|(id, ..)| *id == relation).unwrap().3
+    }
+}
