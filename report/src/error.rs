@@ -6,7 +6,7 @@ use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
-use twinedge::tile::{AuditError, FinishError, GridError, MergeError, TileError};
+use twinedge::tile::{AuditError, GridError};
 use twinedge_formats::{layer, mesh, postgis};
 
 /// The reason why an input has no report. The name of the input is not in the messages.
@@ -22,15 +22,9 @@ pub enum Error {
     /// No map can be built of it.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A tile has no summary.
+    /// A tile has no summary, or summaries of tiles cannot be merged, or are missing.
     #[error(transparent)]
-    Tile(#[from] TileError),
-    /// Summaries of tiles cannot be merged.
-    #[error(transparent)]
-    Merge(#[from] MergeError),
-    /// Summaries of tiles are missing.
-    #[error(transparent)]
-    Finish(#[from] FinishError),
+    Tiles(#[from] AuditError<io::Error>),
     /// There is no such grid.
     #[error(transparent)]
     Grid(#[from] GridError),
@@ -145,17 +139,5 @@ fn instead(read: &ReadSummary) -> String {
         (0, _) => "no features".to_owned(),
         (_, 0) => format!("{features}, none with a geometry"),
         (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
-    }
-}
-
-impl From<AuditError<io::Error>> for Error {
-    fn from(error: AuditError<io::Error>) -> Self {
-        match error {
-            AuditError::Features(error) => Self::Io(error),
-            AuditError::Tile(error) => Self::Tile(error),
-            AuditError::Merge(error) => Self::Merge(error),
-            AuditError::Finish(error) => Self::Finish(error),
-            other => Self::Io(io::Error::other(other)),
-        }
     }
 }
