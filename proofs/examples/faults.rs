@@ -74,13 +74,14 @@ enum End {
 }
 
 /// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 8] = [
+const TESTS: [(&str, &[&str], &str); 9] = [
     ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
     ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
     ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
     ("map", &["-p", "twinedge", "--test", "map"], "tests/map/main.rs"),
     ("algorithm", &["-p", "twinedge", "--test", "algorithm"], "tests/algorithm/main.rs"),
     ("tile", &["-p", "twinedge", "--test", "tile"], "tests/tile/main.rs"),
+    ("sphere", &["-p", "twinedge-sphere", "--test", "sphere"], "tests/sphere/main.rs"),
     ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
     ("commands", &["-p", "twinedge-cli", "--test", "commands"], "tests/commands/main.rs"),
 ];
@@ -236,7 +237,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
             if !of_file.is_empty() {
                 bytes = plant(&String::from_utf8(bytes)?, &of_file)?.into_bytes();
             }
-            if path == Path::new("src/lib.rs") {
+            if ["src/lib.rs", "sphere/src/lib.rs"].iter().any(|lib| path == Path::new(lib)) {
                 bytes.splice(..0, "#![allow(warnings)]\n".bytes());
                 bytes.extend(SWITCH.bytes());
             }
@@ -324,6 +325,7 @@ impl Check {
     /// Returns true if the check is about the part of the library that has this fault.
     fn is_near(&self, fault: &Fault) -> bool {
         let near: &[&str] = match fault.file.as_str() {
+            file if file.starts_with("sphere/") => &["sphere"],
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
             file if file.starts_with("src/validate/") => &[
                 "validate",

@@ -8,6 +8,7 @@ mod certificate;
 mod conveniences;
 mod corrupt;
 mod draw;
+mod edges;
 mod findings;
 mod fuzz_template;
 mod gate;
