@@ -74,13 +74,14 @@ enum End {
 }
 
 /// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 11] = [
+const TESTS: [(&str, &[&str], &str); 12] = [
     ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
     ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
     ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
     ("map", &["-p", "twinedge", "--test", "map"], "tests/map/main.rs"),
     ("algorithm", &["-p", "twinedge", "--test", "algorithm"], "tests/algorithm/main.rs"),
     ("tile", &["-p", "twinedge", "--test", "tile"], "tests/tile/main.rs"),
+    ("sphere", &["-p", "twinedge-sphere", "--test", "sphere"], "tests/sphere/main.rs"),
     ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
     ("layer", &["-p", "twinedge-formats", "--test", "layer"], "tests/layer/main.rs"),
     ("mesh", &["-p", "twinedge-formats", "--test", "mesh"], "tests/mesh/main.rs"),
@@ -93,7 +94,7 @@ const OF_COMMANDS: [&str; 9] =
     ["certificate", "audit", "between", "cleaning", "findings", "gate", "iso", "mesh", "verdict"];
 
 /// The packages that faults are planted in, by the root files of their libraries.
-const ROOTS: [&str; 3] = ["src/lib.rs", "formats/src/lib.rs", "report/src/lib.rs"];
+const ROOTS: [&str; 4] = ["src/lib.rs", "formats/src/lib.rs", "report/src/lib.rs", "sphere/src/lib.rs"];
 
 /// Its tests write into folders of their own, but all runs into the same: one at a time.
 static COMMANDS_RUN: Mutex<()> = Mutex::new(());
@@ -333,6 +334,7 @@ impl Check {
     /// Returns true if the check is about the part of the library that has this fault.
     fn is_near(&self, fault: &Fault) -> bool {
         let near: &[&str] = match fault.file.as_str() {
+            file if file.starts_with("sphere/") => &["sphere"],
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
             file if file.starts_with("src/validate/") => &[
                 "validate",

@@ -8,6 +8,7 @@ use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
 use twinedge::tile::{AuditError, GridError};
 use twinedge_formats::{layer, mesh, postgis};
+use twinedge_sphere::DrawingError;
 
 /// The reason why an input has no report. The name of the input is not in the messages.
 #[derive(Debug, thiserror::Error)]
@@ -107,10 +108,16 @@ have them, and --against which layer they are in"
     NoMap(Box<ReadSummary>),
     /// Lengths along the earth were asked for, and the coordinates are no longitudes and latitudes.
     #[error(
-        "--geodesic is for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
+        "--geodesic and --edges geodesic are for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
 reference system"
     )]
     NotDegrees,
+    /// Edges were to be great circles, and something else was asked for that is about straight ones.
+    #[error("--edges geodesic and {0} do not go together")]
+    NotGeodesic(&'static str),
+    /// Great circles cannot be drawn.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
     /// It is a mesh or a file of tables, which are not drawn.
     #[error("{0} is not drawn, so that there is no page and no layer of findings")]
     NoPicture(&'static str),

@@ -81,7 +81,6 @@ impl<'a> Quality<'a> {
     /// Counts the findings that were not accepted; all are to be listed. None if it is no map.
     pub(crate) fn of(report: &'a AuditReport) -> Option<Self> {
         let coverage = report.coverage.as_ref()?;
-        let is_checked = coverage.not_checked().is_none();
         let open = |rule: CoverageRule| {
             let all = coverage.findings().iter().filter(move |one| one.rule == Some(rule.id()));
             all.filter(|one| one.accepted.is_none())
@@ -95,7 +94,8 @@ impl<'a> Quality<'a> {
             parameters,
             counted: format!("{counted}; {}: {}", rule.id(), statement(rule)),
         };
-        let count = |rule| is_checked.then(|| open(rule).count());
+        let is_checked = |rule| coverage.why_not(rule).is_none();
+        let count = |rule| is_checked(rule).then(|| open(rule).count());
         let parameter = |name, value: Option<f64>| value.map(|value| Parameter { name, value });
         let missing = open(CoverageRule::Mismatch).map(|one| one.missing.len()).sum();
         let (width, area, thinness) = coverage.limits();
@@ -114,7 +114,7 @@ impl<'a> Quality<'a> {
                 "number of faulty point-curve connections",
                 TOPOLOGICAL,
                 CoverageRule::Mismatch,
-                is_checked.then_some(missing),
+                is_checked(CoverageRule::Mismatch).then_some(missing),
                 Vec::new(),
                 "vertices of a border that the border of a neighbour lacks",
             ),
@@ -144,7 +144,9 @@ impl<'a> Quality<'a> {
                 "number of invalid self-intersect errors",
                 TOPOLOGICAL,
                 CoverageRule::Validity,
-                Some(open(CoverageRule::Validity).filter(|one| measure_of(one) == Some(SELF_INTERSECT)).count()),
+                is_checked(CoverageRule::Validity).then(|| {
+                    open(CoverageRule::Validity).filter(|one| measure_of(one) == Some(SELF_INTERSECT)).count()
+                }),
                 Vec::new(),
                 "features with a ring that crosses or touches itself or another ring",
             ),
@@ -153,7 +155,7 @@ impl<'a> Quality<'a> {
                 "number of invalid self-overlap errors",
                 TOPOLOGICAL,
                 CoverageRule::Validity,
-                Some(coverage.kickbacks()),
+                is_checked(CoverageRule::Validity).then(|| coverage.kickbacks()),
                 Vec::new(),
                 "features with a ring that turns straight back to the point from which it came",
             ),

@@ -324,6 +324,9 @@ struct First<'a> {
     at: Option<Position>,
 }
 
+/// The words for the number of faces.
+pub(crate) const FACES: &str = "faces (F), the unbounded one included";
+
 /// The numbers of records, in words.
 pub(crate) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
     let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
@@ -331,7 +334,7 @@ pub(crate) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
         ("vertices (V)", grouped(counts.vertices)),
         ("edges (E)", grouped(counts.edges)),
         ("half-edges", grouped(counts.half_edges)),
-        ("faces (F), the unbounded one included", grouped(counts.faces)),
+        (FACES, grouped(counts.faces)),
         ("components (C)", or_unknown(counts.components)),
         ("outer boundary components", grouped(counts.outer_boundaries)),
         ("inner boundary components", grouped(counts.inner_boundaries)),

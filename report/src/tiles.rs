@@ -70,7 +70,7 @@ pub(crate) fn audit(
     summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
     imported.noted.defects = numbered(&outcome.defects);
     let noted = &imported.noted;
-    let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
+    let warnings: Vec<String> = imported.warnings();
     let mut extra = extra(&imported, &warnings);
     extra.insert("tiles".to_owned(), size(&grid));
     let units = Units::of(&imported, asked.geodesic)?;
@@ -158,6 +158,7 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
         features: Vec::new(),
         crs: None,
         orients_rings: false,
+        edges: None,
     };
     let units = Units::Plane { degrees: false };
     let found = report(&imported, outcome, &asked.coverage, &units, asked.most())?;
