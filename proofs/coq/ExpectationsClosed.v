@@ -132,25 +132,31 @@ have [B _] := L1 k lk isT; rewrite /turn; move: B; rewrite T /= => ->; rewrite /
 by have [_] := L2 i li; rewrite P.
 Qed.
 
+Lemma closed_before : before_t4 ec s -> before_t4 eo s /\ no_border.
+Proof.
+move=> H; have R := H R1 isT; have none := closed_no_border R; split=> //.
+case=> // _.
+- have [Hh Hv Hb Hf S] := R; split=> // h lh; have [O [T|//] N P F] := Hh h lh; split=> // [|hf]; [by left|].
+  by case: (F hf) => [|[]]; [left|].
+- by move=> h lh _; apply: (H L1 isT h lh).
+- exact: (H L2 isT).
+- by move=> h lh _; apply: (H L3 isT h lh).
+- exact: (H V1 isT).
+- exact: closed_open_v2 R (H L1 isT) (H L2 isT) (H V2 isT).
+- exact: (H B1 isT).
+- exact: (H B2 isT).
+- exact: (H F1 isT).
+- exact: (H F2 isT).
+- exact/(same_closed_t1 none)/(H T1 isT).
+- exact/(same_closed_t2 none)/(H T2 isT).
+exact/(same_closed_t3 none)/(H T3 isT).
+Qed.
+
 Lemma closed_rules : rules_of ec s <-> rules_of eo s /\ no_border.
 Proof.
 split=> [H|[H none]].
-  have R := H (Basic R1); have none := closed_no_border R; split=> //.
-  case=> [[]|[] //] //.
-  - have [Hh Hv Hb Hf S] := R; split=> // h lh; have [O [T|//] N P F] := Hh h lh; split=> // [|hf]; [by left|].
-    by case: (F hf) => [|[]]; [left|].
-  - by move=> h lh _; apply: (H (Basic L1) h lh).
-  - exact: (H (Basic L2)).
-  - by move=> h lh _; apply: (H (Basic L3) h lh).
-  - exact: (H (Basic V1)).
-  - exact: closed_open_v2 R (H (Basic L1)) (H (Basic L2)) (H (Basic V2)).
-  - exact: (H (Basic B1)).
-  - exact: (H (Basic B2)).
-  - exact: (H (Basic F1)).
-  - exact: (H (Basic F2)).
-  - exact/(same_closed_t1 none)/(H (Basic T1)).
-  - exact/(same_closed_t2 none)/(H (Basic T2)).
-  - exact/(same_closed_t3 none)/(H (Basic T3)).
+  have [B none] := closed_before (rules_before_t4 H); split=> //.
+  case=> [r|[] //]; case: (ltnP (index r) (index T4)) => [/B //|]; case: r => // _.
   exact/(same_closed_t4 none)/(H (Basic T4)).
 have keeps := links_open (fun r _ => H (Basic r)).
 case=> [[]|[] //] //.

@@ -5,7 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
-From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed NearWalks NearSum.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -178,6 +178,12 @@ Check closed_rules : forall t on faces records places holes unbounded sf so si,
   let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
   rules_of (closed_on on) s <-> rules_of (open_on on) s /\ no_border t on faces records places holes unbounded sf so si.
 
+(** T4 follows from the rules before it, under every expectation and whatever is stored. *)
+
+Check t4_follows_of : forall e s, before_t4 e s -> holds_of e s (Basic T4).
+
+Check t4_never_first : forall e s, first_broken_of e s <> Some (Basic T4).
+
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
 Check near_half_edges : forall t t' (changed : pred nat),
@@ -258,6 +264,18 @@ Check lists_by_length : forall t,
      [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) ->
   (forall f, inner_count t f = count (says_inside t f) (iota 0 (boundary_slots t))) ->
   (forall f b, outer t f = Some b <-> boundary_face t b = Some f /\ boundary_place t b = Some Outer) -> f2_listed t.
+
+(** After a change, what is left to be read of lists are the entries that were written, and those of boundary components that have changed. *)
+
+Check near_lists : forall t t', links_live t -> f2_listed t -> forall (changed written looked : pred nat) (read : nat -> nat -> Prop),
+  (forall b, ~~ changed b -> [/\ boundary t' b = boundary t b, boundary_face t' b = boundary_face t b & boundary_place t' b = boundary_place t b]) ->
+  (forall f, ~~ written f -> outer t' f = outer t f) ->
+  (forall f i, i < inner_count t' f -> read f i \/ i < inner_count t f /\ inner t' f i = inner t f i) ->
+  (forall f b, written f -> outer t f = Some b -> changed b) ->
+  (forall b f, changed b -> boundary_face t b = Some f -> looked f) -> (forall f, written f -> looked f) ->
+  (forall b f i, changed b -> boundary_face t b = Some f -> boundary_place t b = Some (Inner i) -> read f i) ->
+  links_live t' ->
+  f2_listed t' <-> [/\ changed_right t' changed, looked_right t' looked, read_right t' read & lengths_right t t' changed].
 
 (** The rules mean planar subdivisions. *)
 
