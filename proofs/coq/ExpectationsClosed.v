@@ -3,7 +3,7 @@
     Where each half-edge has a twin and, if faces are stored, a face, it does not matter whether open boundaries would be legal. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists Subdivision RotationSystem.
+From twinedge Require Import View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists Subdivision RotationSystem Verdict.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsLists ExpectationsVerdict ExpectationsPlane ExpectationsFaceless.
 From twinedge Require Import ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen.
 From twinedge Require Import ExpectationsNested ExpectationsHoles.
@@ -251,4 +251,24 @@ Theorem filled_holes_recorded v pr le pl un sf so si :
 Proof.
 move=> s u; rewrite (filled_rules s (isT : ~~ border_kept plane)) /u /s {u s}.
 by case: pr; case: le; case: pl; apply: holes_recorded.
+Qed.
+
+(** Where every part is stored, such nested faces are the planar subdivisions of Subdivision.v. *)
+Theorem nested_means_subdivision t sf so si : let s := Structure t all_parts sf so si in
+  [/\ is_plane t, faces_nested plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
+  exists u, represents t u.
+Proof. by move=> s; rewrite -rules_mean_subdivision -(plane_rules t sf so si) (holes_recorded t true true sf so si). Qed.
+
+(** The rules of meshes are asked for besides: the others do not depend on them. *)
+Definition unasked e := if is_open e then open_on (on_plane e) else closed_on (on_plane e).
+
+Theorem mesh_rules_apart e s : rules_of e s <-> rules_of (unasked e) s /\ forall m, holds_of e s (Mesh m).
+Proof.
+case: e => on [] m1 m2 m3 m4 m5 m6 m7 m8; rewrite /unasked /=; set e := Expectation _ _ _ _ _ _ _ _ _ _.
+  have same r : holds_of e s (Basic r) = holds_of (open_on on) s (Basic r) by case: r.
+  by split=> [H|[H M]]; [split=> [|m]; [by case=> [r|[] //]; rewrite -same; exact: (H (Basic r))|exact: (H (Mesh m))]
+    |case=> [r|m]; [rewrite same; exact: (H (Basic r))|exact: M]].
+have same r : holds_of e s (Basic r) = holds_of (closed_on on) s (Basic r) by case: r.
+by split=> [H|[H M]]; [split=> [|m]; [by case=> [r|[] //]; rewrite -same; exact: (H (Basic r))|exact: (H (Mesh m))]
+    |case=> [r|m]; [rewrite same; exact: (H (Basic r))|exact: M]].
 Qed.

@@ -5,7 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
-From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds NearWalks NearLists NearSum.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds ExpectationsOrder NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -171,6 +171,23 @@ Check filled_holes_recorded : forall v prev_stored leaving_stored places unbound
   let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled Expectations.plane s in
   rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u, nested_records (answers u) true
     & forall h, half_edge (answers u) h -> boundary_of (answers u) h <> None].
+
+(** Where every part is stored that is a planar subdivision; and nested faces can be put down, one component after another. *)
+
+Check nested_means_subdivision : forall t sf so si, let s := Structure t all_parts sf so si in
+  [/\ is_plane t, faces_nested Expectations.plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
+  exists u, represents t u.
+
+Check depth_is_order : forall t (entry : nat -> place -> option start), ExpectationsBorder.open_rules t ->
+  (forall f p v, start_vertex t (entry f p) = Some v -> vertex t v) ->
+  some_depth t entry <-> exists order, one_after_another t entry order.
+
+Check nested_in_order : forall t unbounded side entry, ExpectationsBorder.open_rules t -> nested t unbounded side entry ->
+  exists order, one_after_another t entry order.
+
+(** The rules of meshes are asked for besides the others. *)
+
+Check mesh_rules_apart : forall e s, rules_of e s <-> rules_of (unasked e) s /\ forall m, holds_of e s (Mesh m).
 
 (** A closed structure is an open one in which each half-edge has a twin and, if faces are stored, a face. *)
 
