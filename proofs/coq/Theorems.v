@@ -5,6 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
+From twinedge Require Import SearchOutside.
 From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds ExpectationsOrder NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
@@ -488,6 +489,18 @@ Check merge_faces_keeps_rules : forall t n m f g kept dropped, is_seam t n m f g
 Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo way,
   is_bridge t n m f kept made at_n at_m stays bo way ->
   rules t -> rules (part_component t n m f kept made at_n at_m stays).
+
+(** Which part keeps its outside is found by a search from either end, through outer cycles: one of them meets what is no outer one, and
+    whichever does, the edge can be removed with that answer. *)
+
+Check search_complete : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
+  SearchOutside.is_outer t cut -> finds cut a || finds cut (Map.tw a).
+
+Check search_keeps_rules : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
+  SearchOutside.is_outer t cut -> forall f made at_n at_m (s : Map.dart t),
+  boundary_face t cut = Some f -> ~~ boundary t made -> at_n = cut /\ at_m = made \/ at_n = made /\ at_m = cut ->
+  is_end a s -> finds cut s ->
+  rules (part_component t (LoopsProof.num a) (LoopsProof.num (Map.tw a)) f cut made at_n at_m (if s == a then at_n else at_m)).
 
 (** So does flipping an edge, and putting it anywhere between the corners of its two cycles. *)
 
