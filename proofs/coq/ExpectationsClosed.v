@@ -253,7 +253,7 @@ move=> s u; rewrite (filled_rules s (isT : ~~ border_kept plane)) /u /s {u s}.
 by case: pr; case: le; case: pl; apply: holes_recorded.
 Qed.
 
-(** Where every part is stored, such nested faces are the planar subdivisions of Subdivision.v. *)
+(** With every part stored, such nested faces are the planar subdivisions of Subdivision.v. *)
 Theorem nested_means_subdivision t sf so si : let s := Structure t all_parts sf so si in
   [/\ is_plane t, faces_nested plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
   exists u, represents t u.

@@ -307,7 +307,8 @@ have outersE f : face t f -> leads_to (boundary t) (outer t f).
   by rewrite /has_outer /= -[outer _ f]/(outer t f) O => /(_ isT).
 split=> //.
 - move=> g h b lg lh Eg; have lb : boundary t b by case: (sides g lg) => [[c]|[_]]; rewrite Eg // => -[->].
-  have [k S kg] := (B b g lb lg).1 Eg; have {}S : boundary_start t b = Some (AtHalfEdge k) := S; have [h0 S' lk] := startE b lb; move: S'; rewrite S => -[kk]; rewrite -{h0}kk in lk.
+  have [k S kg] := (B b g lb lg).1 Eg; have {}S : boundary_start t b = Some (AtHalfEdge k) := S.
+  have [h0 S' lk] := startE b lb; move: S'; rewrite S => -[kk]; rewrite -{h0}kk in lk.
   split=> [/(B b h lb lh)[k' S']|gh].
     have {}S' : boundary_start t b = Some (AtHalfEdge k') := S'; move: S'; rewrite S => -[<-].
     apply: orbit_trans; exact: (open_cycle_sym keeps lk lg kg).

@@ -22,10 +22,10 @@ Definition one_after_another (order : seq nat) := (forall v, vertex t v -> v \in
 Definition some_depth := exists depth : nat -> nat, (forall u v, same_piece t u v -> depth u = depth v) /\
   forall f i u v, start_vertex t (entry f Outer) = Some u -> start_vertex t (entry f (Inner i)) = Some v -> depth u < depth v.
 
-(** Where an entry starts is a vertex. *)
+(** Each entry starts at a vertex that is there. *)
 Hypothesis starts : forall f p v, start_vertex t (entry f p) = Some v -> vertex t v.
 
-(** Whether vertices are in one piece can be decided: the structure without faces says so. *)
+(** It can be decided if vertices are in one piece: the structure without faces says so. *)
 Let s := Structure t (Parts true true false false false false false) (fun _ => None) (fun _ => None) (fun _ _ => None).
 Definition in_piece u v := v \in linked_list (open_on true) s u.
 

@@ -55,7 +55,7 @@ Proof. by case=> ->; rewrite ?(twK map). Qed.
 Lemma cycle_of (x y : dart t) : bnd x = bnd y -> fconnect (@nx t) x y.
 Proof. by move=> E; rewrite -(bndE low) E. Qed.
 
-(** *** What is found can be reached without the bridge *)
+(** *** All that is searched can be reached without the bridge *)
 
 Definition reaches (s : dart t) v := exists way, way_ends t (num a) (num b) (org s) way = Some v.
 

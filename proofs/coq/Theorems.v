@@ -5,7 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
-From twinedge Require Import SearchOutside.
+From twinedge Require Import SearchOutside Encloses.
 From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds ExpectationsOrder NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
@@ -173,7 +173,7 @@ Check filled_holes_recorded : forall v prev_stored leaving_stored places unbound
   rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u, nested_records (answers u) true
     & forall h, half_edge (answers u) h -> boundary_of (answers u) h <> None].
 
-(** Where every part is stored that is a planar subdivision; and nested faces can be put down, one component after another. *)
+(** With every part stored that is a planar subdivision; and nested faces can be put down, one component after another. *)
 
 Check nested_means_subdivision : forall t sf so si, let s := Structure t all_parts sf so si in
   [/\ is_plane t, faces_nested Expectations.plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
@@ -413,6 +413,15 @@ Check move_inner_keeps_rules : forall t b f g, rules t -> boundary_face t b = So
   boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
   rules (move_inner t b f g) <-> ~ inside t b g.
 
+(** A search tells if it is inside: across edges, and through all that lies in the faces that are met. *)
+
+Check met_inside_faces : forall t b, rules t -> Rules.is_inner t b -> forall h,
+  inside t b h <-> exists2 c, met t b c & outer t h = Some c.
+
+Check move_inner_searched : forall t b f g, rules t -> boundary_face t b = Some f ->
+  boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
+  rules (move_inner t b f g) <-> ~ exists2 c, met t b c & outer t g = Some c.
+
 (** Wherever it is listed: it changes places with the last one of its list first, which keeps all rules. *)
 
 Check move_any_inner_keeps_rules : forall t b f i g, rules t -> boundary_face t b = Some f ->
@@ -490,7 +499,7 @@ Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo w
   is_bridge t n m f kept made at_n at_m stays bo way ->
   rules t -> rules (part_component t n m f kept made at_n at_m stays).
 
-(** Which part keeps its outside is found by a search from either end, through outer cycles: one of them meets what is no outer one, and
+(** The part that keeps the outside is found by a search from either end, through outer cycles: one of them meets what is no outer one, and
     whichever does, the edge can be removed with that answer. *)
 
 Check search_complete : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
