@@ -69,6 +69,12 @@ pub enum Error {
         /// The first columns that there are.
         known: Vec<String>,
     },
+    /// No feature can get the gaps.
+    #[error("--gaps-to: {0}")]
+    GapsTo(#[from] layer::clean::GapsToError),
+    /// The layer could not be cleaned.
+    #[error(transparent)]
+    Clean(#[from] layer::clean::CleanError),
     /// No feature has one of the values by which parts name their parents.
     #[error(
         "no feature has one of the values of {column} as its {key}, so that no parent is known; COLUMN=KEY says in which column parents \

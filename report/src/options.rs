@@ -5,7 +5,7 @@ use crate::coverage::CoverageOptions;
 use crate::imported::MapOptions;
 use crate::parent_column::ParentColumn;
 use twinedge::validate::{Collect, Expectation};
-use twinedge_formats::mesh::HalfEdgeMesh;
+use twinedge_formats::mesh::{HalfEdgeMesh, SpaceRule};
 
 /// The options of an audit. Those that are for other kinds of inputs are not looked at.
 #[derive(Clone, Debug)]
@@ -27,6 +27,8 @@ pub struct Options {
     pub geodesic: bool,
     /// The properties that a mesh must have.
     pub mesh: Expectation,
+    /// The rules about the places of its points that are checked.
+    pub space: Vec<SpaceRule>,
 }
 
 impl Default for Options {
@@ -40,6 +42,7 @@ impl Default for Options {
             parent: None,
             geodesic: false,
             mesh: HalfEdgeMesh::expectation(),
+            space: Vec::new(),
         }
     }
 }

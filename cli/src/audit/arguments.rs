@@ -141,6 +141,7 @@ impl Audit {
             coverage: self.coverage.options(),
             geodesic: self.measured.is_geodesic(),
             mesh: self.mesh.expectation(),
+            space: self.mesh.space(),
         }
     }
 }

@@ -114,12 +114,14 @@ impl Serialize for Reason {
             Broken(&'static str),
             NotClosed,
             NotLocated,
+            NotConvex,
         }
         match self {
             Self::Validator(why) => why.serialize(serializer),
             Self::Broken(rule) => Form::Broken(rule).serialize(serializer),
             Self::NotClosed => Form::NotClosed.serialize(serializer),
             Self::NotLocated => Form::NotLocated.serialize(serializer),
+            Self::NotConvex => Form::NotConvex.serialize(serializer),
         }
     }
 }
