@@ -508,7 +508,7 @@ Check search_complete : forall t, rules t -> forall (a : Map.dart t) cut, Map.bn
 Check search_keeps_rules : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
   SearchOutside.is_outer t cut -> forall f made at_n at_m (s : Map.dart t),
   boundary_face t cut = Some f -> ~~ boundary t made -> at_n = cut /\ at_m = made \/ at_n = made /\ at_m = cut ->
-  is_end a s -> finds cut s ->
+  SearchOutside.is_end a s -> finds cut s ->
   rules (part_component t (LoopsProof.num a) (LoopsProof.num (Map.tw a)) f cut made at_n at_m (if s == a then at_n else at_m)).
 
 (** So does flipping an edge, and putting it anywhere between the corners of its two cycles. *)
