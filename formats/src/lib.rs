@@ -38,6 +38,7 @@
 //! | `topojson` (default) | a reader | serde |
 //! | `archive` (default) | layers in zip archives and in gzip data | zip, tempfile |
 //! | `epsg` (default) | the definitions of the reference systems of the EPSG; without them only WGS 84 is known by its number | none |
+//! | `osm` (default) | the module `layer::osm`: boundaries of `OpenStreetMap` | osmpbf |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
