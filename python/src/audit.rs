@@ -10,7 +10,7 @@ use std::time::Instant;
 use twinedge::algorithm::coverage::Limits;
 use twinedge_formats::mesh::{HalfEdgeMesh, IndexedMesh};
 use twinedge_report::{
-    Accepted, Audited, Compared, CoverageOptions, InputKind, MapOptions, Options, audit as judge, audit_mesh,
+    Accepted, Audited, Compared, CoverageOptions, Edges, InputKind, MapOptions, Options, audit as judge, audit_mesh,
 };
 
 /// The limits of a coverage.
@@ -43,6 +43,8 @@ pub(crate) struct MapAsked {
     limits: LimitsAsked,
     snap: Option<f64>,
     name: Option<String>,
+    /// The shape of edges, by its word.
+    edges: Option<String>,
     /// A list of accepted findings.
     accept: Option<String>,
     list: usize,
@@ -56,9 +58,19 @@ impl MapAsked {
             list: Some(if self.accept.is_some() { usize::MAX } else { self.list }),
             map: MapOptions { snap: snap(self.snap), name_from: self.name.clone(), allow_empty: false },
             coverage: CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() },
+            edges: self.edges.as_deref().map(edges).transpose()?,
             accepted: accepted.map_err(|error| Failure::Value(format!("accept: {error}")))?,
             ..Options::default()
         })
+    }
+}
+
+/// The shape of edges by its word.
+fn edges(word: &str) -> Result<Edges, Failure> {
+    match word {
+        "straight" => Ok(Edges::Straight),
+        "geodesic" => Ok(Edges::Geodesic),
+        _ => Err(Failure::Value(format!("edges: {word:?} is neither \"straight\" nor \"geodesic\""))),
     }
 }
 

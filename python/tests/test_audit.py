@@ -149,3 +149,19 @@ def test_the_folder_of_the_sources_does_not_hide_the_package():
     folder = Path(__file__).parents[1]
     done = subprocess.run([sys.executable, "-c", "import twinedge"], cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_edges_are_great_circles_where_asked():
+    # On the map they lie apart; on the globe the parallel of 50 degrees, drawn by its ends, bulges to 67.2 degrees.
+    long = {"type": "Polygon", "coordinates": [[[-60, 30], [0, 30], [60, 30], [60, 50], [-60, 50], [-60, 30]]]}
+    beside = {"type": "Polygon", "coordinates": [[[-5, 60], [5, 60], [5, 72], [-5, 72], [-5, 60]]]}
+    layer = {"type": "GeometryCollection", "geometries": [long, beside]}
+    assert twinedge.audit(layer, edges="straight").valid
+    report = twinedge.audit(layer, edges="geodesic")
+    assert [(one.rule, one.kind, one.records) for one in report.violations] == [("G4", "cross", ())] * 2
+    assert report.violations[0].names[0].startswith("edge (") and "same vertices" in report.violations[0].remedy
+    assert report.broken_rules == ["G4"] and report.verdict == "invalid"
+    with pytest.raises(ValueError, match='edges: "round" is neither'):
+        twinedge.audit(layer, edges="round")
+    with pytest.raises(ValueError, match="--edges geodesic and --snap do not go together"):
+        twinedge.audit(layer, edges="geodesic", snap="auto")

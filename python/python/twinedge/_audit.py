@@ -269,6 +269,7 @@ def audit(
     accept_gaps: Iterable[Sequence[float]] | None = None,
     sliver_area: float | None = None,
     snap: float | str | None = None,
+    edges: str | None = None,
     name: str | None = None,
     layer_name: str | None = None,
     accept: Any = None,
@@ -309,6 +310,9 @@ def audit(
         perimeter P. Default: a thousandth of the median area of all parts.
     snap : float or "auto", optional
         Cut segments where they meet, on a grid of cells that are at most so wide.
+    edges : "straight" or "geodesic", optional
+        Edges between longitudes and latitudes are straight on the map, which is the default, or arcs of great circles. Then widths are in
+        metres and areas in square metres, antimeridian and poles are places like others, and C6 is not asked. Without ``snap``.
     name : str, optional
         The column, or the property of features, that has their labels. By default the index of a frame or series, if it is not just
         0, 1, 2, …; else the column or property ``name``, if there is one, or the ``id`` of a feature. The features of a file have the
@@ -337,7 +341,8 @@ def audit(
     TypeError
         The layer is nothing of these (the message says what to call instead), or an argument is for meshes, or for maps, only.
     ValueError
-        The file or the geometry is malformed; a width, an area or ``snap`` is negative or not finite; there is no column ``name``.
+        The file or the geometry is malformed; a width, an area or ``snap`` is negative or not finite; ``edges`` is another word, or the
+        coordinates are no longitudes and latitudes; there is no column ``name``.
 
     Notes
     -----
@@ -349,7 +354,7 @@ def audit(
         raise TypeError(f"audit() got an unexpected keyword argument {unknown[0]!r}")
     for_maps = {
         "format": format, "coverage": coverage, "gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps,
-        "sliver_area": sliver_area, "snap": snap, "name": name, "layer_name": layer_name, "accept": accept, "timeout": timeout,
+        "sliver_area": sliver_area, "snap": snap, "edges": edges, "name": name, "layer_name": layer_name, "accept": accept, "timeout": timeout,
     }
     labels: Names | None = None
     crs: Any = None
@@ -375,6 +380,7 @@ def audit(
         "coverage": bool(coverage),
         "limits": _limits(gap_width, lake_width, accept_gaps, sliver_area),
         "snap": _cell(snap),
+        "edges": edges,
         "name": name if file else None,
         "accept": _accepted(accept),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),

@@ -23,3 +23,15 @@ REMEDIES: Final[dict[str, str]] = {
     "touch": "split the edge at the vertex: `audit(layer, snap=\"auto\")`, or the size of a grid as `snap=`, does so before it judges",
 }
 """The remedy of each of these kinds, as part of a sentence."""
+
+#: Cause and remedy of what is wrong with edges along great circles.
+ON_GLOBE: Final[dict[str, tuple[str, str]]] = {
+    "antipodal": ("an edge goes around half of the globe", "add a vertex between its ends"),
+    **dict.fromkeys(
+        ("cross", "overlap", "touch"),
+        (
+            "borders that are drawn with different vertices run along different great circles",
+            "draw both borders with the same vertices; a border that is straight on the map needs more of them",
+        ),
+    ),
+}

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _twinedge
 from ._names import Names
-from ._remedies import REMEDIES
+from ._remedies import ON_GLOBE, REMEDIES
 
 if TYPE_CHECKING:
     import geopandas as gpd
@@ -70,7 +70,8 @@ class Violation:
     #: The positions of the features concerned, for a map.
     features: tuple[int, ...] = ()
     #: The names of the records, in their order, if the structure has some: of ``networkx`` a node, or a pair of nodes for a
-    #: half-edge; of a list of faces a :class:`Side` for a half-edge. See :meth:`Report.name`.
+    #: half-edge; of a list of faces a :class:`Side` for a half-edge. See :meth:`Report.name`. Of a map of great circles the
+    #: edges by their ends; there are no :attr:`records` then.
     names: tuple[Any, ...] = ()
     #: The labels of ``features``, in their order, if the layer has some. See ``name`` of :func:`twinedge.audit`.
     labels: tuple[Any, ...] = ()
@@ -80,6 +81,8 @@ class Violation:
     follows_from: str | None = None
 
     def _explained(self) -> tuple[str, str]:
+        if not self.records and self.kind in ON_GLOBE:
+            return ON_GLOBE[self.kind]
         entry: dict[str, Any] = {"kind": self.kind}
         if self.fields:
             entry["fields"] = self.fields
@@ -93,7 +96,8 @@ class Violation:
     @property
     def remedy(self) -> str:
         """The remedy, in the arguments of this package."""
-        return REMEDIES.get(self.kind) or self._explained()[1]
+        own = REMEDIES.get(self.kind) if self.records else None
+        return own or self._explained()[1]
 
     def __str__(self) -> str:
         called = [f"{record} is {_told(name)}" for record, name in zip(self.records, self.names, strict=False) if name != record.index]
@@ -400,7 +404,8 @@ class Report:
         return [*map(self._violation, self._document["violations"])]
 
     def _violation(self, entry: dict[str, Any]) -> Violation:
-        records = tuple(Record(kind, index) for r in entry["records"] for kind, index in r.items())
+        named = tuple(record for record in entry["records"] if isinstance(record, str))
+        records = tuple(Record(kind, index) for r in entry["records"] if r not in named for kind, index in r.items())
         features = tuple(entry.get("feature_numbers", ()))
         return Violation(
             rule=entry["rule"],
@@ -410,7 +415,7 @@ class Report:
             fields=dict(entry.get("fields", {})),
             at=tuple((x, y) for x, y in entry.get("at", ())),
             features=features,
-            names=self._record_names(records),
+            names=named or self._record_names(records),
             labels=self._labels(features) or _own_titles(features, entry.get("features", ())),
             id=entry.get("id"),
             follows_from=entry.get("follows_from"),
@@ -454,7 +459,7 @@ class Report:
     @property
     def finding_count(self) -> int:
         """The number of findings, listed or not."""
-        of_coverage = sum(int(self._coverage.get(count, 0)) for count in _COUNTS)
+        of_coverage = sum(int(self._coverage.get(count) or 0) for count in _COUNTS)
         return of_coverage + int(self._document.get("finding_count", 0))
 
     @property

@@ -289,6 +289,7 @@ def finish(
         "coverage": bool(coverage),
         "limits": _limits(**limits),
         "snap": None,
+        "edges": None,
         "name": None,
         "accept": _accepted(accept),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),

@@ -50,6 +50,10 @@ fn a_vertex_that_a_neighbour_lacks_is_a_mismatch() {
     let west = boxed([-5.0, 40.0, 7.3, 50.0]);
     let east = boxed([7.3, 45.0, 12.0, 55.0]);
     assert_eq!(missing(&[west.clone(), east.clone()]), [(0, 45.0), (1, 50.0)]);
+    // A line of the western feature has the vertex that its polygon lacks.
+    let mut with_line = west.clone();
+    with_line.shapes.push(Shape::line([[7.0, 45.0], [7.3, 45.0]]));
+    assert_eq!(missing(&[with_line, east]), [(1, 50.0)]);
     // It ends at a vertex that both have, besides.
     let below = boxed([7.3, 40.0, 12.0, 45.0]);
     assert_eq!(missing(&[west.clone(), below]), [(0, 45.0)]);
@@ -162,6 +166,10 @@ fn each_rule_is_broken_alone() {
     let mut island = all.clone();
     island[4].shapes.push(Shape::polygon([[170.0, 0.0], [170.1, 0.0], [170.1, 0.0001], [170.0, 0.0001]]));
     assert_eq!(of(&island, &limits), [(CoverageRule::Sliver, vec![4])]);
+    // One that is 10 m long, too, is no sliver.
+    let mut small = all;
+    small[4].shapes.push(Shape::polygon([[170.0, 0.0], [170.0001, 0.0], [170.0001, 0.0001], [170.0, 0.0001]]));
+    assert_eq!(of(&small, &limits), []);
 }
 
 /// The same boxes, with each corner of one that lies on a side of another as a vertex there.

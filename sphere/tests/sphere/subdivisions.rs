@@ -72,6 +72,31 @@ fn an_arc_over_the_pole_is_cut_there() {
     assert_eq!((cover.features_at(at(90.0, 85.0)), cover.features_at(at(-90.0, 85.0))), (&[0][..], &[][..]));
 }
 
+/// Lines that end anywhere, alone or at a border, take nothing from the faces around them.
+#[test]
+fn lines_change_no_area() {
+    let field = feature(Shape::polygon([[10.0, 40.0], [20.0, 40.0], [20.0, 50.0], [10.0, 50.0]]));
+    let star = |at: [f64; 2]| {
+        let ray = |i: u32| {
+            let angle = f64::from(i) * 0.7;
+            Shape::line([at, [at[0] + angle.cos(), at[1] + angle.sin()]])
+        };
+        Feature { shapes: (0..8).map(ray).collect(), ..Feature::default() }
+    };
+    let area = |features: &[Feature]| {
+        let drawing = Drawing::new(features).expect("places");
+        let (clashes, map) = valid(&drawing);
+        assert_eq!(clashes, []);
+        Cover::new(&map, &drawing, Inside::Smaller).area_of(0)
+    };
+    let alone = area(std::slice::from_ref(&field));
+    let dangling = feature(Shape::line([[10.0, 50.0], [12.0, 48.0], [12.5, 47.0]]));
+    for lines in [star([15.0, 45.0]), star([100.0, -45.0]), star([20.0, 40.0]), dangling] {
+        let with_lines = area(&[field.clone(), lines]);
+        assert!((with_lines / alone - 1.0).abs() < 1e-12, "{with_lines} {alone}");
+    }
+}
+
 /// Polygons of some places at random, of which many coincide.
 fn polygons(numbers: &mut Numbers) -> Vec<Feature> {
     let coordinates = |numbers: &mut Numbers| {
