@@ -21,8 +21,8 @@ use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, tex
 use twinedge::io::tables::Textbook;
 use twinedge::tile::Summary;
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
-use twinedge_formats::layer::{Format, Layer};
 use twinedge_formats::layer::topojson::ArcTopology;
+use twinedge_formats::layer::{Format, Layer};
 use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
 

@@ -4,6 +4,7 @@ mod support;
 
 mod audit;
 mod between;
+mod boundaries;
 mod certificate;
 mod cleaning;
 mod conveniences;

@@ -89,25 +89,25 @@ fn rings_that_touch_at_a_node_are_told_apart() {
     assert_eq!(both.violation_count(), 0);
     let shape = &both.layer.features[0].geometry.as_ref().unwrap().shape;
     let Shape::MultiPolygon(polygons) = shape else { panic!("{shape:?}") };
-    assert_eq!(polygons.iter().map(|rings| rings.iter().map(Vec::len).collect::<Vec<_>>()).collect::<Vec<_>>(), [[4], [4]]);
+    assert_eq!(
+        polygons.iter().map(|rings| rings.iter().map(Vec::len).collect::<Vec<_>>()).collect::<Vec<_>>(),
+        [[4], [4]]
+    );
 }
 
 #[test]
 fn each_rule_is_broken_alone() {
     type Breaking = fn(&mut File);
     let cases: [(Breaking, Vec<(&str, Option<&str>, Vec<String>)>); 7] = [
-        (
-            |file| file.ways.retain(|(way, _)| *way != 13),
-            vec![("way_missing", None, ids([300]))],
-        ),
-        (
-            |file| file.nodes.retain(|(node, ..)| *node != 9),
-            vec![("node_missing", None, ids([300]))],
-        ),
+        (|file| file.ways.retain(|(way, _)| *way != 13), vec![("way_missing", None, ids([300]))]),
+        (|file| file.nodes.retain(|(node, ..)| *node != 9), vec![("node_missing", None, ids([300]))]),
         (|file| file.members(100).truncate(1), vec![("open_ring", None, ids([100]))]),
         (|file| file.members(100).clear(), vec![("no_ways", None, ids([100]))]),
         (|file| file.members(200).push((12, "outer")), vec![("way_repeated", None, ids([200]))]),
-        (|file| file.relation(600, "6", "West again", &[(11, ""), (10, "")]), vec![("same_side", None, ids([100, 600]))]),
+        (
+            |file| file.relation(600, "6", "West again", &[(11, ""), (10, "")]),
+            vec![("same_side", None, ids([100, 600]))],
+        ),
         (|file| file.members(300)[1].1 = "outer", vec![("wrong_role", None, ids([300]))]),
     ];
     for (breaking, expected) in cases {

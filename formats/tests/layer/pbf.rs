@@ -33,7 +33,13 @@ impl File {
         self.ways.push((id, nodes.to_vec()));
     }
 
-    pub(crate) fn relation(&mut self, id: i64, level: &'static str, name: &'static str, members: &[(i64, &'static str)]) {
+    pub(crate) fn relation(
+        &mut self,
+        id: i64,
+        level: &'static str,
+        name: &'static str,
+        members: &[(i64, &'static str)],
+    ) {
         self.relations.push((id, level, name, members.to_vec()));
     }
 

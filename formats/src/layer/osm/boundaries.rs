@@ -153,9 +153,8 @@ impl<'a> Making<'a> {
                 continue;
             };
             if let Some(node) = nodes.iter().find(|node| !elements.nodes.contains_key(node)) {
-                let message = || {
-                    format!("node {node} of way {}, a member of {}, is not in the file", member.way, said(relation))
-                };
+                let message =
+                    || format!("node {node} of way {}, a member of {}, is not in the file", member.way, said(relation));
                 self.findings.add(Kind::NODE_MISSING, || of_member(message()));
                 is_complete = false;
                 continue;
@@ -243,9 +242,8 @@ fn placed(lines: Vec<Line>) -> Vec<Placed> {
     let extents: Vec<(Extent, f64)> = lines.iter().map(|line| (Extent::of(line), area(line).abs())).collect();
     let around = |inner: usize| {
         let (extent, of_inner) = &extents[inner];
-        let is_larger = |outer: usize| {
-            extents[outer].1.total_cmp(of_inner).then(inner.cmp(&outer)) == Ordering::Greater
-        };
+        let is_larger =
+            |outer: usize| extents[outer].1.total_cmp(of_inner).then(inner.cmp(&outer)) == Ordering::Greater;
         (0..lines.len())
             .filter(|outer| *outer != inner && extents[*outer].0.contains(extent) && is_larger(*outer))
             .filter(|outer| lies_in(&lines[inner], &lines[*outer]))

@@ -115,4 +115,3 @@ pub(super) fn around(ring: &Ring, pieces: &[Piece<'_>]) -> Vec<i64> {
     }
     nodes
 }
-
