@@ -302,7 +302,8 @@ have [[_ Hv] _ V1 _] := keeps; split=> [i /wholeP[li|[h bh ->]]|v lv].
   by rewrite live_new; apply/lacks_twinP.
 - have [lh _] := andP bh; have [g bg [N _]] := next_beside bh; have [p bp [P _]] := prev_beside bh.
   have [k [v [_ lk O E _]]] := lacks_end bh.
-  rewrite origin_new // twin_new // N P E; split; [|by exists h; rewrite ?live_old|by exists (beside g); rewrite ?live_new|by exists (beside p); rewrite ?live_new].
+  rewrite origin_new // twin_new // N P E; split;
+    [|by exists h; rewrite ?live_old|by exists (beside g); rewrite ?live_new|by exists (beside p); rewrite ?live_new].
   by exists v => //; have [[u U lu] _ _ _] := lives lk; move: U; rewrite O => -[->].
 case: (Hv v lv) => [[h L lh]|[L no]]; [left; exists h => //; exact: live_old|right; split=> //].
 move=> i /wholeP[li|[h bh ->]]; first by rewrite origin_old //; apply: no.

@@ -3,7 +3,7 @@
     Where each half-edge has a twin and, if faces are stored, a face, it does not matter whether open boundaries would be legal. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists Subdivision RotationSystem.
+From twinedge Require Import View Rules Loops LoopsProof Reference ReferenceProof Map Counting Lists Subdivision RotationSystem Verdict.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsLists ExpectationsVerdict ExpectationsPlane ExpectationsFaceless.
 From twinedge Require Import ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen.
 From twinedge Require Import ExpectationsNested ExpectationsHoles.
@@ -132,25 +132,31 @@ have [B _] := L1 k lk isT; rewrite /turn; move: B; rewrite T /= => ->; rewrite /
 by have [_] := L2 i li; rewrite P.
 Qed.
 
+Lemma closed_before : before_t4 ec s -> before_t4 eo s /\ no_border.
+Proof.
+move=> H; have R := H R1 isT; have none := closed_no_border R; split=> //.
+case=> // _.
+- have [Hh Hv Hb Hf S] := R; split=> // h lh; have [O [T|//] N P F] := Hh h lh; split=> // [|hf]; [by left|].
+  by case: (F hf) => [|[]]; [left|].
+- by move=> h lh _; apply: (H L1 isT h lh).
+- exact: (H L2 isT).
+- by move=> h lh _; apply: (H L3 isT h lh).
+- exact: (H V1 isT).
+- exact: closed_open_v2 R (H L1 isT) (H L2 isT) (H V2 isT).
+- exact: (H B1 isT).
+- exact: (H B2 isT).
+- exact: (H F1 isT).
+- exact: (H F2 isT).
+- exact/(same_closed_t1 none)/(H T1 isT).
+- exact/(same_closed_t2 none)/(H T2 isT).
+exact/(same_closed_t3 none)/(H T3 isT).
+Qed.
+
 Lemma closed_rules : rules_of ec s <-> rules_of eo s /\ no_border.
 Proof.
 split=> [H|[H none]].
-  have R := H (Basic R1); have none := closed_no_border R; split=> //.
-  case=> [[]|[] //] //.
-  - have [Hh Hv Hb Hf S] := R; split=> // h lh; have [O [T|//] N P F] := Hh h lh; split=> // [|hf]; [by left|].
-    by case: (F hf) => [|[]]; [left|].
-  - by move=> h lh _; apply: (H (Basic L1) h lh).
-  - exact: (H (Basic L2)).
-  - by move=> h lh _; apply: (H (Basic L3) h lh).
-  - exact: (H (Basic V1)).
-  - exact: closed_open_v2 R (H (Basic L1)) (H (Basic L2)) (H (Basic V2)).
-  - exact: (H (Basic B1)).
-  - exact: (H (Basic B2)).
-  - exact: (H (Basic F1)).
-  - exact: (H (Basic F2)).
-  - exact/(same_closed_t1 none)/(H (Basic T1)).
-  - exact/(same_closed_t2 none)/(H (Basic T2)).
-  - exact/(same_closed_t3 none)/(H (Basic T3)).
+  have [B none] := closed_before (rules_before_t4 H); split=> //.
+  case=> [r|[] //]; case: (ltnP (index r) (index T4)) => [/B //|]; case: r => // _.
   exact/(same_closed_t4 none)/(H (Basic T4)).
 have keeps := links_open (fun r _ => H (Basic r)).
 case=> [[]|[] //] //.
@@ -245,4 +251,24 @@ Theorem filled_holes_recorded v pr le pl un sf so si :
 Proof.
 move=> s u; rewrite (filled_rules s (isT : ~~ border_kept plane)) /u /s {u s}.
 by case: pr; case: le; case: pl; apply: holes_recorded.
+Qed.
+
+(** With every part stored, such nested faces are the planar subdivisions of Subdivision.v. *)
+Theorem nested_means_subdivision t sf so si : let s := Structure t all_parts sf so si in
+  [/\ is_plane t, faces_nested plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
+  exists u, represents t u.
+Proof. by move=> s; rewrite -rules_mean_subdivision -(plane_rules t sf so si) (holes_recorded t true true sf so si). Qed.
+
+(** The rules of meshes are asked for besides: the others do not depend on them. *)
+Definition unasked e := if is_open e then open_on (on_plane e) else closed_on (on_plane e).
+
+Theorem mesh_rules_apart e s : rules_of e s <-> rules_of (unasked e) s /\ forall m, holds_of e s (Mesh m).
+Proof.
+case: e => on [] m1 m2 m3 m4 m5 m6 m7 m8; rewrite /unasked /=; set e := Expectation _ _ _ _ _ _ _ _ _ _.
+  have same r : holds_of e s (Basic r) = holds_of (open_on on) s (Basic r) by case: r.
+  by split=> [H|[H M]]; [split=> [|m]; [by case=> [r|[] //]; rewrite -same; exact: (H (Basic r))|exact: (H (Mesh m))]
+    |case=> [r|m]; [rewrite same; exact: (H (Basic r))|exact: M]].
+have same r : holds_of e s (Basic r) = holds_of (closed_on on) s (Basic r) by case: r.
+by split=> [H|[H M]]; [split=> [|m]; [by case=> [r|[] //]; rewrite -same; exact: (H (Basic r))|exact: (H (Mesh m))]
+    |case=> [r|m]; [rewrite same; exact: (H (Basic r))|exact: M]].
 Qed.

@@ -40,46 +40,51 @@ Proof.
 move=> bv; elim=> // y z _ -> [h O _]; by case: (bv h (heard_live O)).
 Qed.
 
+Lemma nested_named_before : before_t4 e s -> [/\ open_rules t, is_nested & t3_euler (flat w)].
+Proof.
+move=> H.
+have keeps := links_open (before_b1 H); split=> //; last by apply/(@open_t3_plane t true places true unbounded sf so si true false keeps isT)/(H T3 isT).
+have [Hh _ _ Hf _] := H R1 isT; have [C E] := H B1 isT; have [F1' F1v] := H F1 isT isT.
+have along g h : half_edge t g -> on_cycle t g h -> half_edge t h /\ sf h = sf g.
+  move=> lg [m]; elim: m h => [|m IH] h; first by case=> <-.
+  rewrite iterS; case I: (iter m _ _) => [k|] // kh; have {}kh : next t k = Some h := kh; have [lk sk] := IH k I.
+  have lh : half_edge t h by have [_ _ [j M lm] _] := lives keeps lk; move: kh; rewrite M => -[<-].
+  by have := C isT k lk; rewrite -[next _ k]/(next t k) kh /= !nested_side_says // sk.
+have starts f p st : entry f p = Some st -> starts_live (seen e s) (Some st).
+  move=> En; have := place_entry En; case: p En => [|i] En /andP[lf lt]; have [O I] := Hf f lf.
+    by rewrite -En; apply: O; rewrite outer_entry // En.
+  by rewrite -En; apply: I.
+have half f p h : entry f p = Some (AtHalfEdge h) -> half_edge t h /\ sf h = Some f.
+  by move=> En; have lh : half_edge t h := starts f p _ En; split=> //; rewrite -nested_side_says //; apply: E En.
+split.
+- move=> h lh; rewrite face_says //; have [_ _ _ _ /(_ isT)[]] := Hh h lh; rewrite nested_side_says //; first by left.
+  by case; right.
+- by move=> g h lg lh /(along g h lg)[_]; rewrite !face_says.
+- move=> f p; case P: (is_place t f p); last by case En: (entry f p) => [st|] //; rewrite (place_entry En) in P.
+  rewrite /entry_fits; case En: (entry f p) => [[h|v]|].
+  + by have [lh S] := half f p h En; rewrite face_says.
+  + have lv : vertex t v := starts f p _ En; split=> // [|pO]; last by apply: (F1v f v); rewrite -pO.
+    case: (bareP e s v) => // no; have [_ none] := H B2 isT isT v lv; by case: (none no (f, p)).
+  case: p P En => // i /andP[lf lt] En; have [_ I] := Hf f lf; by have := I i lt; rewrite /= -[entry_start _ _ _ _]/(entry f (Inner i)) En.
+- move=> h f lh; rewrite face_says // => Ef; case: (H F2 isT isT h lh) => [[[f' p] [[g /= En c] one]]|[]]; last by rewrite nested_side_says // Ef.
+  have [lg Sg] := half f' p g En; have [_ Sc] := along h g lh c; have ff : f' = f by move: Sg; rewrite Sc Ef => -[->].
+  exists p; rewrite -ff; split=> [|q [k Ek ck]]; first by exists g.
+  by have /one[] : lists_cycle e s h (f', q) by exists k.
+- have same f : is_unbounded e s f <-> face t f /\ entry f Outer = None.
+    rewrite /is_unbounded; split=> -[lf E0]; split=> //; move: E0; rewrite (outer_entry (lf : face t f)).
+      by case: (entry f Outer).
+    by move=> ->.
+  move: F1'; rewrite (_ : has_unbounded e s = unbounded) //; case: unbounded => [[f [/same U one]]|none].
+    by exists f; split=> // g /same/one.
+  by move=> f lf N; apply: (none f); apply/same.
+- by apply: (nested_t1 keeps _).1 (H T1 isT) => h lh; rewrite nested_side_says ?face_says.
+apply: (nested_t2 keeps _).1 (H T2 isT) => f u; case En: (entry f Outer) => [[g|v]|] //= O; last by case: (F1v f v).
+have [lg _] := half f Outer g En; by have [[x X lx] _ _ _] := lives keeps lg; move: O; rewrite X => -[<-].
+Qed.
+
 Theorem nested_named_rules : rules_of e s <-> [/\ open_rules t, is_nested & t3_euler (flat w)].
 Proof.
-split=> [H|[keeps n T]].
-  have keeps := links_open (fun r _ => H (Basic r)); split=> //; last by apply/(@open_t3_plane t true places true unbounded sf so si true false keeps isT)/(H (Basic T3)).
-  have [Hh _ _ Hf _] := H (Basic R1); have [C E] := H (Basic B1); have [F1' F1v] := H (Basic F1) isT.
-  have along g h : half_edge t g -> on_cycle t g h -> half_edge t h /\ sf h = sf g.
-    move=> lg [m]; elim: m h => [|m IH] h; first by case=> <-.
-    rewrite iterS; case I: (iter m _ _) => [k|] // kh; have {}kh : next t k = Some h := kh; have [lk sk] := IH k I.
-    have lh : half_edge t h by have [_ _ [j M lm] _] := lives keeps lk; move: kh; rewrite M => -[<-].
-    by have := C isT k lk; rewrite -[next _ k]/(next t k) kh /= !nested_side_says // sk.
-  have starts f p st : entry f p = Some st -> starts_live (seen e s) (Some st).
-    move=> En; have := place_entry En; case: p En => [|i] En /andP[lf lt]; have [O I] := Hf f lf.
-      by rewrite -En; apply: O; rewrite outer_entry // En.
-    by rewrite -En; apply: I.
-  have half f p h : entry f p = Some (AtHalfEdge h) -> half_edge t h /\ sf h = Some f.
-    by move=> En; have lh : half_edge t h := starts f p _ En; split=> //; rewrite -nested_side_says //; apply: E En.
-  split.
-  - move=> h lh; rewrite face_says //; have [_ _ _ _ /(_ isT)[]] := Hh h lh; rewrite nested_side_says //; first by left.
-    by case; right.
-  - by move=> g h lg lh /(along g h lg)[_]; rewrite !face_says.
-  - move=> f p; case P: (is_place t f p); last by case En: (entry f p) => [st|] //; rewrite (place_entry En) in P.
-    rewrite /entry_fits; case En: (entry f p) => [[h|v]|].
-    + by have [lh S] := half f p h En; rewrite face_says.
-    + have lv : vertex t v := starts f p _ En; split=> // [|pO]; last by apply: (F1v f v); rewrite -pO.
-      case: (bareP e s v) => // no; have [_ none] := H (Basic B2) isT v lv; by case: (none no (f, p)).
-    case: p P En => // i /andP[lf lt] En; have [_ I] := Hf f lf; by have := I i lt; rewrite /= -[entry_start _ _ _ _]/(entry f (Inner i)) En.
-  - move=> h f lh; rewrite face_says // => Ef; case: (H (Basic F2) isT h lh) => [[[f' p] [[g /= En c] one]]|[]]; last by rewrite nested_side_says // Ef.
-    have [lg Sg] := half f' p g En; have [_ Sc] := along h g lh c; have ff : f' = f by move: Sg; rewrite Sc Ef => -[->].
-    exists p; rewrite -ff; split=> [|q [k Ek ck]]; first by exists g.
-    by have /one[] : lists_cycle e s h (f', q) by exists k.
-  - have same f : is_unbounded e s f <-> face t f /\ entry f Outer = None.
-      rewrite /is_unbounded; split=> -[lf E0]; split=> //; move: E0; rewrite (outer_entry (lf : face t f)).
-        by case: (entry f Outer).
-      by move=> ->.
-    move: F1'; rewrite (_ : has_unbounded e s = unbounded) //; case: unbounded => [[f [/same U one]]|none].
-      by exists f; split=> // g /same/one.
-    by move=> f lf N; apply: (none f); apply/same.
-  - by apply: (nested_t1 keeps _).1 (H (Basic T1)) => h lh; rewrite nested_side_says ?face_says.
-  apply: (nested_t2 keeps _).1 (H (Basic T2)) => f u; case En: (entry f Outer) => [[g|v]|] //= O; last by case: (F1v f v).
-  have [lg _] := half f Outer g En; by have [[x X lx] _ _ _] := lives keeps lg; move: O; rewrite X => -[<-].
+split=> [/rules_before_t4/nested_named_before|[keeps n T]] //.
 have [[Hh Hv] [_ L2 _] V1 _] := keeps.
 have half f p h : entry f p = Some (AtHalfEdge h) -> [/\ face t f, half_edge t h & sf h = Some f].
   by move=> En; have [lf lh S] := entry_half_edge n En; rewrite face_says // in S.
@@ -197,82 +202,87 @@ have lt := inner_lt (L : inner t f i = Some b); rewrite /is_place lt andbT.
 by move: lt; rewrite /inner_count; case: (face t f).
 Qed.
 
+Lemma nested_recorded_before : before_t4 e s -> [/\ open_rules t, is_nested, nested_records t places & t3_euler (flat w)].
+Proof.
+move=> H.
+have keeps := links_open (before_b1 H).
+have T : t3_euler (flat w) by apply/(@open_t3_plane t true places true unbounded sf so si true true keeps isT)/(H T3 isT).
+suff [n R] : is_nested /\ nested_records t places by split.
+have [Rh _ Rb Rf _] := H R1 isT; have [C B] := H B1 isT; have [F1' F1v] := H F1 isT isT.
+have sides h : half_edge t h -> leads_to (boundary t) (boundary_of t h) \/ twin t h <> None /\ boundary_of t h = None.
+  by move=> lh; have [_ _ _ _ /(_ isT)[|[]]] := Rh h lh; [left|right].
+have owner b : boundary t b -> leads_to (face t) (boundary_face t b) by case/Rb.
+have live f p b : listed t f p = Some b -> boundary t b.
+  case: p => [|i] L.
+    have [+ _] := Rf f (heard_live (L : outer t f = Some b)); rewrite /has_outer /= -[outer _ f]/(listed t f Outer) L.
+    by move=> /(_ isT)[c [<-]].
+  have lt := inner_lt (L : inner t f i = Some b).
+  have lf : face t f by move: lt; rewrite /inner_count; case: (face t f).
+  by have [_ /(_ i lt)] := Rf f lf; rewrite -[inner _ f i]/(listed t f (Inner i)) L => -[c [<-]].
+have starts b : boundary t b -> (exists h, [/\ boundary_start t b = Some (AtHalfEdge h), half_edge t h & boundary_of t h = Some b]) \/
+    exists v, [/\ boundary_start t b = Some (AtVertex v), vertex t v & forall h, boundary_of t h <> Some b].
+  move=> lb; have [_] := Rb b lb; rewrite -[boundary_start _ b]/(boundary_start t b).
+  case S: (boundary_start t b) => [[h|v]|] // lx; [left; exists h; split=> //|right; exists v; split=> // h Eh].
+    by apply/(B b h lb lx); exists h => //; exists 0.
+  have [g S' _] := (B b h lb (heard_live Eh)).1 Eh; have {}S' : boundary_start t b = Some (AtHalfEdge g) := S'.
+  by rewrite S in S'.
+have cycles g h b : half_edge t g -> half_edge t h -> boundary_of t g = Some b -> (boundary_of t h = Some b <-> on_cycle t g h).
+  move=> lg lh Eg; have lb : boundary t b by case: (sides g lg) => [[c]|[_]]; rewrite Eg // => -[->].
+  have [k S kg] := (B b g lb lg).1 Eg; have {}S : boundary_start t b = Some (AtHalfEdge k) := S.
+  have lk : half_edge t k by case: (starts b lb) => [[m [S' lm _]]|[v [S' _ _]]]; move: S'; rewrite S // => -[->].
+  split=> [/(B b h lb lh)[k' S']|gh]; last by apply/(B b h lb lh); exists k => //; apply: orbit_trans kg gh.
+  have {}S' : boundary_start t b = Some (AtHalfEdge k') := S'; move: S'; rewrite S => -[<-].
+  apply: orbit_trans; exact: (open_cycle_sym keeps lk lg kg).
+have lists_of b : boundary t b -> exists f p, [/\ boundary_face t b = Some f, (places -> boundary_place t b = Some p)
+    & forall f' p', listed t f' p' = Some b <-> f' = f /\ p' = p] by exact: (H F2 isT b).
+have names f p b : listed t f p = Some b -> boundary_face t b = Some f.
+  by move=> L; have [f' [p' [Ef _ U]]] := lists_of b (live f p b L); have [-> _] := (U f p).1 L.
+split.
+- split.
+  + move=> h lh; rewrite record_face; case: (sides h lh) => [[b -> lb]|[nt ->]]; [left|by right].
+    exact: owner.
+  + move=> g h lg lh c; rewrite !record_face; case Eg: (boundary_of t g) => [b|]; first by have -> : boundary_of t h = Some b by apply/(cycles g h b lg lh Eg).
+    case Eh: (boundary_of t h) => [b|] //; have := (cycles h g b lh lg Eh).2 (open_cycle_sym keeps lg lh c); by rewrite Eg.
+  + move=> f p; case P: (is_place t f p); last first.
+      rewrite record_entry; case L: (listed t f p) => [b|] //; by rewrite (record_place L) in P.
+    rewrite /entry_fits; case En: (entry f p) => [[h|v]|].
+    * move: En; rewrite record_entry record_face; case L: (listed t f p) => [b|] //= S.
+      case: (starts b (live _ _ _ L)) => [[m [S' lm Em]]|[v [S' _ _]]]; move: S'; rewrite S // => -[->]; rewrite Em; split=> //.
+      exact: names L.
+    * have [b [L S]] : exists b, listed t f p = Some b /\ boundary_start t b = Some (AtVertex v).
+        by move: En; rewrite record_entry; case L: (listed t f p) => [b|] //= S; exists b.
+      case: (starts b (live _ _ _ L)) => [[m [S' _ _]]|[u [S' lu _]]]; move: S'; rewrite S // => -[vu]; rewrite -{u}vu in lu.
+      split=> // [|pO]; last by apply: (F1v f v); rewrite -pO.
+      case: (bareP e s v) => // no; have [_ [none _]] := H B2 isT isT v lu; by case: (none no b).
+    case: p P En => // i /andP[lf lt]; rewrite record_entry; have [_ /(_ i lt)] := Rf f lf.
+    rewrite -[inner _ f i]/(listed t f (Inner i)) => -[b -> lb] /=; by case: (starts b lb) => [[m [-> _ _]]|[u [-> _ _]]].
+  + move=> h f lh; rewrite record_face; case Eb: (boundary_of t h) => [b|] //= Ef.
+    have lb := heard_live Ef; have [f' [p [Ef' _ U]]] := lists_of b lb; move: Ef'; rewrite Ef => -[ff]; rewrite -{f'}ff in U.
+    have L : listed t f p = Some b by apply/U.
+    case: (starts b lb) => [[k [S lk Ek]]|[v [_ _ /(_ h)]]] //; exists p; split.
+      by exists k; [rewrite record_entry L | apply/(cycles h k b lh lk Eb)].
+    move=> q [k' + ck]; rewrite record_entry; case L': (listed t f q) => [b'|] //= S'.
+    case: (starts b' (live _ _ _ L')) => [[m [S2 lm Em]]|[v [S2 _ _]]]; move: S2; rewrite S' // => -[km]; rewrite -{m}km in lm Em.
+    have := (cycles h k' b lh lm Eb).2 ck; rewrite Em => -[bb]; rewrite bb in L'.
+    by have [_ ->] := (U f q).1 L'.
+  + have same f : is_unbounded e s f <-> face t f /\ entry f Outer = None.
+      have out : has_outer e s f = isSome (entry f Outer).
+        rewrite /has_outer /= record_entry -[outer _ f]/(listed t f Outer); case L: (listed t f Outer) => [b|] //=.
+        by case: (starts b (live _ _ _ L)) => [[m [-> _ _]]|[u [-> _ _]]].
+      by rewrite /is_unbounded out; split=> -[lf E0]; split=> //; move: E0; case: (entry f Outer).
+    move: F1'; rewrite (_ : has_unbounded e s = unbounded) //; case: unbounded => [[f [/same U one]]|none].
+      by exists f; split=> // g /same/one.
+    by move=> f lf N; apply: (none f); apply/same.
+  + apply: (nested_t1 keeps _).1 (H T1 isT) => h lh; rewrite record_face -[side _ _ h]/(boundary_of t h).
+    by case: (sides h lh) => [[b -> lb]|[_ ->]] //=; have [f -> _] := owner b lb.
+  apply: (nested_t2 keeps _).1 (H T2 isT) => f u; case En: (entry f Outer) => [[g|v]|] //= O; last by case: (F1v f v).
+  by have [[x X lx] _ _ _] := lives keeps (heard_live O : half_edge t g); move: O; rewrite X => -[<-].
+split=> //; exact: (fun v b lv => (H B2 isT isT v lv).2.2 b).
+Qed.
+
 Theorem nested_recorded_rules : rules_of e s <-> [/\ open_rules t, is_nested, nested_records t places & t3_euler (flat w)].
 Proof.
-split=> [H|[keeps n R T]].
-  have keeps := links_open (fun r _ => H (Basic r)).
-  have T : t3_euler (flat w) by apply/(@open_t3_plane t true places true unbounded sf so si true true keeps isT)/(H (Basic T3)).
-  suff [n R] : is_nested /\ nested_records t places by split.
-  have [Rh _ Rb Rf _] := H (Basic R1); have [C B] := H (Basic B1); have [F1' F1v] := H (Basic F1) isT.
-  have sides h : half_edge t h -> leads_to (boundary t) (boundary_of t h) \/ twin t h <> None /\ boundary_of t h = None.
-    by move=> lh; have [_ _ _ _ /(_ isT)[|[]]] := Rh h lh; [left|right].
-  have owner b : boundary t b -> leads_to (face t) (boundary_face t b) by case/Rb.
-  have live f p b : listed t f p = Some b -> boundary t b.
-    case: p => [|i] L.
-      have [+ _] := Rf f (heard_live (L : outer t f = Some b)); rewrite /has_outer /= -[outer _ f]/(listed t f Outer) L.
-      by move=> /(_ isT)[c [<-]].
-    have lt := inner_lt (L : inner t f i = Some b).
-    have lf : face t f by move: lt; rewrite /inner_count; case: (face t f).
-    by have [_ /(_ i lt)] := Rf f lf; rewrite -[inner _ f i]/(listed t f (Inner i)) L => -[c [<-]].
-  have starts b : boundary t b -> (exists h, [/\ boundary_start t b = Some (AtHalfEdge h), half_edge t h & boundary_of t h = Some b]) \/
-      exists v, [/\ boundary_start t b = Some (AtVertex v), vertex t v & forall h, boundary_of t h <> Some b].
-    move=> lb; have [_] := Rb b lb; rewrite -[boundary_start _ b]/(boundary_start t b).
-    case S: (boundary_start t b) => [[h|v]|] // lx; [left; exists h; split=> //|right; exists v; split=> // h Eh].
-      by apply/(B b h lb lx); exists h => //; exists 0.
-    have [g S' _] := (B b h lb (heard_live Eh)).1 Eh; have {}S' : boundary_start t b = Some (AtHalfEdge g) := S'.
-    by rewrite S in S'.
-  have cycles g h b : half_edge t g -> half_edge t h -> boundary_of t g = Some b -> (boundary_of t h = Some b <-> on_cycle t g h).
-    move=> lg lh Eg; have lb : boundary t b by case: (sides g lg) => [[c]|[_]]; rewrite Eg // => -[->].
-    have [k S kg] := (B b g lb lg).1 Eg; have {}S : boundary_start t b = Some (AtHalfEdge k) := S.
-    have lk : half_edge t k by case: (starts b lb) => [[m [S' lm _]]|[v [S' _ _]]]; move: S'; rewrite S // => -[->].
-    split=> [/(B b h lb lh)[k' S']|gh]; last by apply/(B b h lb lh); exists k => //; apply: orbit_trans kg gh.
-    have {}S' : boundary_start t b = Some (AtHalfEdge k') := S'; move: S'; rewrite S => -[<-].
-    apply: orbit_trans; exact: (open_cycle_sym keeps lk lg kg).
-  have lists_of b : boundary t b -> exists f p, [/\ boundary_face t b = Some f, (places -> boundary_place t b = Some p)
-      & forall f' p', listed t f' p' = Some b <-> f' = f /\ p' = p] by exact: (H (Basic F2) b).
-  have names f p b : listed t f p = Some b -> boundary_face t b = Some f.
-    by move=> L; have [f' [p' [Ef _ U]]] := lists_of b (live f p b L); have [-> _] := (U f p).1 L.
-  split.
-  - split.
-    + move=> h lh; rewrite record_face; case: (sides h lh) => [[b -> lb]|[nt ->]]; [left|by right].
-      exact: owner.
-    + move=> g h lg lh c; rewrite !record_face; case Eg: (boundary_of t g) => [b|]; first by have -> : boundary_of t h = Some b by apply/(cycles g h b lg lh Eg).
-      case Eh: (boundary_of t h) => [b|] //; have := (cycles h g b lh lg Eh).2 (open_cycle_sym keeps lg lh c); by rewrite Eg.
-    + move=> f p; case P: (is_place t f p); last first.
-        rewrite record_entry; case L: (listed t f p) => [b|] //; by rewrite (record_place L) in P.
-      rewrite /entry_fits; case En: (entry f p) => [[h|v]|].
-      * move: En; rewrite record_entry record_face; case L: (listed t f p) => [b|] //= S.
-        case: (starts b (live _ _ _ L)) => [[m [S' lm Em]]|[v [S' _ _]]]; move: S'; rewrite S // => -[->]; rewrite Em; split=> //.
-        exact: names L.
-      * have [b [L S]] : exists b, listed t f p = Some b /\ boundary_start t b = Some (AtVertex v).
-          by move: En; rewrite record_entry; case L: (listed t f p) => [b|] //= S; exists b.
-        case: (starts b (live _ _ _ L)) => [[m [S' _ _]]|[u [S' lu _]]]; move: S'; rewrite S // => -[vu]; rewrite -{u}vu in lu.
-        split=> // [|pO]; last by apply: (F1v f v); rewrite -pO.
-        case: (bareP e s v) => // no; have [_ [none _]] := H (Basic B2) isT v lu; by case: (none no b).
-      case: p P En => // i /andP[lf lt]; rewrite record_entry; have [_ /(_ i lt)] := Rf f lf.
-      rewrite -[inner _ f i]/(listed t f (Inner i)) => -[b -> lb] /=; by case: (starts b lb) => [[m [-> _ _]]|[u [-> _ _]]].
-    + move=> h f lh; rewrite record_face; case Eb: (boundary_of t h) => [b|] //= Ef.
-      have lb := heard_live Ef; have [f' [p [Ef' _ U]]] := lists_of b lb; move: Ef'; rewrite Ef => -[ff]; rewrite -{f'}ff in U.
-      have L : listed t f p = Some b by apply/U.
-      case: (starts b lb) => [[k [S lk Ek]]|[v [_ _ /(_ h)]]] //; exists p; split.
-        by exists k; [rewrite record_entry L | apply/(cycles h k b lh lk Eb)].
-      move=> q [k' + ck]; rewrite record_entry; case L': (listed t f q) => [b'|] //= S'.
-      case: (starts b' (live _ _ _ L')) => [[m [S2 lm Em]]|[v [S2 _ _]]]; move: S2; rewrite S' // => -[km]; rewrite -{m}km in lm Em.
-      have := (cycles h k' b lh lm Eb).2 ck; rewrite Em => -[bb]; rewrite bb in L'.
-      by have [_ ->] := (U f q).1 L'.
-    + have same f : is_unbounded e s f <-> face t f /\ entry f Outer = None.
-        have out : has_outer e s f = isSome (entry f Outer).
-          rewrite /has_outer /= record_entry -[outer _ f]/(listed t f Outer); case L: (listed t f Outer) => [b|] //=.
-          by case: (starts b (live _ _ _ L)) => [[m [-> _ _]]|[u [-> _ _]]].
-        by rewrite /is_unbounded out; split=> -[lf E0]; split=> //; move: E0; case: (entry f Outer).
-      move: F1'; rewrite (_ : has_unbounded e s = unbounded) //; case: unbounded => [[f [/same U one]]|none].
-        by exists f; split=> // g /same/one.
-      by move=> f lf N; apply: (none f); apply/same.
-    + apply: (nested_t1 keeps _).1 (H (Basic T1)) => h lh; rewrite record_face -[side _ _ h]/(boundary_of t h).
-      by case: (sides h lh) => [[b -> lb]|[_ ->]] //=; have [f -> _] := owner b lb.
-    apply: (nested_t2 keeps _).1 (H (Basic T2)) => f u; case En: (entry f Outer) => [[g|v]|] //= O; last by case: (F1v f v).
-    by have [[x X lx] _ _ _] := lives keeps (heard_live O : half_edge t g); move: O; rewrite X => -[<-].
-  split=> //; exact: (fun v b lv => (H (Basic B2) isT v lv).2.2 b).
+split=> [/rules_before_t4/nested_recorded_before|[keeps n R T]] //.
 have [[Hh Hv] [_ L2 _] V1 _] := keeps.
 have along g h : half_edge t g -> half_edge t h -> on_cycle t g h -> boundary_of t h = boundary_of t g.
   move=> lg lh c; case Eg: (boundary_of t g) => [b|]; first by apply/(records_cycles R lg lh Eg).

@@ -39,7 +39,7 @@ Record numbered_without t r (missing : pred (arcs r)) (nv : points r -> nat) (nd
 
 Definition represents_without t r missing := @may_miss r missing /\ exists nv nd, @numbered_without t r missing nv nd.
 
-(** ** What keeps the rules stores such a rest *)
+(** ** A structure that keeps the rules stores such a rest *)
 
 Section Kept.
 Variables (t : view) (r : rotation_system) (nv : points r -> nat) (nd : arcs r -> nat).

@@ -83,7 +83,7 @@ by have -> : [seq size (L f) | f <- iota 0 (face_slots t)] = [seq inner_count t 
   by apply: eq_map => f; rewrite size_map size_iota.
 Qed.
 
-(** What has matches of its own in a list is no more than that list. *)
+(** If each has a match of its own in a list, there are no more than the list has. *)
 Lemma match_size (fs cs : seq nat) (R : nat -> nat -> Prop) : uniq fs -> (forall f, f \in fs -> exists2 y, y \in cs & R f y) ->
   (forall f g y, R f y -> R g y -> f = g) -> size fs <= size cs.
 Proof.
@@ -96,7 +96,7 @@ have le : size fs <= size (rem y cs).
 by move=> pos E; move: le; rewrite E -ltnS prednK.
 Qed.
 
-(** ** How many faces there are *)
+(** ** The number of faces *)
 
 Section Bound.
 Variables (t : view) (unbounded : bool) (side : nat -> link) (entry : nat -> place -> option start).

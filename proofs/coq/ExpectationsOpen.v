@@ -36,6 +36,15 @@ Definition open_boundaries t (places : bool) :=
     & (forall b f, boundary_face t b = Some f <-> outer t f = Some b) /\
       (places -> forall b, boundary t b -> boundary_place t b = Some Outer)].
 
+(** The rules before T4. *)
+Definition before_t4 e s := forall r, index r < index T4 -> holds_of e s (Basic r).
+
+Lemma rules_before_t4 e s : rules_of e s -> before_t4 e s.
+Proof. by move=> H r _; apply: H. Qed.
+
+Lemma before_b1 e s : before_t4 e s -> forall r, index r < index B1 -> holds_of e s (Basic r).
+Proof. by move=> H r lt; apply: H; apply: ltn_trans lt _. Qed.
+
 Section Open.
 Variables (t : view) (on places holes unbounded : bool) (sf so : nat -> link) (si : nat -> nat -> option start).
 Hypothesis off : holes && on = false.
@@ -135,12 +144,17 @@ Qed.
 
 (** ** No faces *)
 
+Lemma open_faceless_before records : before_t4 e (Structure t (Parts true true false records places holes unbounded) sf so si) ->
+  open_rules t /\ (on -> t3_euler (flat w)).
+Proof.
+move=> H; have keeps := links_open (before_b1 H); split=> // pl.
+by apply/(open_t3_plane _ _ keeps pl)/(H T3 isT).
+Qed.
+
 Theorem open_faceless_rules records : rules_of e (Structure t (Parts true true false records places holes unbounded) sf so si) <->
   open_rules t /\ (on -> t3_euler (flat w)).
 Proof.
-set s := Structure _ _ _ _ _; split=> [H|[keeps T]].
-  have keeps := links_open (fun r _ => H (Basic r)); split=> // pl.
-  by apply/(open_t3_plane _ _ keeps pl)/(H (Basic T3)).
+set s := Structure _ _ _ _ _; split=> [/rules_before_t4/open_faceless_before|[keeps T]] //.
 have [[Hh Hv] [_ L2 _] V1 _] := keeps.
 case=> [[]|[] //] //.
 - split=> // [h lh|v lv]; first by have [O T' N P] := open_half_edge false records keeps lh; split.
@@ -177,35 +191,40 @@ rewrite /entry_start /heard /= -[face _ f]/(face t f); case: (face t f) => //.
 by case: (so f) => [k|] // [->].
 Qed.
 
+Lemma open_named_before : before_t4 e s -> [/\ open_rules t, open_faces t sf so & on -> t3_euler (flat w)].
+Proof.
+move=> H.
+have keeps := links_open (before_b1 H); split=> //; last by move=> pl; apply/(open_t3_plane _ _ keeps pl)/(H T3 isT).
+have [Hh _ _ Hf _] := H R1 isT; have [C E] := H B1 isT; have [+ _] := H F1 isT isT; rewrite no_unbounded => none.
+have kept f : face t f -> exists h, [/\ so f = Some h, half_edge t h & sf h = Some f].
+  move=> lf; have : so f <> None.
+    by move=> N; apply: (none f); split=> //; rewrite /has_outer /heard /= -[face _ f]/(face t f) lf N.
+  case S: (so f) => [h|] // _; have En : entry_start e s f Outer = Some (AtHalfEdge h) by rewrite open_entry_outer // S.
+  have lh : half_edge t h.
+    have [+ _] := Hf f lf; rewrite En /=; apply.
+    by rewrite /has_outer /heard /= -[face _ f]/(face t f) lf S.
+  by exists h; split=> //; rewrite -(open_side lh); apply: (E f Outer h En).
+have along g h : half_edge t g -> on_cycle t g h -> half_edge t h /\ sf h = sf g.
+  move=> lg [n]; elim: n h => [|n IH] h; first by case=> <-.
+  rewrite iterS; case I: (iter n _ _) => [k|] // kh; have {}kh : next t k = Some h := kh; have [lk sk] := IH k I.
+  have lh : half_edge t h by have [_ _ [m M lm] _] := lives keeps lk; move: kh; rewrite M => -[<-].
+  by have := C isT k lk; rewrite -[next _ k]/(next t k) kh /= !open_side // sk.
+split=> // [h lh|g h f lg lh Ef].
+  have [_ _ _ _ /(_ isT)[]] := Hh h lh; first by rewrite open_side //; left.
+  by case=> _ T; rewrite open_side //; right.
+split=> [Ef'|/(along g h lg)[_ ->] //].
+have meets k : half_edge t k -> sf k = Some f -> exists2 h0, so f = Some h0 & on_cycle t k h0.
+  move=> lk Ek; case: (H F2 isT isT k lk) => [[[f' p] [[h0 /= K c] _]]|[]]; last by rewrite open_side // Ek.
+  have [_ lf' S] := open_entry K.
+  have [l0 s0] := along k h0 lk c; have [h1 [S1 _ k1]] := kept f' lf'; move: S1; rewrite S => -[hh].
+  by exists h0 => //; move: k1; rewrite -hh s0 Ek => -[->].
+have [h0 S c] := meets g lg Ef; have [h1 S' c'] := meets h lh Ef'; move: S'; rewrite S => -[hh]; rewrite -hh in c'.
+by have [l0 _] := along g h0 lg c; apply: (orbit_trans c); apply: (open_cycle_sym keeps lh l0 c').
+Qed.
+
 Theorem open_named_rules : rules_of e s <-> [/\ open_rules t, open_faces t sf so & on -> t3_euler (flat w)].
 Proof.
-split=> [H|[keeps [live cycles listed] T]].
-  have keeps := links_open (fun r _ => H (Basic r)); split=> //; last by move=> pl; apply/(open_t3_plane _ _ keeps pl)/(H (Basic T3)).
-  have [Hh _ _ Hf _] := H (Basic R1); have [C E] := H (Basic B1); have [+ _] := H (Basic F1) isT; rewrite no_unbounded => none.
-  have kept f : face t f -> exists h, [/\ so f = Some h, half_edge t h & sf h = Some f].
-    move=> lf; have : so f <> None.
-      by move=> N; apply: (none f); split=> //; rewrite /has_outer /heard /= -[face _ f]/(face t f) lf N.
-    case S: (so f) => [h|] // _; have En : entry_start e s f Outer = Some (AtHalfEdge h) by rewrite open_entry_outer // S.
-    have lh : half_edge t h.
-      have [+ _] := Hf f lf; rewrite En /=; apply.
-      by rewrite /has_outer /heard /= -[face _ f]/(face t f) lf S.
-    by exists h; split=> //; rewrite -(open_side lh); apply: (E f Outer h En).
-  have along g h : half_edge t g -> on_cycle t g h -> half_edge t h /\ sf h = sf g.
-    move=> lg [n]; elim: n h => [|n IH] h; first by case=> <-.
-    rewrite iterS; case I: (iter n _ _) => [k|] // kh; have {}kh : next t k = Some h := kh; have [lk sk] := IH k I.
-    have lh : half_edge t h by have [_ _ [m M lm] _] := lives keeps lk; move: kh; rewrite M => -[<-].
-    by have := C isT k lk; rewrite -[next _ k]/(next t k) kh /= !open_side // sk.
-  split=> // [h lh|g h f lg lh Ef].
-    have [_ _ _ _ /(_ isT)[]] := Hh h lh; first by rewrite open_side //; left.
-    by case=> _ T; rewrite open_side //; right.
-  split=> [Ef'|/(along g h lg)[_ ->] //].
-  have meets k : half_edge t k -> sf k = Some f -> exists2 h0, so f = Some h0 & on_cycle t k h0.
-    move=> lk Ek; case: (H (Basic F2) isT k lk) => [[[f' p] [[h0 /= K c] _]]|[]]; last by rewrite open_side // Ek.
-    have [_ lf' S] := open_entry K.
-    have [l0 s0] := along k h0 lk c; have [h1 [S1 _ k1]] := kept f' lf'; move: S1; rewrite S => -[hh].
-    by exists h0 => //; move: k1; rewrite -hh s0 Ek => -[->].
-  have [h0 S c] := meets g lg Ef; have [h1 S' c'] := meets h lh Ef'; move: S'; rewrite S => -[hh]; rewrite -hh in c'.
-  by have [l0 _] := along g h0 lg c; apply: (orbit_trans c); apply: (open_cycle_sym keeps lh l0 c').
+split=> [/rules_before_t4/open_named_before|[keeps [live cycles listed] T]] //.
 have [[Hh Hv] [_ L2 _] V1 _] := keeps.
 have same g h : half_edge t g -> half_edge t h -> on_cycle t g h -> sf h = sf g.
   move=> lg lh c; case Eg: (sf g) => [f|]; first by apply/(cycles g h f lg lh Eg).
@@ -265,41 +284,47 @@ Proof. by case: p => [|i] //=; rewrite /inner open_recorded_inner. Qed.
 Lemma open_start f : entry_start e s f Outer = outer t f >>= boundary_start t.
 Proof. by []. Qed.
 
+Lemma open_recorded_before : before_t4 e s -> [/\ open_rules t, open_boundaries t places & on -> t3_euler (flat w)].
+Proof.
+move=> H.
+have keeps := links_open (before_b1 H); split=> //; last by move=> pl; apply/(open_t3_plane _ _ keeps pl)/(H T3 isT).
+have [Rh _ Rb Rf _] := H R1 isT; have [C B] := H B1 isT.
+have [+ no_vertex] := H F1 isT isT; rewrite no_unbounded => none.
+have F2' b : boundary t b -> exists2 f, boundary_face t b = Some f & outer t f = Some b /\ (places -> boundary_place t b = Some Outer).
+  move=> lb; have [f [p [Ef P L]]] := H F2 isT b lb; exists f => //.
+  have [pO O] := open_listed ((L f p).2 (conj erefl erefl)); split=> // pl; rewrite -pO; apply: P.
+  by rewrite /has_places /has_records /= pl.
+have sides h : half_edge t h -> leads_to (boundary t) (boundary_of t h) \/ twin t h <> None /\ boundary_of t h = None.
+  by move=> lh; have [_ _ _ _ /(_ isT)[|[]]] := Rh h lh; [left|right].
+have startE b : boundary t b -> exists2 h, boundary_start t b = Some (AtHalfEdge h) & half_edge t h.
+  move=> lb; have [_] := Rb b lb; rewrite -[boundary_start _ b]/(boundary_start t b).
+  case S: (boundary_start t b) => [[h|v]|] // lh; first by exists h.
+  have [f _ [O _]] := F2' b lb; case: (no_vertex f v); by rewrite open_start O /= S.
+have outersE f : face t f -> leads_to (boundary t) (outer t f).
+  move=> lf; have : outer t f <> None.
+    by move=> N; apply: (none f); split=> //; rewrite /has_outer /= -[outer _ f]/(outer t f) N.
+  case O: (outer t f) => [b|] // _; have [+ _] := Rf f lf.
+  by rewrite /has_outer /= -[outer _ f]/(outer t f) O => /(_ isT).
+split=> //.
+- move=> g h b lg lh Eg; have lb : boundary t b by case: (sides g lg) => [[c]|[_]]; rewrite Eg // => -[->].
+  have [k S kg] := (B b g lb lg).1 Eg; have {}S : boundary_start t b = Some (AtHalfEdge k) := S.
+  have [h0 S' lk] := startE b lb; move: S'; rewrite S => -[kk]; rewrite -{h0}kk in lk.
+  split=> [/(B b h lb lh)[k' S']|gh].
+    have {}S' : boundary_start t b = Some (AtHalfEdge k') := S'; move: S'; rewrite S => -[<-].
+    apply: orbit_trans; exact: (open_cycle_sym keeps lk lg kg).
+  by apply/(B b h lb lh); exists k => //; apply: orbit_trans kg gh.
+- move=> b lb; have [h S lh] := startE b lb; exists h; split=> //; apply/(B b h lb lh); exists h => //; by exists 0.
+- by split=> // b /Rb[].
+split=> [b f|pl b /F2'[f _ [_ /(_ pl)]] //]; split=> [Ef|O].
+  by have [g Eg [O _]] := F2' b (heard_live Ef); move: Eg; rewrite Ef => -[->].
+have [c O' lb] := outersE f (heard_live O); move: O'; rewrite O => -[bc]; rewrite -bc in lb.
+have [g [p [Eg _ L]]] := H F2 isT b lb; rewrite -[boundary_face _ b]/(boundary_face t b) in Eg.
+by rewrite Eg; have [<- _] := (L f Outer).1 O.
+Qed.
+
 Theorem open_recorded_rules : rules_of e s <-> [/\ open_rules t, open_boundaries t places & on -> t3_euler (flat w)].
 Proof.
-split=> [H|[keeps [live cycles starts [faced outers] [same at_outer]] T]].
-  have keeps := links_open (fun r _ => H (Basic r)); split=> //; last by move=> pl; apply/(open_t3_plane _ _ keeps pl)/(H (Basic T3)).
-  have [Rh _ Rb Rf _] := H (Basic R1); have [C B] := H (Basic B1).
-  have [+ no_vertex] := H (Basic F1) isT; rewrite no_unbounded => none.
-  have F2' b : boundary t b -> exists2 f, boundary_face t b = Some f & outer t f = Some b /\ (places -> boundary_place t b = Some Outer).
-    move=> lb; have [f [p [Ef P L]]] := H (Basic F2) b lb; exists f => //.
-    have [pO O] := open_listed ((L f p).2 (conj erefl erefl)); split=> // pl; rewrite -pO; apply: P.
-    by rewrite /has_places /has_records /= pl.
-  have sides h : half_edge t h -> leads_to (boundary t) (boundary_of t h) \/ twin t h <> None /\ boundary_of t h = None.
-    by move=> lh; have [_ _ _ _ /(_ isT)[|[]]] := Rh h lh; [left|right].
-  have startE b : boundary t b -> exists2 h, boundary_start t b = Some (AtHalfEdge h) & half_edge t h.
-    move=> lb; have [_] := Rb b lb; rewrite -[boundary_start _ b]/(boundary_start t b).
-    case S: (boundary_start t b) => [[h|v]|] // lh; first by exists h.
-    have [f _ [O _]] := F2' b lb; case: (no_vertex f v); by rewrite open_start O /= S.
-  have outersE f : face t f -> leads_to (boundary t) (outer t f).
-    move=> lf; have : outer t f <> None.
-      by move=> N; apply: (none f); split=> //; rewrite /has_outer /= -[outer _ f]/(outer t f) N.
-    case O: (outer t f) => [b|] // _; have [+ _] := Rf f lf.
-    by rewrite /has_outer /= -[outer _ f]/(outer t f) O => /(_ isT).
-  split=> //.
-  - move=> g h b lg lh Eg; have lb : boundary t b by case: (sides g lg) => [[c]|[_]]; rewrite Eg // => -[->].
-    have [k S kg] := (B b g lb lg).1 Eg; have {}S : boundary_start t b = Some (AtHalfEdge k) := S; have [h0 S' lk] := startE b lb; move: S'; rewrite S => -[kk]; rewrite -{h0}kk in lk.
-    split=> [/(B b h lb lh)[k' S']|gh].
-      have {}S' : boundary_start t b = Some (AtHalfEdge k') := S'; move: S'; rewrite S => -[<-].
-      apply: orbit_trans; exact: (open_cycle_sym keeps lk lg kg).
-    by apply/(B b h lb lh); exists k => //; apply: orbit_trans kg gh.
-  - move=> b lb; have [h S lh] := startE b lb; exists h; split=> //; apply/(B b h lb lh); exists h => //; by exists 0.
-  - by split=> // b /Rb[].
-  split=> [b f|pl b /F2'[f _ [_ /(_ pl)]] //]; split=> [Ef|O].
-    by have [g Eg [O _]] := F2' b (heard_live Ef); move: Eg; rewrite Ef => -[->].
-  have [c O' lb] := outersE f (heard_live O); move: O'; rewrite O => -[bc]; rewrite -bc in lb.
-  have [g [p [Eg _ L]]] := H (Basic F2) b lb; rewrite -[boundary_face _ b]/(boundary_face t b) in Eg.
-  by rewrite Eg; have [<- _] := (L f Outer).1 O.
+split=> [/rules_before_t4/open_recorded_before|[keeps [live cycles starts [faced outers] [same at_outer]] T]] //.
 have [[Hh Hv] [_ L2 _] V1 _] := keeps.
 have along g h : half_edge t g -> half_edge t h -> on_cycle t g h -> boundary_of t h = boundary_of t g.
   move=> lg lh c; case Eg: (boundary_of t g) => [b|]; first by apply/(cycles g h b lg lh Eg).

@@ -421,7 +421,7 @@ Qed.
 
 End Renamed.
 
-(** ** What near looks at decides V2, and B1 of half-edges *)
+(** ** V2, and B1 of half-edges, are decided by the members *)
 
 Section Views.
 Variables t t' : view.

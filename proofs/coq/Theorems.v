@@ -5,7 +5,8 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
-From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed NearWalks NearSum.
+From twinedge Require Import SearchOutside Encloses.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds ExpectationsOrder NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -172,11 +173,34 @@ Check filled_holes_recorded : forall v prev_stored leaving_stored places unbound
   rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u, nested_records (answers u) true
     & forall h, half_edge (answers u) h -> boundary_of (answers u) h <> None].
 
+(** With every part stored that is a planar subdivision; and nested faces can be put down, one component after another. *)
+
+Check nested_means_subdivision : forall t sf so si, let s := Structure t all_parts sf so si in
+  [/\ is_plane t, faces_nested Expectations.plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
+  exists u, represents t u.
+
+Check depth_is_order : forall t (entry : nat -> place -> option start), ExpectationsBorder.open_rules t ->
+  (forall f p v, start_vertex t (entry f p) = Some v -> vertex t v) ->
+  some_depth t entry <-> exists order, one_after_another t entry order.
+
+Check nested_in_order : forall t unbounded side entry, ExpectationsBorder.open_rules t -> nested t unbounded side entry ->
+  exists order, one_after_another t entry order.
+
+(** The rules of meshes are asked for besides the others. *)
+
+Check mesh_rules_apart : forall e s, rules_of e s <-> rules_of (unasked e) s /\ forall m, holds_of e s (Mesh m).
+
 (** A closed structure is an open one in which each half-edge has a twin and, if faces are stored, a face. *)
 
 Check closed_rules : forall t on faces records places holes unbounded sf so si,
   let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
   rules_of (closed_on on) s <-> rules_of (open_on on) s /\ no_border t on faces records places holes unbounded sf so si.
+
+(** T4 follows from the rules before it, under every expectation and whatever is stored. *)
+
+Check t4_follows_of : forall e s, before_t4 e s -> holds_of e s (Basic T4).
+
+Check t4_never_first : forall e s, first_broken_of e s <> Some (Basic T4).
 
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
@@ -258,6 +282,18 @@ Check lists_by_length : forall t,
      [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) ->
   (forall f, inner_count t f = count (says_inside t f) (iota 0 (boundary_slots t))) ->
   (forall f b, outer t f = Some b <-> boundary_face t b = Some f /\ boundary_place t b = Some Outer) -> f2_listed t.
+
+(** After a change, what is left to be read of lists are the entries that were written, and those of boundary components that have changed. *)
+
+Check near_lists : forall t t', links_live t -> f2_listed t -> forall (changed written looked : pred nat) (read : nat -> nat -> Prop),
+  (forall b, ~~ changed b -> [/\ boundary t' b = boundary t b, boundary_face t' b = boundary_face t b & boundary_place t' b = boundary_place t b]) ->
+  (forall f, ~~ written f -> outer t' f = outer t f) ->
+  (forall f i, i < inner_count t' f -> read f i \/ i < inner_count t f /\ inner t' f i = inner t f i) ->
+  (forall f b, written f -> outer t f = Some b -> changed b) ->
+  (forall b f, changed b -> boundary_face t b = Some f -> looked f) -> (forall f, written f -> looked f) ->
+  (forall b f i, changed b -> boundary_face t b = Some f -> boundary_place t b = Some (Inner i) -> read f i) ->
+  links_live t' ->
+  f2_listed t' <-> [/\ changed_right t' changed, looked_right t' looked, read_right t' read & lengths_right t t' changed].
 
 (** The rules mean planar subdivisions. *)
 
@@ -377,6 +413,15 @@ Check move_inner_keeps_rules : forall t b f g, rules t -> boundary_face t b = So
   boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
   rules (move_inner t b f g) <-> ~ inside t b g.
 
+(** A search tells if it is inside: across edges, and through all that lies in the faces that are met. *)
+
+Check met_inside_faces : forall t b, rules t -> Rules.is_inner t b -> forall h,
+  inside t b h <-> exists2 c, met t b c & outer t h = Some c.
+
+Check move_inner_searched : forall t b f g, rules t -> boundary_face t b = Some f ->
+  boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
+  rules (move_inner t b f g) <-> ~ exists2 c, met t b c & outer t g = Some c.
+
 (** Wherever it is listed: it changes places with the last one of its list first, which keeps all rules. *)
 
 Check move_any_inner_keeps_rules : forall t b f i g, rules t -> boundary_face t b = Some f ->
@@ -453,6 +498,18 @@ Check merge_faces_keeps_rules : forall t n m f g kept dropped, is_seam t n m f g
 Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo way,
   is_bridge t n m f kept made at_n at_m stays bo way ->
   rules t -> rules (part_component t n m f kept made at_n at_m stays).
+
+(** The part that keeps the outside is found by a search from either end, through outer cycles: one of them meets what is no outer one, and
+    whichever does, the edge can be removed with that answer. *)
+
+Check search_complete : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
+  SearchOutside.is_outer t cut -> finds cut a || finds cut (Map.tw a).
+
+Check search_keeps_rules : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
+  SearchOutside.is_outer t cut -> forall f made at_n at_m (s : Map.dart t),
+  boundary_face t cut = Some f -> ~~ boundary t made -> at_n = cut /\ at_m = made \/ at_n = made /\ at_m = cut ->
+  SearchOutside.is_end a s -> finds cut s ->
+  rules (part_component t (LoopsProof.num a) (LoopsProof.num (Map.tw a)) f cut made at_n at_m (if s == a then at_n else at_m)).
 
 (** So does flipping an edge, and putting it anywhere between the corners of its two cycles. *)
 

@@ -8,7 +8,7 @@ use crate::input_kind::InputKind;
 use crate::iso::Quality;
 use crate::layers::{self, Other};
 use crate::noted::Keep;
-use crate::options::Options;
+use crate::options::{Edges, Options};
 use crate::options_json::{as_json, of_mesh};
 use crate::packed::Picture;
 use crate::report::AuditReport;
@@ -17,9 +17,10 @@ use crate::tables::TablesReport;
 use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
-use crate::{findings_geojson, junit, map, mesh, page, sarif, tables, text, textbook, tiles, topology};
+use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, text, textbook, tiles, topology};
 use twinedge::io::tables::Textbook;
 use twinedge::tile::Summary;
+use twinedge_formats::layer::Format;
 use twinedge_formats::layer::topojson::ArcTopology;
 use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
@@ -59,8 +60,18 @@ pub fn audit(
 ) -> Result<Audited, Error> {
     let (report, subject) = match kind {
         InputKind::Map => {
-            let imported = Imported::read(input, &options.map, Keep { coverage: true, ..Keep::default() }, stage)?;
-            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
+            options.refuse_with_geodesic(None)?;
+            let mut input = input;
+            let may_say = options.edges.is_none() && input.map_format()? == Some(Format::GeoParquet);
+            let is_asked = options.edges == Some(Edges::Geodesic);
+            let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
+            let imported = Imported::read(input, &options.map, keep, stage)?;
+            let report = if is_asked || may_say && options.are_as_said(&imported) {
+                sphere::audit(&imported, options, stage)?
+            } else {
+                map::audit(&imported, options, stage)?
+            };
+            (report, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => {
             let (report, mesh) = mesh::audit(input, format, options)?;
@@ -98,8 +109,9 @@ pub fn audit_against(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    options.refuse_with_geodesic(Some("--against or --parent-column"))?;
     let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
-    let keep = Keep { coverage: true, columns: &columns, features: true, ..Keep::default() };
+    let keep = Keep { coverage: true, columns: &columns, features: true, points: true, ..Keep::default() };
     let imported = Imported::read(input, &options.map, keep, stage)?;
     let mut report = map::audit(&imported, options, stage)?;
     let other = other.map(|other| Other::read(other, options)).transpose()?;
@@ -119,6 +131,7 @@ pub fn audit_in_tiles(
     shelf: &mut dyn Shelf,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    options.refuse_with_geodesic(Some("--tiles or --memory"))?;
     let report = tiles::audit(input, options, division, shelf, stage)?;
     Ok(told(report, Subject::None, options, InputKind::Map))
 }
@@ -150,7 +163,7 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
 /// summary of the same tiles with their edges cut. Features are known by their numbers.
 ///
 /// # Errors
-/// [`Error::Finish`].
+/// [`Error::Tiles`].
 pub fn audit_summary(summary: Summary, cut: Option<Summary>, options: &Options) -> Result<Audited, Error> {
     let mut report = tiles::audit_summary(summary, cut, options)?.unexplained();
     report.identify();
@@ -188,6 +201,13 @@ impl Audited {
     pub fn judged(&mut self, judged: Judged) {
         if let Outcome::Report(report, _) = &mut self.0 {
             report.judged = Some(judged);
+        }
+    }
+
+    /// Notes the bytes of the layer by which it was judged.
+    pub fn judged_by(&mut self, layer: Judged) {
+        if let Outcome::Report(report, _) = &mut self.0 {
+            report.judged_by = Some(layer);
         }
     }
 

@@ -38,8 +38,8 @@ pub struct Coverage {
     near_misses: usize,
     slivers: usize,
     duplicates: usize,
-    /// Features, not defects.
-    ogc_invalid: usize,
+    /// Features, not defects. None, if edges are great circles.
+    ogc_invalid: Option<usize>,
     /// Pairs of features, not vertices.
     mismatches: usize,
     /// Of lengths; areas are in its square.
@@ -74,7 +74,13 @@ pub struct Coverage {
     /// The map of the input with its borders cut, where the findings are of that one.
     #[serde(skip)]
     of_input: Option<PlanarMap>,
+    /// The words after a limit, if it is not in the unit of lengths.
+    #[serde(skip)]
+    limits_in: &'static str,
 }
+
+/// The reason why C6 is not asked where edges are great circles.
+const STRAIGHT_ONLY: &str = "it is about edges that are straight on the map; rings that cross themselves break G4";
 
 /// Rule, kind, features, area, width, length, and the coordinates of the place.
 pub type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
@@ -116,22 +122,17 @@ impl Coverage {
         Self::of(imported, asked, units, list, found.map(judgement))
     }
 
-    fn of(
-        imported: &Imported,
-        asked: &CoverageOptions,
-        units: &Units,
-        list: usize,
-        judgement: Result<Judgement, String>,
-    ) -> Self {
-        let mut found = Self {
+    /// Nothing was found yet.
+    fn empty(imported: &Imported, asked: &CoverageOptions, unit: &'static str) -> Self {
+        Self {
             overlaps: 0,
             gaps: 0,
             near_misses: 0,
             slivers: 0,
             duplicates: 0,
-            ogc_invalid: imported.noted.defects.len(),
+            ogc_invalid: Some(imported.noted.defects.len()),
             mismatches: 0,
-            unit: units.name(),
+            unit,
             not_checked: None,
             gap_width: None,
             sliver_area: None,
@@ -144,41 +145,68 @@ impl Coverage {
             thinness: asked.limits.thinness,
             kickbacks: imported.noted.kickbacks,
             of_input: None,
-        };
+            // Limits are in the units of the coordinates.
+            limits_in: if unit == Units::METRES { " degrees" } else { "" },
+        }
+    }
+
+    /// Nothing was found yet on a map whose edges are great circles. Limits are in metres.
+    pub(crate) fn of_great_circles(imported: &Imported, asked: &CoverageOptions) -> Self {
+        Self { ogc_invalid: None, kickbacks: 0, limits_in: " metres", ..Self::empty(imported, asked, Units::METRES) }
+    }
+
+    /// Says why nothing but C6 was checked.
+    pub(crate) fn cannot_check(&mut self, why: String) {
+        self.not_checked = Some(why);
+    }
+
+    /// Notes the limits that were chosen, and the gaps that are not listed.
+    pub(crate) const fn limit_by(
+        &mut self,
+        [gap_width, sliver_area]: [f64; 2],
+        [wider_gaps, accepted_gaps]: [usize; 2],
+    ) {
+        (self.gap_width, self.sliver_area) = (Some(gap_width), Some(sliver_area));
+        (self.wider_gaps, self.accepted_gaps) = (wider_gaps, accepted_gaps);
+    }
+
+    /// Counts a finding, and lists it if there are not so many of its rule yet.
+    pub(crate) fn take(&mut self, rule: CoverageRule, list: usize, finding: impl FnOnce() -> Diagnosis) {
+        let count = self.count_of(rule);
+        *count += 1;
+        if *count <= list {
+            self.findings.push(finding());
+        }
+    }
+
+    /// Notes missing vertices, each with the two features of its mismatch.
+    pub(crate) fn note_missing(&mut self, missing: impl Iterator<Item = (Position, [usize; 2])>) {
+        self.missing.extend(missing);
+    }
+
+    /// Sorts the missing vertices, when all are noted.
+    pub(crate) fn sort_missing(&mut self) {
+        self.missing.sort_by(|(a, _), (b, _)| compare(a, b));
+    }
+
+    fn of(
+        imported: &Imported,
+        asked: &CoverageOptions,
+        units: &Units,
+        list: usize,
+        judgement: Result<Judgement, String>,
+    ) -> Self {
+        let mut found = Self::empty(imported, asked, units.name());
         match judgement {
             Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
-                (found.wider_gaps, found.accepted_gaps) = (wider_gaps, accepted_gaps);
-                (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
+                found.limit_by([gap_width, sliver_area], [wider_gaps, accepted_gaps]);
                 for (finding, snapping) in &findings {
-                    let count = found.count_of(finding.rule);
-                    *count += 1;
-                    if *count <= list {
-                        let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
-                        let trace = of_finding(map, finding);
-                        let features: Vec<FeatureName> =
-                            finding.features.iter().map(|feature| named(imported, *feature)).collect();
-                        let of_rule = of_rule(finding.rule, asked, Some(finding.at));
-                        let (area, width, length) = (finding.area, finding.width, finding.length);
-                        let is_mismatch = finding.rule == CoverageRule::Mismatch;
-                        let measures = Measures {
-                            area: Some(area).filter(|_| !is_mismatch),
-                            width: Some(width).filter(|_| !is_mismatch),
-                            length: Some(length),
-                        };
-                        let missing = missing(finding);
-                        let message = size(measures).unwrap_or_else(|| lacks(&features, &missing));
-                        found.findings.push(Diagnosis {
-                            message,
-                            features: Some(features),
-                            trace,
-                            measures,
-                            missing,
-                            snapping: *snapping,
-                            ..of_rule
-                        });
-                    }
+                    let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
+                    found.take(finding.rule, list, || diagnosis(imported, asked, map, finding, *snapping));
+                    let pair = [0, 1].map(|i| finding.features.get(i).map_or(0, |one| one.index()));
+                    found.note_missing(finding.missing.iter().map(|vertex| (position(vertex.at), pair)));
                 }
-                found.missing = missing_vertices(&findings);
+                found.sort_missing();
                 found.of_input = of_input;
             }
             Err(why) => found.not_checked = Some(why),
@@ -214,7 +242,8 @@ impl Coverage {
             CoverageRule::Sliver => &mut self.slivers,
             CoverageRule::Duplicate => &mut self.duplicates,
             CoverageRule::Mismatch => &mut self.mismatches,
-            _ => &mut self.ogc_invalid,
+            // C6 is not counted one by one.
+            _ => self.ogc_invalid.get_or_insert_default(),
         }
     }
 
@@ -226,7 +255,7 @@ impl Coverage {
             (CoverageRule::NearMiss, self.near_misses, "near miss"),
             (CoverageRule::Sliver, self.slivers, "sliver"),
             (CoverageRule::Duplicate, self.duplicates, "set of duplicates"),
-            (CoverageRule::Validity, self.ogc_invalid, "invalid feature"),
+            (CoverageRule::Validity, self.ogc_invalid.unwrap_or_default(), "invalid feature"),
             (CoverageRule::Mismatch, self.mismatches, "mismatch"),
         ]
     }
@@ -275,6 +304,14 @@ impl Coverage {
         self.not_checked.as_deref()
     }
 
+    /// The reason why a rule was not checked, if so.
+    pub(crate) fn why_not(&self, rule: CoverageRule) -> Option<&str> {
+        match rule {
+            CoverageRule::Validity => Some(STRAIGHT_ONLY).filter(|_| self.ogc_invalid.is_none()),
+            _ => self.not_checked(),
+        }
+    }
+
     /// The listed findings.
     #[must_use]
     pub fn findings(&self) -> &[Diagnosis] {
@@ -304,8 +341,8 @@ impl Coverage {
         for (rule, count, _) in self.counts() {
             write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
             let limit = self.limit(rule).map_or_else(String::new, |limit| format!("  {QUIET}{limit}{QUIET:#}"));
-            match (count, &self.not_checked) {
-                (_, Some(why)) if rule != CoverageRule::Validity => {
+            match (count, self.why_not(rule)) {
+                (_, Some(why)) => {
                     writeln!(out, "{QUIET}not checked: {}{QUIET:#}", plain(why))?;
                 }
                 (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{limit}")?,
@@ -338,19 +375,16 @@ impl Coverage {
 
     /// The outcome of a rule, in words.
     pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
-        match &self.not_checked {
-            Some(why) if rule != CoverageRule::Validity => format!("not checked: {why}"),
-            _ => {
-                let mark = if rule == CoverageRule::Gap { "; " } else { " " };
-                [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(mark)
-            }
+        if let Some(why) = self.why_not(rule) {
+            return format!("not checked: {why}");
         }
+        let mark = if rule == CoverageRule::Gap { "; " } else { " " };
+        [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(mark)
     }
 
     /// The limit of a rule, for its line.
     fn limit(&self, rule: CoverageRule) -> Option<String> {
-        // Limits are in the units of the coordinates.
-        let degrees = if self.unit == Units::METRES { " degrees" } else { "" };
+        let degrees = self.limits_in;
         match (rule, self.gap_width, self.sliver_area) {
             (CoverageRule::Gap, ..) => self.gaps_not_listed(degrees),
             (CoverageRule::NearMiss, Some(width), _) => Some(format!("up to a width of {}{degrees}", measure(width))),
@@ -464,15 +498,31 @@ fn judged(
     Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
 }
 
-/// The missing vertices of all mismatches, sorted by place.
-fn missing_vertices(findings: &[(Finding, Option<&'static str>)]) -> Vec<(Position, [usize; 2])> {
-    let of = |finding: &Finding| {
-        let pair = [finding.features.first(), finding.features.get(1)].map(|one| one.map_or(0, |one| one.index()));
-        finding.missing.iter().map(|vertex| (position(vertex.at), pair)).collect::<Vec<_>>()
+/// A finding of a map.
+fn diagnosis(
+    imported: &Imported,
+    asked: &CoverageOptions,
+    map: &PlanarMap,
+    finding: &Finding,
+    snapping: Option<&'static str>,
+) -> Diagnosis {
+    let features: Vec<FeatureName> = finding.features.iter().map(|feature| named(imported, *feature)).collect();
+    let is_mismatch = finding.rule == CoverageRule::Mismatch;
+    let measures = Measures {
+        area: Some(finding.area).filter(|_| !is_mismatch),
+        width: Some(finding.width).filter(|_| !is_mismatch),
+        length: Some(finding.length),
     };
-    let mut all: Vec<_> = findings.iter().flat_map(|(finding, _)| of(finding)).collect();
-    all.sort_by(|(a, _), (b, _)| compare(a, b));
-    all
+    let missing = missing(finding);
+    Diagnosis {
+        message: size(measures).unwrap_or_else(|| lacks(&features, &missing)),
+        features: Some(features),
+        trace: of_finding(map, finding),
+        measures,
+        missing,
+        snapping,
+        ..of_rule(finding.rule, asked, Some(finding.at))
+    }
 }
 
 /// The order of places: by x, then by y.
@@ -488,7 +538,7 @@ fn missing(finding: &Finding) -> Vec<MissingVertex> {
 }
 
 /// Who lacks how many vertices.
-fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
+pub(crate) fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
     let of = |feature: &FeatureName| {
         let count = missing.iter().filter(|vertex| vertex.feature == feature.number).count();
         let vertices = if count == 1 { "1 vertex".to_owned() } else { format!("{} vertices", grouped(count)) };
@@ -498,7 +548,7 @@ fn lacks(features: &[FeatureName], missing: &[MissingVertex]) -> String {
 }
 
 /// The parts that all findings of a rule have in common.
-fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Point>) -> Diagnosis {
+pub(crate) fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Point>) -> Diagnosis {
     let (cause, remedy) = explanation(rule);
     Diagnosis {
         rule: Some(rule.id()),

@@ -6,8 +6,9 @@ use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
-use twinedge::tile::{AuditError, FinishError, GridError, MergeError, TileError};
+use twinedge::tile::{AuditError, GridError};
 use twinedge_formats::{layer, mesh, postgis};
+use twinedge_sphere::DrawingError;
 
 /// The reason why an input has no report. The name of the input is not in the messages.
 #[derive(Debug, thiserror::Error)]
@@ -22,15 +23,9 @@ pub enum Error {
     /// No map can be built of it.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A tile has no summary.
+    /// A tile has no summary, or summaries of tiles cannot be merged, or are missing.
     #[error(transparent)]
-    Tile(#[from] TileError),
-    /// Summaries of tiles cannot be merged.
-    #[error(transparent)]
-    Merge(#[from] MergeError),
-    /// Summaries of tiles are missing.
-    #[error(transparent)]
-    Finish(#[from] FinishError),
+    Tiles(#[from] AuditError<io::Error>),
     /// There is no such grid.
     #[error(transparent)]
     Grid(#[from] GridError),
@@ -113,10 +108,16 @@ have them, and --against which layer they are in"
     NoMap(Box<ReadSummary>),
     /// Lengths along the earth were asked for, and the coordinates are no longitudes and latitudes.
     #[error(
-        "--geodesic is for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
+        "--geodesic and --edges geodesic are for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
 reference system"
     )]
     NotDegrees,
+    /// Edges were to be great circles, and something else was asked for that is about straight ones.
+    #[error("--edges geodesic and {0} do not go together")]
+    NotGeodesic(&'static str),
+    /// Great circles cannot be drawn.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
     /// It is a mesh or a file of tables, which are not drawn.
     #[error("{0} is not drawn, so that there is no page and no layer of findings")]
     NoPicture(&'static str),
@@ -145,17 +146,5 @@ fn instead(read: &ReadSummary) -> String {
         (0, _) => "no features".to_owned(),
         (_, 0) => format!("{features}, none with a geometry"),
         (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
-    }
-}
-
-impl From<AuditError<io::Error>> for Error {
-    fn from(error: AuditError<io::Error>) -> Self {
-        match error {
-            AuditError::Features(error) => Self::Io(error),
-            AuditError::Tile(error) => Self::Tile(error),
-            AuditError::Merge(error) => Self::Merge(error),
-            AuditError::Finish(error) => Self::Finish(error),
-            other => Self::Io(io::Error::other(other)),
-        }
     }
 }

@@ -9,7 +9,7 @@ use std::path::Path;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
-use twinedge_formats::layer::{Crs, Format, ReadError, ReadOptions, read, to_map};
+use twinedge_formats::layer::{Crs, Format, Header, ReadError, ReadOptions, read, to_map};
 
 /// The way to build a map.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +45,8 @@ pub struct Imported {
     pub crs: Option<Crs>,
     /// True if the format says which way rings turn.
     pub orients_rings: bool,
+    /// The shape of edges, if the file says that they are not planar: `spherical`, or a way along an ellipsoid.
+    pub edges: Option<String>,
 }
 
 impl Imported {
@@ -66,7 +68,7 @@ impl Imported {
             }
             Ok(())
         })?;
-        let Gathered { name, read, noted, crs, orients_rings } = gathered;
+        let Gathered { name, read, noted, crs, orients_rings, edges } = gathered;
         let summary = builder.summary().clone();
         stage("building the map");
         let (map, builder, unmatched) = match options.snap {
@@ -85,7 +87,15 @@ impl Imported {
             }
             Some(snap) => (builder.build_with(Noding::Snap(snap))?, None, Vec::new()),
         };
-        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings })
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings, edges })
+    }
+
+    /// All warnings about the input: edges are straight, whatever the file says.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let edges = self.edges.as_ref().map(|edges| {
+            format!("the file says that its edges are {edges}, and they were judged as straight; --edges geodesic judges great circles")
+        });
+        self.noted.without_geometry().into_iter().chain(self.noted.warnings(&self.read)).chain(edges).collect()
     }
 
     /// Reads the features of a map, puts them on a shelf, and builds no map of them: it has only their names, and the summary does not know
@@ -101,11 +111,11 @@ impl Imported {
             feature.id = None;
             Ok(shelf.put(feature)?)
         })?;
-        let Gathered { name, read, noted, crs, orients_rings } = gathered;
+        let Gathered { name, read, noted, crs, orients_rings, edges } = gathered;
         let map = names(all_names.into_iter())?;
         let (builder, unmatched) = (None, Vec::new());
         let features = Vec::new();
-        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings })
+        Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings, edges })
     }
 }
 
@@ -125,6 +135,7 @@ struct Gathered {
     noted: Noted,
     crs: Option<Crs>,
     orients_rings: bool,
+    edges: Option<String>,
 }
 
 impl Gathered {
@@ -139,14 +150,15 @@ impl Gathered {
         let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
         let mut noted = Noted::new(options.name_from.clone());
         noted.not_finite = not_finite;
-        let (read, noted, crs) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
+        let (read, noted, header) = gather(&mut reader, path.as_deref(), &read_options, noted, keep, each)?;
         // Points alone can be judged by another layer.
-        let is_map = read.polygons + read.lines > 0 || keep.features && read.points > 0;
+        let is_map = read.polygons + read.lines > 0 || keep.points && read.points > 0;
         if !options.allow_empty && !is_map {
             return Err(Error::NoMap(Box::new(read)));
         }
         noted.refuse_unknown_columns(keep)?;
-        Ok(Self { name, read, noted, crs, orients_rings })
+        let edges = header.edges().map(str::to_owned);
+        Ok(Self { name, read, noted, crs: header.crs, orients_rings, edges })
     }
 }
 
@@ -158,7 +170,7 @@ fn gather(
     mut noted: Noted,
     keep: Keep<'_>,
     each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
-) -> Result<(ReadSummary, Noted, Option<Crs>), ReadError> {
+) -> Result<(ReadSummary, Noted, Header), ReadError> {
     let mut summary = ReadSummary::default();
     let header = read(reader, path, options, &mut |feature| {
         let mut of_map = to_map(&feature, &mut summary);
@@ -166,5 +178,5 @@ fn gather(
         each(of_map)
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
-    Ok((summary, noted, header.crs))
+    Ok((summary, noted, header))
 }

@@ -55,11 +55,32 @@ struct Unmeasured {
 const TOPOLOGICAL: &str = "DQ_TopologicalConsistency";
 const CONCEPTUAL: &str = "DQ_ConceptualConsistency";
 
+const OVERLAP: u32 = 11;
+const FAULTY_CONNECTION: u32 = 21;
+const UNDERSHOOT: u32 = 23;
+const SLIVER: u32 = 25;
+const SELF_INTERSECT: u32 = 26;
+
+/// The measure that counts a finding, if there is one: of C7 it counts each vertex that is missing.
+pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
+    let rule = CoverageRule::ALL.into_iter().find(|rule| one.rule == Some(rule.id()))?;
+    let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());
+    match rule {
+        CoverageRule::Overlap => Some(OVERLAP),
+        CoverageRule::Mismatch => Some(FAULTY_CONNECTION),
+        CoverageRule::NearMiss => Some(UNDERSHOOT),
+        CoverageRule::Sliver => Some(SLIVER),
+        CoverageRule::Validity => {
+            one.defects.iter().any(|flaw| crosses.contains(&flaw.reason)).then_some(SELF_INTERSECT)
+        }
+        _ => None,
+    }
+}
+
 impl<'a> Quality<'a> {
     /// Counts the findings that were not accepted; all are to be listed. None if it is no map.
     pub(crate) fn of(report: &'a AuditReport) -> Option<Self> {
         let coverage = report.coverage.as_ref()?;
-        let is_checked = coverage.not_checked().is_none();
         let open = |rule: CoverageRule| {
             let all = coverage.findings().iter().filter(move |one| one.rule == Some(rule.id()));
             all.filter(|one| one.accepted.is_none())
@@ -73,15 +94,14 @@ impl<'a> Quality<'a> {
             parameters,
             counted: format!("{counted}; {}: {}", rule.id(), statement(rule)),
         };
-        let count = |rule| is_checked.then(|| open(rule).count());
+        let is_checked = |rule| coverage.why_not(rule).is_none();
+        let count = |rule| is_checked(rule).then(|| open(rule).count());
         let parameter = |name, value: Option<f64>| value.map(|value| Parameter { name, value });
         let missing = open(CoverageRule::Mismatch).map(|one| one.missing.len()).sum();
-        let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());
-        let is_loop = |one: &&Diagnosis| one.defects.iter().any(|flaw| crosses.contains(&flaw.reason));
         let (width, area, thinness) = coverage.limits();
         let measures = vec![
             measure(
-                11,
+                OVERLAP,
                 "number of invalid overlaps of surfaces",
                 CONCEPTUAL,
                 CoverageRule::Overlap,
@@ -90,16 +110,16 @@ impl<'a> Quality<'a> {
                 "connected places that two or more features cover",
             ),
             measure(
-                21,
+                FAULTY_CONNECTION,
                 "number of faulty point-curve connections",
                 TOPOLOGICAL,
                 CoverageRule::Mismatch,
-                is_checked.then_some(missing),
+                is_checked(CoverageRule::Mismatch).then_some(missing),
                 Vec::new(),
                 "vertices of a border that the border of a neighbour lacks",
             ),
             measure(
-                23,
+                UNDERSHOOT,
                 "number of missing connections due to undershoots",
                 TOPOLOGICAL,
                 CoverageRule::NearMiss,
@@ -108,7 +128,7 @@ impl<'a> Quality<'a> {
                 "stretches along which the borders of two features do not meet",
             ),
             measure(
-                25,
+                SLIVER,
                 "number of invalid slivers",
                 TOPOLOGICAL,
                 CoverageRule::Sliver,
@@ -120,11 +140,13 @@ impl<'a> Quality<'a> {
                 "parts of features that are small and thin",
             ),
             measure(
-                26,
+                SELF_INTERSECT,
                 "number of invalid self-intersect errors",
                 TOPOLOGICAL,
                 CoverageRule::Validity,
-                Some(open(CoverageRule::Validity).filter(is_loop).count()),
+                is_checked(CoverageRule::Validity).then(|| {
+                    open(CoverageRule::Validity).filter(|one| measure_of(one) == Some(SELF_INTERSECT)).count()
+                }),
                 Vec::new(),
                 "features with a ring that crosses or touches itself or another ring",
             ),
@@ -133,7 +155,7 @@ impl<'a> Quality<'a> {
                 "number of invalid self-overlap errors",
                 TOPOLOGICAL,
                 CoverageRule::Validity,
-                Some(coverage.kickbacks()),
+                is_checked(CoverageRule::Validity).then(|| coverage.kickbacks()),
                 Vec::new(),
                 "features with a ring that turns straight back to the point from which it came",
             ),

@@ -5,7 +5,6 @@ use crate::report::AuditReport;
 use crate::verdict::Verdict;
 use crate::words::{escaped, plain};
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
 /// The outcome of a test case.
@@ -72,8 +71,8 @@ fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
     });
     let of_coverage = report.coverage.iter().filter(|_| report.style.is_rule).flat_map(|coverage| {
         coverage.counts().map(|(rule, count, _)| {
-            let outcome = match (count - coverage.accepted(rule), coverage.not_checked()) {
-                (_, Some(why)) if rule != CoverageRule::Validity => Outcome::Skipped(why.to_owned()),
+            let outcome = match (count - coverage.accepted(rule), coverage.why_not(rule)) {
+                (_, Some(why)) => Outcome::Skipped(why.to_owned()),
                 (0, _) => Outcome::Passed,
                 (n, _) => Outcome::Failed(match lines(&|one| one.is_violation && one.rule == Some(rule.id())) {
                     listed if listed.is_empty() => format!("{n} findings"),

@@ -37,7 +37,7 @@ pub(crate) fn audit(
     let of_coverage = if is_rule { coverage.total() } else { 0 };
     // A rule that cannot be checked is not known to hold.
     let is_checked = !is_rule || coverage.not_checked().is_none();
-    let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
+    let warnings: Vec<String> = imported.warnings();
     Ok(AuditReport {
         valid: report.is_valid() && is_checked,
         found: counted(report.violation_count() as usize + of_coverage, "violation"),

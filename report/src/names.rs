@@ -25,3 +25,9 @@ pub fn named(imported: &Imported, feature: FeatureId) -> FeatureName {
     };
     FeatureName { number: feature.index(), id, name: map.name(feature).map(str::to_owned), label }
 }
+
+/// The names, ids and numbers of features.
+pub(crate) fn all_named(imported: &Imported, features: impl IntoIterator<Item = u32>) -> Vec<FeatureName> {
+    let ids = features.into_iter().filter_map(|feature| imported.map.feature(feature as usize));
+    ids.map(|id| named(imported, id)).collect()
+}

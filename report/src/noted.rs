@@ -54,6 +54,8 @@ pub struct Keep<'a> {
     pub columns: &'a [String],
     /// The features as they were read.
     pub features: bool,
+    /// A layer of points alone is no error.
+    pub points: bool,
 }
 
 /// The notes on the features.

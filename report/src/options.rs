@@ -2,10 +2,20 @@
 
 use crate::accepted::Accepted;
 use crate::coverage::CoverageOptions;
-use crate::imported::MapOptions;
+use crate::error::Error;
+use crate::imported::{Imported, MapOptions};
 use crate::parent_column::ParentColumn;
 use twinedge::validate::{Collect, Expectation};
 use twinedge_formats::mesh::{HalfEdgeMesh, SpaceRule};
+
+/// The shape of the edges of a map of longitudes and latitudes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edges {
+    /// Straight on the map.
+    Straight,
+    /// Arcs of great circles.
+    Geodesic,
+}
 
 /// The options of an audit. Those that are for other kinds of inputs are not looked at.
 #[derive(Clone, Debug)]
@@ -25,6 +35,8 @@ pub struct Options {
     pub parent: Option<ParentColumn>,
     /// Lengths in metres along geodesics.
     pub geodesic: bool,
+    /// The shape of edges. None: great circles, if a file of longitudes and latitudes says that its edges are not planar, or else straight.
+    pub edges: Option<Edges>,
     /// The properties that a mesh must have.
     pub mesh: Expectation,
     /// The rules about the places of its points that are checked.
@@ -41,6 +53,7 @@ impl Default for Options {
             accepted: None,
             parent: None,
             geodesic: false,
+            edges: None,
             mesh: HalfEdgeMesh::expectation(),
             space: Vec::new(),
         }
@@ -48,6 +61,22 @@ impl Default for Options {
 }
 
 impl Options {
+    /// Refuses what does not go with edges along great circles. `beside` is another option of that kind that is given.
+    pub(crate) fn refuse_with_geodesic(&self, beside: Option<&'static str>) -> Result<(), Error> {
+        let given = [(self.geodesic, "--geodesic"), (self.map.snap.is_some(), "--snap")];
+        let own = given.into_iter().find(|(is_given, _)| *is_given).map(|(_, option)| option);
+        match beside.or(own).filter(|_| self.edges == Some(Edges::Geodesic)) {
+            Some(option) => Err(Error::NotGeodesic(option)),
+            None => Ok(()),
+        }
+    }
+
+    /// Returns true if edges are great circles because the file says so.
+    pub(crate) fn are_as_said(&self, imported: &Imported) -> bool {
+        let is_said = imported.edges.is_some() && imported.noted.look_like_degrees(&imported.read);
+        self.edges.is_none() && is_said && !self.geodesic && self.map.snap.is_none()
+    }
+
     /// Greatest number of violations to list.
     pub(crate) fn most(&self) -> usize {
         self.list.unwrap_or(Collect::DEFAULT_CAP)

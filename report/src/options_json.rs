@@ -2,7 +2,7 @@
 
 use crate::coverage::CoverageOptions;
 use crate::input_kind::InputKind;
-use crate::options::Options;
+use crate::options::{Edges, Options};
 use serde_json::{Map, Value, json};
 use twinedge::algorithm::coverage::Limits;
 use twinedge::geometry::noding::Snap;
@@ -31,6 +31,13 @@ pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> 
         ("accept_gap", (!places.is_empty()).then(|| json!(places))),
         ("sliver", number(sliver_area)),
         ("parent_column", parent),
+        (
+            "edges",
+            options.edges.map(|edges| match edges {
+                Edges::Straight => json!("straight"),
+                Edges::Geodesic => json!("geodesic"),
+            }),
+        ),
         ("geodesic", options.geodesic.then(|| json!(true))),
     ];
     match kind {

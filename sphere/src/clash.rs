@@ -1,9 +1,12 @@
 //! All places where arcs meet elsewhere than at common ends.
 
+use crate::drawing::Drawing;
 use crate::place::Place;
-use crate::predicates::meeting;
+use crate::predicates::{meeting, on_arc};
+use crate::vector::{cross, dot, minus};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
+use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{Endpoint, Meeting};
 
 /// A reason why arcs do not draw a map. Places and arcs are named by their numbers; of two arcs the smaller comes first.
@@ -26,6 +29,33 @@ pub enum Clash {
         /// The arc.
         arc: u32,
     },
+}
+
+impl Clash {
+    /// The place of a clash of a drawing in degrees: where two arcs cross, rounded; where one of two that overlap ends inside the other, or else ends with it.
+    #[must_use]
+    pub fn at(&self, drawing: &Drawing) -> Point {
+        let places = |arc: u32| drawing.arcs()[arc as usize].ends.map(|end| drawing.places()[end as usize]);
+        match *self {
+            Self::Cross { arcs } => {
+                let [first, second] = arcs.map(places);
+                crossing(first, second).degrees().into()
+            }
+            Self::Overlap { arcs: [first, second] } => {
+                let pairs = [(first, second), (second, first)];
+                let mut ends = pairs
+                    .into_iter()
+                    .flat_map(|(one, other)| drawing.arcs()[one as usize].ends.map(|end| (end, other)));
+                let is_inside = |(end, other): &(u32, u32)| {
+                    let ([a, b], p) = (places(*other), drawing.places()[*end as usize]);
+                    p != a && p != b && on_arc(p, a, b)
+                };
+                let inside = ends.find(is_inside).map_or(drawing.arcs()[first as usize].ends[0], |(end, _)| end);
+                drawing.degrees(inside)
+            }
+            Self::Touch { place, .. } => drawing.degrees(place),
+        }
+    }
 }
 
 /// All clashes of arcs between these places, sorted, each once. Of two arcs that end at the same place, one that touches a third is enough.
@@ -58,10 +88,10 @@ pub(crate) fn clashes_of(places: &[Place], arcs: &[[u32; 2]], first: usize) -> V
     found
 }
 
-type Boxed = GeomWithData<Rectangle<[f64; 3]>, u32>;
+pub(crate) type Boxed = GeomWithData<Rectangle<[f64; 3]>, u32>;
 
-/// A box around an arc. It reaches as far beyond that of the chord as the middle of the arc is from the middle of the chord, and rounding.
-fn boxed(arc: u32, ends: [Place; 2]) -> Boxed {
+/// A box around an arc, with its number. It reaches as far beyond that of the chord as the middle of the arc is from the middle of the chord, and rounding.
+pub(crate) fn boxed(arc: u32, ends: [Place; 2]) -> Boxed {
     const ROUNDING: f64 = 1e-14;
     let [a, b] = ends.map(Place::unit);
     let square: f64 = (0..3).map(|i| (b[i] - a[i]).powi(2)).sum();
@@ -88,4 +118,15 @@ fn classify(places: &[Place], arcs: &[[u32; 2]], pair: [u32; 2]) -> Option<Clash
             Clash::Touch { place, arc }
         }
     })
+}
+
+/// The place where two arcs cross, rounded: it is off by some 1e-16 radians, divided by the sine of the angle at which they cross.
+pub(crate) fn crossing(first: [Place; 2], second: [Place; 2]) -> Place {
+    let [[a, b], [c, d]] = [first.map(Place::unit), second.map(Place::unit)];
+    let across = cross(c, minus(d, c));
+    // The distances of the ends from the circle of the other arc. Differences first, since arcs are short.
+    let beyond = |p: [f64; 3]| dot(across, minus(p, c)).abs();
+    let (at_a, at_b) = (beyond(a), beyond(b));
+    // Both are 0 only if there is no more than rounding between the arcs.
+    Place::toward([0, 1, 2].map(|i| a[i] * at_b + b[i] * at_a)).unwrap_or(first[0])
 }

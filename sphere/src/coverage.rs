@@ -1,31 +1,14 @@
 //! The rules of a coverage on the sphere.
 
 use crate::claims::Cover;
+use crate::finding::Finding;
 use crate::measure::{RADIUS, WHOLE, distance};
+use crate::near_miss::near_misses;
 use crate::place::Place;
 use core::f64::consts::PI;
 use rustc_hash::{FxHashMap, FxHashSet};
 use twinedge::algorithm::coverage::{CoverageRule, Limits};
 use twinedge::geometry::Point;
-
-/// One thing that breaks a rule of a coverage. Lengths are in metres, areas in square metres.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Finding {
-    /// The rule.
-    pub rule: CoverageRule,
-    /// The features involved, in order, as in [`twinedge::algorithm::coverage::Finding`].
-    pub features: Vec<u32>,
-    /// The area.
-    pub area: f64,
-    /// Twice the area by the length.
-    pub width: f64,
-    /// The length all around.
-    pub length: f64,
-    /// A place inside, in degrees; on the border, if none was found with little effort.
-    pub at: Point,
-    /// The arcs all around, in degrees: the finding is to the left.
-    pub border: Vec<[Point; 2]>,
-}
 
 /// The findings of the rules of a coverage.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,16 +20,18 @@ pub struct Coverage {
     pub wider_gaps: usize,
     /// The gaps that were accepted by a place inside.
     pub accepted_gaps: usize,
+    /// The greatest width of a near miss that was asked for or chosen, in metres: a hundredth of the median length of arcs.
+    pub gap_width: f64,
     /// The area of slivers that was asked for or chosen, in square metres.
     pub sliver_area: f64,
 }
 
-/// Finds what breaks C1, C2, C4 and C5 on the sphere. Limits are in metres and square metres, accepted places in degrees.
+/// Finds what breaks C1 … C5 on the sphere. Limits are in metres and square metres, accepted places in degrees.
 ///
 /// Faces and features are as in the [plane](twinedge::algorithm::coverage), but there is no outside: a place that no feature claims is a gap, unless it is larger than half of the
 /// sphere, which one place at most is.
 ///
-/// O(n log n) for n half-edges and faces, each counted once for each feature that covers it.
+/// O(n log n + c log c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of arcs along unclaimed places that come as near as the width of near misses.
 ///
 /// ```
 /// use twinedge::algorithm::coverage::{CoverageRule, Limits};
@@ -72,14 +57,28 @@ pub struct Coverage {
 pub fn check(cover: &Cover<'_>, limits: &Limits) -> Coverage {
     let judge = Judge::new(cover);
     let first_like = judge.first_like();
-    let (gaps, wider_gaps, accepted_gaps) = judge.gaps(limits);
+    let gap_width = limits.gap_width.unwrap_or_else(|| judge.chosen_width());
+    let Gaps { found: gaps, wider: wider_gaps, accepted: accepted_gaps, spaces } = judge.gaps(limits, gap_width);
+    let near_misses = near_misses(cover, &spaces, gap_width);
     let (slivers, sliver_area) = judge.slivers(limits);
     let mut findings = Vec::new();
-    for mut found in [judge.overlaps(&first_like), gaps, slivers, judge.duplicates(&first_like)] {
+    for mut found in [judge.overlaps(&first_like), gaps, near_misses, slivers, judge.duplicates(&first_like)] {
         found.sort_by(|a, b| b.area.total_cmp(&a.area).then_with(|| a.features.cmp(&b.features)));
         findings.append(&mut found);
     }
-    Coverage { findings, wider_gaps, accepted_gaps, sliver_area }
+    Coverage { findings, wider_gaps, accepted_gaps, gap_width, sliver_area }
+}
+
+/// The gaps, and the unclaimed faces that are none.
+#[derive(Default)]
+struct Gaps {
+    found: Vec<Finding>,
+    /// The number of those that are wider than asked for.
+    wider: usize,
+    /// The number of those that were accepted by a place inside.
+    accepted: usize,
+    /// The places in which near misses are looked for: for each of their faces one that it hangs together with.
+    spaces: FxHashMap<u32, u32>,
 }
 
 struct Judge<'a> {
@@ -166,35 +165,57 @@ impl<'a> Judge<'a> {
         regions.iter().map(finding).collect()
     }
 
-    /// The gaps, how many are wider than asked for, and how many were accepted.
-    fn gaps(&self, limits: &Limits) -> (Vec<Finding>, usize, usize) {
+    /// The greatest width of near misses if none is given.
+    fn chosen_width(&self) -> f64 {
+        let map = self.cover.map;
+        let length = |dart: u32| {
+            let [a, b] = self.ends(dart);
+            distance(a, b)
+        };
+        median((0..map.dart_count() as u32).step_by(2).map(length).collect()) / 100.0
+    }
+
+    /// The gaps. Near misses are looked for in those that are wider than these are, unless all gaps are findings, and in the place that is no gap.
+    fn gaps(&self, limits: &Limits, near_miss_width: f64) -> Gaps {
         let places = limits.accepted_gaps.iter().filter_map(|at| Place::new(at.x, at.y).ok());
         let accepted: FxHashSet<u32> = places.map(|place| self.cover.map.locate(place)).collect();
-        let greatest = limits.lake_width.or(limits.gap_width);
-        let (mut found, mut wider, mut is_accepted) = (Vec::new(), 0, 0);
+        let mut gaps = Gaps::default();
         let unclaimed = |face: u32| self.cover.features[face as usize].is_empty().then_some(());
         for region in self.connected(self.all(), unclaimed) {
-            if self.area(&region) > WHOLE / 2.0 {
-                continue;
-            }
-            let inside: FxHashSet<u32> = region.iter().copied().collect();
-            let beyond = self.border(&region, &inside);
-            let mut features: Vec<u32> = beyond
-                .iter()
-                .flat_map(|dart| self.cover.features[self.cover.map.face(dart ^ 1) as usize].iter().copied())
-                .collect();
-            features.sort_unstable();
-            features.dedup();
-            let gap = self.finding(CoverageRule::Gap, features, &region);
-            if region.iter().any(|face| accepted.contains(face)) {
-                is_accepted += 1;
-            } else if greatest.is_some_and(|width| gap.width > width) {
-                wider += 1;
-            } else {
-                found.push(gap);
+            let is_gap = self.area(&region) <= WHOLE / 2.0;
+            if !is_gap || self.take_gap(&mut gaps, &region, &accepted, limits, near_miss_width) {
+                gaps.spaces.extend(region.iter().map(|face| (*face, region[0])));
             }
         }
-        (found, wider, is_accepted)
+        gaps
+    }
+
+    /// Takes a gap. Returns true if near misses are looked for in it.
+    fn take_gap(
+        &self,
+        gaps: &mut Gaps,
+        region: &[u32],
+        accepted: &FxHashSet<u32>,
+        limits: &Limits,
+        near_miss_width: f64,
+    ) -> bool {
+        let beyond = self.border(region, &region.iter().copied().collect());
+        let mut features: Vec<u32> = beyond
+            .iter()
+            .flat_map(|dart| self.cover.features[self.cover.map.face(dart ^ 1) as usize].iter().copied())
+            .collect();
+        features.sort_unstable();
+        features.dedup();
+        let gap = self.finding(CoverageRule::Gap, features, region);
+        let is_accepted = region.iter().any(|face| accepted.contains(face));
+        let is_narrow = limits.lake_width.or(limits.gap_width).is_none_or(|width| gap.width <= width);
+        let is_wide = gap.width > near_miss_width;
+        match (is_accepted, is_narrow) {
+            (true, _) => gaps.accepted += 1,
+            (false, true) => gaps.found.push(gap),
+            (false, false) => gaps.wider += 1,
+        }
+        is_wide && (limits.gap_width.is_some() || !is_narrow || is_accepted)
     }
 
     /// The slivers, and the area below which a thin part is one.
@@ -262,6 +283,7 @@ impl<'a> Judge<'a> {
             length,
             at: largest.map(|face| self.inside(*face)).unwrap_or_default(),
             border: border.iter().map(|dart| [degrees(*dart), degrees(dart ^ 1)]).collect(),
+            missing: Vec::new(),
         }
     }
 

@@ -103,6 +103,8 @@ fn root(parent: &mut [u32], mut v: u32) -> u32 {
 pub(crate) struct Sky {
     spans: Vec<Span>,
     stripes: Vec<Vec<u32>>,
+    /// A place of each component that has a span.
+    starts: Vec<Place>,
     /// The darts from the north pole with the places at their other ends, in order of longitude.
     at_pole: Vec<(u32, Place)>,
 }
@@ -117,13 +119,14 @@ pub(crate) fn placements(network: &Network, rotations: &[Vec<u32>]) -> (Vec<Plac
     let pole = places.iter().position(|place| *place == Place::NORTH);
     let at_pole =
         pole.into_iter().flat_map(|pole| &rotations[pole]).map(|dart| (*dart, network.target(*dart))).collect();
-    let sky = Sky::new(spans(places, arcs, &component), at_pole);
+    let mut sky = Sky::new(spans(places, arcs, &component), at_pole);
 
     // A place of each component at the western end of an arc, if there is one; or else the one of its first arc that is no pole.
     let mut starts: Vec<Option<(Place, u32)>> = vec![None; count];
     for span in &sky.spans {
         starts[span.component as usize].get_or_insert((span.west, span.dart));
     }
+    sky.starts = starts.iter().flatten().map(|(start, _)| *start).collect();
     for (arc, ends) in (0_u32..).zip(arcs) {
         let dart = if places[ends[0] as usize].is_pole() { 2 * arc + 1 } else { 2 * arc };
         let from = places[ends[dart as usize % 2] as usize];
@@ -151,6 +154,16 @@ impl Sky {
         self.lowest(place, |span| span.is_above(place))
     }
 
+    /// For a place of each component, the darts to the east of all arcs over its meridian, from the south to the north, and the dart at the pole, if that is a vertex. A component
+    /// that lies along a meridian has none.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = (Vec<u32>, Option<u32>)> + '_ {
+        self.starts.iter().map(|start| {
+            let mut column: Vec<Span> = self.over(*start).collect();
+            column.sort_by(Span::compare);
+            (column.into_iter().map(|span| span.dart).collect(), self.lowest(*start, |_| false))
+        })
+    }
+
     /// The dart below the lowest of the arcs that are asked for over a place, or the one at the pole.
     fn lowest(&self, place: Place, is_asked: impl Fn(&Span) -> bool) -> Option<u32> {
         let lowest = self.over(place).filter(is_asked).min_by(Span::compare);
@@ -170,7 +183,7 @@ impl Sky {
                 stripes[(first + count - 1 + step) % count].push(number);
             }
         }
-        Self { spans, stripes, at_pole }
+        Self { spans, stripes, starts: Vec::new(), at_pole }
     }
 
     /// The spans over the meridian just to the east of that of a place.

@@ -1,10 +1,10 @@
 //! Arcs cut where they meet.
 
-use crate::clash::{Clash, clashes_of};
+use crate::clash::{Clash, clashes_of, crossing};
 use crate::drawing::{Drawing, sorted, toggle};
 use crate::place::Place;
 use crate::predicates::{eastward, on_arc, on_one_meridian};
-use crate::vector::{cross, dot, minus};
+use crate::vector::{dot, minus};
 use rustc_hash::FxHashMap;
 use thiserror::Error;
 use twinedge::geometry::Point;
@@ -174,15 +174,4 @@ fn along(places: &[Place], [a, b]: [u32; 2], cuts: &[u32]) -> Vec<u32> {
     inside.sort_by(|p, q| part(*p).total_cmp(&part(*q)).then(p.cmp(q)));
     inside.dedup();
     [a].into_iter().chain(inside).chain([b]).collect()
-}
-
-/// The place where two arcs cross, rounded: it is off by some 1e-16 radians, divided by the sine of the angle at which they cross.
-fn crossing(first: [Place; 2], second: [Place; 2]) -> Place {
-    let [[a, b], [c, d]] = [first.map(Place::unit), second.map(Place::unit)];
-    let across = cross(c, minus(d, c));
-    // The distances of the ends from the circle of the other arc. Differences first, since arcs are short.
-    let beyond = |p: [f64; 3]| dot(across, minus(p, c)).abs();
-    let (at_a, at_b) = (beyond(a), beyond(b));
-    // Both are 0 only if there is no more than rounding between the arcs.
-    Place::toward([0, 1, 2].map(|i| a[i] * at_b + b[i] * at_a)).unwrap_or(first[0])
 }

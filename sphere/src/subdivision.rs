@@ -89,6 +89,42 @@ impl Subdivision {
         &self.network.places
     }
 
+    /// The number of vertices around which half-edges are not in order (G2): 0, as they were sorted by the predicate that is asked here. O(n).
+    #[must_use]
+    pub fn out_of_order(&self) -> usize {
+        let mut first = vec![None; self.network.places.len()];
+        for dart in 0..self.darts.len() as u32 {
+            first[self.origin(dart) as usize].get_or_insert(dart);
+        }
+        let is_out_of_order = |(center, start): (&Place, &u32)| {
+            let (mut dart, mut turns) = (*start, 0);
+            loop {
+                let next = self.next(dart ^ 1);
+                // Clockwise, the directions fall, but for one step in each turn.
+                let step = compare_around(*center, self.network.target(dart), self.network.target(next));
+                turns += usize::from(step.is_le());
+                dart = next;
+                if dart == *start {
+                    return turns != 1;
+                }
+            }
+        };
+        let vertices = self.network.places.iter().zip(&first).filter_map(|(at, dart)| Some((at, dart.as_ref()?)));
+        vertices.filter(|one| is_out_of_order(*one)).count()
+    }
+
+    /// The number of components that lie in another face than the structure says (G5), or have one in them: 0, as they were placed by what is to the north of them. Here all is asked that lies over and under a place of each,
+    /// up to the pole: from arc to arc, the face must be the same on both sides of what is between. O(k·s log s) for k components, and s arcs in a stripe of longitudes.
+    #[must_use]
+    pub fn misplaced(&self) -> usize {
+        let is_misplaced = |(column, pole): &(Vec<u32>, Option<u32>)| {
+            let at_pole = pole.map_or(self.at_pole, |dart| self.face(dart));
+            let between = column.windows(2).any(|pair| self.face(pair[0]) != self.face(pair[1] ^ 1));
+            between || column.last().is_some_and(|top| self.face(*top) != at_pole)
+        };
+        self.sky.columns().filter(is_misplaced).count()
+    }
+
     pub(crate) fn dart_count(&self) -> usize {
         self.darts.len()
     }

@@ -6,7 +6,7 @@ use crate::coverage_arguments::CoverageArguments;
 use crate::input::MapFile;
 use crate::measured::Measured;
 use std::path::PathBuf;
-use twinedge_report::{Accepted, Options, ParentColumn};
+use twinedge_report::{Accepted, Edges, Options, ParentColumn};
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, GeoParquet, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -34,6 +34,7 @@ use twinedge_report::{Accepted, Options, ParentColumn};
   twinedge audit --format json - < parcels.geojson | jq .valid
   twinedge audit parcels.geojson -o findings.geojson     what was found as a layer, for QGIS
   twinedge audit counties.shp -o report.html             the map and what was found, for a browser
+  twinedge audit countries.geojson --edges geodesic       borders as great circles, as geography types have them
   twinedge audit counties.shp --against states.shp --parent-column STATE
   twinedge audit parcels.gpkg --iso 19157 -o quality.xml
   twinedge audit bunny.obj --closed --genus 0 --triangles
@@ -118,6 +119,12 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with = "tiles")]
     pub(super) memory: Option<u64>,
 
+    /// The shape of edges between longitudes and latitudes: straight on the map, or arcs of great circles, the shortest ways on a sphere. Then
+    /// limits, lengths and areas are in metres and square metres, antimeridian and poles are places like others, a polygon is on the smaller side of its
+    /// rings, and C6 is not asked. Default: geodesic, if a GeoParquet file says that its edges are not planar; else straight.
+    #[arg(long, value_enum, value_name = "SHAPE")]
+    pub(super) edges: Option<EdgeShape>,
+
     #[command(flatten)]
     pub(super) coverage: CoverageArguments,
 
@@ -126,6 +133,22 @@ pub(crate) struct Audit {
 
     #[command(flatten)]
     pub(super) mesh: MeshOptions,
+}
+
+/// The shape of edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum EdgeShape {
+    Straight,
+    Geodesic,
+}
+
+impl From<EdgeShape> for Edges {
+    fn from(shape: EdgeShape) -> Self {
+        match shape {
+            EdgeShape::Straight => Self::Straight,
+            EdgeShape::Geodesic => Self::Geodesic,
+        }
+    }
 }
 
 impl Audit {
@@ -140,6 +163,7 @@ impl Audit {
             map: self.map.options(),
             coverage: self.coverage.options(),
             geodesic: self.measured.is_geodesic(),
+            edges: self.edges.map(Into::into),
             mesh: self.mesh.expectation(),
             space: self.mesh.space(),
         }

@@ -10,7 +10,7 @@ use twinedge_report::{Input, InputKind};
 enum Options {
     /// `--snap`.
     Snap,
-    /// Those under "Coverage", `--geodesic`, and lists of accepted findings.
+    /// Those under "Coverage", `--edges`, `--geodesic`, and lists of accepted findings.
     Coverage,
     /// Those under "Meshes".
     Mesh,
@@ -40,7 +40,7 @@ impl Options {
             Self::Snap => asked.map.is_snapped(),
             Self::Coverage => {
                 let of_lists = asked.accept.is_some() || asked.accept_all.is_some() || asked.iso.is_some();
-                asked.coverage.is_any() || asked.measured.is_geodesic() || of_lists
+                asked.coverage.is_any() || asked.measured.is_geodesic() || asked.edges.is_some() || of_lists
             }
             Self::Mesh => asked.mesh.is_any(),
             Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
@@ -54,7 +54,7 @@ impl Options {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
             Self::Coverage => format!(
-                "--coverage, its limits, --accept, --accept-all, --iso and --geodesic are for maps, and this is {what}"
+                "--coverage, its limits, --accept, --accept-all, --iso, --edges and --geodesic are for maps, and this is {what}"
             ),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Tiles => format!("--tiles and --memory are for maps, and this is {what}"),

@@ -80,6 +80,7 @@ impl Question {
             condition,
             columns: &[],
             features: matches!(self, Self::Overlay(_)),
+            points: matches!(self, Self::Overlay(_)),
         }
     }
 }

@@ -9,6 +9,7 @@ mod cleaning;
 mod conveniences;
 mod corrupt;
 mod draw;
+mod edges;
 mod findings;
 mod fuzz_template;
 mod gate;

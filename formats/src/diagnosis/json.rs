@@ -37,6 +37,8 @@ struct Entry<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    iso_19157: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     accepted: Option<&'a str>,
     message: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -95,6 +97,7 @@ impl Serialize for Diagnosis {
             defects: &self.defects,
             missing: &self.missing,
             snapping: self.snapping,
+            iso_19157: self.iso,
             accepted: self.accepted.as_deref(),
             message: &self.message,
             follows_from: self.follows_from,

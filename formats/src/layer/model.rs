@@ -327,6 +327,16 @@ pub struct Header {
     pub charset: Option<String>,
 }
 
+impl Header {
+    /// The shape of edges, if the file says that they are not straight in the plane of the coordinates: `spherical` of `GeoParquet`, or an algorithm of Parquet's own
+    /// type `GEOGRAPHY`.
+    #[must_use]
+    pub fn edges(&self) -> Option<&str> {
+        let edges = self.members.get(EDGES).and_then(serde_json::Value::as_str);
+        edges.filter(|edges| ["spherical", "vincenty", "thomas", "andoyer", "karney"].contains(edges))
+    }
+}
+
 /// The member of a header that says that edges are not straight in the plane of the coordinates, in the words of `GeoParquet`.
 pub(super) const EDGES: &str = "edges";
 

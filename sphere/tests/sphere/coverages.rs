@@ -4,7 +4,7 @@ use crate::support::{Numbers, feature, mirrored};
 use twinedge::algorithm::coverage::{CoverageRule, Limits};
 use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
-use twinedge_sphere::{Clash, Cover, Coverage, Drawing, Inside, Subdivision, check};
+use twinedge_sphere::{Clash, Cover, Coverage, Drawing, Inside, Subdivision, check, mismatches};
 
 fn judged(features: &[Feature], inside: Inside, limits: &Limits) -> (Vec<Clash>, Coverage) {
     let drawing = Drawing::new(features).expect("places");
@@ -34,6 +34,28 @@ fn a_vertex_on_a_neighbours_meridian_is_neither_gap_nor_overlap() {
     // Each side has vertices that the other lacks: 39.13 and 40 degrees.
     assert!(clashes.iter().all(|clash| matches!(clash, Clash::Overlap { .. } | Clash::Touch { .. })), "{clashes:?}");
     assert!(!clashes.is_empty());
+}
+
+/// A vertex that a neighbour lacks is a mismatch, and one that both have is none; where features overlap, it is that.
+#[test]
+fn a_vertex_that_a_neighbour_lacks_is_a_mismatch() {
+    let missing = |features: &[Feature]| {
+        let drawing = Drawing::new(features).expect("places");
+        let (clashes, map) = Subdivision::new(&drawing);
+        let map = map.expect("it can be cut");
+        let found = mismatches(&Cover::new(&map, &drawing, Inside::Smaller), &drawing, &clashes);
+        let missing = found.iter().flat_map(|one| &one.missing);
+        missing.map(|vertex| (vertex.feature, vertex.at.y)).collect::<Vec<_>>()
+    };
+    let west = boxed([-5.0, 40.0, 7.3, 50.0]);
+    let east = boxed([7.3, 45.0, 12.0, 55.0]);
+    assert_eq!(missing(&[west.clone(), east.clone()]), [(0, 45.0), (1, 50.0)]);
+    // It ends at a vertex that both have, besides.
+    let below = boxed([7.3, 40.0, 12.0, 45.0]);
+    assert_eq!(missing(&[west.clone(), below]), [(0, 45.0)]);
+    // The eastern one begins inside the western one, and ends on its border.
+    let inside = feature(Shape::polygon([[0.0, 42.0], [7.3, 43.0], [7.3, 44.0]]));
+    assert_eq!(missing(&[west, inside]), []);
 }
 
 /// The same border a unit of the last digit to the west is another one.
@@ -124,6 +146,18 @@ fn each_rule_is_broken_alone() {
         let (_, found) = judged(&all[..4], Inside::Smaller, &limits);
         assert_eq!((broken(&found), (found.wider_gaps, found.accepted_gaps)), (vec![], counts));
     }
+    // Borders 100 m apart, along 111 km, at the end of the world.
+    let west = boxed([179.0, 30.0, 180.0, 31.0]);
+    let east = feature(Shape::polygon([[-179.999, 30.0], [-179.0, 30.0], [-179.0, 31.0], [-179.999, 31.0]]));
+    let (_, found) = judged(&[west.clone(), east.clone()], Inside::Smaller, &limits);
+    assert_eq!(broken(&found), [(CoverageRule::NearMiss, vec![0, 1])]);
+    let near_miss = &found.findings[0];
+    assert!(
+        (95.0..97.0).contains(&near_miss.width) && (220_000.0..223_000.0).contains(&near_miss.length),
+        "{near_miss:?}"
+    );
+    let narrow = Limits { gap_width: Some(90.0), ..Limits::default() };
+    assert_eq!(of(&[west, east], &narrow), []);
     // An island 10 m wide and 10 km long.
     let mut island = all.clone();
     island[4].shapes.push(Shape::polygon([[170.0, 0.0], [170.1, 0.0], [170.1, 0.0001], [170.0, 0.0001]]));

@@ -29,6 +29,7 @@ fn judged(features: &[Feature]) -> ([usize; 4], Vec<Clash>, Coverage) {
     let map = map.expect("it can be cut");
     let report = validate(map.dcel(), &Expectation::plane(), Collect::All);
     assert!(report.is_valid(), "{report}");
+    assert_eq!((map.out_of_order(), map.misplaced()), (0, 0));
     let counts = report.counts();
     let cover = Cover::new(&map, &drawing, Inside::Smaller);
     let found = check(&cover, &Limits::default());

@@ -14,6 +14,7 @@ fn valid(drawing: &Drawing) -> (Vec<Clash>, Subdivision) {
     let map = map.expect("it can be cut");
     let report = validate(map.dcel(), &Expectation::plane(), Collect::All);
     assert!(report.is_valid(), "{report}");
+    assert_eq!((map.out_of_order(), map.misplaced()), (0, 0));
     (clashes, map)
 }
 

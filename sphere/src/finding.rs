@@ -1,0 +1,34 @@
+//! One thing that breaks a rule of a coverage.
+
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge::geometry::Point;
+
+/// One thing that breaks a rule of a coverage. Lengths are in metres, areas in square metres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// The rule.
+    pub rule: CoverageRule,
+    /// The features involved, in order, as in [`twinedge::algorithm::coverage::Finding`].
+    pub features: Vec<u32>,
+    /// The area.
+    pub area: f64,
+    /// Twice the area by the length.
+    pub width: f64,
+    /// The length all around.
+    pub length: f64,
+    /// A place inside, in degrees; on the border, if none was found with little effort.
+    pub at: Point,
+    /// The arcs all around, in degrees: the finding is to the left. Of a mismatch, the arcs that lack a vertex.
+    pub border: Vec<[Point; 2]>,
+    /// The missing vertices of a mismatch, in order of their coordinates; none for the other rules.
+    pub missing: Vec<MissingVertex>,
+}
+
+/// A vertex that the border of a feature lacks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MissingVertex {
+    /// The place, in degrees, between two vertices of the border.
+    pub at: Point,
+    /// The feature.
+    pub feature: u32,
+}
