@@ -286,6 +286,9 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
     // A third part of the parcel.
     right.insert_ring(ring(4.0, 4.0, 3.0)).unwrap();
     let id = left.add_attribute(Policy::of_faces().ids(1));
+    let of_vertices = left.add_attribute(Policy::of_vertices().ids(1));
+    let corner = left.dcel().vertices().next().unwrap().key();
+    left.set_value(of_vertices, corner, 5).unwrap();
     left.set_value(id, parcel, 10).unwrap();
     left.set_value(id, sliver, 11).unwrap();
     left.set_value(owner, parcel, "Ada").unwrap();
@@ -304,6 +307,8 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
     let ada = Some(&"Ada");
     assert_eq!(values, [(ada, Some(&51.0), Some(&"home")), (ada, Some(&9.0), None), (ada, Some(&4.0), None)]);
     assert_eq!([10, 11, 1].map(|number| map.find(id, &number)), [Some(large), None, Some(middle)]);
+    // Values of vertices are not carried, and not found.
+    assert_eq!((map.find(of_vertices, &5), map.values(of_vertices).unwrap().len()), (None, 0));
     // The rest of the zone is larger than the part inside of the parcel.
     let zones: Vec<u32> = map.values(zone).unwrap().values().copied().collect();
     assert_eq!((map.value(zone, small), zones.len()), (Some(&6), 2));
