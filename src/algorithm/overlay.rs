@@ -15,7 +15,7 @@
 //! Source for the idea, with a sweep in place of the rounding: de Berg et al., "Computational Geometry", 3rd edition,
 //! section 2.3.
 
-use crate::dcel::{Boundary, Face, FaceKey, HalfEdgeKey, StaleKey, Vertex};
+use crate::dcel::{Boundary, Face, FaceKey, HalfEdgeKey, OperatorError, StaleKey, Vertex};
 use crate::geometry::Point;
 use crate::geometry::noding::Snap;
 use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, NotPlane, PlanarMap, Shape};
@@ -50,6 +50,9 @@ pub enum OverlayError {
     /// The edges cannot be noded on this grid, or there is no room.
     #[error(transparent)]
     Build(#[from] BuildError),
+    /// The policy of an attribute does not allow to cut a face, or to drop one of which nothing is left.
+    #[error(transparent)]
+    Attribute(#[from] OperatorError),
 }
 
 /// The choice among the faces covered by one or the other of two features.
@@ -148,7 +151,7 @@ impl Overlay {
     }
 }
 
-/// Lays two maps over each other, on a grid.
+/// Lays two maps over each other, on a grid. The [attributes](PlanarMap::carry_faces) that faces have in either go with them.
 ///
 /// O((n + k) log n + the sizes of what lies inside each face, holes included) for n edges that meet k times.
 ///
@@ -195,6 +198,10 @@ pub fn overlay(left: &PlanarMap, right: &PlanarMap, snap: Snap) -> Result<Overla
     });
     let mut both = Overlay { map: noded, faces: labels.faces, features };
     both.put_features(operands.map(|(_, map)| map), &labels.edges, &meanings);
+    #[cfg(feature = "near")]
+    for (operand, map) in operands {
+        both.map.carry_faces(map, |face| both.faces.get(face.index()).map(|of| of[operand as usize]))?;
+    }
     Ok(both)
 }
 

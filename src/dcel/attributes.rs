@@ -53,6 +53,13 @@ impl<S: Store> Dcel<S> {
         self.store.attributes()?.values(of)
     }
 
+    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(log n). For an example
+    /// see [`Policy::ids`].
+    #[must_use]
+    pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
+        self.store.attributes()?.find(of, value)
+    }
+
     /// The key under which the value of a record is kept.
     fn record_key<K: Attributed>(&self, key: K::Key) -> Result<K::Key, StaleKey> {
         let data = key.data();

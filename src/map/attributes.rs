@@ -4,12 +4,13 @@ use super::edit::EditError;
 use super::notes::{MapEntry, Notes};
 use super::planar_map::PlanarMap;
 use crate::dcel::{
-    Attribute, Attributed, Connected, Face, HalfEdge, HalfEdgeKey, Policy, Recorder, SplitEdge, StaleKey, Value,
+    Attribute, Attributed, Connected, Face, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Policy, Recorder, SplitEdge,
+    StaleKey, Value,
 };
 use crate::geometry::Point;
-use crate::store::Way;
 use crate::store::attributes::{Attributes, Kind};
 use crate::store::links::Links;
+use crate::store::{AttributeStore, Way};
 use slotmap::{Key, KeyData, SecondaryMap};
 
 /// # Attributes
@@ -46,7 +47,7 @@ use slotmap::{Key, KeyData, SecondaryMap};
 /// # Ok::<(), twinedge::map::edit::EditError>(())
 /// ```
 ///
-/// All edits carry them; see [`Dcel`](crate::dcel::Dcel#attributes) for what is true of them. [`Edited`](super::edit::Edited) names the
+/// All edits carry them, overlays those of faces, and convex decomposition; see [`Dcel`](crate::dcel::Dcel#attributes) for what is true of them. [`Edited`](super::edit::Edited) names the
 /// records, for data that is kept in another way. What rounding moves in
 /// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) is split, dropped and drawn anew: where an edge comes to lie on vertices that
 /// were there, values follow these steps.
@@ -71,10 +72,16 @@ impl PlanarMap {
         self.dcel.values(of)
     }
 
+    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(log n).
+    #[must_use]
+    pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
+        self.dcel.find(of, value)
+    }
+
     /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
     ///
     /// # Errors
-    /// A stale key; [`NoSuchAttribute`](crate::dcel::OperatorError::NoSuchAttribute).
+    /// A stale key; [`OperatorError::NoSuchAttribute`].
     pub fn set_value<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
@@ -88,6 +95,57 @@ impl PlanarMap {
             }
             Notes { journal: None, .. } => self.dcel.set_value(of, key, value),
         }?)
+    }
+
+    /// Takes over the attributes of another map, and the values of its faces, each of which was cut into faces of this one: `within` names the
+    /// face of the other map in which a face lies, if it lies in one.
+    ///
+    /// The largest part stands for the face that is split, and the others are split off it by the policy; a face of which nothing is
+    /// left is dropped. So this is for maps that are built anew, as [overlays](crate::algorithm::overlay) are. O(n log n).
+    ///
+    /// ```
+    /// use twinedge::dcel::Policy;
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut old = PlanarMap::new();
+    /// let tax = old.add_attribute(Policy::of_faces().split_share());
+    /// let ring = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+    /// let parcel = old.insert_ring(ring)?.faces_split[0].1;
+    /// old.set_value(tax, parcel, 80.0)?;
+    ///
+    /// let mut new = PlanarMap::new();
+    /// new.insert_ring(ring)?;
+    /// new.insert_segment([1.0, 0.0], [1.0, 4.0])?;
+    /// let inside: Vec<_> = new.dcel().faces().filter(|f| !f.is_unbounded()).map(|f| f.key()).collect();
+    /// new.carry_faces(&old, |face| inside.contains(&face.key()).then_some(parcel))?;
+    /// let mut taxes: Vec<f64> = inside.iter().map(|face| *new.value(tax, *face).unwrap()).collect();
+    /// taxes.sort_by(f64::total_cmp);
+    /// assert_eq!(taxes, [20.0, 60.0]);
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Refused`](OperatorError::Refused), and nothing is taken over.
+    pub fn carry_faces(
+        &mut self,
+        other: &Self,
+        within: impl Fn(Face<'_>) -> Option<FaceKey>,
+    ) -> Result<(), OperatorError> {
+        let Some(attributes) = other.attributes() else { return Ok(()) };
+        let old = other.dcel.faces().map(|f| (f.key(), Vec::new()));
+        let mut parts: SecondaryMap<FaceKey, Vec<(KeyData, f64)>> = old.collect();
+        for face in self.dcel.faces() {
+            if let Some(parts) = within(face).and_then(|old| parts.get_mut(old)) {
+                parts.push((face.key().data(), self.area(face)));
+            }
+        }
+        let mut faces: Vec<_> = parts.into_iter().map(|(old, parts)| (old.data(), parts)).collect();
+        for (_, parts) in &mut faces {
+            parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+        }
+        let cut = attributes.cut(&faces).map_err(OperatorError::Refused)?;
+        self.dcel.store_mut().kept_attributes().extend(cut);
+        Ok(())
     }
 
     fn attributes(&self) -> Option<&Attributes> {

@@ -6,9 +6,10 @@ use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::single::SingleFloatOverlay;
 use quickcheck::QuickCheck;
 use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
 use twinedge::algorithm::area::{face_area, feature_area, ring_area};
 use twinedge::algorithm::overlay::{Operand, Operation, Overlay, OverlayError, overlay};
-use twinedge::dcel::{Face, StaleKey};
+use twinedge::dcel::{Face, OperatorError, Policy, StaleKey};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::{ReadError, geojson};
@@ -264,4 +265,59 @@ fn only_edges_of_a_map_part_its_faces() {
             })
     }
     QuickCheck::new().tests(200).quickcheck(law as fn(_, _) -> _);
+}
+
+#[test]
+fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
+    let ring = |x: f64, y: f64, side: f64| [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+    let lost = Arc::new(Mutex::new(Vec::new()));
+    let seen = lost.clone();
+    let (mut left, mut right) = (PlanarMap::new(), PlanarMap::new());
+    let owner = left.add_attribute(Policy::of_faces().split_copy());
+    let tax = left.add_attribute(Policy::of_faces().split_share().drop_with(move |tax: &f64| {
+        seen.lock().unwrap().push(*tax);
+        Ok(())
+    }));
+    let name = left.add_attribute(Policy::of_faces());
+    let zone = right.add_attribute(Policy::of_faces().split_with(|zone: u32| Ok([zone, zone + 1])));
+    let parcel = left.insert_ring(ring(0.0, 0.0, 8.0)).unwrap().faces_split[0].1;
+    let sliver = left.insert_ring(ring(20.0, 20.0, 0.25)).unwrap().faces_split[0].1;
+    let inside = right.insert_ring(ring(-2.0, -2.0, 4.0)).unwrap().faces_split[0].1;
+    // A third part of the parcel.
+    right.insert_ring(ring(4.0, 4.0, 3.0)).unwrap();
+    let id = left.add_attribute(Policy::of_faces().ids(1));
+    let of_vertices = left.add_attribute(Policy::of_vertices().ids(1));
+    let corner = left.dcel().vertices().next().unwrap().key();
+    left.set_value(of_vertices, corner, 5).unwrap();
+    left.set_value(id, parcel, 10).unwrap();
+    left.set_value(id, sliver, 11).unwrap();
+    left.set_value(owner, parcel, "Ada").unwrap();
+    left.set_value(name, parcel, "home").unwrap();
+    left.set_value(tax, parcel, 64.0).unwrap();
+    left.set_value(tax, sliver, 1.0).unwrap();
+    right.set_value(zone, inside, 5).unwrap();
+    let both = overlay(&left, &right, Snap::Size(1.0)).unwrap();
+    let map = both.map();
+    let value = |operand, of| both.face_in(operand, of).unwrap();
+    let mut found: Vec<_> =
+        map.dcel().faces().map(|f| f.key()).filter(|f| value(Operand::Left, *f) == parcel).collect();
+    found.sort_by(|f, g| face_area(map, *g).unwrap().total_cmp(&face_area(map, *f).unwrap()));
+    let [large, middle, small] = found[..] else { panic!("{found:?}") };
+    let values = [large, middle, small].map(|f| (map.value(owner, f), map.value(tax, f), map.value(name, f)));
+    let ada = Some(&"Ada");
+    assert_eq!(values, [(ada, Some(&51.0), Some(&"home")), (ada, Some(&9.0), None), (ada, Some(&4.0), None)]);
+    assert_eq!([10, 11, 1].map(|number| map.find(id, &number)), [Some(large), None, Some(middle)]);
+    // Values of vertices are not carried, and not found.
+    assert_eq!((map.find(of_vertices, &5), map.values(of_vertices).unwrap().len()), (None, 0));
+    // The rest of the zone is larger than the part inside of the parcel.
+    let zones: Vec<u32> = map.values(zone).unwrap().values().copied().collect();
+    assert_eq!((map.value(zone, small), zones.len()), (Some(&6), 2));
+    assert_eq!(*lost.lock().unwrap(), [1.0]);
+    // A map laid over itself has its attributes once.
+    assert_eq!(overlay(&right, &right, Snap::Size(1.0)).unwrap().map().values(zone).unwrap().len(), 1);
+
+    let strict = left.add_attribute(Policy::of_faces().drop_with(|_: &u8| Err("never")));
+    left.set_value(strict, sliver, 1).unwrap();
+    let refused = overlay(&left, &right, Snap::Size(1.0)).map(|_| ());
+    assert_eq!(refused, Err(OverlayError::Attribute(OperatorError::Refused("never"))));
 }

@@ -1,10 +1,10 @@
 //! Values that follow operators: none is lost or doubled, and each stays where it was.
 
-use crate::support::tokens::{Handles, Mints, Tokens};
+use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{
-    Dcel, FaceKey, HalfEdgeKey, History, OperatorError, Policy, Quantity, Recorded, Split, VertexKey,
+    Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Policy, Quantity, Recorded, Split, VertexKey,
 };
 use twinedge::program::{Program, Refusal, Runner, StepOutcome, Subject};
 use twinedge::validate::View;
@@ -26,6 +26,32 @@ fn places(handles: Handles, dcel: &Dcel) -> (BTreeMap<u64, VertexKey>, BTreeMap<
     (vertices, faces)
 }
 
+/// The tokens that an operator made and dropped, of vertices, half-edges, edges, corners and faces.
+fn only_what_is_new_has_new_tokens(before: &Dcel, after: &Dcel, name: &str, difference: [[usize; 2]; 5]) {
+    let [vertices, half_edges, edges, corners, faces] = difference;
+    let isolated = |dcel: &Dcel| dcel.vertices().filter(|v| v.isolated().is_some()).count();
+    let (was, is) = (isolated(before), isolated(after));
+    let made = |names: &[&str], count: usize| if names.contains(&name) { count } else { 0 };
+    assert_eq!(vertices[0], made(&["add_isolated_vertex", "split_edge"], 1));
+    assert!(vertices[1] == 0 || ["remove_isolated_vertex", "join_edges"].contains(&name), "{name}");
+    assert_eq!(
+        (edges[0], half_edges[0]),
+        (made(&["connect", "split_vertex"], 1), made(&["connect", "split_vertex"], 2))
+    );
+    let removes = ["remove_edge", "contract_edge"].contains(&name);
+    assert!((edges[1] == 0 && half_edges[1] == 0) || removes, "{name}");
+    assert_eq!(faces, [0, 0]);
+    let new = after.edges().find(|h| before.half_edge(h.key()).is_err()).filter(|_| was == is);
+    let is_leaf = new.is_some_and(|h| h.origin().degree() == 1 || h.target().degree() == 1);
+    match name {
+        "split_edge" => assert_eq!(corners[0], 2),
+        "split_vertex" if was == is => assert_eq!(corners[0], usize::from(is_leaf)),
+        "connect" | "split_vertex" => assert_eq!(corners[0] > 0, was > is),
+        _ => assert_eq!(corners[0], 0, "{name}"),
+    }
+    assert!(corners[1] == 0 || name == "join_edges" || (removes && is > was), "{name}");
+}
+
 #[test]
 fn no_token_is_lost_or_doubled_by_any_operator_and_each_stays_where_it_was() {
     fn law(program: Program) {
@@ -36,9 +62,17 @@ fn no_token_is_lost_or_doubled_by_any_operator_and_each_stays_where_it_was() {
         for op in &program.0 {
             let before = runner.subject().clone();
             let name = op.name();
-            runner.step(*op);
+            let counts = mints.each_ref().map(Mint::counts);
+            let outcome = runner.step(*op);
             let dcel = runner.subject();
             handles.check(dcel, &mints);
+            let now = mints.each_ref().map(Mint::counts);
+            let difference = [0, 1, 2, 3, 4].map(|kind| [0, 1].map(|i| now[kind][i] - counts[kind][i]));
+            if outcome == StepOutcome::Applied {
+                only_what_is_new_has_new_tokens(&before, dcel, name, difference);
+            } else {
+                assert_eq!(now, counts);
+            }
             let ((was_at, was_beside), (is_at, is_beside)) = (places(handles, &before), places(handles, dcel));
             for (token, v) in &is_at {
                 let stays = was_at.get(token).is_none_or(|was| was == v);
@@ -65,10 +99,17 @@ fn a_refusal_changes_nothing() {
         let mut refused = 0;
         for op in &program.0 {
             let before = runner.subject().clone();
-            if runner.step(*op) == StepOutcome::Refused(Refusal::Policy) {
+            let outcome = runner.step(*op);
+            let (was, is) = (handles.values(&before), handles.values(runner.subject()));
+            if outcome == StepOutcome::Refused(Refusal::Policy) {
                 assert!(*runner.subject() == before);
-                assert_eq!(handles.values(runner.subject()), handles.values(&before));
+                assert_eq!(is, was);
                 refused += 1;
+            }
+            // Nothing of a refused operator is given to the next one.
+            for (mint, (was, is)) in mints.iter().zip(was.iter().zip(&is)) {
+                let is: BTreeSet<u64> = is.values().flatten().copied().collect();
+                assert!(was.values().flatten().all(|token| is.contains(token) || mint.has_dropped(*token)));
             }
         }
         refused
@@ -93,6 +134,8 @@ fn retaining_and_compacting_carry_all_tokens() {
         handles.check(&dcel, &mints);
         let (was_at, is_at) = (places(handles, &before).0, places(handles, &dcel).0);
         assert!(is_at.iter().all(|(token, v)| was_at[token] == *v));
+        let has_edges = |v: VertexKey| dcel.vertex(v).is_ok_and(|v| v.isolated().is_none());
+        assert!(was_at.iter().all(|(token, v)| is_at.contains_key(token) == has_edges(*v)));
         // The rest of a face has the tokens of all that became part of it.
         for f in dcel.faces() {
             let of_old = |f: FaceKey| before.value(handles.faces, f).unwrap().iter();
@@ -268,4 +311,46 @@ fn a_quantity_is_shared_without_a_rest() {
         exact && kept.sum(&given) == all && at_ends && i64::between(&2, &6, 0.25) == 3
     }
     check(300, 100, law as fn(i64, u16) -> bool);
+}
+
+#[test]
+fn ids_find_their_records_through_operators_undoing_and_compacting() {
+    fn right(dcel: &Dcel, id: Attribute<Edges, u64>, given: &mut BTreeMap<u64, HalfEdgeKey>) {
+        let ids = dcel.values(id).unwrap();
+        assert_eq!(ids.len(), dcel.edge_count());
+        for (key, number) in ids {
+            assert_eq!(dcel.find(id, number), Some(key));
+            // A number is never given to another edge.
+            assert_eq!(*given.entry(*number).or_insert(key), key);
+        }
+        assert!(given.iter().all(|(number, key)| dcel.find(id, number).is_some() == dcel.half_edge(*key).is_ok()));
+    }
+    fn law(program: Program) {
+        let mut history = History::new(Dcel::new());
+        let add = |dcel: &mut Dcel<Recorded>| Ok::<_, OperatorError>(dcel.add_attribute(Policy::of_edges().ids(7)));
+        let id = history.change("number edges", add).unwrap();
+        let mut given = BTreeMap::new();
+        let mut runner = Runner::new(Recording(history));
+        for (i, op) in program.0.iter().enumerate() {
+            runner.step(*op);
+            right(runner.subject().dcel(), id, &mut given);
+            if i % 5 == 4 {
+                let mut history = runner.into_subject().0;
+                history.undo();
+                right(history.get(), id, &mut given);
+                if i % 2 == 0 {
+                    history.redo();
+                }
+                // The runner begins anew, with the edges that are there.
+                runner = Runner::new(Recording(history));
+            }
+        }
+        let mut dcel = runner.into_subject().0.into_dcel();
+        let before = dcel.clone();
+        let renamed = dcel.compact();
+        for (key, number) in before.values(id).unwrap() {
+            assert_eq!(dcel.find(id, number), Some(renamed.half_edges[key]));
+        }
+    }
+    check(60, 40, law as fn(Program));
 }

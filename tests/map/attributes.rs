@@ -10,6 +10,7 @@ use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
 use twinedge::map::{Audited, History, Located, PlanarMap};
+use twinedge::validate::near::WriteSet;
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -49,18 +50,14 @@ fn an_edit_that_is_refused_halfway_leaves_everything_as_it_was() {
         let (mints, mut map) = (Mints::default(), PlanarMap::new());
         let handles = Handles::of_map(&mut map, &mints, 13);
         let _ = map.locate(Point::new(0.5, 0.5));
-        let mut audited = Audited::new(map).unwrap();
+        // Each edit is validated by what it wrote, those that are taken back, too.
+        let mut runner = EditRunner::audited(map).unwrap();
         let mut refused = 0;
         for op in &program.0 {
-            let before = audited.map().clone();
-            let outcome = audited.change(|map| {
-                let mut runner = EditRunner::new(std::mem::take(map));
-                let outcome = runner.step(op);
-                *map = runner.into_map();
-                outcome
-            });
-            let map = audited.map();
-            if matches!(outcome, Ok(EditOutcome::Refused(EditError::Operator(OperatorError::Refused(_))))) {
+            let before = runner.map().clone();
+            let outcome = runner.step_checked(op).unwrap();
+            let map = runner.map();
+            if matches!(outcome, EditOutcome::Refused(EditError::Operator(OperatorError::Refused(_)))) {
                 assert!(*map == before, "{op}");
                 assert_eq!(handles.values(map.dcel()), handles.values(before.dcel()));
                 refused += 1;
@@ -69,13 +66,38 @@ fn an_edit_that_is_refused_halfway_leaves_everything_as_it_was() {
             let walked = map.locate_from(p, map.dcel().unbounded_face().key());
             let place = |located: Located| Some(located).filter(|located| !matches!(located, Located::Edge(_)));
             assert_eq!(map.locate(p).map(place), walked.map(place));
-            assert!(outcome.is_ok());
         }
         refused
     }
     let mut programs = Gen::from_size_and_seed(50, 2026);
     let refused: usize = (0..60).map(|_| run(&quickcheck::Arbitrary::arbitrary(&mut programs))).sum();
     assert!(refused > 100, "{refused}");
+}
+
+#[test]
+fn an_audited_map_with_attributes_notes_what_one_without_notes() {
+    let plain = PlanarMap::new();
+    let mut map = plain.clone();
+    map.add_attribute::<_, u8>(Policy::of_faces().split_copy());
+    let mut both = [plain, map].map(|map| Audited::new(map).unwrap());
+    let mut step = |edit: &dyn Fn(&mut PlanarMap)| {
+        let written = both.each_mut().map(|audited| {
+            audited.change(|map| edit(map)).unwrap();
+            let WriteSet { mut vertices, mut half_edges, mut faces, .. } = audited.written().unwrap().clone();
+            for list in [&mut vertices, &mut half_edges, &mut faces] {
+                list.sort_unstable();
+                list.dedup();
+            }
+            [vertices, half_edges, faces]
+        });
+        assert_eq!(written[0], written[1]);
+        assert!(!written[0][0].is_empty());
+    };
+    step(&|map| drop(map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]).unwrap()));
+    step(&|map| drop(map.insert_segment([1.0, 0.0], [1.0, 4.0]).unwrap()));
+    let first = |map: &PlanarMap| map.dcel().vertices().next().unwrap().key();
+    step(&|map| map.move_vertex(first(map), [-1.0, 0.0]).unwrap());
+    step(&|map| drop(map.remove_vertex(first(map)).unwrap()));
 }
 
 /// A square of four cells, whose middle vertex and whose edges from there are named, and its owners.

@@ -131,6 +131,15 @@ impl Handles {
 }
 
 impl Mint {
+    /// The numbers of tokens that were made and dropped.
+    pub(crate) fn counts(&self) -> [usize; 2] {
+        [self.made.load(Ordering::Relaxed) as usize, self.dropped.lock().unwrap().len()]
+    }
+
+    pub(crate) fn has_dropped(&self, token: u64) -> bool {
+        self.dropped.lock().unwrap().contains(&token)
+    }
+
     /// So many tokens that faces can share them.
     fn purse(&self) -> Tokens {
         (0..40).map(|_| self.token()).collect()

@@ -3,7 +3,7 @@
 use super::kind::{Attributed, Kind};
 use super::policy::{Merging, Policy, Reason, Splitting};
 use alloc::boxed::Box;
-use alloc::collections::VecDeque;
+use alloc::collections::{BTreeMap, VecDeque};
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::any::Any;
@@ -95,10 +95,7 @@ impl<K: Attributed, T: Value> AnySaved for SavedValue<K, T> {
 
     fn exchange(&mut self, column: &mut dyn AnyColumn) {
         if let Some(column) = column.as_any_mut().downcast_mut::<Column<K, T>>() {
-            let had = column.values.remove(self.key);
-            if let Some(value) = mem::replace(&mut self.value, had) {
-                column.values.insert(self.key, value);
-            }
+            self.value = column.replace(self.key, self.value.take());
         }
     }
 
@@ -117,23 +114,44 @@ pub(super) struct Column<K: Attributed, T> {
     id: u32,
     policy: Arc<Policy<K, T>>,
     pub(super) values: SecondaryMap<K::Key, T>,
+    /// By number of the value its record, if records are found by it.
+    index: BTreeMap<u128, K::Key>,
     /// The values of records that will be made.
     announced: VecDeque<Option<T>>,
 }
 
 impl<K: Attributed, T: Value> Column<K, T> {
     pub(super) fn new(id: u32, policy: Policy<K, T>) -> Self {
-        Self { id, policy: Arc::new(policy), values: SecondaryMap::new(), announced: VecDeque::new() }
+        let (values, index, announced) = (SecondaryMap::new(), BTreeMap::new(), VecDeque::new());
+        Self { id, policy: Arc::new(policy), values, index, announced }
+    }
+
+    /// The record with this value.
+    pub(super) fn find(&self, value: &T) -> Option<K::Key> {
+        self.policy.number.and_then(|number| self.index.get(&number(value)).copied())
+    }
+
+    /// Exchanges the value of a record.
+    fn replace(&mut self, key: K::Key, value: Option<T>) -> Option<T> {
+        let had = self.values.remove(key);
+        if let Some(number) = self.policy.number {
+            if let Some(had) = had.as_ref().map(number).filter(|had| self.index.get(had) == Some(&key)) {
+                self.index.remove(&had);
+            }
+            self.index.extend(value.as_ref().map(|value| (number(value), key)));
+        }
+        if let Some(value) = value {
+            self.values.insert(key, value);
+        }
+        had
     }
 
     /// Writes a value, or takes it away. Returns the one that was there.
     pub(super) fn put(&mut self, key: K::Key, value: Option<T>, log: &mut Vec<Saved>) -> Option<T> {
-        let had = self.values.remove(key);
-        if had.is_some() || value.is_some() {
+        let writes = value.is_some();
+        let had = self.replace(key, value);
+        if had.is_some() || writes {
             log.push(Saved(Box::new(SavedValue::<K, T> { id: self.id, key, value: had.clone() })));
-        }
-        if let Some(value) = value {
-            self.values.insert(key, value);
         }
         had
     }
@@ -249,13 +267,17 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
     }
 
     fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>) {
-        let old = mem::take(&mut self.values);
-        self.values.extend(old.into_iter().filter_map(|(old, value)| Some((key(old.data())?.into(), value))));
+        self.index.clear();
+        for (old, value) in mem::take(&mut self.values) {
+            if let Some(new) = key(old.data()) {
+                self.replace(new.into(), Some(value));
+            }
+        }
     }
 
     fn copied(&self) -> Box<dyn AnyColumn> {
-        let (policy, values) = (self.policy.clone(), self.values.clone());
-        Box::new(Self { id: self.id, policy, values, announced: VecDeque::new() })
+        let (policy, values, index) = (self.policy.clone(), self.values.clone(), self.index.clone());
+        Box::new(Self { id: self.id, policy, values, index, announced: VecDeque::new() })
     }
 
     fn as_any(&self) -> &dyn Any {

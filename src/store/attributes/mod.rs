@@ -17,6 +17,8 @@ pub use quantity::Quantity;
 
 use crate::store::issuer::structure_offset;
 use alloc::boxed::Box;
+#[cfg(feature = "map")]
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use column::{AnyColumn, Column};
 use core::fmt;
@@ -71,10 +73,18 @@ impl Attributes {
         Attribute { id, of: PhantomData }
     }
 
+    fn column<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&Column<K, T>> {
+        self.columns.iter().find(|column| column.id() == of.id)?.as_any().downcast_ref()
+    }
+
     /// The values of an attribute; none if it is one of another structure.
     pub(crate) fn values<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&SecondaryMap<K::Key, T>> {
-        let column = self.columns.iter().find(|column| column.id() == of.id)?;
-        column.as_any().downcast_ref::<Column<K, T>>().map(|column| &column.values)
+        self.column(of).map(|column| &column.values)
+    }
+
+    /// The record with this value, if records are found by it.
+    pub(crate) fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
+        self.column(of)?.find(value)
     }
 
     /// Writes a value, or takes it away. Returns the one that was there; an error if the attribute is one of another structure.
@@ -190,5 +200,38 @@ impl Attributes {
         for column in self.columns.iter_mut().filter(|column| column.kind() == Kind::Vertex) {
             column.interpolate(vertex, ends, part, &mut self.log);
         }
+    }
+
+    /// The same attributes for other faces, into which these were cut: each with its parts, the largest first, and their areas. Nothing else
+    /// has a value then.
+    pub(crate) fn cut(&self, faces: &[(KeyData, Vec<(KeyData, f64)>)]) -> Result<Self, &'static str> {
+        let mut all = self.clone();
+        let mut first = BTreeMap::new();
+        for (old, parts) in faces {
+            match parts.first() {
+                Some((part, _)) => drop(first.insert(*old, *part)),
+                None => all.announce(&[(Kind::Face, Step::Drop(*old))])?,
+            }
+        }
+        all.rename(&|kind, old| first.get(&old).copied().filter(|_| kind == Kind::Face));
+        for (_, parts) in faces {
+            let mut rest: f64 = parts.iter().map(|(_, area)| area).sum();
+            for (part, area) in parts.iter().skip(1) {
+                let largest = parts[0].0;
+                all.announce(&[(Kind::Face, Step::Split(largest))])?;
+                all.settle(&[(Kind::Face, *part)]);
+                all.share(Kind::Face, [largest, *part], (area / rest).clamp(0.0, 1.0));
+                rest -= area;
+            }
+            all.log.clear();
+        }
+        Ok(all)
+    }
+
+    /// Takes over the attributes of another structure, but for those that are there.
+    pub(crate) fn extend(&mut self, other: Self) {
+        let more = other.columns.into_iter().filter(|new| self.columns.iter().all(|column| column.id() != new.id()));
+        let more: Vec<_> = more.collect();
+        self.columns.extend(more);
     }
 }

@@ -5,6 +5,7 @@ use super::quantity::Quantity;
 use alloc::sync::Arc;
 use core::fmt;
 use core::marker::PhantomData;
+use core::sync::atomic::{AtomicU64, Ordering};
 
 /// The reason for which a policy refuses.
 pub(super) type Reason = &'static str;
@@ -47,13 +48,15 @@ pub struct Policy<K: Attributed, T> {
     pub(super) making: Option<Arc<dyn Fn() -> T + Send + Sync>>,
     pub(super) between: Option<fn(&T, &T, f64) -> T>,
     pub(super) dropping: Option<Arc<Dropping<T>>>,
+    /// A number of the value, by which its record is found.
+    pub(super) number: Option<fn(&T) -> u128>,
     of: PhantomData<K>,
 }
 
 impl<K: Attributed, T> Policy<K, T> {
     const fn new() -> Self {
         let (splitting, merging) = (Splitting::Keep, Merging::Keep);
-        Self { splitting, merging, making: None, between: None, dropping: None, of: PhantomData }
+        Self { splitting, merging, making: None, between: None, dropping: None, number: None, of: PhantomData }
     }
 
     /// Gives a copy to the other part of a record that is split.
@@ -129,6 +132,47 @@ impl<K: Attributed, T> Policy<K, T> {
     pub fn drop_with(mut self, dropped: impl Fn(&T) -> Result<(), &'static str> + Send + Sync + 'static) -> Self {
         self.dropping = Some(Arc::new(dropped));
         self
+    }
+}
+
+impl<K: Attributed, T> Policy<K, T> {
+    /// Keeps an index of numbers of the values, by which [`find`](crate::dcel::Dcel::find) finds records. No two records should have the same:
+    /// of these it finds one at most.
+    ///
+    /// A UUID is a number of this size.
+    #[must_use]
+    pub fn identified_by(mut self, number: fn(&T) -> u128) -> Self {
+        self.number = Some(number);
+        self
+    }
+}
+
+impl<K: Attributed> Policy<K, u64> {
+    /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
+    /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
+    ///
+    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, OperatorError, Policy};
+    ///
+    /// let mut map = Dcel::new();
+    /// let id = map.add_attribute(Policy::of_vertices().ids(100));
+    /// let outside = map.unbounded_face().key();
+    /// let gone = map.add_isolated_vertex(outside)?.vertex;
+    /// let stays = map.add_isolated_vertex(outside)?.vertex;
+    /// map.remove_isolated_vertex(gone)?;
+    /// map.compact();
+    /// let again = map.find(id, &101).unwrap();
+    /// assert_ne!(again, stays);
+    /// assert_eq!((map.value(id, again), map.find(id, &100)), (Some(&101), None));
+    /// # Ok::<(), OperatorError>(())
+    /// ```
+    #[must_use]
+    pub fn ids(self, first: u64) -> Self {
+        let next = Arc::new(AtomicU64::new(first));
+        let [made, split] = [next.clone(), next].map(|next| move || next.fetch_add(1, Ordering::Relaxed));
+        self.make_with(made).split_with(move |id| Ok([id, split()])).identified_by(|id| u128::from(*id))
     }
 }
 
