@@ -4,7 +4,8 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near Merge.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed NearWalks NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -104,6 +105,79 @@ Check filled_recorded_plane : forall v prev_stored leaving_stored places unbound
   rules_of Expectations.plane s <->
   is_plane (answers (filled Expectations.plane s)) /\ surface_with_faces (answers (filled Expectations.plane s)) true.
 
+(** If open boundaries are legal, they mean a rotation system from which some cycles may be missing, which do not meet; the structure
+    stores the rest. Each cycle that is there has a face of its own, or none, and one that has a half-edge without twin has a face. *)
+
+Check open_rules_mean_missing : forall t, open_rules t <-> exists r missing, @represents_without t r missing.
+
+Check open_faceless : forall on t records places holes unbounded sf so si,
+  rules_of (open_on on) (Structure t (Parts true true false records places holes unbounded) sf so si) <-> is_open_map on t.
+
+Check open_named : forall on t places holes unbounded sf so si, holes && on = false ->
+  rules_of (open_on on) (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  is_open_map on t /\ open_faces t sf so.
+
+Check open_recorded : forall on t places holes unbounded sf so si, holes && on = false ->
+  rules_of (open_on on) (Structure t (Parts true true true true places holes unbounded) sf so si) <->
+  is_open_map on t /\ open_boundaries t places.
+
+Check filled_open_faceless : forall on v prev_stored leaving_stored places holes unbounded sf so si records,
+  let s := Structure v (Parts prev_stored leaving_stored false records places holes unbounded) sf so si in
+  rules_of (open_on on) s <-> is_open_map on (answers (filled (open_on on) s)).
+
+Check filled_open_named : forall on v prev_stored leaving_stored places holes unbounded sf so si, holes && on = false ->
+  let s := Structure v (Parts prev_stored leaving_stored true false places holes unbounded) sf so si in
+  rules_of (open_on on) s <-> is_open_map on (answers (filled (open_on on) s)) /\ open_faces v sf so.
+
+Check filled_open_recorded : forall on v prev_stored leaving_stored places holes unbounded sf so si, holes && on = false ->
+  let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
+  rules_of (open_on on) s <->
+  is_open_map on (answers (filled (open_on on) s)) /\ open_boundaries (answers (filled (open_on on) s)) true.
+
+(** If lists of inner boundary components are stored, in the plane, the faces are nested, too: open, and closed. *)
+
+Check open_holes_named : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true false places true unbounded) sf so si in
+  rules_of (open_on true) s <-> is_open_map true t /\ faces_nested (open_on true) s.
+
+Check open_holes_recorded : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true true places true unbounded) sf so si in
+  rules_of (open_on true) s <-> [/\ is_open_map true t, faces_nested (open_on true) s & nested_records t places].
+
+Check filled_open_holes_named : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places true unbounded) sf so si in let u := filled (open_on true) s in
+  rules_of (open_on true) s <-> is_open_map true (answers u) /\ faces_nested (open_on true) u.
+
+Check filled_open_holes_recorded : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled (open_on true) s in
+  rules_of (open_on true) s <-> [/\ is_open_map true (answers u), faces_nested (open_on true) u & nested_records (answers u) true].
+
+Check holes_named : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true false places true unbounded) sf so si in
+  rules_of Expectations.plane s <->
+  [/\ is_plane t, faces_nested Expectations.plane s & forall h, half_edge t h -> face_of Expectations.plane s h <> None].
+
+Check holes_recorded : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true true places true unbounded) sf so si in
+  rules_of Expectations.plane s <-> [/\ is_plane t, faces_nested Expectations.plane s, nested_records t places
+    & forall h, half_edge t h -> boundary_of t h <> None].
+
+Check filled_holes_named : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places true unbounded) sf so si in let u := filled Expectations.plane s in
+  rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u
+    & forall h, half_edge (answers u) h -> face_of Expectations.plane u h <> None].
+
+Check filled_holes_recorded : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled Expectations.plane s in
+  rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u, nested_records (answers u) true
+    & forall h, half_edge (answers u) h -> boundary_of (answers u) h <> None].
+
+(** A closed structure is an open one in which each half-edge has a twin and, if faces are stored, a face. *)
+
+Check closed_rules : forall t on faces records places holes unbounded sf so si,
+  let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
+  rules_of (closed_on on) s <-> rules_of (open_on on) s /\ no_border t on faces records places holes unbounded sf so si.
+
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
 Check near_half_edges : forall t t' (changed : pred nat),
@@ -137,6 +211,44 @@ Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next 
   b1_cycle t <-> one_cycle_each t /\ forall b, boundary t b ->
     (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
     forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
+
+(** Walks in step find whether members are on one orbit: what they find is so, and what is so they find, in as many steps as there
+    are half-edges. So they decide V2 and B1 after a change, together with the question whether a member was there before. *)
+
+Check on_one_sound : forall (T : eqType) (step : T -> option T) (members : seq T) limit, on_one step members limit -> uniq members ->
+  forall g h, g \in members -> h \in members -> exists2 m, m \in members & NearWalks.leads step m g /\ NearWalks.leads step m h.
+
+Check on_one_complete : forall (T : finType) (F : T -> T) (members : seq T), injective F -> uniq members ->
+  (forall g h, g \in members -> h \in members -> fconnect F g h) ->
+  forall limit, #|T| <= limit -> on_one (fun x => Some (F x)) members limit.
+
+Check near_rotations_walked : forall t t', Map.is_map t' -> forall limit (ms : nat -> seq nat),
+  Map.is_map t -> v2_rotation t -> half_edge_slots t' <= limit ->
+  let member := Near.member (half_edge t) (half_edge t') (View.turn t) (View.turn t') (origin t) (origin t') in
+  (forall v, uniq (ms v) /\ forall h, h \in ms v <-> member h /\ origin t' h = Some v) ->
+  v2_rotation t' <-> (forall v, on_one (View.turn t') (ms v) limit) /\
+    joins t t' (View.turn t) (View.turn t') (origin t) (origin t').
+
+Check near_cycles_walked : forall t t', Map.is_map t' -> forall limit (ms : nat -> seq nat),
+  Map.is_map t -> one_cycle_each t -> (forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h) ->
+  half_edge_slots t' <= limit ->
+  let member := Near.member (half_edge t) (half_edge t') (next t) (next t') (boundary_of t) (boundary_of t') in
+  (forall b, uniq (ms b) /\ forall h, h \in ms b <-> member h /\ boundary_of t' h = Some b) ->
+  one_cycle_each t' <-> (forall b, on_one (next t') (ms b) limit) /\ joins t t' (next t) (next t') (boundary_of t) (boundary_of t').
+
+(** The sum V - E + F = 1 + I says that there are as many inner boundary components as components, less the handles. If each
+    component has one at least, that is T1 and T3. *)
+
+Check sum_says : forall t, holds_before t T1 -> forall vs es fs cs bs : seq nat,
+  lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> lists fs (face t) ->
+  lists_one_of_each cs (connected t) (vertex t) -> lists bs (Rules.is_inner t) ->
+  exists g, (g = 0 <-> t3_euler t) /\ (size vs + size fs = 1 + size bs + size es <-> size bs + g = size cs).
+
+Check sum_enough : forall t, holds_before t T1 -> forall vs es fs cs bs : seq nat,
+  lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> lists fs (face t) ->
+  lists_one_of_each cs (connected t) (vertex t) -> lists bs (Rules.is_inner t) ->
+  (forall v, vertex t v -> exists b, outside_of t v b) ->
+  size vs + size fs = 1 + size bs + size es <-> t1_outside t /\ t3_euler t.
 
 (** F2 is a count of each list, if each entry says so itself. *)
 
