@@ -4,12 +4,12 @@
 //! features that cover the same place, whatever their attributes (C5), and the rules between layers have no measure there.
 
 use crate::coverage_words::statement;
+use crate::iso_measure::{FAULTY_CONNECTION, OVERLAP, SELF_INTERSECT, SLIVER, UNDERSHOOT, measure_of};
 use crate::report::AuditReport;
 use crate::words::escaped;
 use serde::Serialize;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{CoverageRule, DefectKind};
-use twinedge_formats::diagnosis::Diagnosis;
+use twinedge::algorithm::coverage::CoverageRule;
 
 /// The measures of an audit.
 #[derive(Debug, Serialize)]
@@ -54,28 +54,6 @@ struct Unmeasured {
 
 const TOPOLOGICAL: &str = "DQ_TopologicalConsistency";
 const CONCEPTUAL: &str = "DQ_ConceptualConsistency";
-
-const OVERLAP: u32 = 11;
-const FAULTY_CONNECTION: u32 = 21;
-const UNDERSHOOT: u32 = 23;
-const SLIVER: u32 = 25;
-const SELF_INTERSECT: u32 = 26;
-
-/// The measure that counts a finding, if there is one: of C7 it counts each vertex that is missing.
-pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
-    let rule = CoverageRule::ALL.into_iter().find(|rule| one.rule == Some(rule.id()))?;
-    let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());
-    match rule {
-        CoverageRule::Overlap => Some(OVERLAP),
-        CoverageRule::Mismatch => Some(FAULTY_CONNECTION),
-        CoverageRule::NearMiss => Some(UNDERSHOOT),
-        CoverageRule::Sliver => Some(SLIVER),
-        CoverageRule::Validity => {
-            one.defects.iter().any(|flaw| crosses.contains(&flaw.reason)).then_some(SELF_INTERSECT)
-        }
-        _ => None,
-    }
-}
 
 impl<'a> Quality<'a> {
     /// Counts the findings that were not accepted; all are to be listed. None if it is no map.

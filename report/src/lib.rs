@@ -35,6 +35,7 @@ mod imported;
 mod input;
 mod input_kind;
 mod iso;
+mod iso_measure;
 mod judged;
 mod junit;
 mod layers;

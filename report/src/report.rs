@@ -3,7 +3,7 @@
 use crate::accepted::{Accepted, AcceptedSummary};
 use crate::coverage::Coverage;
 use crate::identity::Identities;
-use crate::iso;
+use crate::iso_measure::measure_of;
 use crate::packed::Window;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, grouped, not_checked};
@@ -170,7 +170,7 @@ impl AuditReport {
         let mut identities = Identities::default();
         let of_coverage = self.coverage.iter_mut().flat_map(Coverage::findings_mut);
         for one in self.violations.iter_mut().chain(&mut self.findings).chain(of_coverage) {
-            one.iso = iso::measure_of(one);
+            one.iso = measure_of(one);
             identities.identify(one);
         }
     }

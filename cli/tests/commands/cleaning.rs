@@ -43,7 +43,7 @@ fn a_patch_says_what_changed_and_gives_the_bytes_of_the_input_back() {
     assert!(report.contains("feature 5: area 0.0000 → 0.2000, points 0 → 5; gap filled; made for gaps\n"), "{report}");
     assert!(report.contains(&format!("what takes it back is in {patch}\n")), "{report}");
 
-    // What was right is the same to the byte.
+    // The features that were right are the same to the byte.
     let text = fs::read_to_string(&clean).unwrap();
     for line in PARCELS.lines().filter(|line| ["A-2", "A-3", "A-4", "A-5"].iter().any(|id| line.contains(id))) {
         assert!(text.contains(line.trim_end_matches(',')), "{line}");

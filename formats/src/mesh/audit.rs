@@ -115,7 +115,7 @@ impl MeshAudit {
             statement: rule.statement(),
             checked: *checked as u64,
             unit: rule.unit(),
-            violations: self.findings.count(rule.kind()) as u64,
+            violations: self.findings.count(Kind::of(*rule)) as u64,
             unchecked: (*left_out > 0).then_some(Reason::NotConvex),
             left_out: (*left_out > 0).then_some(*left_out as u64),
         });

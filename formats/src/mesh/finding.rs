@@ -1,6 +1,6 @@
 //! The faults of a list of faces, in the terms of its author.
 
-use super::SpaceRule;
+use super::space_rule::SpaceRule;
 use crate::diagnosis::{self, Diagnosis, Records};
 use std::fmt;
 use twinedge::validate::Collect;
@@ -87,10 +87,20 @@ kinds! {
 }
 
 impl Kind {
+    /// The kind of the findings of a rule about the places of points.
+    #[must_use]
+    pub const fn of(rule: SpaceRule) -> Self {
+        match rule {
+            SpaceRule::Area => Self::ZeroArea,
+            SpaceRule::Crossing => Self::CrossingFaces,
+            SpaceRule::Outward => Self::InsideOut,
+        }
+    }
+
     /// The rule that is asked for, and that findings of this kind break.
     #[must_use]
     pub fn rule(self) -> Option<SpaceRule> {
-        SpaceRule::ALL.into_iter().find(|rule| rule.kind() == self)
+        SpaceRule::ALL.into_iter().find(|rule| Self::of(*rule) == self)
     }
 
     /// Returns true if it is a fault in any mesh. Unused vertices are one only where they are expected not to be.

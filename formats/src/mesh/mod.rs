@@ -26,6 +26,7 @@ mod repeated;
 #[cfg(feature = "serde")]
 mod serialize;
 mod space;
+mod space_rule;
 
 pub use audit::{MeshAudit, audit, audit_in_space};
 pub use counts::MeshCounts;
@@ -34,4 +35,4 @@ pub use half_edges::HalfEdgeMesh;
 pub use indexed::{IndexedMesh, IndexedMeshError};
 #[cfg(any(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
 pub use read::{Cause, Dropped, Format, MeshFile, Position, ReadError, read, read_bytes, read_path};
-pub use space::{SpaceOutcome, SpaceRule};
+pub use space_rule::{SpaceOutcome, SpaceRule};

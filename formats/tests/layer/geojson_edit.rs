@@ -107,7 +107,7 @@ fn binary_formats_keep_the_coordinates_of_what_is_right_to_the_bit() {
     };
     let before = from_text(&(0..4).map(square).collect::<String>());
     for format in [Format::Wkb, Format::FlatGeobuf, Format::GeoParquet, Format::GeoPackage, Format::Shapefile] {
-        // What the format itself changes, as the order of rings, has been changed.
+        // The changes of the format itself, as in the order of rings, are made first.
         let before = through(&before, format);
         let mut after = before.clone();
         let report = clean(&mut after, &CleanOptions::default()).unwrap();

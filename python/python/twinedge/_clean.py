@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -92,14 +92,16 @@ def clean(
     receiving, attributes = _receiving(layer, gaps_to, len(geometries))
     source = _input("layer", text=_digits(geometries), format="wkb")
     is_auto = isinstance(gap_width, str) and gap_width == "auto"
-    limits = _limits(None if is_auto else gap_width, lake_width, accept_gaps, sliver_area)
+    # Another text is refused as any other thing that is no number.
+    width = cast("float | None", None if is_auto else gap_width)
+    limits = _limits(width, lake_width, accept_gaps, sliver_area)
     text, changed = _twinedge.clean(source, limits, _cell(snap), overlap, is_auto, receiving)
     made = geometries.copy()
     for number, digits in changed:
         geometry = None if digits is None else shapely.from_wkb(digits)
         if number == len(made):
             layer, column = _extended(layer, column, attributes)
-            made = np.append(made, None)
+            made = np.concatenate([made, np.array([None], object)])
         made[number] = geometry
     report: dict[str, Any] = json.loads(text)
     if hasattr(layer, "set_geometry"):

@@ -1,23 +1,21 @@
 //! A layer that was cleaned, in words and as JSON: the names of its features, why each has changed, and what is left.
 
 mod json;
+mod names;
 mod patch;
 mod repair;
 mod text;
 
-use crate::error::Error;
 use crate::words::{decimals, measure, place, plain};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge_formats::layer::clean::{CleanReport, FeatureChange, LayerChange, Remaining};
-use twinedge_formats::layer::{Feature, Format, Layer, Value};
+use twinedge_formats::layer::{Format, Layer};
 
+pub use names::Names;
 pub use patch::{Changes, GeometryChange, Patch, PatchError, TextChange};
 pub use repair::Repair;
-
-/// The number of columns that an error lists.
-const COLUMNS: usize = 20;
 
 /// A layer, cleaned.
 #[derive(Debug)]
@@ -47,36 +45,6 @@ pub struct Written {
     pub name: String,
     /// Its format.
     pub format: Format,
-}
-
-/// The source of the names of features.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Names<'a> {
-    /// The column that was asked for.
-    pub from: Option<&'a str>,
-}
-
-impl Names<'_> {
-    fn of(self, feature: &Feature) -> Option<String> {
-        match self.from {
-            Some(column) => feature.get(column).and_then(Value::text),
-            None => feature.name(),
-        }
-    }
-
-    /// Refuses a column that no feature has.
-    ///
-    /// # Errors
-    /// [`Error::NoColumn`].
-    pub fn refuse_unknown(self, layer: &Layer) -> Result<(), Error> {
-        let Some(column) = self.from else { return Ok(()) };
-        if layer.features.iter().any(|feature| self.of(feature).is_some()) {
-            return Ok(());
-        }
-        let columns: BTreeSet<String> =
-            layer.features.iter().flat_map(|feature| &feature.attributes).map(|(name, _)| plain(name)).collect();
-        Err(Error::NoColumn { column: column.to_owned(), known: columns.into_iter().take(COLUMNS).collect() })
-    }
 }
 
 /// The name for a feature.

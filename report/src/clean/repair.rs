@@ -1,6 +1,6 @@
 //! The way in which a layer is to be cleaned, as it is asked for.
 
-use super::Names;
+use super::names::Names;
 use crate::error::Error;
 use twinedge_formats::layer::Layer;
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, clean};

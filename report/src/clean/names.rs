@@ -1,0 +1,39 @@
+//! The names by which a report calls features.
+
+use crate::error::Error;
+use crate::words::plain;
+use std::collections::BTreeSet;
+use twinedge_formats::layer::{Feature, Layer, Value};
+
+/// The number of columns that an error lists.
+const COLUMNS: usize = 20;
+
+/// The source of the names of features.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Names<'a> {
+    /// The column that was asked for.
+    pub from: Option<&'a str>,
+}
+
+impl Names<'_> {
+    pub(super) fn of(self, feature: &Feature) -> Option<String> {
+        match self.from {
+            Some(column) => feature.get(column).and_then(Value::text),
+            None => feature.name(),
+        }
+    }
+
+    /// Refuses a column that no feature has.
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`].
+    pub fn refuse_unknown(self, layer: &Layer) -> Result<(), Error> {
+        let Some(column) = self.from else { return Ok(()) };
+        if layer.features.iter().any(|feature| self.of(feature).is_some()) {
+            return Ok(());
+        }
+        let columns: BTreeSet<String> =
+            layer.features.iter().flat_map(|feature| &feature.attributes).map(|(name, _)| plain(name)).collect();
+        Err(Error::NoColumn { column: column.to_owned(), known: columns.into_iter().take(COLUMNS).collect() })
+    }
+}

@@ -1,0 +1,26 @@
+//! The measures of ISO 19157 that count findings, by their numbers.
+
+use twinedge::algorithm::coverage::{CoverageRule, DefectKind};
+use twinedge_formats::diagnosis::Diagnosis;
+
+pub(crate) const OVERLAP: u32 = 11;
+pub(crate) const FAULTY_CONNECTION: u32 = 21;
+pub(crate) const UNDERSHOOT: u32 = 23;
+pub(crate) const SLIVER: u32 = 25;
+pub(crate) const SELF_INTERSECT: u32 = 26;
+
+/// The measure that counts a finding, if there is one: of C7 it counts each vertex that is missing.
+pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
+    let rule = CoverageRule::ALL.into_iter().find(|rule| one.rule == Some(rule.id()))?;
+    let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());
+    match rule {
+        CoverageRule::Overlap => Some(OVERLAP),
+        CoverageRule::Mismatch => Some(FAULTY_CONNECTION),
+        CoverageRule::NearMiss => Some(UNDERSHOOT),
+        CoverageRule::Sliver => Some(SLIVER),
+        CoverageRule::Validity => {
+            one.defects.iter().any(|flaw| crosses.contains(&flaw.reason)).then_some(SELF_INTERSECT)
+        }
+        _ => None,
+    }
+}
