@@ -143,7 +143,7 @@ pub fn audit_layer(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     let mut map = options.map.clone();
-    // What is empty for a reason that is found is no other input.
+    // If the reader found something, a layer without polygons is no other input.
     let OfReader { rules, findings, option: (option, value) } = of_reader;
     let found = rules.iter().map(|rule| rule.violations).sum::<u64>();
     map.allow_empty |= found > 0;

@@ -124,7 +124,7 @@ fn a_ring_that_is_open_as_a_way_is_missing_follows_from_that() {
     let open = |id| ("open_ring", Some("O1"), ids([id]));
     let missing = |id| ("way_missing", None, ids([id]));
     assert_eq!(found(&file), [missing(200), missing(300), open(200), open(300)]);
-    // What closes is still there.
+    // The rings that close are still there.
     assert_eq!(rings(&boundaries(&file).layer.features[2]).len(), 1);
 }
 

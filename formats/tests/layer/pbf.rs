@@ -5,7 +5,7 @@ use tempfile::NamedTempFile;
 /// Ways with their roles.
 pub(crate) type Members = Vec<(i64, &'static str)>;
 
-/// What is in a file.
+/// The elements of a file.
 pub(crate) struct File {
     pub(crate) nodes: Vec<(i64, i64, i64)>,
     pub(crate) ways: Vec<(i64, Vec<i64>)>,

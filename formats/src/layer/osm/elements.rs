@@ -27,7 +27,7 @@ pub enum OsmError {
     None(TagFilter),
 }
 
-/// What readers must know of, and this one does.
+/// The abilities that a file may demand of its readers, and this one has.
 const KNOWN: [&str; 2] = ["OsmSchema-V0.6", "DenseNodes"];
 
 /// The types of relations whose ways are borders.
@@ -58,7 +58,7 @@ pub(super) enum Role {
     Inner,
 }
 
-/// What a file has of what is asked for.
+/// The elements of a file that are asked for.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Elements {
     /// By id.

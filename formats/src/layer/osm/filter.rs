@@ -1,4 +1,4 @@
-//! Which relations are asked for.
+//! The relations that are asked for.
 
 use std::fmt;
 use std::str::FromStr;

@@ -65,7 +65,7 @@ impl Kind {
     };
 }
 
-/// What is found, of which some is kept, and how much there is of each rule.
+/// The findings, of which some are kept, and how many there are of each rule.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Findings {
     pub(super) kept: Vec<Diagnosis>,
@@ -114,7 +114,7 @@ impl Findings {
     }
 }
 
-/// What a finding is about.
+/// The content of a finding.
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) message: String,
