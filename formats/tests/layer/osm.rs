@@ -29,8 +29,10 @@ fn boundaries(file: &File) -> Boundaries {
     read(written.path(), &"admin_level=6".parse().unwrap(), 100).unwrap()
 }
 
-/// The kind, the rule from which it follows, and the ids of the features of each finding.
-fn found(file: &File) -> Vec<(&'static str, Option<&'static str>, Vec<String>)> {
+/// The kind of a finding, the rule from which it follows, and the ids of its features.
+type Found = (&'static str, Option<&'static str>, Vec<String>);
+
+fn found(file: &File) -> Vec<Found> {
     let Boundaries { rules, findings, .. } = boundaries(file);
     let violations: u64 = rules.iter().map(|rule| rule.violations).sum();
     assert_eq!(violations, findings.len() as u64);
@@ -98,7 +100,7 @@ fn rings_that_touch_at_a_node_are_told_apart() {
 #[test]
 fn each_rule_is_broken_alone() {
     type Breaking = fn(&mut File);
-    let cases: [(Breaking, Vec<(&str, Option<&str>, Vec<String>)>); 7] = [
+    let cases: [(Breaking, Vec<Found>); 7] = [
         (|file| file.ways.retain(|(way, _)| *way != 13), vec![("way_missing", None, ids([300]))]),
         (|file| file.nodes.retain(|(node, ..)| *node != 9), vec![("node_missing", None, ids([300]))]),
         (|file| file.members(100).truncate(1), vec![("open_ring", None, ids([100]))]),
