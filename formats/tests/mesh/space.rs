@@ -112,6 +112,8 @@ fn faces_that_cross_break_m10_alone() {
     // The common edge has points of its own in each face, as in files with seams.
     let seam = |d: [f64; 3]| crossing(&[flat[0], flat[1], flat[2], flat[1], flat[0], d], &[[0, 1, 2], [3, 4, 5]]);
     assert!(!seam([0.0, -1.0, 0.0]) && seam([1.0, 1.0, 0.0]));
+    let signed = [flat[0], flat[1], flat[2], [4.0, -0.0, 0.0], [-0.0, 0.0, -0.0], [0.0, -1.0, 0.0]];
+    assert!(!crossing(&signed, &[[0, 1, 2], [3, 4, 5]]), "zero and minus zero are one place");
     assert!(crossing(&[flat, flat].concat(), &[[0, 1, 2], [3, 4, 5]]), "the same face twice, of other points");
 }
 
