@@ -49,6 +49,7 @@
 //! | validate its coordinates, too | [`validate::validate_embedding`], after implementing [`validate::Embedding`] | `geometry` |
 //! | validate after each change, in the time that the change took | `validate::near`; `dcel::Audited`, `map::Audited` | `near` (default) |
 //! | undo and redo changes, as an editor does | `dcel::History`, `map::History` | `near` (default) |
+//! | keep owners, taxes, names: values that follow changes | `dcel::Policy`, `add_attribute` of a `Dcel` or a map | `near` (default) |
 //! | write down a structure as tables, and corrupt them in tests | [`validate::Table`] | none |
 //! | convert a structure of your own into one of this crate | [`dcel::Dcel::from_view`] | `dcel` |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
@@ -75,7 +76,7 @@
 //! | `std` (default) | with `program`, panics of a structure under test are caught | none |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`] | `std`; robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`tile`], [`io::svg`] | those of `dcel` and `geometry` |
-//! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, `dcel::Audited` and `dcel::History`; with `map`, `map::Audited` and `map::History` | none |
+//! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, attributes, `dcel::Audited` and `dcel::History`; with `map`, `map::Audited` and `map::History` | none |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |

@@ -2,8 +2,8 @@
 
 use crate::input::LayerFile;
 use crate::output::style::BAD;
-use crate::output::{counted, plain, print};
-use crate::output_file::write_files;
+use crate::output::{counted, plain, print, print_bytes};
+use crate::output_file::{write_file, write_files};
 use crate::status::{Failure, Verdict};
 use same_file::is_same_file;
 use std::borrow::Cow;
@@ -96,12 +96,30 @@ impl LayerOutput {
         self.output.as_deref().map_or(Ok(()), |path| self.prepared(layer, path).map(drop))
     }
 
+    /// The path that was asked for, if it is that of a file.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.output.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    /// The format, as far as it was said.
+    pub(crate) fn format(&self) -> Option<Format> {
+        let of_path = self.output.as_deref().and_then(Format::of_path);
+        self.to.map(Format::from).or(of_path).or_else(|| self.is_stdout().then_some(Format::GeoJson))
+    }
+
+    /// The file that is written, or the main one of several.
+    pub(crate) fn main_file(&self) -> Option<PathBuf> {
+        self.path().map(|path| match self.format() {
+            Some(Format::Shapefile) => path.with_extension("shp"),
+            _ => path.to_owned(),
+        })
+    }
+
     /// The layer as it is written to this path, and the format.
     fn prepared<'a>(&self, layer: &'a Layer, path: &Path) -> Result<(Cow<'a, Layer>, Format), Failure> {
         let name = path.display();
-        let format = self.to.map(Format::from).or_else(|| Format::of_path(path));
-        let format = format
-            .or_else(|| self.is_stdout().then_some(Format::GeoJson))
+        let format = self
+            .format()
             .ok_or_else(|| Failure(format!("{name}: the extension does not say which format to write; --to does")))?;
         let mut layer = Cow::Borrowed(layer);
         let loses_ids = |layer: &Layer| losses(layer, format).iter().any(|loss| matches!(loss, Loss::Ids(_)));
@@ -133,6 +151,21 @@ impl LayerOutput {
         }
     }
 
+    /// Writes a text that is a layer in this format. None if no file was asked for.
+    pub(crate) fn write_text(
+        &self,
+        text: &str,
+        format: Format,
+        input: Option<&Path>,
+    ) -> Result<Option<Written>, Failure> {
+        let Some(path) = self.output.as_deref() else { return Ok(None) };
+        match self.path() {
+            Some(path) => write_file(path, input, text.as_bytes())?,
+            None => print_bytes(text.as_bytes())?,
+        }
+        Ok(Some(Written { name: path.display().to_string(), format }))
+    }
+
     /// Writes a layer, and warns of what is lost. None if no file was asked for.
     pub(crate) fn write(&self, layer: &Layer, input: Option<&Path>) -> Result<Option<Written>, Failure> {
         let Some(path) = self.output.as_deref() else { return Ok(None) };
@@ -148,8 +181,7 @@ impl LayerOutput {
                 other => other?,
             }
         } else {
-            // The path names the main file of several.
-            let path = if format == Format::Shapefile { path.with_extension("shp") } else { path.to_owned() };
+            let path = self.main_file().unwrap_or_else(|| path.to_owned());
             let all = files(&path, format);
             write_files(&path, &all, input, |path| write_path(&layer, path, format).map_err(failed))?;
         }

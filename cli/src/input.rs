@@ -4,10 +4,10 @@ use crate::progress::busy;
 use crate::status::{Failure, named};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
-use std::io::{self, BufReader};
+use std::io::{self, BufReader, Read as _};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::layer::{Layer, read_layer, unpack};
+use twinedge_formats::layer::{Format, Layer, read_layer, unpack};
 use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
 
 /// The built-in map of the world; see `data/README.md`.
@@ -59,7 +59,7 @@ fn progress(bytes: u64) -> ProgressBar {
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
     /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage, GeoParquet or FlatGeobuf,
-    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL. Default: the
+    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL, glTF. Default: the
     /// built-in map of the world.
     file: Option<PathBuf>,
 
@@ -78,6 +78,16 @@ pub(crate) struct MapFile {
     /// Accept a file without lines and polygons, such as an empty layer or one of points.
     #[arg(long)]
     allow_empty: bool,
+}
+
+/// A layer that was read.
+pub(crate) struct WithText {
+    /// The name of the input.
+    pub(crate) name: String,
+    /// The layer.
+    pub(crate) layer: Layer,
+    /// The text and its format, if it is GeoJSON.
+    pub(crate) text: Option<(String, Format)>,
 }
 
 /// A layer that is named on the command line.
@@ -102,11 +112,39 @@ impl LayerFile {
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
         read_file(&self.file, self.layer.as_deref())
     }
+
+    /// Reads all of it, and keeps its text if it is GeoJSON.
+    pub(crate) fn read_with_text(&self) -> Result<WithText, Failure> {
+        let mut input = open(Some(&self.file), self.layer.as_deref())?;
+        let format = input.map_format().map_err(named(&input.name.clone()))?;
+        let format =
+            format.filter(|format| matches!(format, Format::GeoJson | Format::GeoJsonSeq) && input.kept.is_none());
+        let Some(format) = format else {
+            let (name, layer) = read_input(input)?;
+            return Ok(WithText { name, layer, text: None });
+        };
+        let mut bytes = Vec::new();
+        input.reader.read_to_end(&mut bytes).map_err(named(&input.name))?;
+        let layer = read_layer(&mut &*bytes, input.path.as_deref(), &input.options()).map_err(named(&input.name))?;
+        let text = String::from_utf8(bytes).ok().map(|text| (text, format));
+        Ok(WithText { name: input.name, layer, text })
+    }
+
+    /// The bytes of it as they are.
+    pub(crate) fn bytes(&self) -> Result<Vec<u8>, Failure> {
+        let mut input = open_as_it_is(Some(&self.file), None)?;
+        let mut bytes = Vec::new();
+        input.reader.read_to_end(&mut bytes).map_err(named(&input.name))?;
+        Ok(bytes)
+    }
 }
 
 /// Reads all of a layer: the name of the input, and the layer.
 pub(crate) fn read_file(path: &Path, layer: Option<&str>) -> Result<(String, Layer), Failure> {
-    let mut input = open(Some(path), layer)?;
+    read_input(open(Some(path), layer)?)
+}
+
+fn read_input(mut input: Input) -> Result<(String, Layer), Failure> {
     input.map_format().map_err(named(&input.name.clone()))?;
     let options = input.options();
     let layer = read_layer(&mut input.reader, input.path.as_deref(), &options).map_err(named(&input.name))?;

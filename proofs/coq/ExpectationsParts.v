@@ -66,13 +66,17 @@ Variables (sf so : nat -> link) (si : nat -> nat -> option start).
 
 Notation stores pr le pl w := (Structure w (Parts pr le faces records pl holes unbounded) sf so si).
 
-Theorem prev_follows : let s := stores false leaving_stored places v in
-  rules_of e s <-> rules_of e (stores true leaving_stored places (view_with v (before s) (says_leaving v) (says_boundary_place v))).
+(** They are of any rules [Q], if those are among them that say what the part is. *)
+Variable Q : any_rule -> Prop.
+Notation keeps w := (forall r, Q r -> holds_of e w r).
+
+Theorem prev_follows : Q (Basic R1) -> Q (Basic L2) -> let s := stores false leaving_stored places v in
+  keeps s <-> keeps (stores true leaving_stored places (view_with v (before s) (says_leaving v) (says_boundary_place v))).
 Proof.
-move=> s; set s' := Structure _ _ _ _ _.
+move=> q1 q2 s; set s' := Structure _ _ _ _ _.
 have others r : r <> Basic R1 -> r <> Basic L2 -> holds_of e s r = holds_of e s' r by case: r => [[]|[]].
-split=> [H|H] r.
-  have [Hh Hv Hb Hf S] := H (Basic R1); have L2' : l2 e s := H (Basic L2).
+split=> [H|H] r q.
+  have [Hh Hv Hb Hf S] := H (Basic R1) q1; have L2' : l2 e s := H (Basic L2) q2.
   have NE k : next (seen e s) k = next v k by [].
   have NE' k : next (seen e s') k = next v k by [].
   pose dart' := [finType of slot (half_edge_slots v) (half_edge v)].
@@ -97,23 +101,23 @@ split=> [H|H] r.
       have [g E [lg Ng]] := prevE n ln; rewrite (prevS n g ln E); congr Some.
       by apply: (L2' g h lg lh); rewrite !NE Ng N.
     by have [g E [lg Ng]] := prevE h lh; rewrite (prevS h g lh E).
-  by case: r => [[]|m] //; rewrite -others //; apply: H.
-have [Hh Hv Hb Hf S] := H (Basic R1); have L2' : l2 e s' := H (Basic L2).
+  by case: r q => [[]|m] q //; rewrite -others //; apply: H.
+have [Hh Hv Hb Hf S] := H (Basic R1) q1; have L2' : l2 e s' := H (Basic L2) q2.
 have r1' : r1 e s by split=> // h lh; have [O T N _ D] := Hh h lh; split.
 have l2' : l2 e s.
   move=> g h lg lh E; have [G _] := L2' g lg; have [K _] := L2' h lh.
   by move: G; rewrite (E : next (seen e s') g = next (seen e s') h) K => -[].
-by case: r => [[]|m] //; rewrite others //; apply: H.
+by case: r q => [[]|m] q //; rewrite others //; apply: H.
 Qed.
 
-Theorem leaving_follows : ~~ border_kept e -> let s := stores prev_stored false places v in
-  rules_of e s <-> rules_of e (stores prev_stored true places (view_with v (says_prev v) (some_leaving v) (says_boundary_place v))).
+Theorem leaving_follows : Q (Basic R1) -> ~~ border_kept e -> let s := stores prev_stored false places v in
+  keeps s <-> keeps (stores prev_stored true places (view_with v (says_prev v) (some_leaving v) (says_boundary_place v))).
 Proof.
-move=> /negPf unasked s; set s' := Structure _ _ _ _ _.
+move=> q1 /negPf unasked s; set s' := Structure _ _ _ _ _.
 have others r : r <> Basic R1 -> r <> Basic V1 -> r <> Mesh M8 -> holds_of e s r = holds_of e s' r by case: r => [[]|[]].
 have leavingE w : vertex v w -> leaving (seen e s') w = some_leaving v w by move=> lw; rewrite /leaving /heard (lw : vertex (seen e s') w).
-split=> [H|H] r.
-  have [Hh Hv Hb Hf S] := H (Basic R1).
+split=> [H|H] r q.
+  have [Hh Hv Hb Hf S] := H (Basic R1) q1.
   have r1' : r1 e s'.
     split=> // w lw; split; last by have [_] := Hv w lw.
     move=> _; rewrite leavingE //; case E: (some_leaving v w) => [h|]; [left|right].
@@ -122,21 +126,21 @@ split=> [H|H] r.
     by rewrite (O : origin v h = Some w) /= eqxx.
   have v1' : v1_leaving (seen e s').
     by move=> w h lw; rewrite leavingE // => /first_some[/same_linkP].
-  case: r => [[]|[]] //; try by (rewrite -others //; apply: H).
+  case: r q => [[]|[]] q //; try by (rewrite -others //; apply: H).
   by rewrite /= /m8 unasked.
-have [Hh Hv Hb Hf S] := H (Basic R1).
+have [Hh Hv Hb Hf S] := H (Basic R1) q1.
 have r1' : r1 e s by split=> // w lw; split=> //; have [_] := Hv w lw.
 have v1' : v1_leaving (seen e s) by move=> w h _; rewrite /leaving /heard; case: ifP.
-case: r => [[]|[]] //; try by (rewrite others //; apply: H).
+case: r q => [[]|[]] q //; try by (rewrite others //; apply: H).
 Qed.
 
 Theorem places_follow : let s := stores prev_stored leaving_stored false v in
-  rules_of e s <-> rules_of e (stores prev_stored leaving_stored true (view_with v (says_prev v) (says_leaving v) (some_place e s))).
+  keeps s <-> keeps (stores prev_stored leaving_stored true (view_with v (says_prev v) (says_leaving v) (some_place e s))).
 Proof.
 move=> s; set s' := Structure _ _ _ _ _.
 have others r : r <> Basic F2 -> holds_of e s r = holds_of e s' r by case: r => [[]|[]].
 suff same : f2 e s <-> f2 e s'.
-  by split=> H; case=> [[]|m];
+  by split=> H; case=> [[]|m] q;
     first [by rewrite -others //; apply: H | by rewrite others //; apply: H | by apply/same; apply: (H (Basic F2))].
 rewrite /f2 -[has_records s']/(has_records s) -[has_faces s']/(has_faces s); case R: (has_records s) => //.
 split=> H b lb; have [f [p [Ef P L]]] := H b lb; exists f, p; split=> //; last by rewrite /has_places andbF.
@@ -170,15 +174,23 @@ Definition with_places e s := let: Structure v (Parts pr le fa bo pl ho un) sf s
 Definition filled e s := with_places e (with_leaving (with_prev s)).
 
 (** It keeps the rules of any expectation if and only if the structure does; but M8 is a rule about what is stored. *)
-Theorem filled_rules e s : ~~ border_kept e -> rules_of e s <-> rules_of e (filled e s).
+Theorem filled_keeps (Q : any_rule -> Prop) e s : Q (Basic R1) -> Q (Basic L2) -> ~~ border_kept e ->
+  (forall r, Q r -> holds_of e s r) <-> (forall r, Q r -> holds_of e (filled e s) r).
 Proof.
-move=> unasked; have P u : rules_of e u <-> rules_of e (with_prev u).
+move=> q1 q2 unasked; pose keeps u := forall r, Q r -> holds_of e u r.
+have P u : keeps u <-> keeps (with_prev u).
   by case: u => v [[] le fa bo pl ho un] sf so si //; apply: prev_follows.
-have L u : rules_of e u <-> rules_of e (with_leaving u).
+have L u : keeps u <-> keeps (with_leaving u).
   by case: u => v [pr [] fa bo pl ho un] sf so si //; apply: leaving_follows.
-have A u : rules_of e u <-> rules_of e (with_places e u).
+have A u : keeps u <-> keeps (with_places e u).
   by case: u => v [pr le fa bo [] ho un] sf so si //; apply: places_follow.
-by rewrite P L A.
+by rewrite -/(keeps s) -/(keeps (filled e s)) P L A.
+Qed.
+
+Corollary filled_rules e s : ~~ border_kept e -> rules_of e s <-> rules_of e (filled e s).
+Proof.
+move=> unasked; have := @filled_keeps (fun _ => True) e s I I unasked.
+by case=> K K'; split=> H r; [apply: K|apply: K'].
 Qed.
 
 (** So of the closed plane with everything else the rules mean planar subdivisions, and without faces the rules mean rotation

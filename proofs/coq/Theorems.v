@@ -4,7 +4,9 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces Near Merge.
+From twinedge Require Import Expectations ExpectationsCheck ExpectationsVerdict ExpectationsPlane ExpectationsFaceless ExpectationsParts ExpectationsFaces ExpectationsBorder ExpectationsMissing ExpectationsOpenCounts ExpectationsOpen Near Merge.
+From twinedge Require Import SearchOutside Encloses.
+From twinedge Require Import ExpectationsNested ExpectationsHoles ExpectationsClosed ExpectationsBounds ExpectationsOrder NearWalks NearLists NearSum.
 From twinedge Require Import RotationSystem View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface SurfaceComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
@@ -104,6 +106,102 @@ Check filled_recorded_plane : forall v prev_stored leaving_stored places unbound
   rules_of Expectations.plane s <->
   is_plane (answers (filled Expectations.plane s)) /\ surface_with_faces (answers (filled Expectations.plane s)) true.
 
+(** If open boundaries are legal, they mean a rotation system from which some cycles may be missing, which do not meet; the structure
+    stores the rest. Each cycle that is there has a face of its own, or none, and one that has a half-edge without twin has a face. *)
+
+Check open_rules_mean_missing : forall t, open_rules t <-> exists r missing, @represents_without t r missing.
+
+Check open_faceless : forall on t records places holes unbounded sf so si,
+  rules_of (open_on on) (Structure t (Parts true true false records places holes unbounded) sf so si) <-> is_open_map on t.
+
+Check open_named : forall on t places holes unbounded sf so si, holes && on = false ->
+  rules_of (open_on on) (Structure t (Parts true true true false places holes unbounded) sf so si) <->
+  is_open_map on t /\ open_faces t sf so.
+
+Check open_recorded : forall on t places holes unbounded sf so si, holes && on = false ->
+  rules_of (open_on on) (Structure t (Parts true true true true places holes unbounded) sf so si) <->
+  is_open_map on t /\ open_boundaries t places.
+
+Check filled_open_faceless : forall on v prev_stored leaving_stored places holes unbounded sf so si records,
+  let s := Structure v (Parts prev_stored leaving_stored false records places holes unbounded) sf so si in
+  rules_of (open_on on) s <-> is_open_map on (answers (filled (open_on on) s)).
+
+Check filled_open_named : forall on v prev_stored leaving_stored places holes unbounded sf so si, holes && on = false ->
+  let s := Structure v (Parts prev_stored leaving_stored true false places holes unbounded) sf so si in
+  rules_of (open_on on) s <-> is_open_map on (answers (filled (open_on on) s)) /\ open_faces v sf so.
+
+Check filled_open_recorded : forall on v prev_stored leaving_stored places holes unbounded sf so si, holes && on = false ->
+  let s := Structure v (Parts prev_stored leaving_stored true true places holes unbounded) sf so si in
+  rules_of (open_on on) s <->
+  is_open_map on (answers (filled (open_on on) s)) /\ open_boundaries (answers (filled (open_on on) s)) true.
+
+(** If lists of inner boundary components are stored, in the plane, the faces are nested, too: open, and closed. *)
+
+Check open_holes_named : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true false places true unbounded) sf so si in
+  rules_of (open_on true) s <-> is_open_map true t /\ faces_nested (open_on true) s.
+
+Check open_holes_recorded : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true true places true unbounded) sf so si in
+  rules_of (open_on true) s <-> [/\ is_open_map true t, faces_nested (open_on true) s & nested_records t places].
+
+Check filled_open_holes_named : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places true unbounded) sf so si in let u := filled (open_on true) s in
+  rules_of (open_on true) s <-> is_open_map true (answers u) /\ faces_nested (open_on true) u.
+
+Check filled_open_holes_recorded : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled (open_on true) s in
+  rules_of (open_on true) s <-> [/\ is_open_map true (answers u), faces_nested (open_on true) u & nested_records (answers u) true].
+
+Check holes_named : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true false places true unbounded) sf so si in
+  rules_of Expectations.plane s <->
+  [/\ is_plane t, faces_nested Expectations.plane s & forall h, half_edge t h -> face_of Expectations.plane s h <> None].
+
+Check holes_recorded : forall t places unbounded sf so si,
+  let s := Structure t (Parts true true true true places true unbounded) sf so si in
+  rules_of Expectations.plane s <-> [/\ is_plane t, faces_nested Expectations.plane s, nested_records t places
+    & forall h, half_edge t h -> boundary_of t h <> None].
+
+Check filled_holes_named : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true false places true unbounded) sf so si in let u := filled Expectations.plane s in
+  rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u
+    & forall h, half_edge (answers u) h -> face_of Expectations.plane u h <> None].
+
+Check filled_holes_recorded : forall v prev_stored leaving_stored places unbounded sf so si,
+  let s := Structure v (Parts prev_stored leaving_stored true true places true unbounded) sf so si in let u := filled Expectations.plane s in
+  rules_of Expectations.plane s <-> [/\ is_plane (answers u), faces_nested Expectations.plane u, nested_records (answers u) true
+    & forall h, half_edge (answers u) h -> boundary_of (answers u) h <> None].
+
+(** With every part stored that is a planar subdivision; and nested faces can be put down, one component after another. *)
+
+Check nested_means_subdivision : forall t sf so si, let s := Structure t all_parts sf so si in
+  [/\ is_plane t, faces_nested Expectations.plane s, nested_records t true & forall h, half_edge t h -> boundary_of t h <> None] <->
+  exists u, represents t u.
+
+Check depth_is_order : forall t (entry : nat -> place -> option start), ExpectationsBorder.open_rules t ->
+  (forall f p v, start_vertex t (entry f p) = Some v -> vertex t v) ->
+  some_depth t entry <-> exists order, one_after_another t entry order.
+
+Check nested_in_order : forall t unbounded side entry, ExpectationsBorder.open_rules t -> nested t unbounded side entry ->
+  exists order, one_after_another t entry order.
+
+(** The rules of meshes are asked for besides the others. *)
+
+Check mesh_rules_apart : forall e s, rules_of e s <-> rules_of (unasked e) s /\ forall m, holds_of e s (Mesh m).
+
+(** A closed structure is an open one in which each half-edge has a twin and, if faces are stored, a face. *)
+
+Check closed_rules : forall t on faces records places holes unbounded sf so si,
+  let s := Structure t (Parts true true faces records places holes unbounded) sf so si in
+  rules_of (closed_on on) s <-> rules_of (open_on on) s /\ no_border t on faces records places holes unbounded sf so si.
+
+(** T4 follows from the rules before it, under every expectation and whatever is stored. *)
+
+Check t4_follows_of : forall e s, before_t4 e s -> holds_of e s (Basic T4).
+
+Check t4_never_first : forall e s, first_broken_of e s <> Some (Basic T4).
+
 (** After a change it is enough to look at the half-edges that have changed, and at those that led to them. *)
 
 Check near_half_edges : forall t t' (changed : pred nat),
@@ -138,6 +236,44 @@ Check one_cycle_b1 : forall t, Map.is_map t -> (forall h, half_edge t h -> next 
     (forall h, half_edge t h -> boundary_of t h = Some b -> exists2 g, boundary_start t b = Some (AtHalfEdge g) & half_edge t g) /\
     forall g, boundary_start t b = Some (AtHalfEdge g) -> half_edge t g -> boundary_of t g = Some b.
 
+(** Walks in step find whether members are on one orbit: what they find is so, and what is so they find, in as many steps as there
+    are half-edges. So they decide V2 and B1 after a change, together with the question whether a member was there before. *)
+
+Check on_one_sound : forall (T : eqType) (step : T -> option T) (members : seq T) limit, on_one step members limit -> uniq members ->
+  forall g h, g \in members -> h \in members -> exists2 m, m \in members & NearWalks.leads step m g /\ NearWalks.leads step m h.
+
+Check on_one_complete : forall (T : finType) (F : T -> T) (members : seq T), injective F -> uniq members ->
+  (forall g h, g \in members -> h \in members -> fconnect F g h) ->
+  forall limit, #|T| <= limit -> on_one (fun x => Some (F x)) members limit.
+
+Check near_rotations_walked : forall t t', Map.is_map t' -> forall limit (ms : nat -> seq nat),
+  Map.is_map t -> v2_rotation t -> half_edge_slots t' <= limit ->
+  let member := Near.member (half_edge t) (half_edge t') (View.turn t) (View.turn t') (origin t) (origin t') in
+  (forall v, uniq (ms v) /\ forall h, h \in ms v <-> member h /\ origin t' h = Some v) ->
+  v2_rotation t' <-> (forall v, on_one (View.turn t') (ms v) limit) /\
+    joins t t' (View.turn t) (View.turn t') (origin t) (origin t').
+
+Check near_cycles_walked : forall t t', Map.is_map t' -> forall limit (ms : nat -> seq nat),
+  Map.is_map t -> one_cycle_each t -> (forall h, half_edge t' h -> next t' h >>= boundary_of t' = boundary_of t' h) ->
+  half_edge_slots t' <= limit ->
+  let member := Near.member (half_edge t) (half_edge t') (next t) (next t') (boundary_of t) (boundary_of t') in
+  (forall b, uniq (ms b) /\ forall h, h \in ms b <-> member h /\ boundary_of t' h = Some b) ->
+  one_cycle_each t' <-> (forall b, on_one (next t') (ms b) limit) /\ joins t t' (next t) (next t') (boundary_of t) (boundary_of t').
+
+(** The sum V - E + F = 1 + I says that there are as many inner boundary components as components, less the handles. If each
+    component has one at least, that is T1 and T3. *)
+
+Check sum_says : forall t, holds_before t T1 -> forall vs es fs cs bs : seq nat,
+  lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> lists fs (face t) ->
+  lists_one_of_each cs (connected t) (vertex t) -> lists bs (Rules.is_inner t) ->
+  exists g, (g = 0 <-> t3_euler t) /\ (size vs + size fs = 1 + size bs + size es <-> size bs + g = size cs).
+
+Check sum_enough : forall t, holds_before t T1 -> forall vs es fs cs bs : seq nat,
+  lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) -> lists fs (face t) ->
+  lists_one_of_each cs (connected t) (vertex t) -> lists bs (Rules.is_inner t) ->
+  (forall v, vertex t v -> exists b, outside_of t v b) ->
+  size vs + size fs = 1 + size bs + size es <-> t1_outside t /\ t3_euler t.
+
 (** F2 is a count of each list, if each entry says so itself. *)
 
 Check lists_by_length : forall t,
@@ -146,6 +282,18 @@ Check lists_by_length : forall t,
      [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) ->
   (forall f, inner_count t f = count (says_inside t f) (iota 0 (boundary_slots t))) ->
   (forall f b, outer t f = Some b <-> boundary_face t b = Some f /\ boundary_place t b = Some Outer) -> f2_listed t.
+
+(** After a change, what is left to be read of lists are the entries that were written, and those of boundary components that have changed. *)
+
+Check near_lists : forall t t', links_live t -> f2_listed t -> forall (changed written looked : pred nat) (read : nat -> nat -> Prop),
+  (forall b, ~~ changed b -> [/\ boundary t' b = boundary t b, boundary_face t' b = boundary_face t b & boundary_place t' b = boundary_place t b]) ->
+  (forall f, ~~ written f -> outer t' f = outer t f) ->
+  (forall f i, i < inner_count t' f -> read f i \/ i < inner_count t f /\ inner t' f i = inner t f i) ->
+  (forall f b, written f -> outer t f = Some b -> changed b) ->
+  (forall b f, changed b -> boundary_face t b = Some f -> looked f) -> (forall f, written f -> looked f) ->
+  (forall b f i, changed b -> boundary_face t b = Some f -> boundary_place t b = Some (Inner i) -> read f i) ->
+  links_live t' ->
+  f2_listed t' <-> [/\ changed_right t' changed, looked_right t' looked, read_right t' read & lengths_right t t' changed].
 
 (** The rules mean planar subdivisions. *)
 
@@ -265,6 +413,15 @@ Check move_inner_keeps_rules : forall t b f g, rules t -> boundary_face t b = So
   boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
   rules (move_inner t b f g) <-> ~ inside t b g.
 
+(** A search tells if it is inside: across edges, and through all that lies in the faces that are met. *)
+
+Check met_inside_faces : forall t b, rules t -> Rules.is_inner t b -> forall h,
+  inside t b h <-> exists2 c, met t b c & outer t h = Some c.
+
+Check move_inner_searched : forall t b f g, rules t -> boundary_face t b = Some f ->
+  boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
+  rules (move_inner t b f g) <-> ~ exists2 c, met t b c & outer t g = Some c.
+
 (** Wherever it is listed: it changes places with the last one of its list first, which keeps all rules. *)
 
 Check move_any_inner_keeps_rules : forall t b f i g, rules t -> boundary_face t b = Some f ->
@@ -341,6 +498,18 @@ Check merge_faces_keeps_rules : forall t n m f g kept dropped, is_seam t n m f g
 Check part_component_keeps_rules : forall t n m f kept made at_n at_m stays bo way,
   is_bridge t n m f kept made at_n at_m stays bo way ->
   rules t -> rules (part_component t n m f kept made at_n at_m stays).
+
+(** The part that keeps the outside is found by a search from either end, through outer cycles: one of them meets what is no outer one, and
+    whichever does, the edge can be removed with that answer. *)
+
+Check search_complete : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
+  SearchOutside.is_outer t cut -> finds cut a || finds cut (Map.tw a).
+
+Check search_keeps_rules : forall t, rules t -> forall (a : Map.dart t) cut, Map.bnd a = cut -> Map.bnd (Map.tw a) = cut ->
+  SearchOutside.is_outer t cut -> forall f made at_n at_m (s : Map.dart t),
+  boundary_face t cut = Some f -> ~~ boundary t made -> at_n = cut /\ at_m = made \/ at_n = made /\ at_m = cut ->
+  SearchOutside.is_end a s -> finds cut s ->
+  rules (part_component t (LoopsProof.num a) (LoopsProof.num (Map.tw a)) f cut made at_n at_m (if s == a then at_n else at_m)).
 
 (** So does flipping an edge, and putting it anywhere between the corners of its two cycles. *)
 

@@ -74,7 +74,7 @@ enum End {
 }
 
 /// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 9] = [
+const TESTS: [(&str, &[&str], &str); 12] = [
     ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
     ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
     ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
@@ -83,11 +83,18 @@ const TESTS: [(&str, &[&str], &str); 9] = [
     ("tile", &["-p", "twinedge", "--test", "tile"], "tests/tile/main.rs"),
     ("sphere", &["-p", "twinedge-sphere", "--test", "sphere"], "tests/sphere/main.rs"),
     ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
+    ("layer", &["-p", "twinedge-formats", "--test", "layer"], "tests/layer/main.rs"),
+    ("mesh", &["-p", "twinedge-formats", "--test", "mesh"], "tests/mesh/main.rs"),
+    ("report", &["-p", "twinedge-report", "--lib"], "unittests src/lib.rs"),
     ("commands", &["-p", "twinedge-cli", "--test", "commands"], "tests/commands/main.rs"),
 ];
 
-/// Of the tests of the program, the only module that is a check: it compares two checkers of certificates.
-const OF_COMMANDS: &str = "certificate";
+/// Of the tests of the program, the modules that are checks: the first compares two checkers of certificates, the others are about reports and repairs.
+const OF_COMMANDS: [&str; 9] =
+    ["certificate", "audit", "between", "cleaning", "findings", "gate", "iso", "mesh", "verdict"];
+
+/// The packages that faults are planted in, by the root files of their libraries.
+const ROOTS: [&str; 4] = ["src/lib.rs", "formats/src/lib.rs", "report/src/lib.rs", "sphere/src/lib.rs"];
 
 /// Its tests write into folders of their own, but all runs into the same: one at a time.
 static COMMANDS_RUN: Mutex<()> = Mutex::new(());
@@ -237,7 +244,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
             if !of_file.is_empty() {
                 bytes = plant(&String::from_utf8(bytes)?, &of_file)?.into_bytes();
             }
-            if ["src/lib.rs", "sphere/src/lib.rs"].iter().any(|lib| path == Path::new(lib)) {
+            if ROOTS.iter().any(|root| path == Path::new(root)) {
                 bytes.splice(..0, "#![allow(warnings)]\n".bytes());
                 bytes.extend(SWITCH.bytes());
             }
@@ -298,7 +305,9 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
         let program = copy.join(program);
-        for module in modules(&program)?.iter().filter(|module| *name != "commands" || *module == OF_COMMANDS) {
+        for module in
+            modules(&program)?.iter().filter(|module| *name != "commands" || OF_COMMANDS.contains(&module.as_str()))
+        {
             let arguments = vec![format!("{module}::"), "--test-threads=1".to_owned()];
             checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
         }
@@ -339,6 +348,10 @@ impl Check {
                 "sample",
                 "commands",
             ],
+            file if file.starts_with("src/algorithm/clean/") => &["layer", "commands"],
+            file if file.starts_with("formats/src/mesh/") => &["mesh", "commands"],
+            file if file.starts_with("formats/") => &["layer", "commands"],
+            file if file.starts_with("report/") => &["report", "commands"],
             file if file.starts_with("src/algorithm/") => &["algorithm"],
             file if file.starts_with("src/tile/") => &["tile"],
             _ => &["dcel", "program", "prove", "soak", "audited"],

@@ -6,27 +6,15 @@ use crate::work::within;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use twinedge::algorithm::clean::{Options, Winner};
-use twinedge_formats::layer::clean::{CleanOptions, clean as mend};
+use twinedge_formats::layer::clean::{CleanOptions, GapsTo};
 use twinedge_formats::layer::{Format, Layer, write};
-use twinedge_report::clean::{Cleaning, Names};
+use twinedge_report::clean::{Cleaning, Repair};
 
 /// The features whose geometry is another one now, by number, with that geometry as hexadecimal digits of well-known binary.
 type Changed = Vec<(usize, Option<String>)>;
 
-fn winner(name: &str) -> Result<Winner, Failure> {
-    Ok(match name {
-        "inner" => Winner::Inner,
-        "larger" => Winner::Larger,
-        "smaller" => Winner::Smaller,
-        "first" => Winner::First,
-        "last" => Winner::Last,
-        other => {
-            return Err(Failure::Value(format!("overlap: {other:?} is none of inner, larger, smaller, first, last")));
-        }
-    })
-}
-
-/// Repairs the polygons of a layer: the report, and what has changed. A `cell` of 0 chooses the grid.
+/// Repairs the polygons of a layer: the report, and what has changed. A `cell` of 0 chooses the grid. Gaps go to one of the features of
+/// `gaps_to`, and to a new one behind the others if that is empty.
 #[pyfunction]
 pub(crate) fn clean(
     py: Python<'_>,
@@ -34,13 +22,16 @@ pub(crate) fn clean(
     limits: LimitsAsked,
     cell: Option<f64>,
     overlap: &str,
+    chooses_width: bool,
+    gaps_to: Option<Vec<usize>>,
 ) -> PyResult<(String, Changed)> {
-    let winner = winner(overlap)?;
+    let unknown = || Failure::Value(format!("overlap: {overlap:?} is none of inner, larger, smaller, first, last"));
+    let winner = Winner::of_name(overlap).ok_or_else(unknown)?;
+    let gaps_to = gaps_to.map(|all| if all.is_empty() { GapsTo::New(Vec::new()) } else { GapsTo::Features(all) });
     let work = move || {
         let name = source.name().to_owned();
         let mut layer = source.read()?;
         let limits = limits.limits();
-        let greatest_gap = limits.lake_width.or(limits.gap_width);
         let assign = Options {
             winner,
             gap_width: limits.gap_width,
@@ -49,11 +40,10 @@ pub(crate) fn clean(
             sliver_area: limits.sliver_area,
             ..Options::default()
         };
-        let how = CleanOptions { snap: snap(cell), assign };
-        let report = mend(&mut layer, &how).map_err(|error| Failure::Value(format!("{name}: {error}")))?;
-        let mut cleaning = Cleaning::new(&name, Names::default(), &layer, &report);
-        cleaning.greatest_gap = greatest_gap;
-        let document = cleaning.json().to_string();
+        let options = CleanOptions { snap: snap(cell), assign, chooses_width, gaps_to };
+        let repair = Repair { options, ..Repair::default() };
+        let report = repair.clean(&mut layer).map_err(|error| Failure::Value(format!("{name}: {error}")))?;
+        let document = Cleaning::new(&name, &repair, &layer, &report).json().to_string();
         let mut changed = Vec::new();
         for number in report.features.iter().map(|change| change.feature) {
             let feature = layer.features.get(number).cloned();

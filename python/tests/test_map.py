@@ -126,6 +126,42 @@ def test_a_layer_is_cleaned_and_the_rest_is_the_same_object():
         twinedge.clean(OVERLAPPING, overlap="best")
 
 
+CRACKED = geopandas.GeoDataFrame(
+    {"use": ["field", "road", "wood"], "n": [1, 2, 3]},
+    geometry=[
+        shapely.Polygon([(0, 0), (30, 0), (30, 20), (0, 20)], [[(10, 1), (10.02, 1), (10.02, 19), (10, 19)], [(20, 5), (24, 5), (24, 9), (20, 9)]]),
+        shapely.box(30, 0, 40, 20),
+        shapely.box(60, 0, 70, 20),
+    ],
+    crs=2056,
+)
+
+
+@pytest.mark.parametrize(("gaps_to", "expected"), [(None, 0), (("use", "field"), 0), (("use", "road"), 1), ([2, 1], 1), (("use", "gap"), 3), ([], 3)])
+def test_gaps_go_where_they_are_to_go_and_the_width_is_chosen(gaps_to, expected):
+    mended, report = twinedge.clean(CRACKED, gap_width="auto", gaps_to=gaps_to)
+    assert report["gap_width"] == 0.02 and report["chosen_width"]["gaps"] == 1
+    assert [change["to"]["number"] for change in report["changes"]] == [expected]
+    before = CRACKED.area.tolist() + [0.0]
+    grown = [i for i, area in enumerate(mended.area) if abs(area - before[i] - 0.36) < 1e-9]
+    assert grown == [expected] and mended.crs == CRACKED.crs
+    assert mended["n"].iloc[:3].tolist() == [1, 2, 3] and len(mended) == max(3, expected + 1)
+    if gaps_to == ("use", "gap"):
+        assert mended["use"].iloc[3] == "gap" and mended.index[3] == 3 and mended["n"].isna().iloc[3]
+
+
+def test_new_features_come_behind_all_kinds_of_layers_and_others_are_refused():
+    series = twinedge.clean(CRACKED.geometry, gap_width="auto", gaps_to=[]).layer
+    assert isinstance(series, geopandas.GeoSeries) and len(series) == 4 and series.crs == CRACKED.crs
+    listed = twinedge.clean([*CRACKED.geometry], gap_width="auto", gaps_to=[]).layer
+    assert len(listed) == 4 and listed[3].equals(series.iloc[3])
+    named = twinedge.clean(CRACKED.set_index("use"), gap_width="auto", gaps_to=[]).layer
+    assert named.index[3] == "gaps"
+    for layer, gaps_to in [(CRACKED, ("sort", 1)), (CRACKED.geometry, ("use", "road")), (CRACKED, [3]), (CRACKED, [-1])]:
+        with pytest.raises(ValueError, match="gaps_to"):
+            twinedge.clean(layer, gaps_to=gaps_to)
+
+
 def test_what_is_cleaned_keeps_its_kind(tmp_path):
     series = twinedge.clean(OVERLAPPING.geometry).layer
     assert isinstance(series, geopandas.GeoSeries) and series.index.equals(OVERLAPPING.index) and series.crs == OVERLAPPING.crs

@@ -163,7 +163,7 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
 /// summary of the same tiles with their edges cut. Features are known by their numbers.
 ///
 /// # Errors
-/// [`Error::Finish`].
+/// [`Error::Tiles`].
 pub fn audit_summary(summary: Summary, cut: Option<Summary>, options: &Options) -> Result<Audited, Error> {
     let mut report = tiles::audit_summary(summary, cut, options)?.unexplained();
     report.identify();
@@ -201,6 +201,13 @@ impl Audited {
     pub fn judged(&mut self, judged: Judged) {
         if let Outcome::Report(report, _) = &mut self.0 {
             report.judged = Some(judged);
+        }
+    }
+
+    /// Notes the bytes of the layer by which it was judged.
+    pub fn judged_by(&mut self, layer: Judged) {
+        if let Outcome::Report(report, _) = &mut self.0 {
+            report.judged_by = Some(layer);
         }
     }
 

@@ -6,7 +6,7 @@ use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
-use twinedge::tile::{AuditError, FinishError, GridError, MergeError, TileError};
+use twinedge::tile::{AuditError, GridError};
 use twinedge_formats::{layer, mesh, postgis};
 use twinedge_sphere::DrawingError;
 
@@ -23,15 +23,9 @@ pub enum Error {
     /// No map can be built of it.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A tile has no summary.
+    /// A tile has no summary, or summaries of tiles cannot be merged, or are missing.
     #[error(transparent)]
-    Tile(#[from] TileError),
-    /// Summaries of tiles cannot be merged.
-    #[error(transparent)]
-    Merge(#[from] MergeError),
-    /// Summaries of tiles are missing.
-    #[error(transparent)]
-    Finish(#[from] FinishError),
+    Tiles(#[from] AuditError<io::Error>),
     /// There is no such grid.
     #[error(transparent)]
     Grid(#[from] GridError),
@@ -70,6 +64,12 @@ pub enum Error {
         /// The first columns that there are.
         known: Vec<String>,
     },
+    /// No feature can get the gaps.
+    #[error("--gaps-to: {0}")]
+    GapsTo(#[from] layer::clean::GapsToError),
+    /// The layer could not be cleaned.
+    #[error(transparent)]
+    Clean(#[from] layer::clean::CleanError),
     /// No feature has one of the values by which parts name their parents.
     #[error(
         "no feature has one of the values of {column} as its {key}, so that no parent is known; COLUMN=KEY says in which column parents \
@@ -146,17 +146,5 @@ fn instead(read: &ReadSummary) -> String {
         (0, _) => "no features".to_owned(),
         (_, 0) => format!("{features}, none with a geometry"),
         (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
-    }
-}
-
-impl From<AuditError<io::Error>> for Error {
-    fn from(error: AuditError<io::Error>) -> Self {
-        match error {
-            AuditError::Features(error) => Self::Io(error),
-            AuditError::Tile(error) => Self::Tile(error),
-            AuditError::Merge(error) => Self::Merge(error),
-            AuditError::Finish(error) => Self::Finish(error),
-            other => Self::Io(io::Error::other(other)),
-        }
     }
 }

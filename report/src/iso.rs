@@ -55,6 +55,28 @@ struct Unmeasured {
 const TOPOLOGICAL: &str = "DQ_TopologicalConsistency";
 const CONCEPTUAL: &str = "DQ_ConceptualConsistency";
 
+const OVERLAP: u32 = 11;
+const FAULTY_CONNECTION: u32 = 21;
+const UNDERSHOOT: u32 = 23;
+const SLIVER: u32 = 25;
+const SELF_INTERSECT: u32 = 26;
+
+/// The measure that counts a finding, if there is one: of C7 it counts each vertex that is missing.
+pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
+    let rule = CoverageRule::ALL.into_iter().find(|rule| one.rule == Some(rule.id()))?;
+    let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());
+    match rule {
+        CoverageRule::Overlap => Some(OVERLAP),
+        CoverageRule::Mismatch => Some(FAULTY_CONNECTION),
+        CoverageRule::NearMiss => Some(UNDERSHOOT),
+        CoverageRule::Sliver => Some(SLIVER),
+        CoverageRule::Validity => {
+            one.defects.iter().any(|flaw| crosses.contains(&flaw.reason)).then_some(SELF_INTERSECT)
+        }
+        _ => None,
+    }
+}
+
 impl<'a> Quality<'a> {
     /// Counts the findings that were not accepted; all are to be listed. None if it is no map.
     pub(crate) fn of(report: &'a AuditReport) -> Option<Self> {
@@ -76,12 +98,10 @@ impl<'a> Quality<'a> {
         let count = |rule| is_checked(rule).then(|| open(rule).count());
         let parameter = |name, value: Option<f64>| value.map(|value| Parameter { name, value });
         let missing = open(CoverageRule::Mismatch).map(|one| one.missing.len()).sum();
-        let crosses = [DefectKind::SelfIntersection, DefectKind::RingSelfIntersection].map(|kind| kind.to_string());
-        let is_loop = |one: &&Diagnosis| one.defects.iter().any(|flaw| crosses.contains(&flaw.reason));
         let (width, area, thinness) = coverage.limits();
         let measures = vec![
             measure(
-                11,
+                OVERLAP,
                 "number of invalid overlaps of surfaces",
                 CONCEPTUAL,
                 CoverageRule::Overlap,
@@ -90,7 +110,7 @@ impl<'a> Quality<'a> {
                 "connected places that two or more features cover",
             ),
             measure(
-                21,
+                FAULTY_CONNECTION,
                 "number of faulty point-curve connections",
                 TOPOLOGICAL,
                 CoverageRule::Mismatch,
@@ -99,7 +119,7 @@ impl<'a> Quality<'a> {
                 "vertices of a border that the border of a neighbour lacks",
             ),
             measure(
-                23,
+                UNDERSHOOT,
                 "number of missing connections due to undershoots",
                 TOPOLOGICAL,
                 CoverageRule::NearMiss,
@@ -108,7 +128,7 @@ impl<'a> Quality<'a> {
                 "stretches along which the borders of two features do not meet",
             ),
             measure(
-                25,
+                SLIVER,
                 "number of invalid slivers",
                 TOPOLOGICAL,
                 CoverageRule::Sliver,
@@ -120,11 +140,13 @@ impl<'a> Quality<'a> {
                 "parts of features that are small and thin",
             ),
             measure(
-                26,
+                SELF_INTERSECT,
                 "number of invalid self-intersect errors",
                 TOPOLOGICAL,
                 CoverageRule::Validity,
-                is_checked(CoverageRule::Validity).then(|| open(CoverageRule::Validity).filter(is_loop).count()),
+                is_checked(CoverageRule::Validity).then(|| {
+                    open(CoverageRule::Validity).filter(|one| measure_of(one) == Some(SELF_INTERSECT)).count()
+                }),
                 Vec::new(),
                 "features with a ring that crosses or touches itself or another ring",
             ),

@@ -26,6 +26,14 @@ impl Count {
 }
 
 impl Judged {
+    /// Bytes in memory. O(bytes).
+    #[must_use]
+    pub fn of_bytes(bytes: &[u8]) -> Self {
+        let mut count = Count::default();
+        count.add(bytes);
+        count.judged()
+    }
+
     /// All bytes of a reader. O(bytes).
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use crate::report::{AuditReport, JsonForm, Note};
 use crate::words::{counted, grouped};
 use serde_json::{Map, to_value};
 use twinedge::validate::{Collect, Violation};
-use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
+use twinedge_formats::diagnosis::Diagnosis;
 use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, IndexedMesh, MeshFile};
 
 /// Reads a mesh and judges it.
@@ -26,7 +26,7 @@ pub(crate) fn audit(
 
 /// Joins the faces of a mesh, and judges it. At most as many findings of each kind are listed as asked for.
 pub(crate) fn of_mesh(name: &str, mesh: &IndexedMesh, first: usize, asked: &Options) -> Result<AuditReport, Error> {
-    let audit = mesh::audit(mesh, &asked.mesh, Collect::AtMost(asked.most()));
+    let audit = mesh::audit_in_space(mesh, &asked.mesh, &asked.space, Collect::AtMost(asked.most()));
     let (findings, report) = (audit.findings(), audit.report());
     let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
     let mut extra = Map::new();
@@ -38,7 +38,7 @@ pub(crate) fn of_mesh(name: &str, mesh: &IndexedMesh, first: usize, asked: &Opti
             .count_lines()
             .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))
             .into(),
-        rules: RuleLine::of(report),
+        rules: audit.rules(),
         violations: report.violations().iter().map(|one| violation(one, first)).collect(),
         violation_count: report.violation_count(),
         findings: findings.list().iter().map(|one| finding(one, first)).collect(),

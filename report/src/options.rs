@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::imported::{Imported, MapOptions};
 use crate::parent_column::ParentColumn;
 use twinedge::validate::{Collect, Expectation};
-use twinedge_formats::mesh::HalfEdgeMesh;
+use twinedge_formats::mesh::{HalfEdgeMesh, SpaceRule};
 
 /// The shape of the edges of a map of longitudes and latitudes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +39,8 @@ pub struct Options {
     pub edges: Option<Edges>,
     /// The properties that a mesh must have.
     pub mesh: Expectation,
+    /// The rules about the places of its points that are checked.
+    pub space: Vec<SpaceRule>,
 }
 
 impl Default for Options {
@@ -53,6 +55,7 @@ impl Default for Options {
             geodesic: false,
             edges: None,
             mesh: HalfEdgeMesh::expectation(),
+            space: Vec::new(),
         }
     }
 }

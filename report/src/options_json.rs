@@ -49,5 +49,8 @@ pub(crate) fn as_json(options: &Options, kind: InputKind) -> Map<String, Value> 
 
 /// The options of a mesh: what it must be.
 pub(crate) fn of_mesh(options: &Options) -> Map<String, Value> {
-    [("expected".to_owned(), json!(options.mesh.to_string()))].into_iter().collect()
+    let space: Vec<&str> = options.space.iter().map(|rule| rule.id()).collect();
+    let expected = [("expected", json!(options.mesh.to_string()))].into_iter();
+    let all = expected.chain((!space.is_empty()).then(|| ("space", json!(space))));
+    all.map(|(key, value)| (key.to_owned(), value)).collect()
 }

@@ -3,6 +3,7 @@
 //! A policy in the page forbids it to load anything. What comes from the input is in a block of JSON without `<`, `>` and `&`, and
 //! the script sets it as text.
 
+use crate::accepted::Accepted;
 use crate::coverage_words::statement;
 use crate::diagnosis_text::full_message;
 use crate::packed::Picture;
@@ -20,7 +21,7 @@ const PAGE: &str = include_str!("html/page.html");
 const STYLE: &str = include_str!("html/style.css");
 
 /// In the order in which they are run.
-const SCRIPTS: [&str; 12] = [
+const SCRIPTS: [&str; 13] = [
     include_str!("html/unpack.js"),
     include_str!("html/colours.js"),
     include_str!("html/view.js"),
@@ -32,6 +33,7 @@ const SCRIPTS: [&str; 12] = [
     include_str!("html/scale_bar.js"),
     include_str!("html/insets.js"),
     include_str!("html/list.js"),
+    include_str!("html/accept.js"),
     include_str!("html/main.js"),
 ];
 
@@ -47,6 +49,8 @@ struct Data<'a> {
     rules: Vec<Rule>,
     unit: Option<&'static str>,
     findings: Vec<Finding<'a>>,
+    /// The list of accepted findings that this would be with all of them.
+    acceptable: Accepted,
     total: u64,
     #[serde(flatten)]
     picture: &'a Picture,
@@ -163,6 +167,7 @@ pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Resul
         rules: rules(report),
         unit: report.unit(),
         findings: findings(report),
+        acceptable: Accepted::all(report.acceptable(), report.accepted_before.as_ref(), "", ""),
         total: report.total(),
         picture,
     };
@@ -206,8 +211,32 @@ fn in_element(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{AuditReport, Picture, page};
+    use super::{Accepted, AuditReport, Diagnosis, Picture, page};
     use serde_json::Value;
+
+    /// The page saves what `--accept` reads, with the dates of what was accepted before.
+    #[test]
+    fn what_can_be_accepted_is_in_the_page_as_a_list() {
+        let list =
+            r#"{"schema":"twinedge-accepted/1","accepted":[{"id":"X1-1","reason":"a lake","date":"2026-01-31"}]}"#;
+        let known = Accepted::read(list).expect("it is a list");
+        let finding = |rule, id: &str| Diagnosis { rule: Some(rule), id: Some(id.to_owned()), ..Diagnosis::default() };
+        let findings = vec![finding("X1", "X1-1"), finding("X2", "X2-1"), finding("M9", "M9-1")];
+        let mut report = AuditReport { findings, finding_count: 3, ..AuditReport::new("layer") };
+        report.accept(&known);
+        let page = page(&report, &Picture::default()).expect("it can be written");
+        let (_, data) = page.split_once("type=\"application/json\">").expect("the data are there");
+        let data: Value = serde_json::from_str(data.split_once("</script>").expect("they end").0).expect("it is JSON");
+        let all = Accepted::read(&data["acceptable"].to_string()).expect("it is a list");
+        let listed: Vec<[&Value; 3]> = data["acceptable"]["accepted"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .map(|one| [&one["id"], &one["reason"], &one["date"]])
+            .collect();
+        assert_eq!(listed, [["X1-1", "a lake", "2026-01-31"], ["X2-1", "", ""]]);
+        assert_ne!(all, known);
+    }
 
     #[test]
     fn what_comes_from_the_input_ends_no_element() {

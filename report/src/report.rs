@@ -3,6 +3,7 @@
 use crate::accepted::{Accepted, AcceptedSummary};
 use crate::coverage::Coverage;
 use crate::identity::Identities;
+use crate::iso;
 use crate::packed::Window;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, grouped, not_checked};
@@ -22,6 +23,10 @@ pub(crate) struct AuditReport {
     /// The reason why more is to be known, in sentences, whatever the rules say.
     pub(crate) doubts: Vec<String>,
     pub(crate) judged: Option<Judged>,
+    /// The bytes of the layer by which it was judged.
+    pub(crate) judged_by: Option<Judged>,
+    /// The list by which findings were accepted.
+    pub(crate) accepted_before: Option<Accepted>,
     /// The fate of accepted findings, if there is a list of them.
     pub(crate) accepted: Option<AcceptedSummary>,
     /// The options, as JSON.
@@ -91,6 +96,8 @@ impl AuditReport {
             doubts: Vec::new(),
             judged: None,
             accepted: None,
+            accepted_before: None,
+            judged_by: None,
             options: Map::new(),
             found: String::new(),
             notes: Vec::new(),
@@ -163,19 +170,20 @@ impl AuditReport {
         let mut identities = Identities::default();
         let of_coverage = self.coverage.iter_mut().flat_map(Coverage::findings_mut);
         for one in self.violations.iter_mut().chain(&mut self.findings).chain(of_coverage) {
+            one.iso = iso::measure_of(one);
             identities.identify(one);
         }
     }
 
     /// The listed findings that can be accepted: those of the coverage and those between layers.
     pub(crate) fn acceptable(&self) -> impl Iterator<Item = &Diagnosis> {
-        let between = self.findings.iter().filter(|one| one.rule.is_some());
+        let between = self.findings.iter().filter(|one| is_between_layers(one));
         self.coverage.iter().flat_map(Coverage::findings).chain(between)
     }
 
     /// Marks the findings that are accepted: they make nothing invalid.
     pub(crate) fn accept(&mut self, accepted: &Accepted) {
-        let between = self.findings.iter_mut().filter(|one| one.rule.is_some());
+        let between = self.findings.iter_mut().filter(|one| is_between_layers(one));
         let (summary, lines) = accepted.mark(self.coverage.iter_mut().flat_map(Coverage::findings_mut).chain(between));
         for rule in &mut self.rules {
             let accepted = self.findings.iter().filter(|one| one.rule == Some(rule.id) && one.accepted.is_some());
@@ -185,6 +193,7 @@ impl AuditReport {
         self.notes.extend(lines.into_iter().map(Note::Plain));
         self.recount();
         self.accepted = Some(summary);
+        self.accepted_before = Some(accepted.clone());
     }
 
     /// Counts the violations of a map anew, as the findings of its coverage and those between layers are now.
@@ -259,6 +268,8 @@ impl AuditReport {
             unknown: Vec<String>,
             first: Option<First<'a>>,
             judged: Option<&'a Judged>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            judged_by: Option<&'a Judged>,
             version: &'static str,
             #[serde(skip_serializing_if = "Option::is_none")]
             accepted: Option<&'a AcceptedSummary>,
@@ -288,6 +299,7 @@ impl AuditReport {
             unknown: self.unknown(),
             first: self.first().map(|one| First { rule: one.rule, id: one.id.as_deref(), at: one.look }),
             judged: self.judged.as_ref(),
+            judged_by: self.judged_by.as_ref(),
             version: env!("CARGO_PKG_VERSION"),
             accepted: self.accepted.as_ref(),
             options: &self.options,
@@ -297,6 +309,11 @@ impl AuditReport {
             elapsed_ms: self.elapsed_ms,
         }
     }
+}
+
+/// Returns true if it breaks one of the rules X1 … X6.
+fn is_between_layers(one: &Diagnosis) -> bool {
+    one.rule.is_some_and(|rule| rule.starts_with('X'))
 }
 
 /// The first thing that is wrong, in JSON.

@@ -21,7 +21,8 @@ use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, BuildSummary, Shape};
 use twinedge::tile::{
-    self, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
+    self, AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile,
+    Uneven,
 };
 use twinedge::validate::{Rule, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
@@ -128,9 +129,9 @@ fn vertices(shape: &Shape) -> usize {
 /// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
 pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Options) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
-    let outcome = summary.finish()?;
+    let outcome = summary.finish().map_err(AuditError::from)?;
     let outcome = match cut {
-        Some(cut) => outcome.with_cut(cut.finish()?),
+        Some(cut) => outcome.with_cut(cut.finish().map_err(AuditError::from)?),
         None => outcome,
     };
     let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
@@ -199,14 +200,14 @@ pub fn grid_of(corners: Option<[Point; 2]>, [columns, rows]: [u32; 2]) -> Result
 /// Merges summaries, neighbours first; none, if there are none.
 ///
 /// # Errors
-/// [`Error::Merge`].
+/// [`Error::Tiles`].
 pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
     while summaries.len() > 1 {
         let mut rest = summaries.into_iter();
         let mut pairs = Vec::new();
         while let Some(one) = rest.next() {
             pairs.push(match rest.next() {
-                Some(other) => one.merge(other)?,
+                Some(other) => one.merge(other).map_err(AuditError::from)?,
                 None => one,
             });
         }

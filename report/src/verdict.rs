@@ -1,6 +1,6 @@
 //! The verdict, with three values, and what it is about.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The verdict of an audit. Nothing is valid by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -17,7 +17,7 @@ pub enum Verdict {
 }
 
 /// The bytes that were judged.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Judged {
     /// Their SHA-256, in hexadecimal digits.
     pub sha256: String,

@@ -57,6 +57,12 @@ pub enum OperatorError {
     /// Both sides of the edge lie on one boundary component, so it separates nothing and cannot be turned.
     #[error("{0:?} has the same boundary component on both sides")]
     NotSeparating(HalfEdgeKey),
+    /// The policy of an attribute refused, for this reason.
+    #[error("an attribute does not allow it: {0}")]
+    Refused(&'static str),
+    /// The structure has no such attribute.
+    #[error("the attribute is one of another structure")]
+    NoSuchAttribute,
     /// The face lies inside the component that was to be moved into it.
     #[error("{1:?} lies inside the component of {0:?}")]
     InsideItself(BoundaryKey, FaceKey),

@@ -58,7 +58,8 @@
 //! # Data of your own
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept
-//! a key of another structure: see [Keys](Dcel#keys).
+//! a key of another structure: see [Keys](Dcel#keys). With the feature `near`, [attributes](Dcel#attributes) follow what operators do by
+//! themselves.
 //!
 //! ```
 //! use twinedge::dcel::{Dcel, SecondaryMap};
@@ -86,6 +87,8 @@
 mod access;
 mod around;
 mod assemble;
+#[cfg(feature = "near")]
+mod attributes;
 #[cfg(feature = "near")]
 mod audited;
 mod bulk;
@@ -130,6 +133,10 @@ pub use timeline::Mark;
 #[cfg(feature = "near")]
 pub use watched::Watched;
 
+#[cfg(feature = "near")]
+pub use crate::store::attributes::{
+    Attribute, Attributed, Corners, Edges, Faces, HalfEdges, Policy, Quantity, Value, Vertices,
+};
 pub use crate::store::links::RecordKind;
 pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 pub use slotmap::SecondaryMap;

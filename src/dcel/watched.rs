@@ -3,7 +3,8 @@
 use super::structure::Dcel;
 #[cfg(feature = "map")]
 use crate::store::SlotStore;
-use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink};
+use crate::store::attributes::Attributes;
+use crate::store::links::{AttributeStore, BoundaryStart, Links, Need, RecordKind, Store, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, Watch};
 use crate::validate::near::WriteSet;
 
@@ -23,6 +24,12 @@ impl<S: Store, W: Watch<S>> Dcel<Watched<S, W>> {
 }
 
 impl<S: Store, W: Watch<S>> Store for Watched<S, W> {}
+
+impl<S: AttributeStore, W: Watch<S>> AttributeStore for Watched<S, W> {
+    fn kept_attributes(&mut self) -> &mut Attributes {
+        self.dcel.store.kept_attributes()
+    }
+}
 
 /// Questions, which are handed on.
 macro_rules! questions {
@@ -61,6 +68,20 @@ impl<S: Store, W: Watch<S>> Links for Watched<S, W> {
     type HalfEdge = S::HalfEdge;
     type Boundary = S::Boundary;
     type Face = S::Face;
+
+    const RECORDS: bool = W::RECORDS;
+
+    fn attributes(&self) -> Option<&Attributes> {
+        self.dcel.store.attributes()
+    }
+
+    fn attributes_mut(&mut self) -> Option<&mut Attributes> {
+        self.dcel.store.attributes_mut()
+    }
+
+    fn trial(&self) -> Option<Self> {
+        Some(Self { dcel: Dcel { store: self.dcel.store.trial()? }, watch: W::default() })
+    }
 
     fn with_room(need: Need) -> Self {
         Self { dcel: Dcel::with_room(need), watch: W::default() }
@@ -132,6 +153,22 @@ impl<S: Store, W: Watch<S>> Links for Watched<S, W> {
     }
 }
 
+/// A structure that is lent to be watched, and comes back when this is dropped: also where a policy panics.
+#[cfg(feature = "map")]
+struct Lent<'a, W: Watch<SlotStore>> {
+    places: (&'a mut Dcel, &'a mut W),
+    watched: Dcel<Watched<SlotStore, W>>,
+}
+
+#[cfg(feature = "map")]
+impl<W: Watch<SlotStore>> Drop for Lent<'_, W> {
+    fn drop(&mut self) {
+        let Watched { dcel, watch } = &mut self.watched.store;
+        core::mem::swap(self.places.0, dcel);
+        core::mem::swap(self.places.1, watch);
+    }
+}
+
 #[cfg(feature = "map")]
 impl Dcel {
     /// Changes the structure, and tells `watch` what is written. O(1) beside the change.
@@ -141,9 +178,7 @@ impl Dcel {
         change: impl FnOnce(&mut Dcel<Watched<SlotStore, W>>) -> T,
     ) -> T {
         let dcel = core::mem::replace(self, Self { store: SlotStore::hollow() });
-        let mut watched = Dcel::watched_by(dcel, core::mem::take(watch));
-        let answer = change(&mut watched);
-        (*self, *watch) = (watched.store.dcel, watched.store.watch);
-        answer
+        let watched = Dcel::watched_by(dcel, core::mem::take(watch));
+        change(&mut Lent { places: (self, watch), watched }.watched)
     }
 }

@@ -4,6 +4,7 @@ use super::index::IndexedEdge;
 use super::notes::{MapEntry, MapJournal, Notes};
 use super::planar_map::PlanarMap;
 use crate::dcel::{Dcel, HalfEdge, Mark, Past, Recorder, Vertex};
+use crate::store::links::Links;
 use crate::store::{Journal, Way};
 use crate::validate::near::WriteSet;
 use std::borrow::Cow;
@@ -39,7 +40,7 @@ use std::ops::Range;
 /// # Ok::<(), EditError>(())
 /// ```
 ///
-/// Positions, features and their names follow, and so do the answers of [`locate`](PlanarMap::locate): the index that the map keeps for
+/// Positions, features and their names follow, [attributes](PlanarMap#attributes), and so do the answers of [`locate`](PlanarMap::locate): the index that the map keeps for
 /// them is brought along, not built anew. What is said of keys, of the line of changes and of validation at
 /// [`dcel::History`](crate::dcel::History) is true here, too. A [`FeatureId`](super::FeatureId), however, is no more than a number:
 /// that of a feature that was taken back is given to the next one.
@@ -47,7 +48,7 @@ use std::ops::Range;
 /// # Costs
 ///
 /// Time and memory are those of the change, whatever the size of the map: 12 bytes for each link that was overwritten, 24 for each
-/// point or set of features, and 48 for each change. An edge of a map of a hundred thousand that is erased or drawn takes 1.1 times as long
+/// point, set of features or value of an attribute (and the value), and 48 for each change. An edge of a map of a hundred thousand that is erased or drawn takes 1.1 times as long
 /// as a change, and 0.4 times to undo: O(k), and O(log n) in the index for each edge that was drawn or erased.
 ///
 /// A clone has the same changes, and its own from then on.
@@ -149,7 +150,7 @@ impl History {
 
 impl MapEntry {
     /// The vertex whose point it is.
-    const fn vertex(&self) -> Option<usize> {
+    pub(super) const fn vertex(&self) -> Option<usize> {
         if let Self::Point(v, _) = self { Some(*v as usize) } else { None }
     }
 }
@@ -162,7 +163,12 @@ impl Recorder for PlanarMap {
     }
 
     fn take_others(&mut self) -> Vec<MapEntry> {
-        self.notes.journal.as_deref_mut().map(|journal| mem::take(&mut journal.entries)).unwrap_or_default()
+        let entries = self.notes.journal.as_deref_mut().map(|journal| mem::take(&mut journal.entries));
+        let mut others = entries.unwrap_or_default();
+        if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
+            others.extend(attributes.take_log().into_iter().map(MapEntry::Value));
+        }
+        others
     }
 
     fn replay(&mut self, links: Range<usize>, others: &mut [MapEntry], way: Way) {
@@ -189,6 +195,9 @@ impl Recorder for PlanarMap {
         let journal = self.notes.journal.get_or_insert_default();
         journal.entries.clear();
         journal.links.begin(self.dcel.store());
+        if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
+            attributes.clear_log();
+        }
     }
 
     fn copied(&self) -> Self {
@@ -216,6 +225,11 @@ impl PlanarMap {
                 Way::Back => *name = self.names.pop().flatten().map(String::into_boxed_str),
                 Way::Forth => self.names.push(name.take().map(String::from)),
             },
+            MapEntry::Value(saved) => {
+                if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
+                    attributes.exchange(saved);
+                }
+            }
         }
     }
 }

@@ -24,8 +24,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! With the feature `near`, `History` has edits that are undone and redone, and `Audited` validates after each. The example `editor` is the
-//! core of an editor of parcels, whose owners and areas follow.
+//! With the feature `near`, `History` has edits that are undone and redone, `Audited` validates after each, and
+//! [attributes](PlanarMap#attributes) follow them. The example `editor` is the core of an editor of parcels, whose owners and taxes follow.
 //!
 //! | module | purpose |
 //! | --- | --- |
@@ -45,6 +45,8 @@ pub mod zone;
 
 #[cfg(feature = "spade")]
 mod assembled;
+#[cfg(feature = "near")]
+mod attributes;
 #[cfg(feature = "near")]
 mod audited;
 mod construct;

@@ -3,6 +3,7 @@
 use super::feature_tries::SetId;
 use crate::geometry::Point;
 use crate::store::Journal;
+use crate::store::attributes::Saved;
 use crate::validate::near::WriteSet;
 
 /// The notes that edits take. A clone of the map goes on without.
@@ -55,4 +56,6 @@ pub(crate) enum MapEntry {
     Along(u32, SetId),
     /// The last feature, with the name that it has when it is there again.
     Feature(Option<Box<str>>),
+    /// The value of an attribute.
+    Value(Saved),
 }

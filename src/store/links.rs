@@ -2,6 +2,8 @@
 //!
 //! This trait is public in name only: nobody outside the crate can name it, hold a store, or get at a slot.
 
+#[cfg(feature = "near")]
+use super::attributes::Attributes;
 use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 
@@ -94,6 +96,25 @@ pub trait Links: Sized {
     type HalfEdge: Slot;
     type Boundary: Slot;
     type Face: Slot;
+
+    /// True if somebody takes the log of attributes after each operator.
+    #[cfg(feature = "near")]
+    const RECORDS: bool = false;
+
+    /// The attributes, if there are any, to which operators announce what they do.
+    #[cfg(feature = "near")]
+    fn attributes(&self) -> Option<&Attributes> {
+        None
+    }
+    #[cfg(feature = "near")]
+    fn attributes_mut(&mut self) -> Option<&mut Attributes> {
+        None
+    }
+    /// A copy of the records in the same slots, without attributes, by stores that keep some.
+    #[cfg(feature = "near")]
+    fn trial(&self) -> Option<Self> {
+        None
+    }
 
     /// A store with the unbounded face and nothing else, with room for that many records where it allocates.
     fn with_room(need: Need) -> Self;
@@ -216,3 +237,10 @@ pub trait Links: Sized {
 /// }
 /// ```
 pub trait Store: Links {}
+
+/// A store whose records can have [attributes](crate::dcel::Attribute): the default one, alone or in a history.
+#[cfg(feature = "near")]
+pub trait AttributeStore: Store {
+    #[doc(hidden)]
+    fn kept_attributes(&mut self) -> &mut Attributes;
+}

@@ -28,6 +28,9 @@
 //! Without the feature `pointer-store` there is none but the expansion of slotmap's `new_key_type!`, in one file: every
 //! other module of the crate forbids it.
 
+#[cfg(feature = "near")]
+#[forbid(unsafe_code)]
+pub(crate) mod attributes;
 #[forbid(unsafe_code)]
 mod fixed;
 #[forbid(unsafe_code)]
@@ -47,6 +50,8 @@ mod watch;
 
 pub use fixed::FixedStore;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+#[cfg(feature = "near")]
+pub use links::AttributeStore;
 pub use links::Store;
 #[cfg(feature = "pointer-store")]
 pub use pointers::PointerStore;

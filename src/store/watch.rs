@@ -8,6 +8,9 @@ use crate::validate::near::WriteSet;
 /// Public in name only, as [`Links`] is.
 #[allow(missing_docs, reason = "one method for each that writes to a store, by its name")]
 pub trait Watch<S: Links>: Default {
+    /// True if the log of attributes is taken after each operator.
+    const RECORDS: bool = false;
+
     fn add_vertex(&mut self, _store: &mut S) {}
     fn add_isolated(&mut self, _store: &mut S) {}
     fn add_edge(&mut self, _store: &mut S) {}

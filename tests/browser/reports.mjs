@@ -386,6 +386,41 @@ async function narrowWindow(browser, url) {
   await page.close();
 }
 
+/** What is accepted on the page is what `--accept` reads. */
+async function accepting(browser, url) {
+  const { page, complaints } = await open(browser, url);
+  const count = () => text(page, "#accepted-count");
+  same("nothing is accepted", await count(), "0 findings are accepted.");
+  const isOffered = () => page.$eval("#accept", (form) => !form.hidden);
+  same("nothing is chosen", await isOffered(), false);
+  await page.focus("#list");
+  await press(page, "End", "End");
+  same("a violation of the structure cannot be accepted", await isOffered(), false);
+  await press(page, "Home");
+  same("a finding of the coverage can be accepted", await isOffered(), true);
+  await click(page, "#accept [type=submit]");
+  same("not without a reason", await count(), "0 findings are accepted.");
+  await page.type("#reason", "a lake, as of <2026> & \"later\"");
+  await click(page, "#accept [type=submit]");
+  same("one is accepted", await count(), "1 finding is accepted.");
+  check("and the list says why", (await options(page))[0].includes('Accepted: a lake, as of <2026> & "later"'), (await options(page))[0]);
+  await click(page, "#unaccept");
+  same("no longer", await count(), "0 findings are accepted.");
+  await page.type("#reason", "a lake");
+  await click(page, "#accept [type=submit]");
+  await click(page, "#save-accepted");
+  const list = await page.evaluate(() => acceptance.text());
+  const [input, file] = [join(folder, "parcels.geojson"), join(folder, "accepted.json")];
+  writeFileSync(file, list);
+  const run = spawnSync(process.env.TWINEDGE, ["audit", input, "--sliver", "50", "--accept", file, "--format", "json"], { encoding: "utf8" });
+  const { accepted, coverage } = JSON.parse(run.stdout);
+  same("the program accepts it", accepted, { count: 1, grown: [], gone: [] });
+  same("for that reason", coverage.findings.filter((one) => one.accepted).map((one) => one.accepted), ["a lake"]);
+  await picture(page, "accepting");
+  same("no complaint", complaints, []);
+  await page.close();
+}
+
 const browser = await puppeteer.launch({
   executablePath: process.env.CHROMIUM,
   // The sandbox needs rights that a container may lack; the pages are our own.
@@ -398,6 +433,7 @@ try {
   await parcelsByMouse(browser, ofParcels);
   await parcelsByKeys(browser, ofParcels);
   await roles(browser, ofParcels);
+  await accepting(browser, ofParcels);
   await brokenLink(browser, ofTables);
   await cutMap(browser, ofTables);
   await hostileTexts(browser, report("hostile.geojson", hostile, 1));

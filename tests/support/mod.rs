@@ -12,6 +12,7 @@ pub(crate) mod opinions;
 pub(crate) mod oracle;
 pub(crate) mod saved;
 pub(crate) mod tables;
+pub(crate) mod tokens;
 pub(crate) mod tracked;
 pub(crate) mod triangles;
 pub(crate) mod watched;

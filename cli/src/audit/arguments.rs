@@ -165,6 +165,7 @@ impl Audit {
             geodesic: self.measured.is_geodesic(),
             edges: self.edges.map(Into::into),
             mesh: self.mesh.expectation(),
+            space: self.mesh.space(),
         }
     }
 }

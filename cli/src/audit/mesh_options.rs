@@ -1,11 +1,12 @@
 //! The options of meshes.
 
 use twinedge::validate::Expectation;
-use twinedge_formats::mesh::HalfEdgeMesh;
+use twinedge_formats::mesh::{HalfEdgeMesh, SpaceRule};
 
 /// The properties that a mesh must have.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Meshes")]
+#[allow(clippy::struct_excessive_bools, reason = "each is a switch of its own on the command line")]
 pub(super) struct MeshOptions {
     /// The mesh has no border.
     #[arg(long, conflicts_with = "borders")]
@@ -34,12 +35,24 @@ pub(super) struct MeshOptions {
     /// Every vertex is a corner of a face.
     #[arg(long)]
     no_unused_vertices: bool,
+
+    /// No face has all its corners on one line (M9).
+    #[arg(long)]
+    no_zero_area: bool,
+
+    /// Faces meet in common corners and edges only (M10). Faces with more than three sides have to be convex for that.
+    #[arg(long)]
+    no_crossings: bool,
+
+    /// The faces of closed components face outwards, or inwards around a cavity (M11).
+    #[arg(long)]
+    outward: bool,
 }
 
 impl MeshOptions {
     /// Returns true if anything is expected.
     pub(super) fn is_any(&self) -> bool {
-        self.expectation() != HalfEdgeMesh::expectation()
+        self.expectation() != HalfEdgeMesh::expectation() || !self.space().is_empty()
     }
 
     pub(super) fn expectation(&self) -> Expectation {
@@ -63,5 +76,15 @@ impl MeshOptions {
             expectation = expectation.no_unused_vertices();
         }
         expectation
+    }
+
+    /// The rules about the places of the points.
+    pub(super) fn space(&self) -> Vec<SpaceRule> {
+        let asked = [
+            (self.no_zero_area, SpaceRule::Area),
+            (self.no_crossings, SpaceRule::Crossing),
+            (self.outward, SpaceRule::Outward),
+        ];
+        asked.into_iter().filter(|(is_asked, _)| *is_asked).map(|(_, rule)| rule).collect()
     }
 }

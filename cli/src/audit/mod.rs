@@ -17,7 +17,8 @@ use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use destination::ReportFormat;
 use on_disk::OnDisk;
-use std::fs::Metadata;
+use std::fs::{File, Metadata};
+use std::io::BufReader;
 use std::path::Path;
 use std::time::Instant;
 use timeout::Claim;
@@ -69,6 +70,9 @@ impl Audit {
         };
         if let Some(judged) = judged {
             audited.judged(judged);
+        }
+        if let Some(path) = self.against.as_deref().filter(|path| path.is_file()) {
+            audited.judged_by(Judged::of(BufReader::new(File::open(path)?))?);
         }
         if self.map.path().and_then(changed) != before {
             audited.doubt("the file changed while it was judged");

@@ -1,10 +1,8 @@
 //! `twinedge query … coverage`.
 
-use super::list::{Limit, TableFormat, csv, greatest_first};
+use super::list::{Rows, csv, greatest_first};
 use crate::coverage_arguments::CoverageArguments;
 use crate::measured::Measured;
-use crate::output::style::QUIET;
-use crate::output::{print_answer, print_json};
 use crate::progress::busy;
 use crate::status::Failure;
 use clap::ValueEnum;
@@ -43,11 +41,7 @@ pub(super) struct CoverageOf {
     sort: SortBy,
 
     #[command(flatten)]
-    limit: Limit,
-
-    /// Output format.
-    #[arg(long, value_enum, default_value_t)]
-    format: TableFormat,
+    rows: Rows,
 }
 
 /// The order of findings.
@@ -68,7 +62,7 @@ enum SortBy {
 struct CoverageAnswer<'a> {
     input: &'a str,
     unit: &'static str,
-    coverage: Coverage,
+    coverage: &'a Coverage,
 }
 
 const HEADINGS: [&str; 8] = ["rule", "kind", "features", "area", "width", "length", "x", "y"];
@@ -92,19 +86,17 @@ impl CoverageOf {
             SortBy::Width => greatest_first(findings, greatest(|size| size.width)),
             SortBy::Length => greatest_first(findings, greatest(|size| size.length)),
         }
-        self.limit.cut(findings);
-        match self.format {
-            TableFormat::Text => {
-                let mut out = String::new();
-                coverage.write_rules(&mut out, self.asked.options().is_rule)?;
-                out.push('\n');
-                for one in coverage.findings() {
-                    write(&mut out, one, imported.noted.decimals())?;
-                }
-                print_answer(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
+        self.rows.cut(findings);
+        let text = || {
+            let mut out = String::new();
+            coverage.write_rules(&mut out, self.asked.options().is_rule)?;
+            out.push('\n');
+            for one in coverage.findings() {
+                write(&mut out, one, imported.noted.decimals())?;
             }
-            TableFormat::Csv => print_answer(&csv(coverage.findings().iter().map(row), &HEADINGS)?),
-            TableFormat::Json => print_json(&CoverageAnswer { input: &imported.name, unit: units.name(), coverage }),
-        }
+            Ok(out)
+        };
+        let answer = CoverageAnswer { input: &imported.name, unit: units.name(), coverage: &coverage };
+        self.rows.print(&units, text, || csv(coverage.findings().iter().map(row), &HEADINGS), &answer)
     }
 }

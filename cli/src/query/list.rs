@@ -1,8 +1,11 @@
 //! Lists that can be sorted and cut.
 
+use crate::output::style::QUIET;
+use crate::output::{print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
+use twinedge_report::Units;
 
 /// The output format of a table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -28,6 +31,39 @@ impl Limit {
     /// Drops the rows after the last one wanted.
     pub(super) fn cut<T>(&self, rows: &mut Vec<T>) {
         rows.truncate(self.limit.unwrap_or(usize::MAX));
+    }
+}
+
+/// The rows of a table that are wanted, and its format.
+#[derive(Debug, clap::Args)]
+pub(super) struct Rows {
+    #[command(flatten)]
+    limit: Limit,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+impl Rows {
+    /// Drops the rows after the last one wanted.
+    pub(super) fn cut<T>(&self, rows: &mut Vec<T>) {
+        self.limit.cut(rows);
+    }
+
+    /// Prints a table in one of these forms; text with the units below it.
+    pub(super) fn print(
+        &self,
+        units: &Units,
+        text: impl FnOnce() -> Result<String, Failure>,
+        csv: impl FnOnce() -> Result<String, Failure>,
+        json: &impl Serialize,
+    ) -> Result<(), Failure> {
+        match self.format {
+            TableFormat::Text => print_answer(&format!("{}{QUIET}{}{QUIET:#}\n", text()?, units.sentence())),
+            TableFormat::Csv => print_answer(&csv()?),
+            TableFormat::Json => print_json(json),
+        }
     }
 }
 

@@ -1,10 +1,9 @@
 //! `twinedge query … overlay`.
 
-use super::list::{Limit, TableFormat, csv, greatest_first};
+use super::list::{Rows, csv, greatest_first};
 use crate::input::open;
 use crate::measured::Measured;
-use crate::output::style::QUIET;
-use crate::output::{measure, plain, print_answer, print_json};
+use crate::output::{measure, plain};
 use crate::progress::busy;
 use crate::status::{Failure, named};
 use clap::ValueEnum;
@@ -41,11 +40,7 @@ pub(super) struct OverlayOf {
     sort: SortBy,
 
     #[command(flatten)]
-    limit: Limit,
-
-    /// Output format.
-    #[arg(long, value_enum, default_value_t)]
-    format: TableFormat,
+    rows: Rows,
 }
 
 /// The order of pairs.
@@ -78,21 +73,17 @@ impl OverlayOf {
         if self.sort == SortBy::Area {
             greatest_first(&mut pairs, |pair| pair.area);
         }
-        self.limit.cut(&mut pairs);
-        match self.format {
-            TableFormat::Text => {
-                let mut out = String::new();
-                for Shared { first, second, area } in &pairs {
-                    let [first, second] = [first, second].map(|one| one.as_ref().map_or("–", |one| &one.label));
-                    writeln!(out, "{:>16}  {first}, {second}", measure(*area))?;
-                }
-                print_answer(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
+        self.rows.cut(&mut pairs);
+        let (input, other) = (&*imported.name, &*plain(&name));
+        let text = || {
+            let mut out = String::new();
+            for Shared { first, second, area } in &pairs {
+                let [first, second] = [first, second].map(|one| one.as_ref().map_or("–", |one| &one.label));
+                writeln!(out, "{:>16}  {first}, {second}", measure(*area))?;
             }
-            TableFormat::Csv => print_answer(&csv(pairs.iter().map(Shared::row), &HEADINGS)?),
-            TableFormat::Json => {
-                let (input, other) = (&*imported.name, &*plain(&name));
-                print_json(&OverlayAnswer { input, other, unit: units.name(), pairs: &pairs })
-            }
-        }
+            Ok(out)
+        };
+        let answer = OverlayAnswer { input, other, unit: units.name(), pairs: &pairs };
+        self.rows.print(&units, text, || csv(pairs.iter().map(Shared::row), &HEADINGS), &answer)
     }
 }

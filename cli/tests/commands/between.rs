@@ -144,6 +144,18 @@ fn findings_between_layers_are_accepted_and_compared() {
 
 /// Levels in one file: a county names its state, which has no parent.
 #[test]
+fn the_layer_by_which_another_one_is_judged_is_known_by_its_bytes() {
+    let folder = TempDir::new().unwrap();
+    let (states, counties) = (states(&folder), counties(&folder, "counties.geojson", 10.0, "Iowa"));
+    let (_, report) = audited(&counties, &["--against", &states]);
+    // The same file, judged by itself.
+    let (_, alone) = audited(&states, &[]);
+    assert_eq!(report["judged_by"], alone["judged"]);
+    assert_ne!(report["judged_by"], report["judged"]);
+    assert!(report["judged_by"]["sha256"].is_string() && alone["judged_by"].is_null());
+}
+
+#[test]
 fn levels_of_one_layer_are_judged_by_the_column_of_their_parents() {
     let folder = TempDir::new().unwrap();
     let of = |name: &'static str, state: Value, x: f64, width: f64| (name, state, rectangle([x, 0.0, x + width, 20.0]));

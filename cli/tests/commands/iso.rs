@@ -70,6 +70,22 @@ fn each_measure_counts_what_the_standard_counts() {
 }
 
 #[test]
+fn findings_name_the_measure_that_counts_them() {
+    let folder = TempDir::new().unwrap();
+    let (_, report) = run(&["audit", &fields(&folder), "--snap", "auto", "--format", "json"]);
+    let of = |rule: &str| -> Vec<Value> {
+        let findings = report["coverage"]["findings"].as_array().unwrap().iter();
+        findings.filter(|one| one["rule"] == rule).map(|one| one["iso_19157"].clone()).collect()
+    };
+    for (rule, measure) in [("C1", 11), ("C3", 23), ("C4", 25), ("C7", 21)] {
+        let found = of(rule);
+        assert!(!found.is_empty() && found.iter().all(|one| *one == measure), "{rule}: {found:?}");
+    }
+    // A ring that crosses itself is counted, and one that turns back by another measure, which counts features.
+    assert!(of("C6").contains(&json!(26)) && of("C2").iter().chain(&of("C5")).all(Value::is_null), "{report}");
+}
+
+#[test]
 fn what_was_accepted_is_no_error() {
     let folder = TempDir::new().unwrap();
     let list = folder.path().join("accepted.json").to_str().unwrap().to_owned();

@@ -5,6 +5,7 @@ mod support;
 mod audit;
 mod between;
 mod certificate;
+mod cleaning;
 mod conveniences;
 mod corrupt;
 mod draw;

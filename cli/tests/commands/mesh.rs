@@ -194,3 +194,29 @@ fn options_that_do_not_apply_are_not_passed_over() {
         assert!(words.contains(told), "{words}");
     }
 }
+
+#[test]
+fn the_places_of_points_are_judged_if_asked_for() {
+    // The first face turned round: all others as they are.
+    let folded = file("folded.obj", &CUBE.replace("v 1 1 1\n", "v 0.5 0.5 -1\n"));
+    let asked = ["--no-zero-area", "--no-crossings", "--outward"];
+    let (status, found) = json(&["audit", &folded, "--format", "json"]);
+    assert_eq!((status, found["rules"].as_array().unwrap().len()), (Some(0), 14));
+    let triangles = CUBE.replace("f 1 4 3 2\n", "f 1 4 3\nf 1 3 2\n").replace("f 5 6 7 8\n", "f 5 6 7\nf 5 7 8\n");
+    let triangles = triangles.replace("f 2 3 7 6\n", "f 2 3 7\nf 2 7 6\n").replace("f 3 4 8 7\n", "f 3 4 8\nf 3 8 7\n");
+    let triangles = triangles.replace("f 1 2 6 5\n", "f 1 2 6\nf 1 6 5\n").replace("f 4 1 5 8\n", "f 4 1 5\nf 4 5 8\n");
+    let folded = file("folded_triangles.obj", &triangles.replace("v 1 1 1\n", "v 0.5 0.5 -1\n"));
+    let (status, found) = json(&[&["audit", &folded, "--format", "json"], &asked[..]].concat());
+    let broken = found["rules"].as_array().unwrap().iter().filter(|rule| rule["violations"] != 0);
+    let broken: Vec<_> = broken.map(|rule| rule["id"].as_str().unwrap()).collect();
+    assert_eq!((status, broken), (Some(1), vec!["M10"]));
+    assert_eq!((&found["verdict"], &found["findings"][0]["rule"]), (&"invalid".into(), &"M10".into()));
+    assert_eq!(found["options"]["space"], serde_json::json!(["M9", "M10", "M11"]));
+    // A face that is not convex is not judged, and nothing else is wrong: that is not known to be valid.
+    let notched = file("notched.obj", "v 0 0 0\nv 4 -4 0\nv 1 0 0\nv 4 4 0\nf 1 2 3 4\n");
+    let (status, found) = json(&["audit", &notched, "--no-crossings", "--format", "json"]);
+    assert_eq!((status, &found["verdict"]), (Some(1), &"unknown".into()), "{found}");
+    assert_eq!(found["rules"].as_array().unwrap().last().unwrap()["unchecked"], "not_convex");
+    let text = String::from_utf8(twinedge(&["audit", &notched, "--no-crossings"]).stdout).unwrap();
+    assert!(text.contains("M10  crossing") && text.contains("not convex; triangulate them"), "{text}");
+}

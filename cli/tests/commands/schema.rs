@@ -64,6 +64,11 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
             false,
         ),
         (
+            file("inside_out.off", b"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n"),
+            &["--outward"],
+            false,
+        ),
+        (
             file("tables.txt", tables.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1").as_bytes()),
             &[],
             true,

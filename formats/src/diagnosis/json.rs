@@ -37,6 +37,8 @@ struct Entry<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    iso_19157: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     accepted: Option<&'a str>,
     message: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -95,6 +97,7 @@ impl Serialize for Diagnosis {
             defects: &self.defects,
             missing: &self.missing,
             snapping: self.snapping,
+            iso_19157: self.iso,
             accepted: self.accepted.as_deref(),
             message: &self.message,
             follows_from: self.follows_from,
@@ -114,12 +117,14 @@ impl Serialize for Reason {
             Broken(&'static str),
             NotClosed,
             NotLocated,
+            NotConvex,
         }
         match self {
             Self::Validator(why) => why.serialize(serializer),
             Self::Broken(rule) => Form::Broken(rule).serialize(serializer),
             Self::NotClosed => Form::NotClosed.serialize(serializer),
             Self::NotLocated => Form::NotLocated.serialize(serializer),
+            Self::NotConvex => Form::NotConvex.serialize(serializer),
         }
     }
 }

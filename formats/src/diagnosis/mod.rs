@@ -79,6 +79,8 @@ pub struct Diagnosis {
     pub missing: Vec<MissingVertex>,
     /// `removed` by snapping, or `made` by it.
     pub snapping: Option<&'static str>,
+    /// The number of the measure of ISO 19157 that counts it.
+    pub iso: Option<u32>,
     /// The id of the rule from whose violations this one follows.
     pub follows_from: Option<&'static str>,
     /// The reason for which it was accepted, if it was.

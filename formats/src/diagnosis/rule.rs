@@ -6,7 +6,7 @@ use twinedge::validate::{Report, Rule, RuleOutcome, Unchecked};
 /// The outcome of a rule. `Display` prints it in a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RuleLine {
-    /// The id: `R1` and so on; `P0` … `P4` of PostGIS, `A0` … `A3` of TopoJSON, `X1` … `X6` between layers.
+    /// The id: `R1` and so on; `P0` … `P4` of PostGIS, `A0` … `A3` of TopoJSON, `X1` … `X6` between layers, `M9` … `M11` of meshes.
     pub id: &'static str,
     /// Its name.
     pub name: &'static str,
@@ -36,6 +36,8 @@ pub enum Reason {
     NotClosed,
     /// It is not known in which faces some isolated nodes lie.
     NotLocated,
+    /// Some faces of a mesh have more than three sides and are not convex.
+    NotConvex,
 }
 
 impl Reason {
@@ -51,6 +53,7 @@ impl fmt::Display for Reason {
         match self {
             Self::Validator(why) => why.fmt(f),
             Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
+            Self::NotConvex => f.write_str("they have more than three sides and are not convex; triangulate them"),
             Self::NotClosed => f.write_str("for mbr: the lines around these faces do not close"),
             Self::NotLocated => {
                 f.write_str("in which face isolated nodes lie: needs G5, or G4 and lines around the faces that close")

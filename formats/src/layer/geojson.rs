@@ -132,7 +132,7 @@ fn member(out: &mut dyn Write, name: &str, value: &Json) -> io::Result<()> {
     writeln!(out, "{}:{value},", Json::from(name))
 }
 
-fn write_feature(feature: &Feature, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write_feature(feature: &Feature, out: &mut dyn Write) -> io::Result<()> {
     out.write_all(b"{\"type\":\"Feature\"")?;
     match &feature.id {
         Some(Id::Text(text)) => write!(out, ",\"id\":{}", Json::from(text.as_str()))?,
@@ -155,7 +155,7 @@ fn write_feature(feature: &Feature, out: &mut dyn Write) -> io::Result<()> {
     out.write_all(b"}")
 }
 
-fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Result<()> {
     let name = match &geometry.shape {
         Shape::Point(None) => "MultiPoint",
         shape => shape.name(),

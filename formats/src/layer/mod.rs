@@ -37,6 +37,8 @@ mod files;
 mod flatgeobuf;
 #[cfg(feature = "geojson")]
 mod geojson;
+#[cfg(feature = "geojson")]
+mod geojson_edit;
 #[cfg(feature = "geopackage")]
 mod geopackage;
 #[cfg(feature = "geoparquet")]
@@ -68,6 +70,8 @@ pub use crs::Crs;
 pub use each::Each;
 pub use error::{ArchiveError, Cause, Place, ReadError, WriteError};
 pub use files::Files;
+#[cfg(feature = "geojson")]
+pub use geojson_edit::{Edit, edited, edits};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{

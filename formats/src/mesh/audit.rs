@@ -1,7 +1,8 @@
 //! The audit of a mesh: findings, the validator's report, and counts.
 
-use super::{Findings, HalfEdgeMesh, IndexedMesh, Kind, MeshCounts};
-use crate::diagnosis::{Diagnosis, write_list};
+use super::space;
+use super::{Findings, HalfEdgeMesh, IndexedMesh, Kind, MeshCounts, SpaceOutcome, SpaceRule};
+use crate::diagnosis::{Diagnosis, Reason, RuleLine, write_list};
 use std::fmt;
 use twinedge::validate::{Collect, Expectation, Report, Rule, validate};
 
@@ -28,6 +29,7 @@ pub struct MeshAudit {
     counts: MeshCounts,
     findings: Findings,
     report: Report,
+    space: Vec<SpaceOutcome>,
 }
 
 /// Joins the faces of a mesh, has the validator judge the result, and counts.
@@ -62,17 +64,62 @@ pub struct MeshAudit {
 /// ```
 #[must_use]
 pub fn audit(mesh: &IndexedMesh, expectation: &Expectation, collect: Collect) -> MeshAudit {
-    let (half_edges, findings) = HalfEdgeMesh::link(mesh, collect);
+    audit_in_space(mesh, expectation, &[], collect)
+}
+
+/// As [`audit`], and checks rules about the places of the points: M9 … M11.
+///
+/// Beyond that O(n log n + k) for k pairs of faces whose boxes meet (M10), and O(n) for each component that faces inwards (M11).
+///
+/// ```
+/// use twinedge::validate::Collect;
+/// use twinedge_formats::mesh::{HalfEdgeMesh, IndexedMesh, SpaceRule, audit_in_space};
+///
+/// // A tetrahedron that is wound the wrong way round.
+/// let points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// let mesh = IndexedMesh::from_faces(points, [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]])?;
+/// let audit = audit_in_space(&mesh, &HalfEdgeMesh::expectation().closed(), &SpaceRule::ALL, Collect::All);
+/// assert_eq!(audit.findings().total(), 1);
+/// assert_eq!(audit.findings().list()[0].to_string(), "the closed component of face 0, of 4 faces, faces inwards");
+/// # Ok::<(), twinedge_formats::mesh::IndexedMeshError>(())
+/// ```
+#[must_use]
+pub fn audit_in_space(
+    mesh: &IndexedMesh,
+    expectation: &Expectation,
+    rules: &[SpaceRule],
+    collect: Collect,
+) -> MeshAudit {
+    let (half_edges, mut findings) = HalfEdgeMesh::link(mesh, collect);
     let report = validate(&half_edges, expectation, collect);
     let counts = MeshCounts::new(&half_edges, &findings, &report);
-    MeshAudit { counts, findings, report }
+    let space = if rules.is_empty() { Vec::new() } else { space::check(&half_edges, rules, &mut findings) };
+    MeshAudit { counts, findings, report, space }
 }
 
 impl MeshAudit {
-    /// Returns true if the mesh is made of surfaces and is as expected: no finding is a fault, and the validator found no violation.
+    /// Returns true if the mesh is made of surfaces and is as expected: no finding is a fault, the validator found no violation, and
+    /// all rules that were asked for were checked on all faces.
     #[must_use]
     pub fn is_valid(&self) -> bool {
-        self.findings.is_faultless() && self.report.is_valid()
+        let is_whole = self.space.iter().all(|outcome| outcome.left_out == 0);
+        self.findings.is_faultless() && self.report.is_valid() && is_whole
+    }
+
+    /// The rules: those of the validator, and then those of M9 … M11 that were asked for.
+    #[must_use]
+    pub fn rules(&self) -> Vec<RuleLine> {
+        let of_space = self.space.iter().map(|SpaceOutcome { rule, checked, left_out }| RuleLine {
+            id: rule.id(),
+            name: rule.name(),
+            statement: rule.statement(),
+            checked: *checked as u64,
+            unit: rule.unit(),
+            violations: self.findings.count(rule.kind()) as u64,
+            unchecked: (*left_out > 0).then_some(Reason::NotConvex),
+            left_out: (*left_out > 0).then_some(*left_out as u64),
+        });
+        RuleLine::of(&self.report).into_iter().chain(of_space).collect()
     }
 
     /// The numbers of everything.
@@ -148,6 +195,7 @@ impl fmt::Display for MeshAudit {
             writeln!(f, "{what:20} {count:>12}")?;
         }
         write!(f, "{}", self.report)?;
+        self.rules().iter().skip(self.report.outcomes().count()).try_for_each(|rule| writeln!(f, "{rule}"))?;
         self.remarks().iter().try_for_each(|remark| writeln!(f, "{remark}"))?;
         f.write_str(if self.is_valid() { "valid" } else { "not valid" })
     }

@@ -1,5 +1,6 @@
 //! The faults of a list of faces, in the terms of its author.
 
+use super::SpaceRule;
 use crate::diagnosis::{self, Diagnosis, Records};
 use std::fmt;
 use twinedge::validate::Collect;
@@ -74,9 +75,24 @@ kinds! {
     UnusedVertex "unused_vertex" "no face uses the vertex"
         cause "faces were deleted and their vertices kept, or the vertex belongs to a line or a point of the file"
         remedy "delete the vertex, or pass over it: it is a fault only where none is expected";
+    ZeroArea "zero_area" "the corners of a face all lie on one line (M9)"
+        cause "vertices were merged or moved onto an edge, or coordinates were rounded"
+        remedy "delete the face and let those beside it meet along its longest side, or flip that side";
+    CrossingFaces "crossing_faces" "two faces meet elsewhere than in common corners and edges (M10)"
+        cause "bodies overlap and were not united, or a surface was offset, smoothed or simplified so far that it folds"
+        remedy "unite the bodies (a boolean operation), or undo what folded the surface there";
+    InsideOut "inside_out" "the faces of a closed component face inwards, and it is no cavity of another one (M11)"
+        cause "the file or a program winds faces the other way round, or the component was mirrored"
+        remedy "reverse the vertices of all its faces";
 }
 
 impl Kind {
+    /// The rule that is asked for, and that findings of this kind break.
+    #[must_use]
+    pub fn rule(self) -> Option<SpaceRule> {
+        SpaceRule::ALL.into_iter().find(|rule| rule.kind() == self)
+    }
+
     /// Returns true if it is a fault in any mesh. Unused vertices are one only where they are expected not to be.
     #[must_use]
     pub const fn is_fault(self) -> bool {
@@ -147,6 +163,23 @@ pub enum Finding {
         /// The vertex.
         vertex: usize,
     },
+    /// All corners of a face lie on one line.
+    ZeroArea {
+        /// The face.
+        face: usize,
+    },
+    /// Two faces meet elsewhere than in common corners and edges.
+    CrossingFaces {
+        /// The faces, the smaller number first.
+        faces: [usize; 2],
+    },
+    /// The faces of a closed component face inwards.
+    InsideOut {
+        /// The first face of the component.
+        face: usize,
+        /// The number of its faces.
+        faces: usize,
+    },
 }
 
 impl Finding {
@@ -162,6 +195,9 @@ impl Finding {
             Self::FlippedFaces { .. } => Kind::FlippedFaces,
             Self::NonManifoldVertex { .. } => Kind::NonManifoldVertex,
             Self::UnusedVertex { .. } => Kind::UnusedVertex,
+            Self::ZeroArea { .. } => Kind::ZeroArea,
+            Self::CrossingFaces { .. } => Kind::CrossingFaces,
+            Self::InsideOut { .. } => Kind::InsideOut,
         }
     }
 
@@ -169,10 +205,13 @@ impl Finding {
     #[must_use]
     pub fn faces(&self) -> Vec<usize> {
         match self {
-            Self::DegenerateFace { face, .. } | Self::RepeatedVertex { face, .. } => vec![*face],
+            Self::DegenerateFace { face, .. }
+            | Self::RepeatedVertex { face, .. }
+            | Self::ZeroArea { face }
+            | Self::InsideOut { face, .. } => vec![*face],
             Self::RepeatedFace { face, first, .. } => vec![*face, *first],
             Self::NonManifoldEdge { faces, .. } | Self::NonManifoldVertex { faces, .. } => faces.clone(),
-            Self::FlippedFaces { faces, .. } => faces.to_vec(),
+            Self::FlippedFaces { faces, .. } | Self::CrossingFaces { faces } => faces.to_vec(),
             Self::NoFaces | Self::UnusedVertex { .. } => Vec::new(),
         }
     }
@@ -186,7 +225,7 @@ impl Finding {
             | Self::NonManifoldVertex { vertex, .. }
             | Self::UnusedVertex { vertex } => vec![*vertex],
             Self::NonManifoldEdge { vertices, .. } | Self::FlippedFaces { vertices, .. } => vertices.to_vec(),
-            Self::NoFaces => Vec::new(),
+            Self::NoFaces | Self::ZeroArea { .. } | Self::CrossingFaces { .. } | Self::InsideOut { .. } => Vec::new(),
         }
     }
 
@@ -267,6 +306,15 @@ impl fmt::Display for Counted<'_> {
                 row(faces)
             ),
             Finding::UnusedVertex { vertex } => write!(f, "no face uses vertex {}", n(vertex)),
+            Finding::ZeroArea { face } => write!(f, "the corners of face {} lie on one line: it has no area", n(face)),
+            Finding::CrossingFaces { faces } => {
+                let [first, second] = faces.each_ref().map(n);
+                write!(f, "faces {first} and {second} meet elsewhere than in common corners and edges")
+            }
+            Finding::InsideOut { face, faces } => {
+                let (face, s) = (n(face), if *faces == 1 { "" } else { "s" });
+                write!(f, "the closed component of face {face}, of {faces} face{s}, faces inwards")
+            }
         }
     }
 }
@@ -275,6 +323,7 @@ impl From<&Finding> for Diagnosis {
     fn from(finding: &Finding) -> Self {
         let kind = finding.kind();
         Self {
+            rule: kind.rule().map(SpaceRule::id),
             kind: diagnosis::Kind::Named { kind: kind.name() },
             message: finding.to_string(),
             cause: Some(kind.cause()),

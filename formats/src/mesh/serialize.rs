@@ -1,7 +1,7 @@
 //! An audit as one object: a report in the form of the library, with findings and other counts.
 
 use super::{Finding, MeshAudit};
-use crate::diagnosis::{Diagnosis, Document, RuleLine};
+use crate::diagnosis::{Diagnosis, Document};
 use serde::ser::{Serialize, Serializer};
 
 impl Serialize for MeshAudit {
@@ -9,7 +9,7 @@ impl Serialize for MeshAudit {
         let unexplained = |all: Vec<Diagnosis>| all.into_iter().map(Diagnosis::unexplained).collect::<Vec<_>>();
         let findings = unexplained(self.findings().list().iter().map(Diagnosis::from).collect());
         let violations = unexplained(self.report().violations().iter().map(Diagnosis::from).collect());
-        Document::new(self.is_valid(), self.counts(), &RuleLine::of(self.report()))
+        Document::new(self.is_valid(), self.counts(), &self.rules())
             .findings(&findings, self.findings().total() as u64)
             .violations(&violations, self.report().violation_count())
             .serialize(serializer)

@@ -4,8 +4,10 @@
 mod archives;
 mod arcs;
 mod cleaning;
+mod cleaning_gaps;
 mod detection;
 mod flatgeobuf;
+mod geojson_edit;
 mod geoparquet;
 mod hostile;
 mod losses;

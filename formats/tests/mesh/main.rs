@@ -3,9 +3,11 @@
 
 mod errors;
 mod formats;
+mod gltf;
 mod golden;
 mod hostile;
 mod output;
 mod random;
 mod second_opinions;
+mod space;
 mod support;

@@ -148,7 +148,10 @@ fn kinds_have_stable_names() {
             "non_manifold_edge",
             "flipped_faces",
             "non_manifold_vertex",
-            "unused_vertex"
+            "unused_vertex",
+            "zero_area",
+            "crossing_faces",
+            "inside_out"
         ]
     );
     assert!(Kind::ALL.iter().all(|kind| kind.is_fault() == (*kind != Kind::UnusedVertex)));

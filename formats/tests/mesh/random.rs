@@ -248,15 +248,17 @@ fn the_random_lists_have_every_kind_of_finding_and_none() {
     use quickcheck::Arbitrary;
     let mut g = Gen::new(60);
     let (mut faultless, mut handles, mut one_sided) = (0, 0, 0);
-    let mut with = [0; Kind::ALL.len()];
+    // Those of the places of points are asked for elsewhere.
+    let kinds: Vec<&Kind> = Kind::ALL.iter().filter(|kind| kind.rule().is_none()).collect();
+    let mut with = vec![0; kinds.len()];
     for _ in 0..6000 {
         let audit = audited(&Soup::arbitrary(&mut g).mesh());
         let counts = audit.counts();
         faultless += usize::from(audit.is_valid() && counts.faces > 2);
         handles += usize::from(counts.genus.is_some_and(|genus| genus > 0));
         one_sided += usize::from(!counts.orientable);
-        for (with, kind) in with.iter_mut().zip(Kind::ALL) {
-            *with += usize::from(audit.findings().count(*kind) > 0);
+        for (with, kind) in with.iter_mut().zip(&kinds) {
+            *with += usize::from(audit.findings().count(**kind) > 0);
         }
     }
     assert!(faultless > 200 && handles > 50 && one_sided > 50, "{faultless} {handles} {one_sided}");

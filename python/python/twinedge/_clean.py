@@ -17,6 +17,7 @@ class Cleaned(NamedTuple):
     """A layer that was cleaned."""
 
     #: Of the kind that was given: a GeoDataFrame, a GeoSeries, or a list of shapely geometries. Attributes, order and reference system are kept.
+    #: A feature that was made for gaps is the last; its label is the next number, or ``"gaps"`` where labels are no numbers.
     layer: Any
     #: The report of ``twinedge clean --format json``: ``changes``, ``changed``, ``left``, ``warnings`` and others.
     report: dict[str, Any]
@@ -30,12 +31,13 @@ class Cleaned(NamedTuple):
 def clean(
     layer: Any,
     *,
-    gap_width: float | None = None,
+    gap_width: float | str | None = None,
     lake_width: float | None = None,
     accept_gaps: Iterable[Sequence[float]] | None = None,
     sliver_area: float | None = None,
     snap: float | str | None = None,
     overlap: str = "inner",
+    gaps_to: tuple[str, Any] | Iterable[int] | None = None,
 ) -> Cleaned:
     """Repair a layer of polygons: overlaps, gaps, slivers, missing vertices and invalid rings, as ``twinedge clean`` does.
 
@@ -46,13 +48,17 @@ def clean(
     ----------
     layer
         A GeoDataFrame, a GeoSeries, a sequence of shapely geometries, or a path that geopandas reads.
-    gap_width : float, optional
-        Gaps and near misses up to this mean width are filled. Default: gaps below ``sliver_area``.
+    gap_width : float or "auto", optional
+        Gaps and near misses up to this mean width are filled. ``"auto"`` takes the widest gap that is ten times narrower than the next wider
+        one, or than the median part of a feature; ``report["gap_width"]`` says it. Default: gaps below ``sliver_area``.
     lake_width, accept_gaps, sliver_area, snap
         As for :func:`twinedge.audit`. Without ``snap`` nothing moves, unless borders cross where there is no point.
     overlap : str
         Who gets what several claim: ``"inner"`` (one that lies within another, or else the larger), ``"larger"``, ``"smaller"``,
         ``"first"`` or ``"last"``.
+    gaps_to : (column, value) or positions, optional
+        Who gets the gaps that are filled: the neighbour with this value in a column of the frame, or at one of these positions; or else the
+        first such feature; or else a new one. Default: any neighbour.
 
     Returns
     -------
@@ -64,7 +70,7 @@ def clean(
     TypeError
         The layer is none of these.
     ValueError
-        There is no polygon; a coordinate is not finite; an argument is wrong.
+        There is no polygon; there is no such column or position; a coordinate is not finite; an argument is wrong.
 
     Notes
     -----
@@ -83,18 +89,55 @@ def clean(
         raise _refused(layer, "expected a frame or a sequence of shapely geometries") from None
     if not all(one is None or isinstance(one, shapely.Geometry) for one in geometries):
         raise _refused(layer, "expected a frame or a sequence of shapely geometries")
+    receiving, attributes = _receiving(layer, gaps_to, len(geometries))
     source = _input("layer", text=_digits(geometries), format="wkb")
-    limits = _limits(gap_width, lake_width, accept_gaps, sliver_area)
-    text, changed = _twinedge.clean(source, limits, _cell(snap), overlap)
+    is_auto = isinstance(gap_width, str) and gap_width == "auto"
+    limits = _limits(None if is_auto else gap_width, lake_width, accept_gaps, sliver_area)
+    text, changed = _twinedge.clean(source, limits, _cell(snap), overlap, is_auto, receiving)
     made = geometries.copy()
     for number, digits in changed:
-        made[number] = None if digits is None else shapely.from_wkb(digits)
+        geometry = None if digits is None else shapely.from_wkb(digits)
+        if number == len(made):
+            layer, column = _extended(layer, column, attributes)
+            made = np.append(made, None)
+        made[number] = geometry
     report: dict[str, Any] = json.loads(text)
     if hasattr(layer, "set_geometry"):
         return Cleaned(layer.set_geometry(type(column)(made, index=layer.index, crs=layer.crs).rename(column.name)), report)
     if column is not layer or hasattr(layer, "geom_type"):
         return Cleaned(type(layer)(made, index=layer.index, crs=layer.crs, name=layer.name), report)
     return Cleaned(made.tolist(), report)
+
+
+def _receiving(layer: Any, gaps_to: Any, count: int) -> tuple[list[int] | None, dict[str, Any]]:
+    """The positions of the features to which gaps go, none for a new one, and the attributes of that."""
+    if gaps_to is None:
+        return None, {}
+    if isinstance(gaps_to, tuple) and len(gaps_to) == 2 and isinstance(gaps_to[0], str):
+        column, value = gaps_to
+        if not hasattr(layer, "set_geometry") or column not in layer.columns or column == layer.geometry.name:
+            raise ValueError(f"gaps_to: there is no column {column}")
+        can_receive = layer.geometry.isna() | layer.geometry.is_empty | layer.geom_type.isin(["Polygon", "MultiPolygon"])
+        return np.flatnonzero((layer[column] == value) & can_receive).tolist(), {column: value}
+    positions = [int(position) for position in gaps_to]
+    if not all(0 <= position < count for position in positions):
+        raise ValueError(f"gaps_to: the positions of features are 0 to {count - 1}")
+    return positions, {}
+
+
+def _extended(layer: Any, column: Any, attributes: dict[str, Any]) -> tuple[Any, Any]:
+    """The layer and its geometries with an empty feature behind the others."""
+    if not hasattr(layer, "geom_type"):
+        return layer, layer
+    import pandas as pd
+
+    is_numbered = pd.api.types.is_integer_dtype(layer.index)
+    label = (layer.index.max() + 1 if len(layer) else 0) if is_numbered else "gaps"
+    more = layer.iloc[:0].reindex(pd.Index([label], name=layer.index.name))
+    for name, value in attributes.items():
+        more[name] = pd.Series([value], index=more.index)
+    layer = pd.concat([layer, more])
+    return layer, layer.geometry if hasattr(layer, "set_geometry") else layer
 
 
 def _digits(geometries: Any) -> bytes:

@@ -1,6 +1,8 @@
 //! A layer that was cleaned, in words and as JSON: the names of its features, why each has changed, and what is left.
 
 mod json;
+mod patch;
+mod repair;
 mod text;
 
 use crate::error::Error;
@@ -10,6 +12,9 @@ use twinedge::algorithm::clean::ChangeKind;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge_formats::layer::clean::{CleanReport, FeatureChange, LayerChange, Remaining};
 use twinedge_formats::layer::{Feature, Format, Layer, Value};
+
+pub use patch::{Changes, GeometryChange, Patch, PatchError, TextChange};
+pub use repair::Repair;
 
 /// The number of columns that an error lists.
 const COLUMNS: usize = 20;
@@ -24,7 +29,11 @@ pub struct Cleaning<'a> {
     /// The file that was written.
     pub written: Option<&'a Written>,
     /// The width from which on gaps are accepted.
-    pub greatest_gap: Option<f64>,
+    greatest_gap: Option<f64>,
+    /// True if the width of gaps was to be chosen.
+    chooses_width: bool,
+    /// The file that takes it back.
+    pub patch: Option<&'a str>,
     /// The changes that each feature has a part in.
     changes: BTreeMap<usize, Vec<&'a LayerChange>>,
     /// The time that it took, in milliseconds.
@@ -84,9 +93,9 @@ fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
 }
 
 impl<'a> Cleaning<'a> {
-    /// A layer after it was cleaned, and the report of that.
+    /// A layer after it was cleaned as it was asked, and the report of that.
     #[must_use]
-    pub fn new(name: &'a str, names: Names<'a>, layer: &'a Layer, report: &'a CleanReport) -> Self {
+    pub fn new(name: &'a str, repair: &Repair<'a>, layer: &'a Layer, report: &'a CleanReport) -> Self {
         let mut changes: BTreeMap<usize, Vec<&LayerChange>> = BTreeMap::new();
         for change in &report.changes {
             let won = change.to.filter(|to| !change.from.contains(to));
@@ -94,7 +103,18 @@ impl<'a> Cleaning<'a> {
                 changes.entry(feature).or_default().push(change);
             }
         }
-        Self { name, names, layer, report, written: None, greatest_gap: None, changes, elapsed_ms: 0.0 }
+        Self {
+            name,
+            names: repair.names,
+            layer,
+            report,
+            written: None,
+            greatest_gap: repair.options.assign.lake_width.or(report.gap_width),
+            chooses_width: repair.options.chooses_width,
+            patch: None,
+            changes,
+            elapsed_ms: 0.0,
+        }
     }
 }
 
@@ -131,6 +151,9 @@ impl Cleaning<'_> {
             self.report.added.iter().filter(|vertex| vertex.to == number).map(|vertex| vertex.of).collect();
         if !of.is_empty() {
             reasons.push(format!("vertices of {} added", self.labels(&of.into_iter().collect::<Vec<_>>())));
+        }
+        if self.report.made == Some(number) {
+            reasons.push("made for gaps".to_owned());
         }
         if !feature.defects.is_empty() {
             let kinds: Vec<String> = feature.defects.iter().map(ToString::to_string).collect();

@@ -5,7 +5,7 @@ use crate::noding_text;
 use crate::words::style::{BAD, GOOD, QUIET};
 use crate::words::{counted, grouped, measure, place, plain};
 use std::fmt::Write as _;
-use twinedge::algorithm::clean::ChangeKind;
+use twinedge::algorithm::clean::{ChangeKind, ChosenWidth};
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
 
 impl Cleaning<'_> {
@@ -27,7 +27,7 @@ impl Cleaning<'_> {
         out.push('\n');
         for (kind, what, beside) in [
             (ChangeKind::Overlap, "overlaps resolved", String::new()),
-            (ChangeKind::Gap, "gaps filled", String::new()),
+            (ChangeKind::Gap, "gaps filled", self.width()),
             (ChangeKind::Sliver, "slivers given to neighbours or dropped", limit),
         ] {
             let found = report.changes.iter().filter(|change| change.kind == kind);
@@ -94,11 +94,30 @@ impl Cleaning<'_> {
         if let Some(Written { name, format }) = self.written {
             writeln!(out, "written to {} ({format})", plain(name))?;
         }
+        if let Some(patch) = self.patch {
+            writeln!(out, "what takes it back is in {}", plain(patch))?;
+        }
         match &report.left {
             None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed_ms),
         }?;
         Ok(out)
+    }
+
+    /// The width up to which gaps were filled, if it was to be chosen.
+    fn width(&self) -> String {
+        let text = match self.report.chosen {
+            Some(ChosenWidth { width, gaps, next, .. }) => {
+                format!(
+                    "up to the width {width}, chosen: {}, and none from there to {}",
+                    counted(gaps, "gap"),
+                    measure(next)
+                )
+            }
+            None if self.chooses_width => "no width was chosen: none is ten times narrower than the next".to_owned(),
+            None => return String::new(),
+        };
+        format!("  {QUIET}{text}{QUIET:#}")
     }
 
     /// The number of gaps that were left because they are wider than asked for.

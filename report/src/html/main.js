@@ -138,14 +138,17 @@ function look(finding, isClose) {
 function chose(finding, isClose = false) {
   for (const id of ["shape", "closer"]) byId(id).disabled = !finding || !boxOf(finding);
   stage.dataset.finding = finding ? finding.number : "";
+  acceptance?.show(finding);
   look(finding, isClose);
 }
 
-let list = null;
+let [list, acceptance] = [null, null];
 list = new FindingList(data, structure, chose, (found, features, half) => {
   [left, matching, edge] = [found, features, lineOf(structure, half)];
   redraw();
 });
+
+acceptance = new Acceptance(data, list);
 
 // A page that this one stands in says which findings are accepted, and why.
 document.addEventListener("accept", ({ detail: { number, reason } }) => list.accept(number, reason));

@@ -23,6 +23,23 @@ pub enum Winner {
     Last,
 }
 
+impl Winner {
+    /// The names, and what they stand for.
+    const NAMES: [(&'static str, Self); 5] = [
+        ("inner", Self::Inner),
+        ("larger", Self::Larger),
+        ("smaller", Self::Smaller),
+        ("first", Self::First),
+        ("last", Self::Last),
+    ];
+
+    /// The choice of this name: `inner`, `larger`, `smaller`, `first` or `last`; none of another.
+    #[must_use]
+    pub fn of_name(name: &str) -> Option<Self> {
+        Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, winner)| *winner)
+    }
+}
+
 /// The options of cleaning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
@@ -39,6 +56,9 @@ pub struct Options {
     pub sliver_area: Option<f64>,
     /// The thinness below which a small part of a feature is a sliver, as for [coverages](crate::algorithm::coverage::Limits).
     pub thinness: f64,
+    /// The features, by number, one of which gets each gap that is filled: the neighbour among them with the longest common border,
+    /// or else the first. Their parts are no slivers. Without any, the neighbours are all.
+    pub gaps_to: Vec<usize>,
 }
 
 impl Default for Options {
@@ -50,6 +70,7 @@ impl Default for Options {
             accepted_gaps: Vec::new(),
             sliver_area: None,
             thinness: 0.2,
+            gaps_to: Vec::new(),
         }
     }
 }

@@ -14,7 +14,7 @@
 //! The order of the steps:
 //!
 //! 1. Faces that several features claim go to one of them, as [`Winner`] says.
-//! 2. Gaps (C2) that are small or narrow enough go to a neighbour.
+//! 2. Gaps (C2) that are small or narrow enough go to a neighbour, or to one of the features that are [to get them](Options::gaps_to).
 //! 3. Slivers (C4), the smallest first, go to a neighbour. One without neighbours is dropped, unless it is all that there is of
 //!    its feature.
 //! 4. Steps 2 and 3 again, with limits found anew, until nothing changes. Each change joins two regions, so there are no more of
@@ -23,8 +23,11 @@
 //! So cleaning a map of the result changes nothing.
 
 mod change;
+mod heirs;
 mod ownership;
 mod resolve;
+mod width;
 
 pub use change::{Change, ChangeKind, Options, Winner};
 pub use resolve::{Cleaned, clean, clean_with_fillers};
+pub use width::{ChosenWidth, choose_gap_width};

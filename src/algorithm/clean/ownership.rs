@@ -76,11 +76,13 @@ impl<'m> Ownership<'m> {
         }
     }
 
-    /// The feature with the longest common border, the first of those; none without neighbours. O(half-edges of the region · log).
-    pub(super) fn neighbour(&self, region: &Region<'m>) -> Option<FeatureId> {
+    /// The feature with the longest common border among those that are asked for, the first of those; none without such neighbours.
+    /// O(half-edges of the region · log).
+    pub(super) fn neighbour(&self, region: &Region<'m>, is_asked: impl Fn(FeatureId) -> bool) -> Option<FeatureId> {
         let mut common: BTreeMap<FeatureId, Sum> = BTreeMap::new();
         for h in border(&region.faces) {
-            if let Some(other) = self.owner(h.twin().face()).filter(|other| Some(*other) != region.owner) {
+            let is_other = |other: &FeatureId| Some(*other) != region.owner && is_asked(*other);
+            if let Some(other) = self.owner(h.twin().face()).filter(is_other) {
                 common.entry(other).or_default().add(length(self.map, h));
             }
         }

@@ -1,6 +1,7 @@
 //! Giving each face to one feature at most.
 
 use super::change::{Change, ChangeKind, Options, Winner};
+use super::heirs::Heirs;
 use super::ownership::{Ownership, Region};
 use crate::algorithm::coverage::gap::accepted_faces;
 use crate::algorithm::coverage::region::{connected, mean_width, point_inside};
@@ -82,7 +83,8 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
     map.plane()?;
     let mut ownership = Ownership::new(map);
     let mut changes = overlaps(map, &mut ownership, options.winner, fillers);
-    fill(map, &mut ownership, fillers, &mut changes);
+    let heirs = Heirs::new(map, &options.gaps_to);
+    fill(&mut ownership, fillers, &heirs, &mut changes);
     let accepted = accepted_faces(map, &options.accepted_gaps);
     let sliver_area = loop {
         let regions = ownership.regions();
@@ -93,10 +95,20 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
         let before = changes.len();
         let is_accepted = |face: &Face<'_>| accepted.contains(&face.index());
         let gaps = regions.iter().filter(|region| region.is_gap() && !region.faces.iter().any(is_accepted));
-        fill_gaps(&mut ownership, gaps, limit, options.gap_width, &mut changes);
+        fill_gaps(
+            &mut ownership,
+            gaps,
+            &heirs,
+            |area, width| area < limit || options.gap_width.is_some_and(|greatest| width <= greatest),
+            &mut changes,
+        );
         // Gaps that were filled have changed what is beside them.
         if changes.len() == before {
-            give_slivers(&mut ownership, &regions, limit, options.thinness, &mut changes);
+            let is_sliver = |region: &Region<'_>| {
+                let is_thin = 4.0 * PI * region.area < options.thinness * region.length * region.length;
+                region.area < limit && is_thin && region.owner.is_some_and(|owner| !heirs.has(owner))
+            };
+            give_slivers(&mut ownership, &regions, is_sliver, &mut changes);
         }
         if changes.len() == before {
             break limit;
@@ -112,7 +124,7 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
 }
 
 /// Gives each face to one of the features that claim it, and returns where there are several.
-fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fillers: usize) -> Vec<Change> {
+pub(super) fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fillers: usize) -> Vec<Change> {
     let mut sizes = vec![0.0; map.features().count()];
     for face in map.dcel().faces() {
         for feature in features_of(map, face) {
@@ -172,14 +184,15 @@ fn nested(ownership: &Ownership<'_>, sizes: &[f64]) -> FxHashSet<(FeatureId, Fea
 }
 
 /// Gives what only fillers claim to neighbours.
-fn fill(map: &PlanarMap, ownership: &mut Ownership<'_>, fillers: usize, changes: &mut Vec<Change>) {
+fn fill(ownership: &mut Ownership<'_>, fillers: usize, heirs: &Heirs, changes: &mut Vec<Change>) {
+    let map = ownership.map;
     let is_filled = |face: Face<'_>| {
         let is_free = ownership.owner(face).is_none() && !face.is_unbounded();
         (is_free && features_of(map, face).any(|feature| feature.index() >= fillers)).then_some(())
     };
     for faces in connected(map.dcel().faces(), is_filled) {
         let region = ownership.region(faces);
-        if let Some(to) = ownership.neighbour(&region) {
+        if let Some(to) = heirs.of_gap(ownership, &region) {
             ownership.give(&region.faces, Some(to));
             changes.push(change(map, ChangeKind::Gap, Vec::new(), Some(to), &region));
         }
@@ -212,16 +225,12 @@ fn change(
 fn fill_gaps<'r, 'm: 'r>(
     ownership: &mut Ownership<'_>,
     gaps: impl Iterator<Item = &'r Region<'m>>,
-    limit: f64,
-    width: Option<f64>,
+    heirs: &Heirs,
+    is_filled: impl Fn(f64, f64) -> bool,
     changes: &mut Vec<Change>,
 ) {
-    for region in gaps {
-        let is_narrow = width.is_some_and(|width| mean_width(region.area, region.length) <= width);
-        if !(region.area < limit || is_narrow) {
-            continue;
-        }
-        let Some(to) = ownership.neighbour(region) else { continue };
+    for region in gaps.filter(|region| is_filled(region.area, mean_width(region.area, region.length))) {
+        let Some(to) = heirs.of_gap(ownership, region) else { continue };
         ownership.give(&region.faces, Some(to));
         changes.push(change(ownership.map, ChangeKind::Gap, Vec::new(), Some(to), region));
     }
@@ -232,19 +241,14 @@ fn fill_gaps<'r, 'm: 'r>(
 fn give_slivers(
     ownership: &mut Ownership<'_>,
     regions: &[Region<'_>],
-    limit: f64,
-    thinness: f64,
+    is_sliver: impl Fn(&Region<'_>) -> bool,
     changes: &mut Vec<Change>,
 ) {
     let mut parts = vec![0_usize; ownership.map.features().count()];
     for owner in regions.iter().filter_map(|region| region.owner) {
         parts[owner.index()] += 1;
     }
-    let is_sliver = |region: &&Region<'_>| {
-        let is_thin = 4.0 * PI * region.area < thinness * region.length * region.length;
-        region.owner.is_some() && region.area < limit && is_thin
-    };
-    let mut slivers: Vec<&Region<'_>> = regions.iter().filter(is_sliver).collect();
+    let mut slivers: Vec<&Region<'_>> = regions.iter().filter(|region| is_sliver(region)).collect();
     slivers.sort_by(|a, b| a.area.total_cmp(&b.area));
     let mut changed: FxHashSet<usize> = FxHashSet::default();
     for region in slivers {
@@ -254,7 +258,7 @@ fn give_slivers(
         if is_beside || parts[owner.index()] == 1 {
             continue;
         }
-        let to = ownership.neighbour(region);
+        let to = ownership.neighbour(region, |_| true);
         ownership.give(&region.faces, to);
         parts[owner.index()] -= 1;
         for face in &region.faces {

@@ -114,8 +114,10 @@ pub fn decompose(
     map: &mut PlanarMap,
     faces: impl IntoIterator<Item = FaceKey>,
 ) -> Result<Vec<Decomposition>, ConvexError> {
-    let triangulations = triangulate(map, faces)?;
-    triangulations.into_iter().map(|triangulation| merged(map, triangulation)).collect()
+    map.atomically(|map| {
+        let triangulations = triangulate(map, faces)?;
+        triangulations.into_iter().map(|triangulation| merged(map, triangulation)).collect()
+    })
 }
 
 /// Removes the inessential diagonals of a triangulation, and lists the pieces.

@@ -7,6 +7,11 @@
 //!   │      │  │     │    │      └┴─────┤    │      ││     │    │      ││     │  third part of b,
 //!   └──────┴──┴─────┘    └──────┴──────┘    └──────┘└─────┘    └──────┴┴─────┘  or to c
 //!      C1 overlap             C2 gap          C3 near miss        C4 sliver
+//!
+//!   ┌──────┬─────┐
+//!   │  a  v○  b  │    v is a vertex of a on its border with b, which lacks it
+//!   └──────┴─────┘
+//!     C7 mismatch
 //! ```
 //!
 //! | rule | finds | file |

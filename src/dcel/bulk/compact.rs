@@ -3,6 +3,8 @@
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
+#[cfg(feature = "near")]
+use crate::store::attributes::Kind;
 use crate::store::links::{BoundaryStart, Links, Need, VertexLink};
 use crate::store::slots::{InOrder, Numbered};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, VertexKey};
@@ -51,6 +53,22 @@ impl<T: Copy> Live<T> {
             renamed.insert(old_key(*old), new_key(number));
         }
         renamed
+    }
+}
+
+#[cfg(feature = "near")]
+impl Dcel {
+    /// Gives the attributes to another structure, whose records have other keys.
+    fn renamed_attributes(&mut self, mut new: Self, renamed: &Renamed) -> Self {
+        new.store.set_attributes(self.store.take_attributes().map(|mut attributes| {
+            attributes.rename(&|kind, old| match kind {
+                Kind::Vertex => renamed.vertices.get(old.into()).map(|key| key.data()),
+                Kind::HalfEdge | Kind::Edge | Kind::Corner => renamed.half_edges.get(old.into()).map(|key| key.data()),
+                Kind::Face => renamed.faces.get(old.into()).map(|key| key.data()),
+            });
+            attributes
+        }));
+        new
     }
 }
 
@@ -138,6 +156,8 @@ impl Dcel {
             boundaries: boundaries.renamed(|b| old.boundary_key(b), |n| to.boundary_key(InOrder.boundary(n))),
             faces: faces.renamed(|f| old.face_key(f), |n| to.face_key(InOrder.face(n))),
         };
+        #[cfg(feature = "near")]
+        let new = self.renamed_attributes(new, &renamed);
         *self = new;
         renamed
     }

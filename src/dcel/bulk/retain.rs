@@ -98,9 +98,25 @@ impl<S: Store> Dcel<S> {
         let [vertices, edges] = [self.vertex_count() - retained.vertices.len(), self.edge_count() - removed.len()];
         let boundaries = (vertices + 2 * groups.count - 2 - edges).saturating_sub(self.boundary_count());
         self.room_for(Need { boundaries, ..Need::NONE })?;
+        #[cfg(feature = "near")]
+        if self.has_attributes() {
+            let merged = self.would_merge(&vertex_goes, &goes)?;
+            self.announce_retained(&vertex_goes, &goes, &merged)?;
+        }
         let mut work = Work { changes: vec![false; groups.count], groups, goes, vertex_goes, retained };
         work.apply(self, &removed);
         Ok(work.retained)
+    }
+}
+
+#[cfg(feature = "near")]
+impl<S: Store> Dcel<S> {
+    /// The faces that would be merged. The policies of attributes are asked before anything changes, and which face is kept is known
+    /// when all has changed: so it is tried on a copy. O(slots α(slots)).
+    #[cold]
+    fn would_merge(&self, vertex_goes: &[bool], goes: &[bool]) -> Result<Vec<MergedFace>, OperatorError> {
+        let Some(store) = self.store.trial() else { return Ok(Vec::new()) };
+        Ok(Dcel { store }.retain(|v| !vertex_goes[v.index()], |h| !goes[h.index()])?.faces)
     }
 }
 

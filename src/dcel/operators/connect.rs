@@ -135,12 +135,14 @@ impl<S: Store> Dcel<S> {
         }
         if ba != bb {
             self.room_for(Need { edges: 1, ..Need::NONE })?;
+            announce!(self.announce_connected([from, to], None));
             return Ok(self.bridge(from, to));
         }
         self.room_for(Need { edges: 1, boundaries: 1, faces: 1, ..Need::NONE })?;
         if let Some(key) = not_inner {
             return Err(OperatorError::NotInner(key));
         }
+        announce!(self.announce_connected([from, to], Some(fa)));
         Ok(self.split_face(from, to, split))
     }
 
@@ -224,6 +226,7 @@ impl<S: Store> Dcel<S> {
         let connection =
             Connection::Bridge { kept: self.store.boundary_key(kept), dropped: self.store.boundary_key(dropped) };
         self.store.remove_boundary(dropped);
+        settle!(self.settle_connected(n, None));
         Connected { half_edge: self.store.half_edge_key(n), connection }
     }
 
@@ -269,6 +272,7 @@ impl<S: Store> Dcel<S> {
                 self.store.list_inner(g, b);
             }
         }
+        settle!(self.settle_connected(n, Some(g)));
         Connected {
             half_edge: self.store.half_edge_key(n),
             connection: Connection::Split {

@@ -71,15 +71,17 @@ impl<S: Store> Dcel<S> {
         }
         match (self.store.next(n) == n, self.store.next(t) == t) {
             (true, true) => return Ok(()),
-            (true, false) => self.slide(n, t, turn),
-            (false, true) => self.slide(t, n, turn),
+            (true, false) => self.slide(n, t, turn)?,
+            (false, true) => self.slide(t, n, turn)?,
             (false, false) => {
+                announce!(self.announce_flipped([n, t], turn));
                 self.release_end(n);
                 self.release_end(t);
                 match turn {
                     Turn::CounterClockwise => self.turn_counter_clockwise(n, t),
                     Turn::Clockwise => self.turn_clockwise(n, t),
                 }
+                settle!(self.settle_turned([n, t]));
             }
         }
         self.store.set_start(bn, BoundaryStart::HalfEdge(n));
@@ -134,8 +136,9 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
-    fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) {
+    fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) -> Result<(), OperatorError> {
         let (before, after) = (self.store.prev(t), self.store.next(t));
+        announce!(self.announce_slid([lone, t], turn));
         self.store.set_vertex_link(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {
@@ -147,5 +150,7 @@ impl<S: Store> Dcel<S> {
         let v = self.store.origin(first);
         self.store.set_origin(t, v);
         self.store.set_origin(lone, v);
+        settle!(self.settle_turned([lone, t]));
+        Ok(())
     }
 }

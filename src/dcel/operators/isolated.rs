@@ -48,7 +48,9 @@ impl<S: Store> Dcel<S> {
     pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
         let f = self.face_slot(face)?;
         self.room_for(Need { vertices: 1, boundaries: 1, ..Need::NONE })?;
+        announce!(self.announce_vertex());
         let (v, b) = self.store.add_isolated(f);
+        settle!(self.settle_vertex(v));
         Ok(AddedVertex { vertex: self.store.vertex_key(v), boundary: self.store.boundary_key(b) })
     }
 
@@ -78,6 +80,7 @@ impl<S: Store> Dcel<S> {
         let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };
         let removed =
             RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.face(b)) };
+        announce!(self.announce_no_vertex(v));
         self.store.unlist(b);
         self.store.remove_boundary(b);
         self.store.remove_vertex(v);

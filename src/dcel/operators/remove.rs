@@ -95,9 +95,10 @@ impl<S: Store> Dcel<S> {
             after_t: self.store.next(t),
         };
         if self.store.boundary(n) != self.store.boundary(t) {
-            return Ok(self.merge(&around));
+            return self.merge(&around);
         }
         self.room_for(Need { boundaries: 1, ..Need::NONE })?;
+        announce!(self.announce_removed(n, None));
         Ok(self.part(&around))
     }
 
@@ -112,7 +113,7 @@ impl<S: Store> Dcel<S> {
         }
     }
 
-    fn merge(&mut self, around: &Neighbourhood<S::HalfEdge>) -> RemovedEdge {
+    fn merge(&mut self, around: &Neighbourhood<S::HalfEdge>) -> Result<RemovedEdge, OperatorError> {
         let Neighbourhood { n, t, before_n, after_n, before_t, after_t } = *around;
         let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
@@ -122,6 +123,7 @@ impl<S: Store> Dcel<S> {
             (true, false) => (ft, fn_, false),
             (false, _) => (fn_, ft, false),
         };
+        announce!(self.announce_removed(n, Some([kept_face, dropped_face])));
         let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (kept, dropped, relabelled) = match shorter {
             OneOfTwo::First => (bt, bn, n),
@@ -169,7 +171,7 @@ impl<S: Store> Dcel<S> {
         self.store.remove_boundary(dropped);
         self.store.remove_face(dropped_face);
         self.store.remove_edge(n);
-        merged
+        Ok(merged)
     }
 
     fn part(&mut self, around: &Neighbourhood<S::HalfEdge>) -> RemovedEdge {

@@ -54,6 +54,7 @@ impl<S: Store> Dcel<S> {
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
+        announce!(self.announce_split_edge(h));
         let t = self.store.twin(h);
         let b = self.store.origin(t);
         let (after_h, before_t) = (self.store.next(h), self.store.prev(t));
@@ -73,6 +74,7 @@ impl<S: Store> Dcel<S> {
         if self.store.vertex_link(b) == VertexLink::Leaving(t) {
             self.store.set_vertex_link(b, VertexLink::Leaving(m));
         }
+        settle!(self.settle_split_edge(h, n));
         Ok(SplitEdge { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
@@ -114,6 +116,7 @@ impl<S: Store> Dcel<S> {
         if n == h || m == h {
             return Err(OperatorError::Loop(half_edge));
         }
+        announce!(self.announce_joined(h, n));
         let v = self.store.origin(t);
         let b = self.store.origin(m);
         let (after_n, before_m) = (self.store.next(n), self.store.prev(m));

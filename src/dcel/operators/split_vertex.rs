@@ -77,6 +77,7 @@ impl<S: Store> Dcel<S> {
             return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
         }
         self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
+        announce!(self.announce_split_vertex(v, [from, to]));
         let b = from.boundary(&self.store);
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);
@@ -107,6 +108,7 @@ impl<S: Store> Dcel<S> {
                 self.store.set_vertex_link(w, VertexLink::Leaving(n));
             }
         }
+        settle!(self.settle_split_vertex(w, n));
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
@@ -179,6 +181,7 @@ impl<S: Store> Dcel<S> {
             OneOfTwo::Second => (origin, target),
             OneOfTwo::First => (target, origin),
         };
+        announce!(self.announce_contracted(n, [kept, dropped]));
         self.hand_over(if dropped == target { t } else { n }, kept);
         let stays = [self.store.next(t), self.store.next(n)].into_iter().find(|h| *h != n && *h != t);
         for h in [n, t] {

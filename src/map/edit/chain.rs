@@ -33,6 +33,10 @@ impl PlanarMap {
         self.editable()?;
         let plan = self.plan(points, closed)?;
         self.room_for_drawing(plan.points.len() + plan.stops.iter().map(Vec::len).sum::<usize>())?;
+        self.atomically(|map| map.draw_planned(plan))
+    }
+
+    fn draw_planned(&mut self, plan: ChainPlan) -> Result<Edited, EditError> {
         let mut edited = Edited::default();
         let mut made = FxHashMap::default();
         for (p, place) in plan.points.iter().zip(&plan.places) {

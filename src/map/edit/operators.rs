@@ -56,6 +56,8 @@ impl PlanarMap {
         let before = self.indexed(h)?;
         let made = operate!(self.split_edge(h))?;
         self.set_point(self.dcel.vertex(made.vertex)?.index(), p);
+        #[cfg(feature = "near")]
+        self.measure_split_edge(h, made)?;
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
             for part in [h, made.half_edge] {
@@ -68,6 +70,8 @@ impl PlanarMap {
     /// Draws an edge between two corners that see each other.
     pub(super) fn connect(&mut self, from: Corner, to: Corner, split: Split<'_>) -> Result<Connected, OperatorError> {
         let connected = operate!(self.connect(from, to, split))?;
+        #[cfg(feature = "near")]
+        self.measure_connected(connected)?;
         if let Some(index) = self.index.if_built() {
             for corner in [from, to] {
                 if let Corner::Isolated(v) = corner {
@@ -83,6 +87,8 @@ impl PlanarMap {
     /// Removes an edge.
     pub(super) fn disconnect(&mut self, h: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let before = self.indexed(h)?;
+        #[cfg(feature = "near")]
+        self.measure_beside(h)?;
         let removed = operate!(self.remove_edge(h))?;
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
@@ -135,6 +141,12 @@ impl PlanarMap {
         #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Along(half_edge as u32, self.features.along(half_edge)));
         self.features.put_along(half_edge, set);
+    }
+
+    /// Runs an edit of several operators.
+    #[cfg(not(feature = "near"))]
+    pub(crate) fn atomically<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        edit(self)
     }
 
     /// An edge as the index has it, if there is one.

@@ -57,13 +57,15 @@ impl PlanarMap {
         self.editable()?;
         let edges: Vec<HalfEdgeKey> = self.dcel.vertex(vertex)?.rotation().map(HalfEdge::key).collect();
         self.dcel.room_for(Need { boundaries: edges.len(), ..Need::NONE })?;
-        let mut edited = Edited::default();
-        for h in edges {
-            self.erase(h, &mut edited)?;
-        }
-        self.remove_isolated(vertex)?;
-        edited.vertices_dropped.push(vertex);
-        Ok(edited)
+        self.atomically(|map| {
+            let mut edited = Edited::default();
+            for h in edges {
+                map.erase(h, &mut edited)?;
+            }
+            map.remove_isolated(vertex)?;
+            edited.vertices_dropped.push(vertex);
+            Ok(edited)
+        })
     }
 
     /// Removes an edge, and lets the features follow.

@@ -84,7 +84,7 @@ impl PlanarMap {
         let mut plan = SnapPlan::new(region, noded)?;
         let through = plan.changes.iter().map(|change| change.chain.len()).sum::<usize>() + plan.way.len();
         self.room_for_drawing(through)?;
-        self.apply(&mut plan, start)
+        self.atomically(|map| map.apply(&mut plan, start))
     }
 
     /// The width of a cell, whatever part of the map is noded. One that is asked for is only rounded down, if it is one.

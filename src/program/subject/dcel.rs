@@ -19,7 +19,7 @@ impl From<OperatorError> for Refusal {
     /// The category of the error.
     fn from(error: OperatorError) -> Self {
         match error {
-            OperatorError::Stale(_) => Self::Stale,
+            OperatorError::Stale(_) | OperatorError::NoSuchAttribute => Self::Stale,
             OperatorError::Full(_) => Self::Full,
             OperatorError::NotIsolated(_) => Self::NotIsolated,
             OperatorError::FacesDiffer(..) => Self::FacesDiffer,
@@ -30,6 +30,7 @@ impl From<OperatorError> for Refusal {
             OperatorError::Loop(_) => Self::Loop,
             OperatorError::NotSeparating(_) => Self::NotSeparating,
             OperatorError::InsideItself(..) => Self::InsideItself,
+            OperatorError::Refused(_) => Self::Policy,
         }
     }
 }

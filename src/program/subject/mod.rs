@@ -64,6 +64,9 @@ pub enum Refusal {
     /// Two vertices would be joined by two edges, or the surface would be another one: the link condition does not hold.
     #[error("the triangulation would not be simple any more")]
     NotSimple,
+    /// A policy of the subject's own does not allow it.
+    #[error("a policy does not allow it")]
+    Policy,
     /// The subject has no room for more records.
     #[error("there is no room")]
     Full,

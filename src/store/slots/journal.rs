@@ -265,6 +265,8 @@ const fn is_later(generation: u32, other: u32) -> bool {
 }
 
 impl Watch<SlotStore> for Journal {
+    const RECORDS: bool = true;
+
     fn add_vertex(&mut self, store: &mut SlotStore) {
         if self.saves_vacant {
             self.save(&[Written::VertexLink], store.vertices.next(), store);

@@ -6,10 +6,16 @@ use super::columns::{
 };
 use super::inner::InnerLists;
 use crate::slots::NIL;
+#[cfg(feature = "near")]
+use crate::store::attributes::Attributes;
 use crate::store::issuer::{Issuer, structure_offset};
 use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
+#[cfg(feature = "near")]
+use crate::store::links::AttributeStore;
 use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
 use crate::store::place::{OUTER, UNLISTED};
+#[cfg(feature = "near")]
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 /// The default store: slotmap keys over columns of 32-bit slots.
@@ -35,6 +41,9 @@ pub struct SlotStore {
     pub(super) outer: Vec<u32>,
     pub(super) inner: InnerLists,
     pub(super) unbounded: FaceSlot,
+
+    #[cfg(feature = "near")]
+    pub(super) attributes: Option<Box<Attributes>>,
 }
 
 impl SlotStore {
@@ -58,17 +67,55 @@ impl SlotStore {
             outer: Vec::new(),
             inner: InnerLists::new(Vec::new()),
             unbounded: FaceSlot(NIL),
+            #[cfg(feature = "near")]
+            attributes: None,
         }
     }
 }
 
+#[cfg(feature = "near")]
+impl SlotStore {
+    pub(crate) const fn take_attributes(&mut self) -> Option<Box<Attributes>> {
+        self.attributes.take()
+    }
+
+    pub(crate) fn set_attributes(&mut self, attributes: Option<Box<Attributes>>) {
+        self.attributes = attributes;
+    }
+}
+
 impl Store for SlotStore {}
+
+#[cfg(feature = "near")]
+impl AttributeStore for SlotStore {
+    fn kept_attributes(&mut self) -> &mut Attributes {
+        self.attributes.get_or_insert_default()
+    }
+}
 
 impl Links for SlotStore {
     type Vertex = VertexSlot;
     type HalfEdge = HalfEdgeSlot;
     type Boundary = BoundarySlot;
     type Face = FaceSlot;
+
+    #[cfg(feature = "near")]
+    #[inline]
+    fn attributes(&self) -> Option<&Attributes> {
+        self.attributes.as_deref()
+    }
+
+    #[cfg(feature = "near")]
+    fn attributes_mut(&mut self) -> Option<&mut Attributes> {
+        self.attributes.as_deref_mut()
+    }
+
+    #[cfg(feature = "near")]
+    fn trial(&self) -> Option<Self> {
+        let mut copy = self.clone();
+        copy.attributes = None;
+        Some(copy)
+    }
 
     fn with_room(need: Need) -> Self {
         let offset = structure_offset();
@@ -90,6 +137,8 @@ impl Links for SlotStore {
             outer: column(faces, VACANT, 1),
             inner: InnerLists::new(column(faces, InnerLists::unused(), 1)),
             unbounded: FaceSlot(NIL),
+            #[cfg(feature = "near")]
+            attributes: None,
         };
         store.unbounded = store.add_face();
         store

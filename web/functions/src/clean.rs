@@ -7,8 +7,8 @@ use crate::source::{Buffer, NamedFile, layer, stem};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use twinedge::algorithm::clean::{Options, Winner};
-use twinedge_formats::layer::clean::{CleanOptions, clean};
-use twinedge_report::clean::{Cleaning, Names};
+use twinedge_formats::layer::clean::CleanOptions;
+use twinedge_report::clean::{Cleaning, Names, Repair};
 use twinedge_report::words::json as json_bytes;
 use twinedge_web_bridge::Buffers;
 
@@ -27,35 +27,11 @@ struct Asked {
     lossy: bool,
     snap: Option<Grid>,
     name_from: Option<String>,
-    overlap: Claim,
+    overlap: Option<String>,
     gap_width: Option<f64>,
     lake_width: Option<f64>,
     accept_gaps: Vec<[f64; 2]>,
     sliver: Option<f64>,
-}
-
-/// The feature that gets what several claim.
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Claim {
-    #[default]
-    Inner,
-    Larger,
-    Smaller,
-    First,
-    Last,
-}
-
-impl From<Claim> for Winner {
-    fn from(claim: Claim) -> Self {
-        match claim {
-            Claim::Inner => Self::Inner,
-            Claim::Larger => Self::Larger,
-            Claim::Smaller => Self::Smaller,
-            Claim::First => Self::First,
-            Claim::Last => Self::Last,
-        }
-    }
 }
 
 pub(crate) fn answer(
@@ -73,10 +49,9 @@ pub(crate) fn answer(
     gaps.checked()?;
     stage("reading");
     let (name, mut layer) = layer(files, options.layer.as_deref(), buffers)?;
-    let names = Names { from: options.name_from.as_deref() };
-    names.refuse_unknown(&layer).map_err(|error| CallError::from(error).of(&name))?;
+    let winner = options.overlap.as_deref().map_or(Some(Winner::default()), Winner::of_name);
     let assign = Options {
-        winner: options.overlap.into(),
+        winner: winner.ok_or_else(|| CallError::option("overlap: none of inner, larger, smaller, first, last"))?,
         gap_width: gaps.gap_width,
         lake_width: gaps.lake_width,
         accepted_gaps: gaps.accepted(),
@@ -84,12 +59,14 @@ pub(crate) fn answer(
         ..Options::default()
     };
     stage("cleaning");
-    let how = CleanOptions { snap: snap(options.snap.as_ref())?, assign };
-    let report = clean(&mut layer, &how).map_err(|error| CallError::from(error).of(&name))?;
+    let repair = Repair {
+        names: Names { from: options.name_from.as_deref() },
+        options: CleanOptions { snap: snap(options.snap.as_ref())?, assign, ..CleanOptions::default() },
+        ..Repair::default()
+    };
+    let report = repair.clean(&mut layer).map_err(|error| CallError::from(error).of(&name))?;
     stage("writing");
-    let mut cleaning = Cleaning::new(&name, names, &layer, &report);
-    cleaning.greatest_gap = gaps.lake_width.or(gaps.gap_width);
-    let report = json_bytes(&cleaning.json())?;
+    let report = json_bytes(&Cleaning::new(&name, &repair, &layer, &report).json())?;
     let stem = stem(&name, &layer.header);
     let to = options.to.unwrap_or_default();
     let written = write(&layer, &stem, to, options.id_column.as_deref(), options.lossy, buffers)

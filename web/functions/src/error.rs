@@ -128,7 +128,6 @@ macro_rules! contents {
 
 contents!(
     layer::WriteError,
-    layer::clean::CleanError,
     layer::ColumnTaken,
     report::voronoi::OtherGeometry,
     serde_json::Error,

@@ -56,8 +56,11 @@ impl Further {
             is_uniform &= *count.get_or_insert(position.more.len()) == position.more.len();
             note(known, position, noding);
         });
-        if !is_uniform {
-            self.count = None;
+        match self.count {
+            // There is nothing to go by but what the geometry is said to have.
+            None => self.count = Some(geometry.dimensions.more()),
+            Some(_) if !is_uniform => self.count = None,
+            Some(_) => {}
         }
     }
 

@@ -19,25 +19,27 @@
 
 mod dimensions;
 mod fillers;
+mod gaps_to;
 mod missing;
 mod rebuild;
 mod report;
 mod restored;
 
-use super::model::{Feature, Layer};
+use super::model::{Dimensions, Feature, Geometry, Layer, Shape};
 use dimensions::Further;
 use fillers::fillers;
 use missing::Missing;
 use rebuild::{is_same, polygons_of, replace, rings_of};
 use restored::Restoration;
 use std::borrow::Cow;
-use twinedge::algorithm::clean::{Cleaned, Options, clean_with_fillers};
+use twinedge::algorithm::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
 use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
 use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
+pub use gaps_to::{GapsTo, GapsToError};
 pub use report::{AddedVertex, CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
 /// The way in which a layer is cleaned.
@@ -46,8 +48,12 @@ pub struct CleanOptions {
     /// The grid to which points are rounded. Without one nothing moves, unless borders cross where there is no point: then all
     /// points are rounded to the finest grid that the coordinates allow.
     pub snap: Option<Snap>,
-    /// The feature that gets what.
+    /// The feature that gets what. The features that get gaps are those of [`gaps_to`](Self::gaps_to).
     pub assign: Options,
+    /// Choose the [greatest width of gaps that are filled](Options::gap_width) by the gaps that there are ([`choose_gap_width`]).
+    pub chooses_width: bool,
+    /// The feature that gets the gaps that are filled. Without one it is a neighbour.
+    pub gaps_to: Option<GapsTo>,
 }
 
 /// Why a layer could not be cleaned.
@@ -91,8 +97,15 @@ pub enum CleanError {
 /// # Errors
 /// [`CleanError`]; the layer is then unchanged.
 pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, CleanError> {
-    let features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
-    let mut done = pass(&features, &[], options)?;
+    let mut options = options.clone();
+    let mut features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
+    options.assign.gaps_to = options.gaps_to.take().map(|to| receiving(&mut features, to)).unwrap_or_default();
+    let mut done = pass(&features, &[], &options)?;
+    let chosen = done.chosen;
+    if std::mem::take(&mut options.chooses_width) {
+        options.assign.gap_width = chosen.map(|chosen| chosen.width);
+    }
+    let options = &options;
     // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
     if let Some(width) = options.assign.gap_width {
         let mut near_misses = done.near_misses();
@@ -112,9 +125,12 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
         polygons: 0,
         noding: done.noding,
         sliver_area: done.sliver_area,
+        gap_width: options.assign.gap_width,
+        chosen,
         changes: done.changes,
         added: done.added,
         features: Vec::new(),
+        made: None,
         left: done.judged.left,
         remaining: done.judged.remaining.iter().map(Remaining::from).collect(),
         wider_gaps: done.judged.wider_gaps.iter().map(Remaining::from).collect(),
@@ -122,10 +138,14 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
     };
     report.remaining.extend(done.judged.invalid);
     let mut changed = Vec::new();
-    for (number, (before, after)) in layer.features.iter().zip(done.features).enumerate() {
+    let nothing = Feature::default();
+    for (number, after) in done.features.into_iter().enumerate() {
+        let before = layer.features.get(number).unwrap_or(&nothing);
         let polygons = before.geometry.as_ref().map(polygons_of).unwrap_or_default();
         report.polygons += usize::from(!polygons.is_empty());
-        if before.geometry != after.geometry {
+        // A feature that was to get gaps, and got none.
+        let is_still_empty = before.geometry.is_none() && after.geometry.as_ref().is_none_or(|it| it.shape.is_empty());
+        if before.geometry != after.geometry && !is_still_empty {
             let mut after = after.into_owned();
             let now = after.geometry.as_ref().map(polygons_of).unwrap_or_default();
             report.features.push(FeatureChange::new(number, &shapes(before), &polygons, &now));
@@ -133,13 +153,39 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
             changed.push((number, after));
         }
     }
-    for (number, feature) in changed {
-        layer.features[number] = feature;
+    for ((number, feature), change) in changed.into_iter().zip(&mut report.features) {
+        if let Some(place) = layer.features.get_mut(number) {
+            change.before = std::mem::replace(place, feature).geometry;
+        } else {
+            report.made = Some(number);
+            layer.features.push(feature);
+        }
     }
     if !report.features.is_empty() {
         rebuild::update_box_of_layer(layer);
     }
     Ok(report)
+}
+
+/// The numbers of the features that are to get gaps, each of which has a geometry afterwards, if an empty one. A new one is put behind the
+/// others.
+fn receiving(features: &mut Vec<Cow<'_, Feature>>, to: GapsTo) -> Vec<usize> {
+    let mut of_all =
+        features.iter().filter_map(|feature| feature.geometry.as_ref()).map(|geometry| geometry.dimensions);
+    let dimensions = of_all.next().filter(|first| of_all.all(|other| other == *first)).unwrap_or(Dimensions::Xy);
+    let numbers = match to {
+        GapsTo::Features(numbers) => numbers,
+        GapsTo::New(attributes) => {
+            features.push(Cow::Owned(Feature { attributes, ..Feature::default() }));
+            vec![features.len() - 1]
+        }
+    };
+    for number in &numbers {
+        if let Some(feature) = features.get_mut(*number).filter(|feature| feature.geometry.is_none()) {
+            feature.to_mut().geometry = Some(Geometry::new(dimensions, Shape::MultiPolygon(Vec::new())));
+        }
+    }
+    numbers
 }
 
 /// The result of one round of cleaning.
@@ -150,6 +196,7 @@ struct Pass<'a> {
     added: Vec<AddedVertex>,
     noding: Option<NodingSummary>,
     sliver_area: f64,
+    chosen: Option<ChosenWidth>,
     judged: Judgement,
 }
 
@@ -174,6 +221,12 @@ fn pass<'a>(
     let is_cut = map.noding().is_some_and(|noding| noding.split > 0);
     let unmatched = if is_cut { gather(features, &[])?.unmatched() } else { Vec::new() };
     let missing = Missing::new(&map, &unmatched)?;
+    let mut options = Cow::Borrowed(options);
+    let chosen = if options.chooses_width { choose_gap_width(&map, &options.assign)? } else { None };
+    if options.chooses_width {
+        options.to_mut().assign.gap_width = chosen.map(|chosen| chosen.width);
+    }
+    let options = &*options;
     let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
     let (noding, sliver_area) = (map.noding().copied(), cleaned.sliver_area);
     let changes = cleaned.changes.iter().map(LayerChange::from).collect();
@@ -182,20 +235,22 @@ fn pass<'a>(
         (None, Some(noding)) if noding.cell > 0.0 => Some(Restoration::new(features, &noding)),
         _ => None,
     };
-    let mut made = outlined(features, &map, &cleaned, &missing, restored.as_ref())?;
+    let heirs = &options.assign.gaps_to;
+    let mut made = outlined(features, heirs, &map, &cleaned, &missing, restored.as_ref())?;
     // The map is not needed beside the one by which the outlines are judged, unless they are made once more.
     let kept = restored.is_some().then_some((map, cleaned));
     let mut found = judged(&made, options)?;
     if let Some((map, cleaned)) = kept.filter(|_| found.left.is_some_and(|left| !left.is_plane)) {
-        made = outlined(features, &map, &cleaned, &missing, None)?;
+        made = outlined(features, heirs, &map, &cleaned, &missing, None)?;
         found = judged(&made, options)?;
     }
-    Ok(Pass { features: made, changes, added: missing.added, noding, sliver_area, judged: found })
+    Ok(Pass { features: made, changes, added: missing.added, noding, sliver_area, chosen, judged: found })
 }
 
 /// The features with their outlines.
 fn outlined<'a>(
     features: &[Cow<'a, Feature>],
+    heirs: &[usize],
     map: &PlanarMap,
     cleaned: &Cleaned,
     missing: &Missing,
@@ -207,7 +262,7 @@ fn outlined<'a>(
     for (number, (feature, faces)) in all.iter_mut().zip(&cleaned.faces).enumerate() {
         let Some(geometry) = &feature.geometry else { continue };
         let before = polygons_of(geometry);
-        if before.is_empty() {
+        if before.is_empty() && !heirs.contains(&number) {
             continue;
         }
         let mut after = contour::of_faces(map, faces.iter().copied())?.polygons;

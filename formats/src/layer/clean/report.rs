@@ -1,7 +1,8 @@
 //! The report of cleaning.
 
+use super::super::model::Geometry;
 use twinedge::algorithm::area::{face_area, ring_area};
-use twinedge::algorithm::clean::{Change, ChangeKind};
+use twinedge::algorithm::clean::{Change, ChangeKind, ChosenWidth};
 use twinedge::algorithm::coverage::{CoverageRule, Defect, DefectKind, Finding, defects, faces_of};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
@@ -17,12 +18,18 @@ pub struct CleanReport {
     pub noding: Option<NodingSummary>,
     /// The area below which gaps were filled and slivers given away.
     pub sliver_area: f64,
+    /// The greatest mean width of gaps that were filled, whatever their area.
+    pub gap_width: Option<f64>,
+    /// The choice of that width, if it was to be chosen and there was a clear one.
+    pub chosen: Option<ChosenWidth>,
     /// The changes of hands, in order.
     pub changes: Vec<LayerChange>,
     /// The vertices of features that their neighbours lacked (C7), and have now: by the two features, then by place.
     pub added: Vec<AddedVertex>,
     /// The features that have another geometry than before, in order.
     pub features: Vec<FeatureChange>,
+    /// The number of the feature that was made for the gaps.
+    pub made: Option<usize>,
     /// The findings of C1 … C7 that are left, if there are any.
     pub left: Option<Left>,
     /// Each thing that does, in order of the rules, the largest of a rule first.
@@ -79,6 +86,8 @@ pub struct FeatureChange {
     pub points_before: usize,
     /// Those that it has now.
     pub points_after: usize,
+    /// The geometry that it had.
+    pub before: Option<Geometry>,
 }
 
 /// A thing that was left as it is. Features are named by their numbers, counted from 0.
@@ -166,6 +175,7 @@ impl FeatureChange {
             area_after: total(after),
             points_before: points(before),
             points_after: points(after),
+            before: None,
         }
     }
 }

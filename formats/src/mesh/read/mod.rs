@@ -1,7 +1,7 @@
 //! From a file to a mesh.
 // Not all that the readers share is needed by each of them.
 #![cfg_attr(
-    not(all(feature = "obj", feature = "off", feature = "ply", feature = "stl")),
+    not(all(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
     allow(dead_code, reason = "some readers are off")
 )]
 
@@ -10,6 +10,8 @@ mod content;
 mod dropped;
 mod error;
 mod format;
+#[cfg(feature = "gltf")]
+mod gltf;
 #[cfg(feature = "obj")]
 mod obj;
 #[cfg(feature = "off")]
@@ -19,6 +21,8 @@ mod ply;
 #[cfg(feature = "stl")]
 mod stl;
 mod text;
+#[cfg(any(feature = "gltf", feature = "stl"))]
+mod weld;
 
 pub use dropped::Dropped;
 pub use error::{Cause, Position, ReadError};
@@ -109,6 +113,8 @@ pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<MeshFile, Read
         Format::Ply => ply::read(bytes),
         #[cfg(feature = "stl")]
         Format::Stl => stl::read(bytes),
+        #[cfg(feature = "gltf")]
+        Format::Gltf => gltf::read(bytes),
     };
     match result {
         Ok((mesh, dropped)) => Ok(MeshFile { format, mesh, dropped }),

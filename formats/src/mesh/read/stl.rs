@@ -10,8 +10,8 @@ use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
 use super::error::{Cause, Failure, Position};
 use super::text::Text;
+use super::weld::Weld;
 use crate::mesh::IndexedMesh;
-use std::collections::HashMap;
 
 /// The header of a binary file, and the number of triangles.
 const HEADER: usize = 84;
@@ -37,25 +37,6 @@ pub(super) fn is_named_solid(bytes: &[u8]) -> bool {
 pub(super) fn expected_length(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(HEADER - 4..HEADER)?.try_into().ok()?;
     Some(HEADER as u64 + TRIANGLE as u64 * u64::from(u32::from_le_bytes(count)))
-}
-
-/// Gives every place one number.
-#[derive(Default)]
-struct Weld {
-    numbers: HashMap<[u64; 3], u32>,
-}
-
-impl Weld {
-    fn corner(&mut self, mesh: &mut Builder, point: [f64; 3], at: Position) -> Result<(), Failure> {
-        // Adding 0 makes −0 of 0, which is the same place.
-        let place = point.map(|coordinate| (coordinate + 0.0).to_bits());
-        let next = mesh.points().len() as u32;
-        let number = *self.numbers.entry(place).or_insert(next);
-        if number == next {
-            mesh.point(point, at)?;
-        }
-        mesh.corner(i64::from(number), at)
-    }
 }
 
 fn read_binary(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {

@@ -1,0 +1,108 @@
+//! Cleaning: the features that get gaps, and the width up to which gaps are filled.
+
+use crate::support::{from_text, to_geojson};
+use twinedge::algorithm::clean::{ChangeKind, Options};
+use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, GapsToError, clean};
+use twinedge_formats::layer::{Dimensions, Layer, Shape, Value};
+
+/// Two parcels with a crack between them that ends there, a third with a lake in it, and features without polygons.
+fn parcels(right: &str) -> Layer {
+    let feature = |kind: &str, geometry: &str| {
+        format!(r#"{{"type":"Feature","properties":{{"kind":"{kind}","lot":7}},"geometry":{geometry}}}"#)
+    };
+    let polygon = |rings: &str| format!(r#"{{"type":"Polygon","coordinates":[{rings}]}}"#);
+    let all = [
+        feature("field", &polygon("[[0,0,1],[10,0,1],[10,10,1],[0,10,1],[0,0,1]]")),
+        feature("road", &polygon("[[10.02,0,2],[20,0,2],[20,10,2],[10.02,10,2],[10.02,0,2]]")),
+        feature(
+            "field",
+            &polygon(
+                "[[0,10,3],[10,10,3],[10.02,10,3],[20,10,3],[20,20,3],[0,20,3],[0,10,3]],[[4,14,3],[4,17,3],[7,17,3],[7,14,3],[4,14,3]]",
+            ),
+        ),
+        feature("field", &polygon("[[0,0,1],[0,-9,1],[20,-9,1],[20,0,1],[10.02,0,1],[10,0,1],[0,0,1]]")),
+        feature("wood", &polygon("[[50,0,1],[60,0,1],[60,10,1],[50,10,1],[50,0,1]]")),
+        feature("wood", "null"),
+        feature("well", r#"{"type":"Point","coordinates":[1,1,9]}"#),
+        feature("none", "null"),
+    ];
+    let text = format!("{{\"type\":\"FeatureCollection\",\n\"features\":[\n{}\n]}}\n", all.join(",\n"));
+    from_text(&text.replace("10.02", right))
+}
+
+fn cleaned(layer: &Layer, gaps_to: Option<GapsTo>) -> (Layer, CleanReport) {
+    let mut layer = layer.clone();
+    let options = CleanOptions { chooses_width: true, gaps_to, ..CleanOptions::default() };
+    let report = clean(&mut layer, &options).unwrap();
+    (layer, report)
+}
+
+fn to(layer: &Layer, kind: &str) -> GapsTo {
+    GapsTo::with_value(layer, "kind", kind).unwrap()
+}
+
+/// The first is the longer neighbour of the crack.
+#[test]
+fn gaps_go_to_the_neighbour_that_has_the_value_or_else_to_the_first_that_has_it() {
+    let layer = parcels("10.005");
+    for (kind, expected) in [(None, 0), (Some("road"), 1), (Some("field"), 0), (Some("wood"), 4), (Some("none"), 7)] {
+        let gaps_to = kind.map(|kind| to(&layer, kind));
+        let (after, report) = cleaned(&layer, gaps_to.clone());
+        let [gap] = &report.changes[..] else { panic!("{:?}", report.changes) };
+        assert_eq!((gap.kind, gap.to, report.made), (ChangeKind::Gap, Some(expected), None), "{kind:?}");
+        let changed: Vec<usize> = report.features.iter().map(|change| change.feature).collect();
+        assert_eq!(changed, [expected], "{kind:?}");
+        assert!((report.features[0].area_after - report.features[0].area_before - 0.05).abs() < 1e-9, "{kind:?}");
+        // A part that is as narrow as a gap stays with the feature that was to get it.
+        let (again, report) = cleaned(&after, gaps_to);
+        assert_eq!((again, report.changes, report.features), (after, vec![], vec![]), "{kind:?}");
+    }
+}
+
+#[test]
+fn gaps_go_to_a_new_feature_if_none_has_the_value_and_without_gaps_none_is_made() {
+    let layer = parcels("10.02");
+    let (after, report) = cleaned(&layer, Some(to(&layer, "unknown")));
+    assert_eq!((report.made, after.features.len()), (Some(8), 9));
+    assert_eq!(after.features[8].attributes, [("kind".into(), Value::Text("unknown".into()))]);
+    assert_eq!(after.features[..8], layer.features);
+    let geometry = after.features[8].geometry.as_ref().unwrap();
+    assert_eq!(geometry.dimensions, Dimensions::Xyz);
+    let Shape::MultiPolygon(polygons) = &geometry.shape else { panic!("{geometry:?}") };
+    assert_eq!((polygons.len(), polygons[0][0].len()), (1, 5));
+    let (again, report) = cleaned(&after, Some(to(&after, "unknown")));
+    assert_eq!((again, report.changes), (after, vec![]));
+
+    let mut whole = parcels("10.02");
+    whole.features.drain(..4);
+    let (same, report) = cleaned(&whole, Some(to(&whole, "unknown")));
+    assert_eq!((to_geojson(&same), report.made), (to_geojson(&whole), None));
+}
+
+#[test]
+fn a_column_that_is_unknown_or_of_another_type_gets_no_gaps() {
+    let layer = parcels("10.02");
+    let refused = |column, value| GapsTo::with_value(&layer, column, value).unwrap_err();
+    assert_eq!(refused("sort", "road"), GapsToError::NoColumn("sort".into()));
+    assert_eq!(refused("lot", "x"), GapsToError::OtherType { column: "lot".into(), value: "x".into() });
+    assert_eq!(GapsTo::with_value(&layer, "lot", "8"), Ok(GapsTo::New(vec![("lot".into(), Value::Integer(8))])));
+    assert!(matches!(GapsTo::with_value(&layer, "kind", "well"), Ok(GapsTo::New(_))));
+}
+
+/// The lake is 1.5 wide: less than ten times narrower than the median part, and more than ten times wider than the crack.
+#[test]
+fn the_width_is_that_of_the_widest_gap_below_a_step_of_ten() {
+    let layer = parcels("10.02");
+    let (after, report) = cleaned(&layer, None);
+    let chosen = report.chosen.unwrap();
+    assert_eq!((chosen.width, chosen.gaps, chosen.next), (0.02, 1, 1.5));
+    assert_eq!((report.gap_width, report.wider_gaps.len(), report.left), (Some(0.02), 1, None));
+    // The same width is what a number says.
+    let mut same = layer.clone();
+    let assign = Options { gap_width: Some(0.02), ..Options::default() };
+    let asked = clean(&mut same, &CleanOptions { assign, ..CleanOptions::default() }).unwrap();
+    assert_eq!((&same, &asked.features), (&after, &report.features));
+    // There is no step any more, and what is left is said.
+    let (_, again) = cleaned(&after, None);
+    assert_eq!((again.chosen, again.gap_width, again.left.map(|left| left.gaps)), (None, None, Some(1)));
+}

@@ -1,0 +1,32 @@
+//! The way in which a layer is to be cleaned, as it is asked for.
+
+use super::Names;
+use crate::error::Error;
+use twinedge_formats::layer::Layer;
+use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, clean};
+
+/// The way in which a layer is to be cleaned.
+#[derive(Clone, Debug, Default)]
+pub struct Repair<'a> {
+    /// The names of features in the report.
+    pub names: Names<'a>,
+    /// The options.
+    pub options: CleanOptions,
+    /// The column and the value of the features to which gaps go, in the place of those of the options.
+    pub gaps_to: Option<(&'a str, &'a str)>,
+}
+
+impl Repair<'_> {
+    /// Cleans a layer in place. Costs as [`clean`] does.
+    ///
+    /// # Errors
+    /// [`Error::NoColumn`], [`Error::GapsTo`] and [`Error::Clean`]; the layer is then unchanged.
+    pub fn clean(&self, layer: &mut Layer) -> Result<CleanReport, Error> {
+        self.names.refuse_unknown(layer)?;
+        let mut options = self.options.clone();
+        if let Some((column, value)) = self.gaps_to {
+            options.gaps_to = Some(GapsTo::with_value(layer, column, value)?);
+        }
+        Ok(clean(layer, &options)?)
+    }
+}

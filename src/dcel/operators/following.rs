@@ -1,0 +1,313 @@
+//! The values of attributes, which follow operators: what each announces before it writes anything, and what it has made then.
+
+use super::corner::CheckedCorner;
+use super::flip::Turn;
+use crate::dcel::bulk::MergedFace;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
+use crate::store::Store;
+use crate::store::attributes::{Kind, Step};
+use alloc::vec::Vec;
+use slotmap::{Key, KeyData};
+
+type Steps = Vec<(Kind, Step)>;
+
+/// An edge by its key, and its half-edges by theirs.
+#[derive(Clone, Copy)]
+struct EdgeData {
+    edge: KeyData,
+    /// The half-edge that is meant, and its twin.
+    sides: [KeyData; 2],
+}
+
+impl<S: Store> Dcel<S> {
+    /// True if there are attributes.
+    #[inline]
+    pub(in crate::dcel) fn has_attributes(&self) -> bool {
+        self.store.attributes().is_some()
+    }
+
+    pub(in crate::dcel) fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), OperatorError> {
+        let Some(attributes) = self.store.attributes_mut() else { return Ok(()) };
+        if !S::RECORDS {
+            attributes.clear_log();
+        }
+        attributes.announce(steps).map_err(OperatorError::Refused)
+    }
+
+    fn settle(&mut self, made: &[(Kind, KeyData)]) {
+        if let Some(attributes) = self.store.attributes_mut() {
+            attributes.settle(made);
+        }
+    }
+
+    fn half_edge_data(&self, h: S::HalfEdge) -> KeyData {
+        self.store.half_edge_key(h).data()
+    }
+
+    fn vertex_data(&self, v: S::Vertex) -> KeyData {
+        self.store.vertex_key(v).data()
+    }
+
+    fn face_data(&self, f: S::Face) -> KeyData {
+        self.store.face_key(f).data()
+    }
+
+    fn edge_data(&self, h: S::HalfEdge) -> EdgeData {
+        let t = self.store.twin(h);
+        let sides = [h, t].map(|h| self.half_edge_data(h));
+        let is_first = self.store.half_edge_index(h) < self.store.half_edge_index(t);
+        EdgeData { edge: sides[usize::from(!is_first)], sides }
+    }
+
+    #[cold]
+    pub(super) fn announce_vertex(&mut self) -> Result<(), OperatorError> {
+        self.announce(&[(Kind::Vertex, Step::Make)])
+    }
+
+    #[cold]
+    pub(super) fn settle_vertex(&mut self, v: S::Vertex) {
+        self.settle(&[(Kind::Vertex, self.vertex_data(v))]);
+    }
+
+    #[cold]
+    pub(super) fn announce_no_vertex(&mut self, v: S::Vertex) -> Result<(), OperatorError> {
+        self.announce(&[(Kind::Vertex, Step::Drop(self.vertex_data(v)))])
+    }
+
+    /// The edge splits a face or not.
+    #[cold]
+    pub(super) fn announce_connected(
+        &mut self,
+        corners: [CheckedCorner<S>; 2],
+        split: Option<S::Face>,
+    ) -> Result<(), OperatorError> {
+        let mut steps = edge_made();
+        for corner in corners {
+            steps.push((Kind::Corner, self.corner_made(corner)));
+        }
+        steps.extend(split.map(|f| (Kind::Face, Step::Split(self.face_data(f)))));
+        self.announce(&steps)
+    }
+
+    #[cold]
+    pub(super) fn settle_connected(&mut self, n: S::HalfEdge, face: Option<S::Face>) {
+        let mut made = self.made_edge(n);
+        made.extend(face.map(|f| (Kind::Face, self.face_data(f))));
+        self.settle(&made);
+    }
+
+    /// The step that makes a corner at which an edge begins.
+    fn corner_made(&self, corner: CheckedCorner<S>) -> Step {
+        match corner {
+            CheckedCorner::At(h) => Step::Split(self.half_edge_data(h)),
+            CheckedCorner::Isolated(..) => Step::Make,
+        }
+    }
+
+    /// An edge, its half-edges, and the corners of these.
+    fn made_edge(&self, n: S::HalfEdge) -> Vec<(Kind, KeyData)> {
+        let EdgeData { edge, sides: [n, t] } = self.edge_data(n);
+        [(Kind::Edge, edge), (Kind::HalfEdge, n), (Kind::HalfEdge, t), (Kind::Corner, n), (Kind::Corner, t)].into()
+    }
+
+    /// Two faces become one, the first of them, or not.
+    #[cold]
+    pub(super) fn announce_removed(
+        &mut self,
+        n: S::HalfEdge,
+        merged: Option<[S::Face; 2]>,
+    ) -> Result<(), OperatorError> {
+        let t = self.store.twin(n);
+        let mut steps = self.edge_dropped(n);
+        // Each corner becomes part of the next one clockwise. If that goes too, it comes later.
+        let sides = if self.store.next(n) == n { [t, n] } else { [n, t] };
+        let mut gone = None;
+        for h in sides {
+            let after = self.store.next(self.store.twin(h));
+            steps.push((Kind::Corner, self.corner_joined(h, (after != h && Some(after) != gone).then_some(after))));
+            gone = Some(h);
+        }
+        let merged = merged.map(|faces| faces.map(|f| self.face_data(f)));
+        steps.extend(merged.map(|[kept, dropped]| (Kind::Face, Step::Merge(kept, dropped))));
+        self.announce(&steps)
+    }
+
+    /// The corner of a half-edge becomes part of another one, if there is one.
+    fn corner_joined(&self, h: S::HalfEdge, other: Option<S::HalfEdge>) -> Step {
+        let gone = self.half_edge_data(h);
+        other.map_or(Step::Drop(gone), |other| Step::Merge(self.half_edge_data(other), gone))
+    }
+
+    fn edge_dropped(&self, n: S::HalfEdge) -> Steps {
+        let EdgeData { edge, sides: [n, t] } = self.edge_data(n);
+        [(Kind::Edge, edge), (Kind::HalfEdge, n), (Kind::HalfEdge, t)].map(|(kind, key)| (kind, Step::Drop(key))).into()
+    }
+
+    #[cold]
+    pub(super) fn announce_split_edge(&mut self, h: S::HalfEdge) -> Result<(), OperatorError> {
+        let EdgeData { edge, sides: [of_h, of_t] } = self.edge_data(h);
+        let [a, b] = [h, self.store.twin(h)].map(|h| self.vertex_data(self.store.origin(h)));
+        self.announce(&[
+            (Kind::Edge, Step::Split(edge)),
+            (Kind::HalfEdge, Step::Split(of_h)),
+            (Kind::HalfEdge, Step::Split(of_t)),
+            (Kind::Vertex, Step::Between(a, b)),
+            // The twin leaves the new vertex, and the new half-edge of its side takes over its corner.
+            (Kind::Corner, Step::Move(of_t)),
+            (Kind::Corner, Step::Make),
+            (Kind::Corner, Step::Make),
+        ])
+    }
+
+    #[cold]
+    pub(super) fn settle_split_edge(&mut self, h: S::HalfEdge, n: S::HalfEdge) {
+        let EdgeData { edge, sides: [n, m] } = self.edge_data(n);
+        let t = self.store.twin(h);
+        let (w, t) = (self.vertex_data(self.store.origin(t)), self.half_edge_data(t));
+        self.settle(&[
+            (Kind::Edge, edge),
+            (Kind::HalfEdge, n),
+            (Kind::HalfEdge, m),
+            (Kind::Vertex, w),
+            (Kind::Corner, m),
+            (Kind::Corner, n),
+            (Kind::Corner, t),
+        ]);
+    }
+
+    #[cold]
+    pub(super) fn announce_joined(&mut self, h: S::HalfEdge, n: S::HalfEdge) -> Result<(), OperatorError> {
+        let (kept, gone) = (self.edge_data(h), self.edge_data(n));
+        let v = self.vertex_data(self.store.origin(n));
+        let ([h, t], [n, m]) = (kept.sides, gone.sides);
+        self.announce(&[
+            (Kind::Edge, Step::Merge(kept.edge, gone.edge)),
+            (Kind::HalfEdge, Step::Merge(h, n)),
+            (Kind::HalfEdge, Step::Merge(t, m)),
+            (Kind::Vertex, Step::Drop(v)),
+            (Kind::Corner, Step::Drop(n)),
+            (Kind::Corner, Step::Drop(t)),
+            (Kind::Corner, Step::Rename(m, t)),
+        ])
+    }
+
+    #[cold]
+    pub(super) fn announce_split_vertex(
+        &mut self,
+        v: S::Vertex,
+        corners: [CheckedCorner<S>; 2],
+    ) -> Result<(), OperatorError> {
+        let mut steps = edge_made();
+        steps.push((Kind::Vertex, Step::Split(self.vertex_data(v))));
+        // That of the new half-edge, and that of its twin. The latter is a leaf's if the corners are the same.
+        let [from, to] = corners.map(|corner| self.corner_made(corner));
+        let is_leaf = matches!(corners, [CheckedCorner::At(a), CheckedCorner::At(b)] if a == b);
+        steps.extend([(Kind::Corner, to), (Kind::Corner, if is_leaf { Step::Make } else { from })]);
+        self.announce(&steps)
+    }
+
+    #[cold]
+    pub(super) fn settle_split_vertex(&mut self, w: S::Vertex, n: S::HalfEdge) {
+        let mut made = self.made_edge(n);
+        made.push((Kind::Vertex, self.vertex_data(w)));
+        self.settle(&made);
+    }
+
+    #[cold]
+    pub(super) fn announce_contracted(
+        &mut self,
+        n: S::HalfEdge,
+        [kept, dropped]: [S::Vertex; 2],
+    ) -> Result<(), OperatorError> {
+        let t = self.store.twin(n);
+        let mut steps = self.edge_dropped(n);
+        steps.push((Kind::Vertex, Step::Merge(self.vertex_data(kept), self.vertex_data(dropped))));
+        // The corners on either side of the edge, at its two ends, become one.
+        let sides = if self.store.next(t) == n { [t, n] } else { [n, t] };
+        let mut gone = None;
+        for h in sides {
+            let after = self.store.next(h);
+            steps.push((Kind::Corner, self.corner_joined(h, (Some(after) != gone).then_some(after))));
+            gone = Some(h);
+        }
+        self.announce(&steps)
+    }
+
+    /// Both ends of an edge leave their corners, and split off others.
+    #[cold]
+    pub(super) fn announce_flipped(&mut self, [n, t]: [S::HalfEdge; 2], turn: Turn) -> Result<(), OperatorError> {
+        let store = &self.store;
+        let [after_n, after_t] = [store.next(n), store.next(t)];
+        let entered = match turn {
+            // Beyond the first half-edge of the other side, as it follows without the edge.
+            Turn::CounterClockwise => [(after_t, t, after_n), (after_n, n, after_t)]
+                .map(|(first, end, beyond)| if store.next(first) == end { beyond } else { store.next(first) }),
+            Turn::Clockwise => [store.prev(n), store.prev(t)],
+        };
+        self.announce_turned(&[[after_t, n], [after_n, t]], &entered)
+    }
+
+    /// A loop that is alone on one side leaves its corner, and splits off another one, for both its half-edges.
+    #[cold]
+    pub(super) fn announce_slid(&mut self, [lone, t]: [S::HalfEdge; 2], turn: Turn) -> Result<(), OperatorError> {
+        let store = &self.store;
+        let (before, after) = (store.prev(t), store.next(t));
+        let first = match turn {
+            Turn::CounterClockwise if before != after => store.next(after),
+            Turn::CounterClockwise => after,
+            Turn::Clockwise => before,
+        };
+        self.announce_turned(&[[t, lone], [after, t]], &[first; 2])
+    }
+
+    fn announce_turned(&mut self, left: &[[S::HalfEdge; 2]], entered: &[S::HalfEdge]) -> Result<(), OperatorError> {
+        let left = left.iter().map(|[kept, gone]| Step::Merge(self.half_edge_data(*kept), self.half_edge_data(*gone)));
+        let entered = entered.iter().map(|h| Step::Split(self.half_edge_data(*h)));
+        let steps: Steps = left.chain(entered).map(|step| (Kind::Corner, step)).collect();
+        self.announce(&steps)
+    }
+
+    #[cold]
+    pub(super) fn settle_turned(&mut self, turned: [S::HalfEdge; 2]) {
+        self.settle(&turned.map(|h| (Kind::Corner, self.half_edge_data(h))));
+    }
+
+    /// The steps of a structure that loses vertices, by index, and half-edges, likewise. Faces are merged in addition.
+    #[cold]
+    pub(in crate::dcel) fn announce_retained(
+        &mut self,
+        vertex_goes: &[bool],
+        goes: &[bool],
+        merged: &[MergedFace],
+    ) -> Result<(), OperatorError> {
+        let store = &self.store;
+        let merged = merged.iter().map(|face| Step::Merge(face.kept.data(), face.dropped.data()));
+        let mut steps: Steps = merged.map(|step| (Kind::Face, step)).collect();
+        let gone: Vec<S::HalfEdge> =
+            goes.iter().enumerate().filter(|(_, goes)| **goes).filter_map(|(i, _)| store.half_edge_at(i)).collect();
+        let index = |h: S::HalfEdge| store.half_edge_index(h);
+        for h in &gone {
+            if index(*h) < index(store.twin(*h)) {
+                steps.extend(self.edge_dropped(*h));
+            }
+            // Counter-clockwise from a half-edge that stays, corners become part of its own.
+            let stays = store.next(store.twin(*h));
+            let mut next = *h;
+            while !goes[index(stays)] && goes[index(next)] {
+                steps.push((Kind::Corner, self.corner_joined(next, Some(stays))));
+                next = store.twin(store.prev(next));
+            }
+        }
+        // Those that have become part of another one have no value any more.
+        steps.extend(gone.iter().map(|h| (Kind::Corner, self.corner_joined(*h, None))));
+        let vertices = (0..vertex_goes.len()).filter(|v| vertex_goes[*v]).filter_map(|v| store.vertex_at(v));
+        steps.extend(vertices.map(|v| (Kind::Vertex, Step::Drop(self.vertex_data(v)))));
+        self.announce(&steps)
+    }
+}
+
+/// An edge that is made, and its half-edges.
+fn edge_made() -> Steps {
+    [Kind::Edge, Kind::HalfEdge, Kind::HalfEdge].map(|kind| (kind, Step::Make)).into()
+}

@@ -1,0 +1,221 @@
+//! Attributes of a map: values that follow its edits.
+
+use super::edit::EditError;
+use super::notes::{MapEntry, Notes};
+use super::planar_map::PlanarMap;
+use crate::dcel::{
+    Attribute, Attributed, Connected, Face, HalfEdge, HalfEdgeKey, Policy, Recorder, SplitEdge, StaleKey, Value,
+};
+use crate::geometry::Point;
+use crate::store::Way;
+use crate::store::attributes::{Attributes, Kind};
+use crate::store::links::Links;
+use slotmap::{Key, KeyData, SecondaryMap};
+
+/// # Attributes
+///
+/// Values that follow what edits do, by a [`Policy`] each: the owners of parcels, their taxes, the heights of vertices.
+///
+/// ```
+/// use twinedge::dcel::Policy;
+/// use twinedge::map::{History, PlanarMap};
+///
+/// let mut map = PlanarMap::new();
+/// let owner = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
+/// let tax = map.add_attribute(Policy::of_faces().split_share().merge_sum());
+/// let parcel = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?.faces_split[0].1;
+/// map.set_value(owner, parcel, "Ada")?;
+/// map.set_value(tax, parcel, 80.0)?;
+///
+/// // Both parts are hers, and the tax is shared out by area.
+/// let mut history = History::new(map);
+/// let fence = history.change("divide", |map| map.insert_segment([1.0, 0.0], [1.0, 4.0]))?;
+/// let (kept, made) = fence.faces_split[0];
+/// let of = |history: &History, face| (history.get().value(owner, face).copied(), history.get().value(tax, face).copied());
+/// assert_eq!([of(&history, kept), of(&history, made)].map(|(owner, _)| owner), [Some("Ada"); 2]);
+/// let mut taxes = [kept, made].map(|face| of(&history, face).1.unwrap());
+/// taxes.sort_by(f64::total_cmp);
+/// assert_eq!(taxes, [20.0, 60.0]);
+///
+/// // Once a part is sold, the fence stays: the policy refuses, and nothing has changed.
+/// history.change("sell a part", |map| map.set_value(owner, made, "Bob"))?;
+/// assert!(history.change("open", |map| map.remove_edge(fence.way[0])).is_err());
+/// history.undo();
+/// let opened = history.change("open", |map| map.remove_edge(fence.way[0]))?;
+/// assert_eq!(of(&history, opened.faces_merged[0].0), (Some("Ada"), Some(80.0)));
+/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// ```
+///
+/// All edits carry them; see [`Dcel`](crate::dcel::Dcel#attributes) for what is true of them. [`Edited`](super::edit::Edited) names the
+/// records, for data that is kept in another way. What rounding moves in
+/// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) is split, dropped and drawn anew: where an edge comes to lie on vertices that
+/// were there, values follow these steps.
+///
+/// As a map with attributes may have to take an edit back that is refused halfway, it notes what edits overwrite, as a
+/// [`History`](super::History) does.
+impl PlanarMap {
+    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised.
+    pub fn add_attribute<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
+        self.dcel.add_attribute(policy)
+    }
+
+    /// Returns the value that a record has, if it has one. O(1).
+    #[must_use]
+    pub fn value<K: Attributed, T: Value>(&self, of: Attribute<K, T>, key: K::Key) -> Option<&T> {
+        self.dcel.value(of, key)
+    }
+
+    /// Returns all values of an attribute by key; none if it is one of another map. O(attributes).
+    #[must_use]
+    pub fn values<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&SecondaryMap<K::Key, T>> {
+        self.dcel.values(of)
+    }
+
+    /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
+    ///
+    /// # Errors
+    /// A stale key; [`NoSuchAttribute`](crate::dcel::OperatorError::NoSuchAttribute).
+    pub fn set_value<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+        value: impl Into<Option<T>>,
+    ) -> Result<Option<T>, EditError> {
+        let value = value.into();
+        Ok(match &mut self.notes {
+            Notes { journal: Some(journal), .. } => {
+                self.dcel.watched(&mut journal.links, |dcel| dcel.set_value(of, key, value))
+            }
+            Notes { journal: None, .. } => self.dcel.set_value(of, key, value),
+        }?)
+    }
+
+    fn attributes(&self) -> Option<&Attributes> {
+        self.dcel.store().attributes()
+    }
+
+    /// Runs an edit of several operators. If one is refused, those before it are taken back.
+    pub(crate) fn atomically<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        if self.attributes().is_some() { self.rewinding(edit) } else { edit(self) }
+    }
+
+    #[cold]
+    fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+        let written = self.notes.written.take();
+        let is_recorded = self.notes.journal.is_some();
+        if !is_recorded {
+            self.begin();
+        }
+        let values = self.attributes().map_or(0, Attributes::log_len);
+        let [links, entries] =
+            self.notes.journal.as_ref().map_or([0; 2], |journal| [journal.links.entries.len(), journal.entries.len()]);
+        let outcome = edit(self);
+        if outcome.is_err() {
+            self.rewind(links, entries, values);
+        }
+        if !is_recorded {
+            let journal = self.notes.journal.take().unwrap_or_default();
+            self.notes.written = written.map(|mut all| {
+                let more = journal.links.written(self.dcel.store(), 0..journal.links.entries.len());
+                let points = journal.entries.iter().filter_map(MapEntry::vertex);
+                all.vertices.extend(more.vertices.into_iter().chain(points));
+                all.half_edges.extend(more.half_edges);
+                all.boundaries.extend(more.boundaries);
+                all.faces.extend(more.faces);
+                all.listed.extend(more.listed);
+                all
+            });
+        }
+        outcome
+    }
+
+    /// Takes back what was written last: all but the first entries of the journal, others and values.
+    fn rewind(&mut self, links: usize, entries: usize, values: usize) {
+        let Some(journal) = self.notes.journal.as_deref_mut() else { return };
+        let end = journal.links.entries.len();
+        let mut others = journal.entries.split_off(entries);
+        if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
+            others.extend(attributes.split_log(values).into_iter().map(MapEntry::Value));
+        }
+        self.replay(links..end, &mut others, Way::Back);
+        if let Some(journal) = self.notes.journal.as_deref_mut() {
+            let failed = journal.links.entries.split_off(links);
+            journal.links.keep_from(&failed);
+        }
+    }
+
+    /// Shares out by length what an edge had that was split, and gives to the vertex what lies between.
+    pub(super) fn measure_split_edge(&mut self, h: HalfEdgeKey, made: SplitEdge) -> Result<(), StaleKey> {
+        let Some(attributes) = self.attributes() else { return Ok(()) };
+        let is_measured =
+            attributes.interpolates() || [Kind::Edge, Kind::HalfEdge].iter().any(|kind| attributes.shares(*kind));
+        if !is_measured {
+            return Ok(());
+        }
+        let (h, n) = (self.dcel.half_edge(h)?, self.dcel.half_edge(made.half_edge)?);
+        let length = |h: HalfEdge<'_>| {
+            let [Point { x, y }, to] = [h.origin(), h.target()].map(|v| self.points[v.index()]);
+            (to.x - x).hypot(to.y - y)
+        };
+        let part = fraction(length(n), length(h));
+        let ends = [h.origin(), n.target()].map(|v| v.key().data());
+        let edges = [h, n].map(|h| if h.index() < h.twin().index() { h } else { h.twin() }.key().data());
+        let sides = [[h, n].map(|h| h.key().data()), [h, n].map(|h| h.twin().key().data())];
+        let Some(attributes) = self.dcel.store_mut().attributes_mut() else { return Ok(()) };
+        attributes.share(Kind::Edge, edges, part);
+        for side in sides {
+            attributes.share(Kind::HalfEdge, side, part);
+        }
+        attributes.interpolate(made.vertex.data(), ends, 1.0 - part);
+        Ok(())
+    }
+
+    /// Shares out by area what a face had that was split.
+    pub(super) fn measure_connected(&mut self, connected: Connected) -> Result<(), StaleKey> {
+        let Some(made) = connected.new_face().filter(|_| self.attributes().is_some_and(|all| all.shares(Kind::Face)))
+        else {
+            return Ok(());
+        };
+        let h = self.dcel.half_edge(connected.half_edge)?;
+        let sides = [h, h.twin()].map(|h| h.face());
+        let old = if sides[0].key() == made { sides[1] } else { sides[0] };
+        let part = fraction(self.area(self.dcel.face(made)?), self.area(old));
+        let parts = [old.key().data(), made.data()];
+        if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
+            attributes.share(Kind::Face, parts, part);
+        }
+        Ok(())
+    }
+
+    /// Says which of the two faces beside an edge is the larger, if one is.
+    pub(super) fn measure_beside(&mut self, h: HalfEdgeKey) -> Result<(), StaleKey> {
+        if !self.attributes().is_some_and(Attributes::is_by_area) {
+            return Ok(());
+        }
+        let h = self.dcel.half_edge(h)?;
+        let [left, right] = [h, h.twin()].map(|h| (self.area(h.face()), h.face().key().data()));
+        let larger: Option<KeyData> =
+            if left.0 > right.0 { Some(left.1) } else { (left.0 < right.0).then_some(right.1) };
+        if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
+            attributes.set_larger(larger);
+        }
+        Ok(())
+    }
+
+    /// The area of a face, by the shoelace formula over triangles that share a point. That of the unbounded face is infinite.
+    fn area(&self, face: Face<'_>) -> f64 {
+        let Some(first) = face.outer_half_edge() else { return f64::INFINITY };
+        let o = self.points[first.origin().index()];
+        let twice = face.half_edges().map(|h| {
+            let [a, b] = [h.origin(), h.target()].map(|v| self.points[v.index()]);
+            (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y)
+        });
+        twice.sum::<f64>() / 2.0
+    }
+}
+
+/// Returns the fraction that one of two measures is of both. Beside an infinite one, it is nothing.
+fn fraction(one: f64, other: f64) -> f64 {
+    let part = one / (one + other);
+    if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }
+}

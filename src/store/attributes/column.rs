@@ -1,0 +1,268 @@
+//! The values of one attribute, and their moves.
+
+use super::kind::{Attributed, Kind};
+use super::policy::{Merging, Policy, Reason, Splitting};
+use alloc::boxed::Box;
+use alloc::collections::VecDeque;
+use alloc::sync::Arc;
+use alloc::vec::Vec;
+use core::any::Any;
+use core::fmt::Debug;
+use core::mem;
+use slotmap::{Key, KeyData, SecondaryMap};
+
+/// One thing that an operator does to the records of a kind. Those that it makes get their values once they are there, in the order in which
+/// the steps that make them were announced.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Step {
+    Make,
+    /// Makes a vertex on the edge between two.
+    Between(KeyData, KeyData),
+    /// Makes the other part of this one.
+    Split(KeyData),
+    /// Gives the place of this one to one that is made.
+    Move(KeyData),
+    /// Gives the place of one to another one that is there.
+    Rename(KeyData, KeyData),
+    /// Keeps the first and drops the second.
+    Merge(KeyData, KeyData),
+    Drop(KeyData),
+}
+
+/// The values of an attribute whose type is not known.
+#[cfg_attr(not(feature = "map"), allow(dead_code, reason = "a map measures"))]
+pub(super) trait AnyColumn: Any + Debug + Send + Sync {
+    fn id(&self) -> u32;
+    fn kind(&self) -> Kind;
+    /// Does what an operator is about to do.
+    fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason>;
+    /// Gives its value to a record that was made.
+    fn settle(&mut self, made: KeyData, log: &mut Vec<Saved>);
+    /// Forgets what was announced.
+    fn forget_announced(&mut self);
+    fn shares(&self) -> bool;
+    fn is_by_measure(&self) -> bool;
+    fn interpolates(&self) -> bool;
+    /// Shares out by measures what the first of two parts still has.
+    fn share(&mut self, parts: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
+    fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
+    /// Gives other keys to all values; those that get none are dropped.
+    fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>);
+    fn copied(&self) -> Box<dyn AnyColumn>;
+    fn as_any(&self) -> &dyn Any;
+    fn as_any_mut(&mut self) -> &mut dyn Any;
+}
+
+/// A value that was overwritten.
+#[derive(Debug)]
+pub(crate) struct Saved(Box<dyn AnySaved>);
+
+impl Clone for Saved {
+    fn clone(&self) -> Self {
+        Self(self.0.copied())
+    }
+}
+
+impl Saved {
+    /// The attribute that it is of.
+    pub(super) fn id(&self) -> u32 {
+        self.0.id()
+    }
+
+    /// Exchanges it for the value that is there.
+    pub(super) fn exchange(&mut self, column: &mut dyn AnyColumn) {
+        self.0.exchange(column);
+    }
+}
+
+trait AnySaved: Debug + Send + Sync {
+    fn id(&self) -> u32;
+    fn exchange(&mut self, column: &mut dyn AnyColumn);
+    fn copied(&self) -> Box<dyn AnySaved>;
+}
+
+#[derive(Clone, Debug)]
+struct SavedValue<K: Attributed, T> {
+    id: u32,
+    key: K::Key,
+    value: Option<T>,
+}
+
+impl<K: Attributed, T: Value> AnySaved for SavedValue<K, T> {
+    fn id(&self) -> u32 {
+        self.id
+    }
+
+    fn exchange(&mut self, column: &mut dyn AnyColumn) {
+        if let Some(column) = column.as_any_mut().downcast_mut::<Column<K, T>>() {
+            let had = column.values.remove(self.key);
+            if let Some(value) = mem::replace(&mut self.value, had) {
+                column.values.insert(self.key, value);
+            }
+        }
+    }
+
+    fn copied(&self) -> Box<dyn AnySaved> {
+        Box::new(Self { id: self.id, key: self.key, value: self.value.clone() })
+    }
+}
+
+/// A type of values: any that is cloned, sent and shared, and borrows nothing.
+pub trait Value: Clone + Debug + Send + Sync + 'static {}
+
+impl<T: Clone + Debug + Send + Sync + 'static> Value for T {}
+
+#[derive(Debug)]
+pub(super) struct Column<K: Attributed, T> {
+    id: u32,
+    policy: Arc<Policy<K, T>>,
+    pub(super) values: SecondaryMap<K::Key, T>,
+    /// The values of records that will be made.
+    announced: VecDeque<Option<T>>,
+}
+
+impl<K: Attributed, T: Value> Column<K, T> {
+    pub(super) fn new(id: u32, policy: Policy<K, T>) -> Self {
+        Self { id, policy: Arc::new(policy), values: SecondaryMap::new(), announced: VecDeque::new() }
+    }
+
+    /// Writes a value, or takes it away. Returns the one that was there.
+    pub(super) fn put(&mut self, key: K::Key, value: Option<T>, log: &mut Vec<Saved>) -> Option<T> {
+        let had = self.values.remove(key);
+        if had.is_some() || value.is_some() {
+            log.push(Saved(Box::new(SavedValue::<K, T> { id: self.id, key, value: had.clone() })));
+        }
+        if let Some(value) = value {
+            self.values.insert(key, value);
+        }
+        had
+    }
+
+    fn made(&self) -> Option<T> {
+        self.policy.making.as_ref().map(|make| make())
+    }
+
+    /// The value of the other part.
+    fn split(&mut self, key: K::Key, log: &mut Vec<Saved>) -> Result<Option<T>, Reason> {
+        let policy = self.policy.clone();
+        let Some(value) = self.values.get(key) else { return Ok(None) };
+        Ok(match &policy.splitting {
+            Splitting::Keep => None,
+            Splitting::Copy => Some(value.clone()),
+            // Nothing is measured yet.
+            Splitting::Share(share) => Some(share(value, 0.0)[1].clone()),
+            Splitting::Call(split) => {
+                let [kept, other] = split(value.clone())?;
+                self.put(key, Some(kept), log);
+                Some(other)
+            }
+        })
+    }
+
+    fn merge(&mut self, key: K::Key, gone: K::Key, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason> {
+        let (kept, dropped) = (self.values.get(key).cloned(), self.values.get(gone).cloned());
+        let merged = match &self.policy.merging {
+            Merging::Larger if is_larger => dropped,
+            Merging::Keep | Merging::Larger => kept,
+            Merging::Call(merge) => merge(kept, dropped)?,
+        };
+        self.put(gone, None, log);
+        self.put(key, merged, log);
+        Ok(())
+    }
+}
+
+impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
+    fn id(&self) -> u32 {
+        self.id
+    }
+
+    fn kind(&self) -> Kind {
+        K::KIND
+    }
+
+    fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason> {
+        let value = match step {
+            Step::Make => self.made(),
+            Step::Between(a, b) => {
+                let ends = [a, b].map(|end| self.values.get(end.into()));
+                match (self.policy.between, ends) {
+                    (Some(between), [Some(a), Some(b)]) => Some(between(a, b, 0.5)),
+                    _ => self.made(),
+                }
+            }
+            Step::Split(key) => self.split(key.into(), log)?,
+            Step::Move(from) => self.put(from.into(), None, log),
+            Step::Rename(from, to) => {
+                let value = self.put(from.into(), None, log);
+                self.put(to.into(), value, log);
+                return Ok(());
+            }
+            Step::Merge(kept, dropped) => return self.merge(kept.into(), dropped.into(), is_larger, log),
+            Step::Drop(key) => {
+                if let (Some(value), Some(dropping)) = (self.values.get(key.into()), &self.policy.dropping) {
+                    dropping(value)?;
+                }
+                self.put(key.into(), None, log);
+                return Ok(());
+            }
+        };
+        self.announced.push_back(value);
+        Ok(())
+    }
+
+    fn settle(&mut self, made: KeyData, log: &mut Vec<Saved>) {
+        let value = self.announced.pop_front().flatten();
+        self.put(made.into(), value, log);
+    }
+
+    fn forget_announced(&mut self) {
+        self.announced.clear();
+    }
+
+    fn shares(&self) -> bool {
+        matches!(self.policy.splitting, Splitting::Share(_))
+    }
+
+    fn is_by_measure(&self) -> bool {
+        matches!(self.policy.merging, Merging::Larger)
+    }
+
+    fn interpolates(&self) -> bool {
+        self.policy.between.is_some()
+    }
+
+    fn share(&mut self, [old, new]: [KeyData; 2], part: f64, log: &mut Vec<Saved>) {
+        if let (Splitting::Share(share), Some(all)) = (&self.policy.splitting, self.values.get(old.into())) {
+            let [kept, given] = share(all, part);
+            self.put(old.into(), Some(kept), log);
+            self.put(new.into(), Some(given), log);
+        }
+    }
+
+    fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64, log: &mut Vec<Saved>) {
+        let ends = ends.map(|end| self.values.get(end.into()));
+        if let (Some(between), [Some(a), Some(b)]) = (self.policy.between, ends) {
+            let value = between(a, b, part);
+            self.put(vertex.into(), Some(value), log);
+        }
+    }
+
+    fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>) {
+        let old = mem::take(&mut self.values);
+        self.values.extend(old.into_iter().filter_map(|(old, value)| Some((key(old.data())?.into(), value))));
+    }
+
+    fn copied(&self) -> Box<dyn AnyColumn> {
+        let (policy, values) = (self.policy.clone(), self.values.clone());
+        Box::new(Self { id: self.id, policy, values, announced: VecDeque::new() })
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn as_any_mut(&mut self) -> &mut dyn Any {
+        self
+    }
+}

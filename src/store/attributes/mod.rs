@@ -1,0 +1,194 @@
+//! Values that belong to records, and follow what operators do to them.
+//!
+//! An operator announces what it does to the records of each kind before it writes anything, and says afterwards which records it made. So
+//! a policy that refuses is heard while nothing has changed but values, and these are taken back by the log.
+
+mod column;
+mod kind;
+mod policy;
+mod quantity;
+
+pub use column::Value;
+pub(crate) use column::{Saved, Step};
+pub use kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
+pub(crate) use kind::{Kind, Sealed};
+pub use policy::Policy;
+pub use quantity::Quantity;
+
+use crate::store::issuer::structure_offset;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use column::{AnyColumn, Column};
+use core::fmt;
+use core::marker::PhantomData;
+use core::mem;
+use slotmap::{KeyData, SecondaryMap};
+
+/// The name of an attribute of a structure: of values of type `T` that records of one kind have.
+///
+/// Clones of the structure accept it, and so does no other structure.
+pub struct Attribute<K, T> {
+    id: u32,
+    of: PhantomData<fn() -> (K, T)>,
+}
+
+impl<K, T> Clone for Attribute<K, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<K, T> Copy for Attribute<K, T> {}
+
+impl<K, T> fmt::Debug for Attribute<K, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Attribute").field(&self.id).finish()
+    }
+}
+
+/// The attributes of a structure.
+#[derive(Debug, Default)]
+pub struct Attributes {
+    columns: Vec<Box<dyn AnyColumn>>,
+    /// The values that were overwritten: by the last operator, or by the change that is being made if it is recorded.
+    log: Vec<Saved>,
+    /// Of two faces that are about to be merged, the one whose area is larger.
+    larger: Option<KeyData>,
+}
+
+/// A clone has the values, and no log.
+impl Clone for Attributes {
+    fn clone(&self) -> Self {
+        let columns = self.columns.iter().map(|column| column.copied()).collect();
+        Self { columns, log: Vec::new(), larger: None }
+    }
+}
+
+impl Attributes {
+    pub(crate) fn add<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
+        let id = structure_offset();
+        self.columns.push(Box::new(Column::new(id, policy)));
+        Attribute { id, of: PhantomData }
+    }
+
+    /// The values of an attribute; none if it is one of another structure.
+    pub(crate) fn values<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&SecondaryMap<K::Key, T>> {
+        let column = self.columns.iter().find(|column| column.id() == of.id)?;
+        column.as_any().downcast_ref::<Column<K, T>>().map(|column| &column.values)
+    }
+
+    /// Writes a value, or takes it away. Returns the one that was there; an error if the attribute is one of another structure.
+    pub(crate) fn put<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+        value: Option<T>,
+    ) -> Result<Option<T>, ()> {
+        let column = self.columns.iter_mut().find(|column| column.id() == of.id).ok_or(())?;
+        let column = column.as_any_mut().downcast_mut::<Column<K, T>>().ok_or(())?;
+        Ok(column.put(key, value, &mut self.log))
+    }
+
+    /// Does the first part of what an operator is about to do. If a policy refuses, everything is as it was.
+    #[cold]
+    pub(crate) fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), &'static str> {
+        let start = self.log.len();
+        let larger = self.larger.take();
+        self.columns.iter_mut().for_each(|column| column.forget_announced());
+        for (kind, step) in steps {
+            let is_larger = matches!(step, Step::Merge(_, dropped) if Some(*dropped) == larger);
+            for column in self.columns.iter_mut().filter(|column| column.kind() == *kind) {
+                if let Err(reason) = column.announce(*step, is_larger, &mut self.log) {
+                    let mut failed = self.log.split_off(start);
+                    failed.iter_mut().rev().for_each(|saved| self.exchange(saved));
+                    return Err(reason);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives their values to records that were made, in the order in which they were announced.
+    #[cold]
+    pub(crate) fn settle(&mut self, made: &[(Kind, KeyData)]) {
+        for (kind, key) in made {
+            for column in self.columns.iter_mut().filter(|column| column.kind() == *kind) {
+                column.settle(*key, &mut self.log);
+            }
+        }
+    }
+
+    /// Exchanges a value for the one that is there.
+    pub(crate) fn exchange(&mut self, saved: &mut Saved) {
+        if let Some(column) = self.columns.iter_mut().find(|column| column.id() == saved.id()) {
+            saved.exchange(&mut **column);
+        }
+    }
+
+    /// The values that were overwritten, for good.
+    pub(crate) fn take_log(&mut self) -> Vec<Saved> {
+        mem::take(&mut self.log)
+    }
+
+    #[cfg(feature = "map")]
+    pub(crate) fn log_len(&self) -> usize {
+        self.log.len()
+    }
+
+    /// The values that were overwritten after so many others, for good.
+    #[cfg(feature = "map")]
+    pub(crate) fn split_log(&mut self, at: usize) -> Vec<Saved> {
+        self.log.split_off(at)
+    }
+
+    /// Forgets which values were overwritten.
+    pub(crate) fn clear_log(&mut self) {
+        self.log.clear();
+    }
+
+    /// Gives other keys to all values of all records that have one.
+    pub(crate) fn rename(&mut self, key: &dyn Fn(Kind, KeyData) -> Option<KeyData>) {
+        self.log.clear();
+        for column in &mut self.columns {
+            let kind = column.kind();
+            column.rename(&|old| key(kind, old));
+        }
+    }
+}
+
+#[cfg(feature = "map")]
+impl Attributes {
+    /// True if there is a value to be shared out by measures when a record of this kind is split.
+    pub(crate) fn shares(&self, kind: Kind) -> bool {
+        self.columns.iter().any(|column| column.kind() == kind && column.shares())
+    }
+
+    /// True if the areas of merged faces make a difference.
+    pub(crate) fn is_by_area(&self) -> bool {
+        self.columns.iter().any(|column| column.is_by_measure())
+    }
+
+    /// True if a vertex on an edge has a value between those of its ends.
+    pub(crate) fn interpolates(&self) -> bool {
+        self.columns.iter().any(|column| column.interpolates())
+    }
+
+    /// Says which face has the larger area, if one has, of two that are about to be merged.
+    pub(crate) const fn set_larger(&mut self, face: Option<KeyData>) {
+        self.larger = face;
+    }
+
+    /// Shares out the values of a record that was split, of which the second of its parts gets this part.
+    pub(crate) fn share(&mut self, kind: Kind, parts: [KeyData; 2], part: f64) {
+        for column in self.columns.iter_mut().filter(|column| column.kind() == kind) {
+            column.share(parts, part, &mut self.log);
+        }
+    }
+
+    /// Gives to a vertex on an edge the values at this part of the way between its ends.
+    pub(crate) fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64) {
+        for column in self.columns.iter_mut().filter(|column| column.kind() == Kind::Vertex) {
+            column.interpolate(vertex, ends, part, &mut self.log);
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! Policies: the rules by which the values of an attribute follow.
+
+use super::kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
+use super::quantity::Quantity;
+use alloc::sync::Arc;
+use core::fmt;
+use core::marker::PhantomData;
+
+/// The reason for which a policy refuses.
+pub(super) type Reason = &'static str;
+
+pub(super) type Dropping<T> = dyn Fn(&T) -> Result<(), Reason> + Send + Sync;
+pub(super) type Join<T> = dyn Fn(Option<T>, Option<T>) -> Result<Option<T>, Reason> + Send + Sync;
+
+/// The two parts of a record that is split: the one that keeps the key, and the other.
+pub(super) enum Splitting<T> {
+    Keep,
+    Copy,
+    Share(fn(&T, f64) -> [T; 2]),
+    Call(Arc<dyn Fn(T) -> Result<[T; 2], Reason> + Send + Sync>),
+}
+
+pub(super) enum Merging<T> {
+    Keep,
+    /// That of the record with the larger measure.
+    Larger,
+    Call(Arc<Join<T>>),
+}
+
+/// The rules by which the values of an [attribute](super::Attribute) follow when records are made, split, merged and dropped.
+///
+/// By default the part of a split record that keeps its key keeps the value, and the other part has none; of two merged records the value
+/// of the one that is kept stays; a record that is made has none; that of a record that is dropped is dropped.
+///
+/// | event | vertices | half-edges, edges | corners | faces |
+/// | --- | --- | --- | --- | --- |
+/// | made | added in a face or on an edge | drawn | at a new vertex | |
+/// | split | `split_vertex` | `split_edge` | an edge is drawn there | an edge closes a cycle |
+/// | merged | `contract_edge` | `join_edges` | an edge is erased there | the edge between is erased |
+/// | dropped | removed, or between joined edges | erased, or contracted | with its vertex, or its last edge | |
+///
+/// The functions may refuse, with a reason: the operator or the edit is then [refused](crate::dcel::OperatorError::Refused), and nothing has
+/// changed. They are called while an operator runs, and must not panic.
+pub struct Policy<K: Attributed, T> {
+    pub(super) splitting: Splitting<T>,
+    pub(super) merging: Merging<T>,
+    pub(super) making: Option<Arc<dyn Fn() -> T + Send + Sync>>,
+    pub(super) between: Option<fn(&T, &T, f64) -> T>,
+    pub(super) dropping: Option<Arc<Dropping<T>>>,
+    of: PhantomData<K>,
+}
+
+impl<K: Attributed, T> Policy<K, T> {
+    const fn new() -> Self {
+        let (splitting, merging) = (Splitting::Keep, Merging::Keep);
+        Self { splitting, merging, making: None, between: None, dropping: None, of: PhantomData }
+    }
+
+    /// Gives a copy to the other part of a record that is split.
+    #[must_use]
+    pub fn split_copy(mut self) -> Self {
+        self.splitting = Splitting::Copy;
+        self
+    }
+
+    /// Gives to the parts of a record that is split what a function makes of its value: first that of the part that keeps the key. It may refuse.
+    #[must_use]
+    pub fn split_with(mut self, split: impl Fn(T) -> Result<[T; 2], &'static str> + Send + Sync + 'static) -> Self {
+        self.splitting = Splitting::Call(Arc::new(split));
+        self
+    }
+
+    /// Gives to a merged record what a function makes of the values of both, if they have one: first that of the one that keeps its
+    /// key. It may refuse.
+    #[must_use]
+    pub fn merge_with(
+        mut self,
+        merge: impl Fn(Option<T>, Option<T>) -> Result<Option<T>, &'static str> + Send + Sync + 'static,
+    ) -> Self {
+        self.merging = Merging::Call(Arc::new(merge));
+        self
+    }
+
+    /// Refuses to merge records that do not have the same value. That one has none, and the other one has, counts as a difference.
+    #[must_use]
+    pub fn merge_equal(self) -> Self
+    where
+        T: PartialEq,
+    {
+        self.merge_with(
+            |kept, dropped| {
+                if kept == dropped { Ok(kept) } else { Err("the values of the merged records differ") }
+            },
+        )
+    }
+
+    /// Gives the sum of both values to a merged record.
+    #[must_use]
+    pub fn merge_sum(self) -> Self
+    where
+        T: Quantity,
+    {
+        self.merge_with(|kept, dropped| {
+            Ok(match (kept, dropped) {
+                (Some(kept), Some(dropped)) => Some(kept.sum(&dropped)),
+                (kept, dropped) => kept.or(dropped),
+            })
+        })
+    }
+
+    /// Gives a default value to a record that is made.
+    #[must_use]
+    pub fn make_default(self) -> Self
+    where
+        T: Default + 'static,
+    {
+        self.make_with(T::default)
+    }
+
+    /// Gives to a record that is made what a function returns.
+    #[must_use]
+    pub fn make_with(mut self, make: impl Fn() -> T + Send + Sync + 'static) -> Self {
+        self.making = Some(Arc::new(make));
+        self
+    }
+
+    /// Shows a function each value that is dropped with its record. It may refuse.
+    #[must_use]
+    pub fn drop_with(mut self, dropped: impl Fn(&T) -> Result<(), &'static str> + Send + Sync + 'static) -> Self {
+        self.dropping = Some(Arc::new(dropped));
+        self
+    }
+}
+
+macro_rules! constructors {
+    ($($kind:ident $name:ident $doc:literal;)*) => {$(
+        impl<T> Policy<$kind, T> {
+            #[doc = $doc]
+            #[must_use]
+            pub const fn $name() -> Self {
+                Self::new()
+            }
+        }
+    )*};
+}
+
+constructors! {
+    Vertices of_vertices "The default policy, for an attribute of vertices.";
+    HalfEdges of_half_edges "The default policy, for an attribute of half-edges.";
+    Edges of_edges "The default policy, for an attribute of edges.";
+    Corners of_corners "The default policy, for an attribute of corners.";
+    Faces of_faces "The default policy, for an attribute of faces.";
+}
+
+/// Policies by the length of edges or the area of faces.
+macro_rules! shares {
+    ($($kind:ident $measure:literal;)*) => {$(
+        impl<T> Policy<$kind, T> {
+            #[doc = concat!("Shares the value of a record that is split out by ", $measure, ".")]
+            ///
+            /// A `Dcel` without coordinates measures nothing: there the part that keeps the key keeps everything.
+            #[must_use]
+            pub fn split_share(mut self) -> Self
+            where
+                T: Quantity,
+            {
+                self.splitting = Splitting::Share(T::share);
+                self
+            }
+        }
+    )*};
+}
+
+shares! {
+    Edges "length";
+    HalfEdges "length";
+    Faces "area (the unbounded face keeps everything)";
+}
+
+impl<T> Policy<Faces, T> {
+    /// Gives to a merged face the value of the one that had the larger area (that of the unbounded face is infinite).
+    ///
+    /// On a tie, and on a `Dcel` without coordinates, it is that of the one that keeps its key.
+    #[must_use]
+    pub fn merge_larger(mut self) -> Self {
+        self.merging = Merging::Larger;
+        self
+    }
+}
+
+impl<T: Quantity> Policy<Vertices, T> {
+    /// Gives to a vertex that splits an edge the value between those of the two ends, by its distance from each.
+    ///
+    /// On a `Dcel` without coordinates it is the mean. Where an end has no value, the vertex gets that of any vertex that is made.
+    #[must_use]
+    pub fn interpolate(mut self) -> Self {
+        self.between = Some(T::between);
+        self
+    }
+}
+
+impl<K: Attributed, T> fmt::Debug for Policy<K, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Policy").finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,138 @@
+//! Attributes of tokens, each of which is made once: what follows neither loses nor doubles one.
+
+use std::collections::BTreeMap;
+use std::fmt::Debug;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
+use twinedge::dcel::{Attribute, Attributed, Corners, Dcel, Edges, Faces, HalfEdges, Policy, Vertices};
+use twinedge::store::AttributeStore;
+
+pub(crate) type Tokens = Vec<u64>;
+
+/// The tokens that were made and dropped, of one kind of record.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Mint {
+    made: Arc<AtomicU64>,
+    dropped: Arc<Mutex<Tokens>>,
+}
+
+/// One for vertices, half-edges, edges, corners and faces.
+pub(crate) type Mints = [Mint; 5];
+
+impl Mint {
+    fn token(&self) -> u64 {
+        self.made.fetch_add(1, Ordering::Relaxed)
+    }
+
+    /// Parts share, merged records join, and made ones get a new token. Every so many tokens one is refused, if some are.
+    fn policy<K: Attributed>(&self, policy: Policy<K, Tokens>, refuses: u64) -> Policy<K, Tokens> {
+        let (mint, drain) = (self.clone(), self.clone());
+        let refuse = move |tokens: &Tokens| {
+            let refused = refuses > 0 && tokens.iter().any(|token| token % refuses == 3);
+            if refused { Err("not this token") } else { Ok(()) }
+        };
+        policy
+            .make_with(move || vec![mint.token()])
+            .split_with(move |mut tokens| {
+                refuse(&tokens)?;
+                let other = tokens.split_off(tokens.len() / 2);
+                Ok([tokens, other])
+            })
+            .merge_with(move |kept, dropped| {
+                let all = kept.into_iter().chain(dropped).flatten().collect();
+                refuse(&all).map(|()| Some(all))
+            })
+            .drop_with(move |tokens| {
+                refuse(tokens)?;
+                drain.dropped.lock().unwrap().extend(tokens);
+                Ok(())
+            })
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Handles {
+    pub(crate) vertices: Attribute<Vertices, Tokens>,
+    pub(crate) half_edges: Attribute<HalfEdges, Tokens>,
+    pub(crate) edges: Attribute<Edges, Tokens>,
+    pub(crate) corners: Attribute<Corners, Tokens>,
+    pub(crate) faces: Attribute<Faces, Tokens>,
+}
+
+/// All values, by kind and key.
+pub(crate) type Values = [BTreeMap<String, Tokens>; 5];
+
+macro_rules! handles {
+    ($host:expr, $mints:expr, $refuses:expr) => {{
+        let [vertices, half_edges, edges, corners, faces] = $mints;
+        Handles {
+            vertices: $host.add_attribute(vertices.policy(Policy::of_vertices(), $refuses)),
+            half_edges: $host.add_attribute(half_edges.policy(Policy::of_half_edges(), $refuses)),
+            edges: $host.add_attribute(edges.policy(Policy::of_edges(), $refuses)),
+            corners: $host.add_attribute(corners.policy(Policy::of_corners(), $refuses)),
+            faces: $host.add_attribute(faces.policy(Policy::of_faces(), $refuses)),
+        }
+    }};
+}
+
+impl Handles {
+    /// Attributes of the empty structure.
+    pub(crate) fn new<S: AttributeStore>(dcel: &mut Dcel<S>, mints: &Mints, refuses: u64) -> Self {
+        let handles = handles!(dcel, mints, refuses);
+        dcel.set_value(handles.faces, dcel.unbounded_face().key(), mints[4].purse()).unwrap();
+        handles
+    }
+
+    /// Attributes of the empty map.
+    #[allow(dead_code, reason = "for maps")]
+    pub(crate) fn of_map(map: &mut twinedge::map::PlanarMap, mints: &Mints, refuses: u64) -> Self {
+        let handles = handles!(map, mints, refuses);
+        map.set_value(handles.faces, map.dcel().unbounded_face().key(), mints[4].purse()).unwrap();
+        handles
+    }
+
+    pub(crate) fn values(self, dcel: &Dcel) -> Values {
+        fn all<K: Attributed>(dcel: &Dcel, of: Attribute<K, Tokens>) -> BTreeMap<String, Tokens>
+        where
+            K::Key: Debug,
+        {
+            let values = dcel.values(of).unwrap().iter();
+            values.map(|(key, tokens)| (format!("{key:?}"), tokens.clone())).collect()
+        }
+        [
+            all(dcel, self.vertices),
+            all(dcel, self.half_edges),
+            all(dcel, self.edges),
+            all(dcel, self.corners),
+            all(dcel, self.faces),
+        ]
+    }
+
+    /// Each record has a value, and nothing else has; no token is lost, and none is there twice.
+    pub(crate) fn check(self, dcel: &Dcel, mints: &Mints) {
+        let values = self.values(dcel);
+        let edges = dcel.edge_count();
+        let counts = [dcel.vertex_count(), 2 * edges, edges, 2 * edges, dcel.face_count()];
+        assert_eq!(values.each_ref().map(BTreeMap::len), counts);
+        assert!(dcel.vertices().all(|v| dcel.value(self.vertices, v.key()).is_some()));
+        assert!(dcel.faces().all(|f| dcel.value(self.faces, f.key()).is_some()));
+        for h in dcel.half_edges() {
+            assert!(dcel.value(self.half_edges, h.key()).is_some());
+            assert!(dcel.value(self.corners, h.key()).is_some());
+            assert_eq!(dcel.value(self.edges, h.key()), dcel.value(self.edges, h.twin().key()));
+        }
+        for (values, mint) in values.iter().zip(mints) {
+            let mut tokens: Tokens = values.values().flatten().copied().collect();
+            tokens.extend(mint.dropped.lock().unwrap().iter());
+            tokens.sort_unstable();
+            assert!(tokens.into_iter().eq(0..mint.made.load(Ordering::Relaxed)));
+        }
+    }
+}
+
+impl Mint {
+    /// So many tokens that faces can share them.
+    fn purse(&self) -> Tokens {
+        (0..40).map(|_| self.token()).collect()
+    }
+}
