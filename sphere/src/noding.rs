@@ -24,7 +24,7 @@ pub(crate) struct Network {
 
 /// Arcs still crossed after they had been cut many times, as the places where they cross are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the places where edges cross are rounded, and after {ROUNDS} rounds of cutting edges still cross")]
+#[error("the places where edges cross are rounded, and edges that are cut there cross again and again")]
 pub struct Unresolved;
 
 impl Network {
@@ -43,9 +43,14 @@ impl Network {
             let pole = network.number(Place::NORTH, &mut numbers);
             cuts.entry(arc).or_default().push(pole);
         }
+        // Borders that coincide but for roundings could be cut into ever more parts.
+        let most = 2 * drawing.arcs().len() + 4 * clashes.len();
         for _ in 0..ROUNDS {
             if cuts.is_empty() {
                 return (clashes, Ok(network));
+            }
+            if network.arcs.len() > most {
+                break;
             }
             let first = network.cut(&cuts);
             let next = clashes_of(&network.places, &network.arcs, first);

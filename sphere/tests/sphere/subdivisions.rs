@@ -6,7 +6,7 @@ use twinedge::geometry::predicates::{Meeting, Orientation};
 use twinedge::map::{Feature, Shape};
 use twinedge::validate::{Collect, Expectation, validate};
 use twinedge_sphere::predicates::{meeting, side};
-use twinedge_sphere::{Clash, Cover, Drawing, Inside, Place, Subdivision};
+use twinedge_sphere::{Clash, Cover, Drawing, Inside, Place, Subdivision, SubdivisionError, Unresolved};
 
 /// The structure, which every rule is asked of.
 fn valid(drawing: &Drawing) -> (Vec<Clash>, Subdivision) {
@@ -70,6 +70,27 @@ fn an_arc_over_the_pole_is_cut_there() {
     assert_eq!((clashes.len(), map.dcel().edge_count()), (0, 4));
     let cover = Cover::new(&map, &drawing, Inside::Smaller);
     assert_eq!((cover.features_at(at(90.0, 85.0)), cover.features_at(at(-90.0, 85.0))), (&[0][..], &[][..]));
+}
+
+/// Borders that coincide but for some of the last digits cross in places that are rounded, and their parts again: cutting ends all the same, in a map or in an error.
+#[test]
+fn cutting_borders_that_differ_by_roundings_ends() {
+    let mut numbers = Numbers(8);
+    for _ in 0..20 {
+        let base: Vec<[f64; 2]> =
+            (0..5).map(|_| [numbers.fraction() * 40.0 + 160.0, numbers.fraction() * 30.0 + 60.0]).collect();
+        let mut jittered = || {
+            let mut digits = |x: f64| x + (numbers.below(9) as f64 - 4.0) * f64::EPSILON * 64.0;
+            feature(Shape::polygon(base.iter().map(|[x, y]| [digits(*x), digits(*y)]).collect::<Vec<_>>()))
+        };
+        let drawing = Drawing::new(&[jittered(), jittered(), jittered()]).expect("places");
+        let (clashes, map) = Subdivision::new(&drawing);
+        assert!(!clashes.is_empty());
+        match map {
+            Ok(map) => assert!(validate(map.dcel(), &Expectation::plane(), Collect::All).is_valid()),
+            Err(error) => assert_eq!(error, SubdivisionError::Unresolved(Unresolved)),
+        }
+    }
 }
 
 /// Lines that end anywhere, alone or at a border, take nothing from the faces around them.
