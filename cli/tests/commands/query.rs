@@ -387,7 +387,7 @@ fn lengths_along_the_earth_are_in_metres() {
     let metres = b"POLYGON ((2600000 1200000, 2600010 1200000, 2600000 1200010, 2600000 1200000))\n";
     let output = twinedge_reading(&["query", "-", "neighbours", "#0", "--geodesic"], metres);
     assert_eq!(output.status.code(), Some(2));
-    assert!(complaint(&output).contains("--geodesic is for longitudes and latitudes"));
+    assert!(complaint(&output).contains("--edges geodesic are for longitudes and latitudes"));
     let output = twinedge_reading(&["query", "-", "neighbours", "#0"], metres);
     assert!(String::from_utf8(output.stdout).unwrap().contains("in the units of the coordinates"));
 }
