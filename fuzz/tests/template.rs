@@ -25,19 +25,19 @@ fn template(folder: &Path, subject: &str) {
     fs::create_dir_all(folder.join("src")).expect("a folder of the test's own");
     let trials = root.join("trials");
     let manifest = format!(
-        "[package]\nname = \"mesh\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\ntwinedge-trials = {{ path = {trials:?} }}\n"
+        "[package]\nname = \"mesh\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\ntwinedge-trials = {{ path = \"{}\" }}\n",
+        trials.display()
     );
     fs::write(folder.join("Cargo.toml"), manifest).expect("it is written");
     fs::write(folder.join("src/lib.rs"), "pub use twinedge_trials::planted::Planted;\n").expect("it is written");
     // TWINEDGE names a program that is already built.
-    let mut program = match std::env::var_os("TWINEDGE") {
-        Some(path) => Command::new(path),
-        None => {
-            let mut cargo = Command::new(env!("CARGO"));
-            // The program needs no `cfg(fuzzing)`: as others have built it will do.
-            cargo.env_remove("RUSTFLAGS").args(["run", "--quiet", "-p", "twinedge-cli", "--"]);
-            cargo
-        }
+    let mut program = if let Some(path) = std::env::var_os("TWINEDGE") {
+        Command::new(path)
+    } else {
+        let mut cargo = Command::new(env!("CARGO"));
+        // The program needs no `cfg(fuzzing)`: as others have built it will do.
+        cargo.env_remove("RUSTFLAGS").args(["run", "--quiet", "-p", "twinedge-cli", "--"]);
+        cargo
     };
     let written = program
         .current_dir(&root)

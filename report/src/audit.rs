@@ -59,23 +59,43 @@ pub fn audit(
     options: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
+    match kind {
+        InputKind::Map => {}
+        InputKind::Mesh(format) => {
+            let (report, mesh) = mesh::audit(input, format, options, mesh::in_space)?;
+            return Ok(told(report, Subject::Mesh(mesh), options, kind));
+        }
+        _ => return audit_plainly(input, kind, options, stage),
+    }
+    options.refuse_with_geodesic(None)?;
+    let mut input = input;
+    let may_say = options.edges.is_none() && input.map_format()? == Some(Format::GeoParquet);
+    let is_asked = options.edges == Some(Edges::Geodesic);
+    let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
+    let imported = Imported::read(input, &options.map, keep, stage)?;
+    let is_geodesic = is_asked || may_say && options.are_as_said(&imported);
+    let judge = if is_geodesic { sphere::audit } else { map::audit };
+    let report = judge(&imported, options, stage)?;
+    Ok(told(report, Subject::Map(Box::new(imported)), options, kind))
+}
+
+/// As [`audit`], with straight edges and without M9 … M11, whatever is asked for: programs that never ask for these are smaller by this.
+///
+/// # Errors
+/// As for [`audit`].
+pub fn audit_plainly(
+    input: Input,
+    kind: InputKind,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<Audited, Error> {
     let (report, subject) = match kind {
         InputKind::Map => {
-            options.refuse_with_geodesic(None)?;
-            let mut input = input;
-            let may_say = options.edges.is_none() && input.map_format()? == Some(Format::GeoParquet);
-            let is_asked = options.edges == Some(Edges::Geodesic);
-            let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
-            let imported = Imported::read(input, &options.map, keep, stage)?;
-            let report = if is_asked || may_say && options.are_as_said(&imported) {
-                sphere::audit(&imported, options, stage)?
-            } else {
-                map::audit(&imported, options, stage)?
-            };
-            (report, Subject::Map(Box::new(imported)))
+            let imported = Imported::read(input, &options.map, Keep { coverage: true, ..Keep::default() }, stage)?;
+            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => {
-            let (report, mesh) = mesh::audit(input, format, options)?;
+            let (report, mesh) = mesh::audit(input, format, options, mesh::plainly)?;
             (report, Subject::Mesh(mesh))
         }
         InputKind::Textbook => {
@@ -195,7 +215,7 @@ fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKin
 /// # Errors
 /// [`Error::Json`].
 pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Audited, Error> {
-    let report = mesh::of_mesh(name, &mesh, 0, options)?;
+    let report = mesh::of_mesh(name, 0, &mesh::in_space(&mesh, options))?;
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options = of_mesh(options);
     report.identify();

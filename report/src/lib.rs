@@ -69,7 +69,9 @@ pub mod voronoi;
 pub mod words;
 
 pub use accepted::{Accepted, AcceptedError, AcceptedFinding};
-pub use audit::{Audited, OfReader, audit, audit_against, audit_in_tiles, audit_layer, audit_mesh, audit_summary};
+pub use audit::{
+    Audited, OfReader, audit, audit_against, audit_in_tiles, audit_layer, audit_mesh, audit_plainly, audit_summary,
+};
 pub use borders::{Border, borders};
 pub use coverage::{Coverage, CoverageOptions, Row, row};
 pub use diff::{Compared, Difference, DifferenceError};

@@ -8,25 +8,38 @@ use crate::words::{counted, grouped};
 use serde_json::{Map, to_value};
 use twinedge::validate::{Collect, Violation};
 use twinedge_formats::diagnosis::Diagnosis;
-use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, IndexedMesh, MeshFile};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, IndexedMesh, MeshAudit, MeshFile};
+
+/// A way to judge a mesh.
+pub(crate) type Judge = fn(&IndexedMesh, &Options) -> MeshAudit;
+
+/// By all that is asked for.
+pub(crate) fn in_space(mesh: &IndexedMesh, asked: &Options) -> MeshAudit {
+    mesh::audit_in_space(mesh, &asked.mesh, &asked.space, Collect::AtMost(asked.most()))
+}
+
+/// Without M9 … M11.
+pub(crate) fn plainly(mesh: &IndexedMesh, asked: &Options) -> MeshAudit {
+    mesh::audit(mesh, &asked.mesh, Collect::AtMost(asked.most()))
+}
 
 /// Reads a mesh and judges it.
 pub(crate) fn audit(
     Input { name, reader, .. }: Input,
     format: MeshFormat,
     asked: &Options,
+    judge: Judge,
 ) -> Result<(AuditReport, IndexedMesh), Error> {
     let file = mesh::read(reader, Some(format))?;
-    let mut report = of_mesh(&name, &file.mesh, format.first_number(), asked)?;
+    let mut report = of_mesh(&name, format.first_number(), &judge(&file.mesh, asked))?;
     report.notes = notes(&file);
     report.json.extra.insert("format".to_owned(), format.name().into());
     report.json.extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
     Ok((report, file.mesh))
 }
 
-/// Joins the faces of a mesh, and judges it. At most as many findings of each kind are listed as asked for.
-pub(crate) fn of_mesh(name: &str, mesh: &IndexedMesh, first: usize, asked: &Options) -> Result<AuditReport, Error> {
-    let audit = mesh::audit_in_space(mesh, &asked.mesh, &asked.space, Collect::AtMost(asked.most()));
+/// The report of a mesh that was judged.
+pub(crate) fn of_mesh(name: &str, first: usize, audit: &MeshAudit) -> Result<AuditReport, Error> {
     let (findings, report) = (audit.findings(), audit.report());
     let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
     let mut extra = Map::new();
