@@ -11,6 +11,8 @@ fn root() -> PathBuf {
 fn cargo(folder: &Path, target: &Path) -> Command {
     let mut cargo = Command::new(env!("CARGO"));
     cargo.current_dir(folder).env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", "--cfg fuzzing");
+    // If this test is linted while it is built, the project of a user is not.
+    cargo.env_remove("RUSTC_WORKSPACE_WRAPPER");
     cargo
 }
 
@@ -36,7 +38,13 @@ fn template(folder: &Path, subject: &str) {
     } else {
         let mut cargo = Command::new(env!("CARGO"));
         // The program needs no `cfg(fuzzing)`: as others have built it will do.
-        cargo.env_remove("RUSTFLAGS").args(["run", "--quiet", "-p", "twinedge-cli", "--"]);
+        cargo.env_remove("RUSTFLAGS").env_remove("RUSTC_WORKSPACE_WRAPPER").args([
+            "run",
+            "--quiet",
+            "-p",
+            "twinedge-cli",
+            "--",
+        ]);
         cargo
     };
     let written = program
