@@ -12,7 +12,7 @@ use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::geometry::Point;
 
 /// Finds what breaks C7: for each two features whose borders lack vertices of each other, a finding with all of these. Those with the most missing vertices come first.
-/// Where two features cover the same place around a vertex, their borders meet because they overlap, and that is C1.
+/// A vertex around which the two features overlap is left out: their overlap is a finding of C1.
 ///
 /// O(n + k log k) for n half-edges and k clashes, expected.
 ///

@@ -112,7 +112,7 @@ impl ForeignFormat {
             Self::Zip | Self::Gzip | Self::Bzip2 | Self::Xz | Self::Zstd => "unpack it first",
             Self::Html => "download the data file that the page links to",
             Self::Utf16 => "convert it with `iconv -f UTF-16 -t UTF-8 FILE`",
-            Self::OsmPbf => "`twinedge audit FILE --boundaries admin_level=6` reads the boundaries in it",
+            Self::OsmPbf => "only the boundaries in it are, by `twinedge audit FILE --boundaries admin_level=6`",
             _ => "convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`",
         }
     }

@@ -1,5 +1,6 @@
 //! Values that follow operators: none is lost or doubled, and each stays where it was.
 
+use crate::history::Recording;
 use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,8 +8,6 @@ use twinedge::dcel::{
     Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Policy, Quantity, Recorded, Split, VertexKey,
 };
 use twinedge::program::{Program, Refusal, Runner, StepOutcome, Subject};
-use twinedge::validate::View;
-use twinedge::{delegate_subject, delegate_view};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -173,29 +172,6 @@ fn retaining_is_refused_before_anything_changes() {
     dcel.set_value(owner, keys.face(1).unwrap(), "Ada").unwrap();
     assert_eq!(open(&mut dcel).unwrap().faces.len(), 1);
     assert_eq!(dcel.values(owner).unwrap().values().collect::<Vec<_>>(), [&"Ada"]);
-}
-
-/// A history whose operators are changes.
-#[derive(Clone, Debug)]
-struct Recording(History);
-
-impl Recording {
-    const fn dcel(&self) -> &Dcel {
-        self.0.get()
-    }
-
-    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel<Recorded>) -> Result<T, Refusal>) -> Result<T, Refusal> {
-        self.0.change("operator", operator)
-    }
-}
-
-impl View for Recording {
-    delegate_view!(|this| this.dcel());
-}
-
-impl Subject for Recording {
-    delegate_subject!(Dcel, Self::dcel);
-    delegate_subject!(operators Self::run);
 }
 
 #[test]

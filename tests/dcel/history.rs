@@ -14,10 +14,10 @@ fn check(tests: u64, size: usize, law: impl Testable) {
 
 /// A history whose operators are changes.
 #[derive(Clone, Debug)]
-struct Recording(History);
+pub(crate) struct Recording(pub(crate) History);
 
 impl Recording {
-    const fn dcel(&self) -> &Dcel {
+    pub(crate) const fn dcel(&self) -> &Dcel {
         self.0.get()
     }
 

@@ -22,8 +22,8 @@ use twinedge_report::clean::{Cleaning, Names, Repair};
 /// and polygons are valid by the OGC. The width of a gap is its mean width: twice the area by the length of the border. A wider gap is
 /// left whole, and the report says so.
 ///
-/// Of several features that cover the same place one keeps it; the others keep their attributes and have no geometry any more, of
-/// which a warning is given.
+/// Of several features that cover the same places one keeps them. The others keep their attributes and lose their geometry; a warning names
+/// them.
 ///
 /// Ids, attributes, the order of features and foreign members are kept, and so is the geometry of features in which nothing
 /// changed. From GeoJSON to GeoJSON all bytes stay but those of the geometries that changed. Vertices keep their further dimensions; for new ones these are interpolated. Lines and points are left as they are.

@@ -163,7 +163,7 @@ fn a_file_that_says_that_its_edges_are_spherical_is_judged_so() {
     assert_eq!((status, violations(&report, "kind")), (Some(1), vec!["cross"; 2]));
     let text = String::from_utf8(twinedge(&["audit", parquet]).stdout).unwrap();
     assert!(text.contains("edges are great circles, as the file says"), "{text}");
-    // Other formats have no such word of their own: it is told. So it is if straight edges are asked for.
+    // A warning is given where another format says so, where straight edges are asked for, and where tiles are.
     for (file, options) in [(&*spherical, &[][..]), (parquet, &["--edges", "straight"]), (parquet, &["--tiles", "2"])] {
         let (status, report) = audited(file, options);
         assert_eq!(status, Some(0));

@@ -190,3 +190,21 @@ fn a_mesh_that_is_used_too_often_is_refused() {
     document["nodes"] = json!([{"mesh": 0}]);
     assert_eq!(read(&document).unwrap().mesh.face_count(), 2_000);
 }
+
+/// All places are moved for each node, also those that no index leads to.
+#[test]
+fn places_that_are_moved_too_often_are_refused() {
+    const PLACES: usize = 5_000;
+    let mut document = with("/accessors/1/count", PLACES.into());
+    document["bufferViews"][1]["byteLength"] = (12 * PLACES).into();
+    document["buffers"] = json!([{"byteLength": 8 + 12 * PLACES}]);
+    let data = [vec![0, 0, 1, 0, 2, 0, 0, 0], vec![0; 12 * PLACES]].concat();
+    let read = |nodes: usize| {
+        let mut document = document.clone();
+        document["nodes"] = Value::Array(vec![json!({"mesh": 0}); nodes]);
+        document["scenes"][0]["nodes"] = (0..nodes).collect();
+        read_bytes(&binary(&document, &data), None)
+    };
+    assert_eq!(read(10).unwrap().mesh.face_count(), 10);
+    assert!(matches!(read(2_000).unwrap_err(), ReadError::Content { cause: Cause::TooLarge, .. }));
+}

@@ -48,7 +48,8 @@ pub(crate) fn audit(
     let is_checked = report.is_some() && (!is_rule || coverage.not_checked().is_none());
     let undrawn = drawing.undrawn().iter().map(|one| antipodal(imported, one));
     let clashing = clashes.iter().map(|one| clashing(imported, &drawing, one, &coverage));
-    let violations: Vec<Diagnosis> = undrawn.chain(clashing).take(list).collect();
+    let of_links = report.iter().flat_map(Report::violations).map(Diagnosis::from);
+    let violations: Vec<Diagnosis> = of_links.chain(undrawn).chain(clashing).take(list).collect();
     let warnings: Vec<String> = noted.without_geometry().into_iter().collect();
     let mut more = extra(imported, &warnings);
     more.insert("edges".to_owned(), json!({ "kind": "great circles", "radius": RADIUS }));

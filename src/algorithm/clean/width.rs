@@ -26,9 +26,9 @@ pub struct ChosenWidth {
 
 /// Chooses the width up to which gaps are errors, by the mean widths of gaps and of the parts of features: none if there is no clear one.
 ///
-/// Errors and lakes are told apart as single linkage does: from the median width of the parts of features downwards, a gap is a lake as
-/// long as the next wider one is less than ten times as wide. At the first larger step errors begin. So a layer that was cleaned with
-/// this width has none to choose any more.
+/// The widths are sorted, and the median width of the parts of features is put at their upper end. Going down from there, gaps are lakes until a
+/// width is ten times as large as the next one; all gaps below this step are errors. This is single linkage of the logarithms of the widths. A layer that
+/// was cleaned with this width has no such step any more.
 ///
 /// O(n log n).
 ///

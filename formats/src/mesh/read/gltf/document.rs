@@ -22,10 +22,10 @@ pub(super) struct Document<'a> {
 }
 
 impl Document<'_> {
-    /// The greatest number of corners that a mesh has by its own account: three for each index or place.
+    /// The greatest number of corners that a mesh has by its own account, three for each index or place, and of places that are moved.
     pub(super) fn corners(&self, mesh: usize) -> usize {
         let primitives = self.meshes.get(mesh).into_iter().flat_map(|mesh| &mesh.primitives);
-        let accessors = primitives.filter_map(|it| it.indices.or_else(|| it.attributes.get("POSITION").copied()));
+        let accessors = primitives.flat_map(|it| it.indices.into_iter().chain(it.attributes.get("POSITION").copied()));
         let counts = accessors.filter_map(|accessor| self.accessors.get(accessor)).map(|accessor| accessor.count);
         counts.fold(0, |sum: usize, count| sum.saturating_add(count.saturating_mul(3)))
     }
