@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{
     Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Policy, Quantity, Recorded, Split, VertexKey,
 };
-use twinedge::program::{Program, Refusal, Runner, StepOutcome, Subject};
+use twinedge::program::{Program, Refusal, Runner, StepOutcome};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
