@@ -75,6 +75,14 @@ fn ways_make_polygons_whichever_way_they_run() {
 }
 
 #[test]
+fn relations_of_two_types_are_made_of_borders() {
+    let squares = |kind| File { type_of_relations: kind, ..squares() }.written();
+    let read = |kind| read(squares(kind).path(), &"admin_level=6".parse().unwrap(), 100);
+    assert_eq!(read("multipolygon").unwrap().layer.features.len(), 3);
+    assert!(matches!(read("route").unwrap_err(), OsmError::None(_)));
+}
+
+#[test]
 fn rings_that_touch_at_a_node_are_told_apart() {
     let mut file = squares();
     for (id, x, y) in [(20, 3, 0), (21, 3, 1)] {

@@ -11,6 +11,8 @@ pub(crate) struct File {
     pub(crate) ways: Vec<(i64, Vec<i64>)>,
     /// Id, level, name and members.
     pub(crate) relations: Vec<(i64, &'static str, &'static str, Members)>,
+    /// The tag `type` of all relations.
+    pub(crate) type_of_relations: &'static str,
     /// Something that readers must know of.
     pub(crate) needs: Option<&'static str>,
     /// 1 for ways.
@@ -19,7 +21,14 @@ pub(crate) struct File {
 
 impl Default for File {
     fn default() -> Self {
-        Self { nodes: Vec::new(), ways: Vec::new(), relations: Vec::new(), needs: None, type_of_members: 1 }
+        Self {
+            nodes: Vec::new(),
+            ways: Vec::new(),
+            relations: Vec::new(),
+            type_of_relations: "boundary",
+            needs: None,
+            type_of_members: 1,
+        }
     }
 }
 
@@ -79,7 +88,7 @@ impl File {
             group.bytes(3, &way.0);
         }
         for (id, level, name, members) in &self.relations {
-            let tags = [("type", "boundary"), ("admin_level", level), ("name", name)];
+            let tags = [("type", self.type_of_relations), ("admin_level", level), ("name", name)];
             let mut relation = Message::default();
             relation.number(1, id.cast_unsigned());
             relation.packed(2, tags.iter().map(|(key, _)| string(key)));

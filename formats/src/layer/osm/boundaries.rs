@@ -95,7 +95,8 @@ impl<'a> Making<'a> {
         if !open.is_empty() {
             let places = open.iter().filter_map(|node| self.place(*node)).collect();
             self.findings.add(Kind::OPEN, || Found {
-                message: format!("the ways of {} do not close: {} of them end alone", said(relation), open.len()),
+                // An even number of nodes, as each way has two ends.
+                message: format!("the rings of {} are open at {} nodes", said(relation), open.len()),
                 records: open.iter().map(|node| format!("node {node}")).collect(),
                 places,
                 follows_from: (!is_complete).then_some("O1"),
@@ -147,7 +148,8 @@ impl<'a> Making<'a> {
                 ..Found::of([named(number, relation)])
             };
             let Some(nodes) = elements.ways.get(&member.way).filter(|nodes| nodes.len() > 1) else {
-                let message = || format!("way {} of {} is not in the file", member.way, said(relation));
+                let message =
+                    || format!("way {} of {} is not in the file, or has no length there", member.way, said(relation));
                 self.findings.add(Kind::WAY_MISSING, || of_member(message()));
                 is_complete = false;
                 continue;

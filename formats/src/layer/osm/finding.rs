@@ -37,7 +37,7 @@ impl Kind {
         rule: 1,
         name: "open_ring",
         cause: "a way was split or removed, and the relation does not have all of its parts",
-        remedy: "add the way that leads from one of the places to the next",
+        remedy: "add the way that leads from one of these nodes to another one",
     };
     pub(super) const NO_WAYS: Self = Self {
         rule: 1,
