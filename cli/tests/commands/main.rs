@@ -32,4 +32,5 @@ mod soak;
 mod sum;
 mod tables;
 mod tile;
+mod tile_windows;
 mod verdict;
