@@ -1,6 +1,6 @@
 //! The reason why there is no report.
 
-use crate::left_out::{in_words, made_without};
+use crate::tile_words::{in_words, made_without};
 use crate::words::{counted, grouped};
 use std::io;
 use twinedge::algorithm::coverage::CoverageError;

@@ -61,6 +61,7 @@ mod sphere;
 mod tables;
 mod text;
 mod textbook;
+mod tile_words;
 mod tiles;
 mod topology;
 mod trace;

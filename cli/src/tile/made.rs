@@ -44,7 +44,7 @@ pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked:
 }
 
 /// Makes the summaries from the features around the tile: those that meet it, and then those that meet their edges there, by which these edges are cut.
-/// Whether there is something to cut elsewhere in the map is not known, so edges are taken as cut in any case.
+/// It is not known if there is something to cut elsewhere in the map, so edges are taken as cut in any case.
 pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Made, Error> {
     let corners = file.corners();
     let (grid, cuts) = (asked.grid(corners)?, no_cuts(corners)?);

@@ -50,7 +50,7 @@ enum Inner {
     GeoParquet(Box<super::geoparquet::IndexedFile>),
 }
 
-/// How much of a file was read, and how much there is.
+/// The numbers of features and bytes of a file, those that were read and all there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Amount {
@@ -81,7 +81,7 @@ impl Indexed {
             Ok(Format::GeoParquet) => {
                 super::geoparquet::IndexedFile::open(path)?.map(|file| Inner::GeoParquet(Box::new(file)))
             }
-            // Whoever reads it whole is told what is wrong.
+            // The faults of other files are found when they are read as a whole.
             _ => None,
         };
         Ok(file.map(|file| Self { file, features: 0 }))
@@ -128,7 +128,7 @@ impl Indexed {
         }
     }
 
-    /// How much was read until now.
+    /// The numbers of features and bytes that were read until now.
     #[must_use]
     pub fn amount(&self) -> Amount {
         let (of_features, [bytes, of_bytes]) = match &self.file {

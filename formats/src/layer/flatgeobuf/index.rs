@@ -8,69 +8,11 @@ use super::super::error::{Cause, Place, ReadError};
 use super::super::extent::Extent;
 use super::super::model::Geometry;
 use super::read::{content, geometry_of, header_bytes, header_of, invalid};
-use ::flatgeobuf::Header as HeaderTable;
+use super::tree::{NODE, Tree};
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
-
-/// The bytes of a node.
-const NODE: u64 = 40;
-
-/// The shape of a tree: each node has as many below it as the header says, and those of the lowest level are features.
-pub(super) struct Tree {
-    /// The number of nodes below a node.
-    size: u64,
-    /// The numbers of nodes of the levels, the lowest one first. The highest level comes first in the file.
-    levels: Vec<u64>,
-}
-
-impl Tree {
-    /// None, if the file has no index.
-    pub(super) fn of_header(header: &HeaderTable<'_>) -> Result<Option<Self>, ReadError> {
-        let (count, size) = (header.features_count(), u64::from(header.index_node_size()));
-        if size == 0 || count == 0 {
-            return Ok(None);
-        }
-        if size == 1 {
-            return Err(content(Place::Header, invalid("nodes of the index have one entry each")));
-        }
-        // Three times as many nodes as features are more than there can be.
-        if count.checked_mul(3 * NODE).is_none() {
-            return Err(content(Place::Header, Cause::TooMany { what: "features", count }));
-        }
-        Ok(Some(Self::new(count, size)))
-    }
-
-    /// The tree of so many features, at least one, with so many nodes below a node, at least two.
-    pub(super) fn new(count: u64, size: u64) -> Self {
-        let mut levels = vec![count];
-        while levels.len() == 1 || levels.last().is_some_and(|level| *level > 1) {
-            levels.extend(levels.last().map(|level| level.div_ceil(size)));
-        }
-        Self { size, levels }
-    }
-
-    pub(super) const fn level_count(&self) -> usize {
-        self.levels.len()
-    }
-
-    /// The bytes of all nodes.
-    pub(super) fn bytes(&self) -> u64 {
-        self.levels.iter().sum::<u64>() * NODE
-    }
-
-    /// The place of the first node of a level.
-    pub(super) fn start(&self, level: usize) -> u64 {
-        self.levels[level + 1..].iter().sum()
-    }
-
-    /// The nodes below a node, by their positions in the level below.
-    fn below(&self, level: usize, node: u64) -> Range<u64> {
-        let first = node * self.size;
-        first..(first + self.size).min(self.levels[level - 1])
-    }
-}
 
 #[derive(Clone, Copy)]
 struct Node {
@@ -98,7 +40,8 @@ impl IndexedFile {
         let file = File::open(path)?;
         let length = file.metadata()?.len();
         let header = header_bytes(&mut BufReader::new(&file))?;
-        let Some(tree) = Tree::of_header(&header_of(&header)?)? else { return Ok(None) };
+        let tree = Tree::of_header(&header_of(&header)?).map_err(|cause| content(Place::Header, cause))?;
+        let Some(tree) = tree else { return Ok(None) };
         let index = 8 + header.len() as u64;
         let features = index.saturating_add(tree.bytes());
         let mut found = Self { file, length, header, tree, index, features, root: Extent::NOTHING, read: index };
@@ -112,7 +55,7 @@ impl IndexedFile {
 
     /// The number of features.
     pub(in crate::layer) fn count(&self) -> u64 {
-        self.tree.levels[0]
+        self.tree.count()
     }
 
     /// The numbers of bytes that were read, and that there are.

@@ -10,6 +10,7 @@ mod index;
 mod packed;
 mod properties;
 mod read;
+mod tree;
 mod write;
 
 use super::model::{Id, Layer};

@@ -2,7 +2,7 @@
 
 use super::super::extent::Extent;
 use super::super::model::{Geometry, Layer};
-use super::index::Tree;
+use super::tree::Tree;
 
 /// The number of nodes below a node that other writers choose, too.
 pub(super) const NODE_SIZE: u16 = 16;

@@ -5,8 +5,8 @@ use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
 use super::TEXTS;
-use super::index::Tree;
 use super::properties::{attributes, kind};
+use super::tree::Tree;
 use ::flatgeobuf::{
     Feature as FeatureTable, Geometry as Table, GeometryType as Kind, Header as HeaderTable,
     size_prefixed_root_as_feature_with_opts, size_prefixed_root_as_header_with_opts,
@@ -138,7 +138,8 @@ fn table(reader: &mut dyn Read, buffer: &mut Vec<u8>, place: Place, largest: Opt
 }
 
 fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), ReadError> {
-    let Some(tree) = Tree::of_header(header)? else { return Ok(()) };
+    let tree = Tree::of_header(header).map_err(|cause| content(Place::Header, cause))?;
+    let Some(tree) = tree else { return Ok(()) };
     let bytes = tree.bytes();
     let skipped = io::copy(&mut reader.take(bytes), &mut io::sink())?;
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
