@@ -69,7 +69,7 @@ mod summary;
 pub use audited::Audited;
 pub(crate) use construct::usual_cuts;
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
-pub use feature::{Feature, FeatureId, Shape};
+pub use feature::{Feature, Shape};
 #[cfg(feature = "near")]
 pub use history::History;
 pub use import::MapImportError;
@@ -78,3 +78,5 @@ pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};
+
+pub use crate::store::FeatureId;
