@@ -6,6 +6,7 @@ mod arrays;
 mod audit;
 mod clean;
 mod expectation;
+mod geometries;
 mod maps;
 mod source;
 mod structure;
