@@ -17,6 +17,9 @@ type GridArguments = ([f64; 4], u32, u32);
 /// The positions of geometries, and the tile of each.
 type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
 
+/// A sum of summaries, and that of those with edges cut.
+type Sums<'py> = (Option<Bound<'py, PyBytes>>, Option<Bound<'py, PyBytes>>);
+
 fn grid(([x0, y0, x1, y1], columns, rows): GridArguments) -> Result<Grid, Failure> {
     Grid::new([x0, y0], [x1, y1], columns, rows).map_err(Failure::value)
 }
@@ -204,11 +207,7 @@ fn sums(summaries: &[PyBackedBytes], cuts: &[PyBackedBytes]) -> Result<(Option<S
 
 /// One summary of several, and one of those with edges cut; none, if there is none.
 #[pyfunction]
-pub(crate) fn merge(
-    py: Python<'_>,
-    summaries: Vec<PyBackedBytes>,
-    cuts: Vec<PyBackedBytes>,
-) -> PyResult<(Option<Bound<'_, PyBytes>>, Option<Bound<'_, PyBytes>>)> {
+pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>, cuts: Vec<PyBackedBytes>) -> PyResult<Sums<'_>> {
     let bytes = py.detach(|| {
         let (whole, cut) = sums(&summaries, &cuts)?;
         let bytes = |sum: Option<Summary>| sum.map(|sum| serde_json::to_vec(&sum).map_err(Failure::value)).transpose();
