@@ -228,6 +228,15 @@ impl Attributes {
         Ok(all)
     }
 
+    /// Gives the values of records to others, or drops them: all at once, and policies are not asked.
+    pub(crate) fn transfer(&mut self, moves: &[(Kind, KeyData, Option<KeyData>)]) {
+        for column in &mut self.columns {
+            let kind = column.kind();
+            let mut of_kind = moves.iter().filter(|(of, ..)| *of == kind).map(|(_, from, to)| (*from, *to));
+            column.transfer(&mut of_kind, &mut self.log);
+        }
+    }
+
     /// Takes over the attributes of another structure, but for those that are there.
     pub(crate) fn extend(&mut self, other: Self) {
         let more = other.columns.into_iter().filter(|new| self.columns.iter().all(|column| column.id() != new.id()));
