@@ -74,7 +74,7 @@ pub(crate) use construct::usual_cuts;
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
 #[cfg(feature = "near")]
 pub use diff::{diff, merge};
-pub use feature::{Feature, FeatureId, Shape};
+pub use feature::{Feature, Shape};
 #[cfg(feature = "near")]
 pub use history::History;
 pub use import::MapImportError;
@@ -83,3 +83,5 @@ pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};
+
+pub use crate::store::FeatureId;

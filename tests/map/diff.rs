@@ -397,6 +397,18 @@ fn values_and_features_that_both_sides_set_are_conflicts() {
 }
 
 #[test]
+fn a_feature_that_one_side_drops_is_dropped_unless_the_other_gives_it_to_a_record() {
+    let dropped =
+        |map: &mut PlanarMap, _: Named| assert!(map.remove_feature(map.feature(0).unwrap()).unwrap().is_some());
+    let (map, by) = merged(dropped, |map, by| draw(map, by, 1, 3));
+    let map = map.unwrap();
+    assert_eq!((map.name(map.feature(0).unwrap()), by.told(&map).faces.len()), (None, 4));
+    let given = |map: &mut PlanarMap, by: Named| map.set_features_of(by.f(map, 1), map.feature(0)).unwrap();
+    assert_eq!(conflicts(dropped, given), ["ours: feature 0 dropped, theirs: face 1 features: [] -> [0]"]);
+    assert_eq!(conflicts(given, dropped), ["ours: face 1 features: [] -> [0], theirs: feature 0 dropped"]);
+}
+
+#[test]
 fn records_that_both_sides_make_with_one_id_are_a_conflict() {
     let (base, by) = two_squares();
     let numbered = |p: [f64; 2]| {

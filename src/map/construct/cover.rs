@@ -18,9 +18,9 @@
 use super::arrange::half_edge;
 use super::gathered::GatheredFeature;
 use crate::dcel::Dcel;
-use crate::map::feature::FeatureId;
 use crate::map::feature_sets::FeatureSets;
 use crate::map::feature_tries::SetId;
+use crate::store::FeatureId;
 
 /// A polygon of a feature, or all its lines.
 #[derive(Clone, Copy)]
@@ -64,7 +64,7 @@ pub(super) fn cover(dcel: &Dcel, segments: usize, features: &[GatheredFeature]) 
         let mut features: Vec<u32> = uses.of(segment).iter().map(|part| parts[*part as usize].feature).collect();
         features.dedup();
         if !features.is_empty() {
-            let set = sets.number(features.into_iter().map(FeatureId));
+            let set = sets.number(features.into_iter().map(FeatureId::new));
             sets.put_along(first_half_edge(segment), set);
         }
     }
@@ -153,7 +153,7 @@ impl State {
             let before = *polygons;
             *polygons = if *inside { before + 1 } else { before - 1 };
             if before == 0 || *polygons == 0 {
-                changes(FeatureId(part.feature));
+                changes(FeatureId::new(part.feature));
             }
         }
     }

@@ -4,7 +4,7 @@ use super::builder::Builder;
 use super::gathered::origin;
 use crate::geometry::Point;
 use crate::geometry::predicates::{compare_lexicographic, on_segment};
-use crate::map::feature::FeatureId;
+use crate::store::FeatureId;
 use rstar::RTree;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rustc_hash::FxHashMap;
@@ -54,8 +54,8 @@ impl Builder {
             for dart in feature.polygons.iter().flatten() {
                 let at_vertex = having.get_mut(&origin(&self.segments, *dart));
                 for features in at_vertex.into_iter().chain(along.get_mut(&(*dart >> 1))) {
-                    if features.last() != Some(&FeatureId(number)) {
-                        features.push(FeatureId(number));
+                    if features.last() != Some(&FeatureId::new(number)) {
+                        features.push(FeatureId::new(number));
                     }
                 }
             }

@@ -8,8 +8,8 @@ use crate::dcel::{FaceKey, HalfEdge, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::map::PlanarMap;
 use crate::map::edit::EditError;
-use crate::map::feature::FeatureId;
 use crate::map::feature_tries::SetId;
+use crate::store::FeatureId;
 use crate::store::attributes::Kind;
 use crate::store::links::Links;
 use rustc_hash::FxHashMap;
@@ -87,8 +87,9 @@ impl Diff {
             let done = match (*record, change) {
                 (Record::Vertex(id), Change::Added(_)) => (ids.vertices.put)(map, key, Some(id)),
                 (Record::Face(id), Change::Made(_)) => (ids.faces.put)(map, key, Some(id)),
+                (Record::Feature(_), Change::Dropped) => map.remove_feature(key.into()).map(|_| true)?,
                 (_, Change::Features { to, .. }) => {
-                    let to = to.iter().map(|f| FeatureId(u32::try_from(*f).unwrap_or(u32::MAX)));
+                    let to = to.iter().map(|f| FeatureId::new(u32::try_from(*f).unwrap_or(u32::MAX)));
                     match record {
                         Record::Edge(..) => map.set_features_along(key.into(), to)?,
                         _ => map.set_features_of(key.into(), to)?,

@@ -14,10 +14,15 @@ pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> 
     let (old, new) = (Index::new(a, ids)?, Index::new(b, ids)?);
     let names = [a, b].map(|map| map.features().map(|f| map.name(f)).collect::<Vec<_>>());
     let features = names[0].len();
-    if let Some(place) = (0..features).find(|i| names[1].get(*i) != Some(&names[0][*i])) {
-        return Err(DiffError::Features(place));
-    }
     let mut changes = Vec::new();
+    for i in 0..features {
+        match (names[0][i], names[1].get(i)) {
+            (old, Some(new)) if old == *new => {}
+            // The number stays, without a name.
+            (_, Some(None)) => changes.push((Record::Feature(i), Change::Dropped)),
+            _ => return Err(DiffError::Features(i)),
+        }
+    }
     for record in old.records().filter(|record| new.key(b, *record).is_none()) {
         changes.push((record, Change::Dropped));
     }
@@ -44,7 +49,7 @@ pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> 
                     _ => None,
                 }
             }
-            Record::Unbounded => None,
+            Record::Unbounded | Record::Feature(_) => None,
         };
         changes.extend(change.map(|change| (record, change)));
         let (from, to) = (old.features(a, record), new.features(b, record));

@@ -173,10 +173,11 @@ impl Index {
             Record::Edge(a, b) => self.edges.get(&(a, b))?.data(),
             Record::Face(f) => self.faces.get(&f)?.data(),
             Record::Unbounded => map.dcel().unbounded_face().key().data(),
+            Record::Feature(number) => map.feature(number)?.data(),
         })
     }
 
-    /// All records.
+    /// All records but features.
     pub(super) fn records(&self) -> impl Iterator<Item = Record> {
         let vertices = self.vertices.keys().map(|v| Record::Vertex(*v));
         let edges = self.edges.keys().map(|(a, b)| Record::Edge(*a, *b));
@@ -188,7 +189,7 @@ impl Index {
     pub(super) fn features(&self, map: &PlanarMap, record: Record) -> Vec<usize> {
         let Some(key) = self.key(map, record) else { return Vec::new() };
         let set = match record {
-            Record::Vertex(_) => return Vec::new(),
+            Record::Vertex(_) | Record::Feature(_) => return Vec::new(),
             Record::Edge(..) => map.features_along(key.into()).map(|all| all.map(|f| f.index()).collect()),
             Record::Face(_) | Record::Unbounded => {
                 map.features_of(key.into()).map(|all| all.map(|f| f.index()).collect())

@@ -74,28 +74,20 @@ impl Diff {
                 conflicts.push(Conflict { ours: (*record, change.clone()), theirs: (*record, other.clone()) });
             }
         }
-        // Edges that one side draws to vertices that the other one drops.
-        let loose = |drawing: &[(Record, Change)], other: &BTreeMap<Record, Vec<Change>>| {
+        // Edges that one side draws to vertices that the other one drops, and features that it gives.
+        let loose = |changes: &[(Record, Change)], other: &BTreeMap<Record, Vec<Change>>| {
             let mut loose = Vec::new();
-            for (edge, _) in drawing.iter().filter(|(_, change)| *change == Change::Drawn) {
-                let Record::Edge(a, b) = *edge else { continue };
-                let ends = [a, b].map(Record::Vertex).into_iter();
-                loose.extend(
-                    ends.filter(|v| other.get(v).is_some_and(|all| all.contains(&Change::Dropped))).map(|v| (*edge, v)),
-                );
+            for (record, change) in changes {
+                let needs = change.needs(*record).into_iter();
+                let dropped = needs.filter(|need| other.get(need).is_some_and(|all| all.contains(&Change::Dropped)));
+                loose.extend(dropped.map(|need| ((*record, change.clone()), (need, Change::Dropped))));
             }
             loose
         };
-        conflicts.extend(
-            loose(&self.changes, &others)
-                .into_iter()
-                .map(|(edge, v)| Conflict { ours: (edge, Change::Drawn), theirs: (v, Change::Dropped) }),
-        );
-        conflicts.extend(
-            loose(&theirs_changes, &ours)
-                .into_iter()
-                .map(|(edge, v)| Conflict { ours: (v, Change::Dropped), theirs: (edge, Change::Drawn) }),
-        );
+        let our_loose = loose(&self.changes, &others).into_iter();
+        conflicts.extend(our_loose.map(|(ours, theirs)| Conflict { ours, theirs }));
+        let their_loose = loose(&theirs_changes, &ours).into_iter();
+        conflicts.extend(their_loose.map(|(theirs, ours)| Conflict { ours, theirs }));
         if !conflicts.is_empty() {
             return Err(MergeError::Conflicts(conflicts));
         }

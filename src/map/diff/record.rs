@@ -17,6 +17,8 @@ pub enum Record {
     Face(u128),
     /// The unbounded face.
     Unbounded,
+    /// A feature, by its number.
+    Feature(usize),
 }
 
 impl Record {
@@ -25,6 +27,7 @@ impl Record {
             Self::Vertex(_) => Kind::Vertex,
             Self::Edge(..) => Kind::Edge,
             Self::Face(_) | Self::Unbounded => Kind::Face,
+            Self::Feature(_) => Kind::Feature,
         }
     }
 }
@@ -36,6 +39,7 @@ impl fmt::Display for Record {
             Self::Edge(a, b) => write!(f, "edge {a}-{b}"),
             Self::Face(id) => write!(f, "face {id}"),
             Self::Unbounded => f.write_str("the unbounded face"),
+            Self::Feature(number) => write!(f, "feature {number}"),
         }
     }
 }
@@ -45,7 +49,7 @@ impl fmt::Display for Record {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Change {
-    /// A vertex, an edge or a face is there no more.
+    /// A vertex, an edge, a face or a feature is there no more.
     Dropped,
     /// A vertex moved.
     Moved {
@@ -82,7 +86,7 @@ pub enum Change {
 
 impl Change {
     /// The place in the order in which changes are applied.
-    pub(super) const fn stage(&self, record: Record) -> u8 {
+    pub(super) fn stage(&self, record: Record) -> u8 {
         match (self, record) {
             (Self::Dropped, Record::Edge(..)) => 0,
             (Self::Dropped, Record::Vertex(_)) => 1,
@@ -93,6 +97,19 @@ impl Change {
             (Self::Made(_) | Self::Reshaped(_), _) => 6,
             (Self::Features { .. }, _) => 7,
             (Self::Value { .. }, _) => 8,
+            // Nothing has it any more.
+            (Self::Dropped, Record::Feature(_)) => 9,
+        }
+    }
+
+    /// The records that have to be there for a change to one.
+    pub(super) fn needs(&self, record: Record) -> Vec<Record> {
+        match (self, record) {
+            (Self::Drawn, Record::Edge(a, b)) => vec![Record::Vertex(a), Record::Vertex(b)],
+            (Self::Features { from, to }, _) => {
+                to.iter().filter(|feature| !from.contains(feature)).map(|feature| Record::Feature(*feature)).collect()
+            }
+            _ => Vec::new(),
         }
     }
 
