@@ -54,15 +54,12 @@ pub enum ApplyError {
         /// The one that is there.
         with: Record,
     },
-    /// A face would have none of its outline.
-    #[error("nothing of the outline of {0} would be there")]
-    NoFace(Record),
     /// Two faces would be one.
     #[error("{0} and {1} would be one face")]
     OneFace(Record, Record),
-    /// A face would be two.
-    #[error("{0} would be two faces")]
-    TwoFaces(Record),
+    /// The outline of a face would not be that of one face.
+    #[error("the outline of {0} would not be that of one face")]
+    NotOneFace(Record),
     /// An edge would bound a face that has no id.
     #[error("{0} would bound a face without id")]
     Unnamed(Record),
