@@ -33,4 +33,5 @@ mod soak;
 mod sum;
 mod tables;
 mod tile;
+mod tile_windows;
 mod verdict;
