@@ -570,7 +570,7 @@ fn attributes_that_are_not_compared_stay_with_their_records() {
     diff(&a, &b, &by.ids()).unwrap().apply(&mut a, &by.ids()).unwrap();
     assert_eq!([by.f(&a, 1), by.f(&a, 2)], [faces[1], faces[0]]);
     assert_eq!([1, 2].map(|face| a.value(by.note, by.f(&a, face))), [Some(&1), Some(&2)]);
-    // What is dropped takes its value along.
+    // A dropped face takes its value along.
     let mut c = a.clone();
     erase(&mut c, by, 2, 3);
     let found = diff(&a, &c, &by.ids()).unwrap();

@@ -43,9 +43,9 @@ mod merge;
 mod record;
 
 pub use compare::diff;
-pub use error::{ApplyError, DiffError, MergeError};
+pub use error::{ApplyError, Conflict, DiffError, MergeError};
 pub use ids::{Compared, Ids};
-pub use merge::{Conflict, merge};
+pub use merge::merge;
 pub use record::{Change, Record};
 
 use std::fmt;
