@@ -230,10 +230,11 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
 }
 
 /// Says what the summary of all tiles of a map says, in the words of an audit; where edges meet elsewhere than at vertices, with the findings of the
-/// summary of the same tiles with their edges cut. Features are known by their numbers.
+/// summary of the same tiles with their edges cut. Features are known by their numbers. If tiles are left out of that summary, or were when their edges
+/// were cut, the report names them, and does not say what features cover.
 ///
 /// # Errors
-/// [`Error::Tiles`].
+/// [`Error::Missing`] and [`Error::Tiles`].
 pub fn audit_summary(summary: Summary, cut: Option<Summary>, options: &Options) -> Result<Audited, Error> {
     let mut report = tiles::audit_summary(summary, cut, options)?.unexplained();
     report.identify();

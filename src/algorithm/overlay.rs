@@ -151,7 +151,8 @@ impl Overlay {
     }
 }
 
-/// Lays two maps over each other, on a grid. The [attributes](PlanarMap::carry_faces) that faces have in either go with them.
+/// Lays two maps over each other, on a grid. The [attributes](PlanarMap::carry_parts) that faces and features have in either
+/// go with them.
 ///
 /// O((n + k) log n + the sizes of what lies inside each face, holes included) for n edges that meet k times.
 ///
@@ -200,7 +201,9 @@ pub fn overlay(left: &PlanarMap, right: &PlanarMap, snap: Snap) -> Result<Overla
     both.put_features(operands.map(|(_, map)| map), &labels.edges, &meanings);
     #[cfg(feature = "near")]
     for (operand, map) in operands {
-        both.map.carry_faces(map, |face| both.faces.get(face.index()).map(|of| of[operand as usize]))?;
+        let within = |face: Face<'_>| both.faces.get(face.index()).map(|of| of[operand as usize]);
+        let features = &both.features[operand as usize];
+        both.map.carry_parts(map, within, |feature| features.get(feature.index()).copied())?;
     }
     Ok(both)
 }

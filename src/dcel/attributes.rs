@@ -1,10 +1,11 @@
 //! Attributes of a structure: values that follow its operators.
 
 use super::error::{OperatorError, StaleKey};
+use super::import::Keys;
 use super::structure::Dcel;
-use crate::store::attributes::{Attribute, Attributed, Kind, Policy, Sealed, Value};
+use crate::store::attributes::{Attribute, Attributed, Edges, Kind, Policy, Sealed, Value};
 use crate::store::{AttributeStore, FaceKey, HalfEdgeKey, Store, VertexKey};
-use slotmap::{Key, SecondaryMap};
+use slotmap::{Key, KeyData, SecondaryMap};
 
 /// # Attributes
 ///
@@ -36,7 +37,7 @@ use slotmap::{Key, SecondaryMap};
 ///
 /// All operators carry them, and so do [`retain`](Dcel::retain) and [`compact`](Dcel::compact). In a [`History`](super::History) they
 /// are undone and redone with the structure. A clone of the structure has them, too. They are neither compared nor saved with
-/// it: [`values`](Dcel::values) has what to save, and the keys stay the same.
+/// it: save the [`values`](Dcel::values) beside it, and give them to the keys, which stay the same, when it is loaded.
 ///
 /// A structure without attributes pays nothing for them. For each attribute, an operator takes O(1) for each record that it makes, splits,
 /// merges or drops, beside the functions of the policy.
@@ -53,8 +54,8 @@ impl<S: Store> Dcel<S> {
         self.store.attributes()?.values(of)
     }
 
-    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(log n). For an example
-    /// see [`Policy::ids`].
+    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(1), expected. For an
+    /// example see [`Policy::ids`].
     #[must_use]
     pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
         self.store.attributes()?.find(of, value)
@@ -71,6 +72,9 @@ impl<S: Store> Dcel<S> {
                 let twin = h.twin();
                 if twin.index() < h.index() { twin.key().data().into() } else { key }
             }),
+            // The map knows.
+            #[cfg(feature = "map")]
+            Kind::Feature => Ok(key),
         }
     }
 }
@@ -86,18 +90,65 @@ impl<S: AttributeStore> Dcel<S> {
     /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::NoSuchAttribute`].
+    /// A stale key; [`OperatorError::NoSuchAttribute`], as for an attribute of features, which a `Dcel` has not.
     pub fn set_value<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
         key: K::Key,
         value: impl Into<Option<T>>,
     ) -> Result<Option<T>, OperatorError> {
+        #[cfg(feature = "map")]
+        if <K as Sealed>::KIND == Kind::Feature {
+            return Err(OperatorError::NoSuchAttribute);
+        }
         let key = self.record_key::<K>(key)?;
         let attributes = self.store.attributes_mut().ok_or(OperatorError::NoSuchAttribute)?;
         if !S::RECORDS {
             attributes.clear_log();
         }
         attributes.put(of, key, value.into()).map_err(|()| OperatorError::NoSuchAttribute)
+    }
+
+    /// Takes over the attributes of a structure from which this one was [made](Dcel::from_view), with the values of its records: `keys` are
+    /// the keys that came of it. Values that records have of the same attribute stay.
+    ///
+    /// O(values).
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Outside, Policy};
+    /// use twinedge::validate::Expectation;
+    ///
+    /// let (mut old, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+    /// let owner = old.add_attribute(Policy::of_faces());
+    /// old.set_value(owner, keys.face(0).unwrap(), "Ada")?;
+    /// let (mut new, keys) = Dcel::from_view(&old, &Expectation::plane(), Outside::Given)?;
+    /// new.carry_values(&old, &keys);
+    /// let inside = new.faces().find(|face| !face.is_unbounded()).unwrap();
+    /// assert_eq!(new.value(owner, inside.key()), Some(&"Ada"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn carry_values<R: Store>(&mut self, other: &Dcel<R>, keys: &Keys) {
+        self.carry(other, keys, |_| None);
+    }
+
+    /// As above. Features have other keys, too, if they are there.
+    #[cfg_attr(not(feature = "map"), allow(unused_variables, reason = "only maps have features"))]
+    pub(crate) fn carry<R: Store>(
+        &mut self,
+        other: &Dcel<R>,
+        keys: &Keys,
+        feature: impl Fn(KeyData) -> Option<KeyData>,
+    ) {
+        let Some(mut all) = other.store.attributes().cloned() else { return };
+        let half_edge = |old: KeyData| keys.half_edge(other.half_edge(old.into()).ok()?.index());
+        all.rename(&|kind, old| match kind {
+            Kind::Vertex => keys.vertex(other.vertex(old.into()).ok()?.index()).map(|key| key.data()),
+            Kind::HalfEdge | Kind::Corner => half_edge(old).map(|key| key.data()),
+            Kind::Edge => self.record_key::<Edges>(half_edge(old)?).ok().map(|key| key.data()),
+            Kind::Face => keys.face(other.face(old.into()).ok()?.index()).map(|key| key.data()),
+            #[cfg(feature = "map")]
+            Kind::Feature => feature(old),
+        });
+        self.store.kept_attributes().extend(all);
     }
 }

@@ -133,6 +133,8 @@ pub use timeline::Mark;
 #[cfg(feature = "near")]
 pub use watched::Watched;
 
+#[cfg(all(feature = "near", feature = "map"))]
+pub use crate::store::attributes::Features;
 #[cfg(feature = "near")]
 pub use crate::store::attributes::{
     Attribute, Attributed, Corners, Edges, Faces, HalfEdges, Policy, Quantity, Value, Vertices,

@@ -4,14 +4,15 @@ use super::edit::EditError;
 use super::notes::{MapEntry, Notes};
 use super::planar_map::PlanarMap;
 use crate::dcel::{
-    Attribute, Attributed, Connected, Face, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Policy, Recorder, SplitEdge,
-    StaleKey, Value,
+    Attribute, Attributed, Connected, Face, FaceKey, Faces, Features, HalfEdge, HalfEdgeKey, Keys, OperatorError,
+    Policy, Recorder, SplitEdge, StaleKey, Value,
 };
 use crate::geometry::Point;
-use crate::store::attributes::{Attributes, Kind};
+use crate::store::attributes::{Attributes, Kind, Sealed, Step};
 use crate::store::links::Links;
-use crate::store::{AttributeStore, Way};
+use crate::store::{AttributeStore, FeatureId, Way};
 use slotmap::{Key, KeyData, SecondaryMap};
+use std::mem;
 
 /// # Attributes
 ///
@@ -47,8 +48,11 @@ use slotmap::{Key, KeyData, SecondaryMap};
 /// # Ok::<(), twinedge::map::edit::EditError>(())
 /// ```
 ///
-/// All edits carry them, overlays those of faces, and convex decomposition; see [`Dcel`](crate::dcel::Dcel#attributes) for what is true of them. [`Edited`](super::edit::Edited) names the
-/// records, for data that is kept in another way. What rounding moves in
+/// All edits carry them, overlays those of faces and features, and convex decomposition; see [`Dcel`](crate::dcel::Dcel#attributes) for what
+/// is true of them. On a map that was [built](super::Builder), features have values first, and faces [get](Self::cover_values) theirs from
+/// these; one that was made [of another structure](Self::from_view) [takes over](Self::carry_values) what that had.
+///
+/// [`Edited`](super::edit::Edited) names the records, for data that is kept in another way. What rounding moves in
 /// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) is split, dropped and drawn anew: where an edge comes to lie on vertices that
 /// were there, values follow these steps.
 ///
@@ -72,7 +76,7 @@ impl PlanarMap {
         self.dcel.values(of)
     }
 
-    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(log n).
+    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(1), expected.
     #[must_use]
     pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
         self.dcel.find(of, value)
@@ -81,7 +85,7 @@ impl PlanarMap {
     /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::NoSuchAttribute`].
+    /// A stale key; [`EditError::NoSuchFeature`]; [`OperatorError::NoSuchAttribute`].
     pub fn set_value<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
@@ -89,6 +93,14 @@ impl PlanarMap {
         value: impl Into<Option<T>>,
     ) -> Result<Option<T>, EditError> {
         let value = value.into();
+        if <K as Sealed>::KIND == Kind::Feature {
+            // Of whatever version the key is, it is the number that counts.
+            let feature = FeatureId::from(key.data());
+            let known = self.feature(feature.index()).ok_or(EditError::NoSuchFeature(feature))?;
+            let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
+            let had = attributes.put(of, known.data().into(), value);
+            return Ok(had.map_err(|()| OperatorError::NoSuchAttribute)?);
+        }
         Ok(match &mut self.notes {
             Notes { journal: Some(journal), .. } => {
                 self.dcel.watched(&mut journal.links, |dcel| dcel.set_value(of, key, value))
@@ -97,11 +109,77 @@ impl PlanarMap {
         }?)
     }
 
-    /// Takes over the attributes of another map, and the values of its faces, each of which was cut into faces of this one: `within` names the
-    /// face of the other map in which a face lies, if it lies in one.
+    /// Gives to faces what features have that cover them, as on a map that was [built](super::Builder) of features with values.
+    ///
+    /// A feature that covers several faces is split among them, by the policy for faces: the largest stands for the feature, and the others
+    /// are split off it. Where several features cover a face, their values are merged in the order of the features, and with the value that it
+    /// had. By the default policy the largest face of a feature gets the value, and the first of several stays.
+    ///
+    /// O(faces · features of each · log n).
+    ///
+    /// ```
+    /// use twinedge::dcel::Policy;
+    /// use twinedge::map::{Builder, Shape};
+    ///
+    /// let owners = ["Ada", "Bob"];
+    /// let mut builder = Builder::new();
+    /// for x in [0.0, 2.0] {
+    ///     builder.shape(&Shape::polygon([[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]]))?;
+    /// }
+    /// let mut map = builder.build()?;
+    /// let of_feature = map.add_attribute(Policy::of_features());
+    /// for (index, owner) in owners.iter().enumerate() {
+    ///     let feature = map.feature(index).expect("features are numbered in order of input");
+    ///     map.set_value(of_feature, feature, *owner)?;
+    /// }
+    /// let of_face = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
+    /// map.cover_values(of_feature, of_face)?;
+    /// let mut found: Vec<_> = map.values(of_face).into_iter().flatten().map(|(_, owner)| *owner).collect();
+    /// found.sort_unstable();
+    /// assert_eq!(found, owners);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Refused`](OperatorError::Refused), and nothing changes; [`OperatorError::NoSuchAttribute`].
+    pub fn cover_values<T: Value>(
+        &mut self,
+        from: Attribute<Features, T>,
+        to: Attribute<Faces, T>,
+    ) -> Result<(), OperatorError> {
+        let mut parts = vec![Vec::new(); self.names.len()];
+        for face in self.dcel.faces() {
+            let part = (face.key().data(), self.area(face));
+            for feature in self.features.set(self.features.of_face(face.index())) {
+                parts[feature.index()].push(part);
+            }
+        }
+        let values = self.values(from).ok_or(OperatorError::NoSuchAttribute)?.iter();
+        let mut pieces: Vec<_> = values.map(|(k, value)| (value.clone(), mem::take(&mut parts[k.index()]))).collect();
+        for (_, parts) in &mut pieces {
+            largest_first(parts);
+        }
+        let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
+        let spread = attributes.spread(to, pieces).map_err(|()| OperatorError::NoSuchAttribute)?;
+        spread.map_err(OperatorError::Refused)
+    }
+
+    /// Takes over the attributes of a map from which this one was [made](Self::from_view), with the values of its records: `keys` are the keys
+    /// that came of it. Features keep theirs if this map has as many. Values that records have of the same attribute stay.
+    ///
+    /// O(values). For an example see [`Dcel::carry_values`](crate::dcel::Dcel::carry_values).
+    pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
+        let count = self.names.len();
+        let feature = |old: KeyData| (FeatureId::from(old).index() < count).then_some(old);
+        self.dcel.carry(&other.dcel, keys, feature);
+    }
+
+    /// Takes over the attributes of another map, and the values of its features and faces. Each face was cut into faces of this one:
+    /// `within` names the face of the other map in which a face lies, if it lies in one. `feature` names that of this map for one of the other.
     ///
     /// The largest part stands for the face that is split, and the others are split off it by the policy; a face of which nothing is
-    /// left is dropped. So this is for maps that are built anew, as [overlays](crate::algorithm::overlay) are. O(n log n).
+    /// left is dropped, and so is a feature that this map has not. Records that have a value of the same attribute keep it. So this is for maps
+    /// that are built anew, as [overlays](crate::algorithm::overlay) are. O(n log n).
     ///
     /// ```
     /// use twinedge::dcel::Policy;
@@ -117,7 +195,7 @@ impl PlanarMap {
     /// new.insert_ring(ring)?;
     /// new.insert_segment([1.0, 0.0], [1.0, 4.0])?;
     /// let inside: Vec<_> = new.dcel().faces().filter(|f| !f.is_unbounded()).map(|f| f.key()).collect();
-    /// new.carry_faces(&old, |face| inside.contains(&face.key()).then_some(parcel))?;
+    /// new.carry_parts(&old, |face| inside.contains(&face.key()).then_some(parcel), |_| None)?;
     /// let mut taxes: Vec<f64> = inside.iter().map(|face| *new.value(tax, *face).unwrap()).collect();
     /// taxes.sort_by(f64::total_cmp);
     /// assert_eq!(taxes, [20.0, 60.0]);
@@ -126,10 +204,11 @@ impl PlanarMap {
     ///
     /// # Errors
     /// [`Refused`](OperatorError::Refused), and nothing is taken over.
-    pub fn carry_faces(
+    pub fn carry_parts(
         &mut self,
         other: &Self,
         within: impl Fn(Face<'_>) -> Option<FaceKey>,
+        feature: impl Fn(FeatureId) -> Option<FeatureId>,
     ) -> Result<(), OperatorError> {
         let Some(attributes) = other.attributes() else { return Ok(()) };
         let old = other.dcel.faces().map(|f| (f.key(), Vec::new()));
@@ -141,9 +220,10 @@ impl PlanarMap {
         }
         let mut faces: Vec<_> = parts.into_iter().map(|(old, parts)| (old.data(), parts)).collect();
         for (_, parts) in &mut faces {
-            parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+            largest_first(parts);
         }
-        let cut = attributes.cut(&faces).map_err(OperatorError::Refused)?;
+        let features: Vec<_> = other.features().map(|old| (old, feature(old))).collect();
+        let cut = attributes.cut(&faces, &features).map_err(OperatorError::Refused)?;
         self.dcel.store_mut().kept_attributes().extend(cut);
         Ok(())
     }
@@ -152,13 +232,39 @@ impl PlanarMap {
         self.dcel.store().attributes()
     }
 
+    /// The attributes, if there are any, for a change that no operator makes.
+    fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
+        let is_recorded = self.notes.journal.is_some();
+        let attributes = self.dcel.store_mut().attributes_mut()?;
+        if !is_recorded {
+            attributes.clear_log();
+        }
+        Some(attributes)
+    }
+
+    /// Does to the values of features what is about to be done to these.
+    pub(super) fn announce_feature(&mut self, step: Step) -> Result<(), OperatorError> {
+        let Some(attributes) = self.attributes_to_change() else { return Ok(()) };
+        attributes.announce(&[(Kind::Feature, step)]).map_err(OperatorError::Refused)
+    }
+
+    /// Gives their values to a feature that was made.
+    pub(super) fn give_made_feature(&mut self, feature: FeatureId) {
+        // Making is never refused.
+        if let (Ok(()), Some(attributes)) = (self.announce_feature(Step::Make), self.dcel.store_mut().attributes_mut())
+        {
+            attributes.settle(&[(Kind::Feature, feature.data())]);
+        }
+    }
+
     /// Runs an edit of several operators. If one is refused, those before it are taken back.
     pub(crate) fn atomically<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         if self.attributes().is_some() { self.rewinding(edit) } else { edit(self) }
     }
 
+    /// The same for any map.
     #[cold]
-    fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+    pub(super) fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         let written = self.notes.written.take();
         let is_recorded = self.notes.journal.is_some();
         if !is_recorded {
@@ -270,6 +376,10 @@ impl PlanarMap {
         });
         twice.sum::<f64>() / 2.0
     }
+}
+
+fn largest_first(parts: &mut [(KeyData, f64)]) {
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
 }
 
 /// Returns the fraction that one of two measures is of both. Beside an infinite one, it is nothing.

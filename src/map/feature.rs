@@ -64,16 +64,3 @@ pub struct Feature {
     /// Its parts, in the order of the file; none if it has no place on the map.
     pub shapes: Vec<Shape>,
 }
-
-/// A feature of a map, such as a country, by its number in order of input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct FeatureId(pub(crate) u32);
-
-impl FeatureId {
-    /// The place in order of input, counted from 0.
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
-}

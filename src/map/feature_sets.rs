@@ -4,8 +4,8 @@
 //! countries along their border. So every set is kept once, for good, and a face or an edge holds its number. Giving a new
 //! face the set of another is a copy of one number, which is what edits do most.
 
-use super::feature::FeatureId;
 use super::feature_tries::{FeatureTries, Members, SetId, SetOperation};
+use crate::store::FeatureId;
 
 /// The sets of features of the faces and edges of a map, by index.
 #[derive(Clone, Debug, Default)]

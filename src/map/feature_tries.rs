@@ -6,8 +6,8 @@
 //!
 //! Source: Okasaki and Gill, "Fast mergeable integer maps", 1998.
 
-use super::feature::FeatureId;
 use super::number_table::{NumberTable, hash};
+use crate::store::FeatureId;
 
 /// The number of a set of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -92,8 +92,9 @@ const fn above(number: u32, width: u32) -> u32 {
 impl FeatureTries {
     /// The set of one feature. O(1), expected.
     pub(super) fn single(&mut self, feature: FeatureId) -> SetId {
-        let prefix = above(feature.0, LEAF_BITS);
-        self.leaf(prefix, 1 << (feature.0 - prefix))
+        let number = feature.number();
+        let prefix = above(number, LEAF_BITS);
+        self.leaf(prefix, 1 << (number - prefix))
     }
 
     /// The set of these features. O(features · log), expected.
@@ -231,7 +232,7 @@ impl Iterator for Members<'_> {
         }
         let lowest = self.bits.trailing_zeros();
         self.bits &= self.bits - 1;
-        Some(FeatureId(self.prefix + lowest))
+        Some(FeatureId::new(self.prefix + lowest))
     }
 }
 

@@ -225,6 +225,10 @@ impl PlanarMap {
                 Way::Back => *name = self.names.pop().flatten().map(String::into_boxed_str),
                 Way::Forth => self.names.push(name.take().map(String::from)),
             },
+            MapEntry::Name(feature, name) => {
+                let had = self.names[*feature as usize].take();
+                self.names[*feature as usize] = mem::replace(name, had.map(String::into_boxed_str)).map(String::from);
+            }
             MapEntry::Value(saved) => {
                 if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
                     attributes.exchange(saved);

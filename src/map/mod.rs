@@ -30,6 +30,7 @@
 //! | module | purpose |
 //! | --- | --- |
 //! | `certificate` (feature `spade`) | a triangulation by which anyone can check that a map is drawn in the plane |
+//! | `diff` (feature `near`) | the changes from one map to another, by ids: shown, saved, applied, merged |
 //! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
 //! | [`locate`] | where a point lies, by an index or by walking there |
 //! | [`zone`] | what a line meets, in order |
@@ -37,6 +38,8 @@
 
 #[cfg(feature = "spade")]
 pub mod certificate;
+#[cfg(feature = "near")]
+pub mod diff;
 pub mod edit;
 pub mod locate;
 #[cfg(feature = "program")]
@@ -70,7 +73,9 @@ mod summary;
 pub use audited::Audited;
 pub(crate) use construct::usual_cuts;
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
-pub use feature::{Feature, FeatureId, Shape};
+#[cfg(feature = "near")]
+pub use diff::{diff, merge};
+pub use feature::{Feature, Shape};
 #[cfg(feature = "near")]
 pub use history::History;
 pub use import::MapImportError;
@@ -79,3 +84,5 @@ pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};
+
+pub use crate::store::FeatureId;

@@ -1,6 +1,5 @@
 //! A subdivision with coordinates.
 
-use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::index::{KeptIndex, RecordIndex};
 use super::not_plane::NotPlane;
@@ -11,6 +10,7 @@ use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::delegate_view;
 use crate::geometry::Point;
 use crate::geometry::noding::NodingSummary;
+use crate::store::FeatureId;
 use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_embedding};
 use std::fmt;
 use std::ops::Index;
@@ -239,12 +239,12 @@ impl PlanarMap {
     /// ```
     #[must_use]
     pub fn feature(&self, index: usize) -> Option<FeatureId> {
-        (index < self.names.len()).then_some(FeatureId(index as u32))
+        (index < self.names.len()).then_some(FeatureId::new(index as u32))
     }
 
     /// All features, in order of input.
     pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
-        (0..self.names.len() as u32).map(FeatureId)
+        (0..self.names.len() as u32).map(FeatureId::new)
     }
 
     /// The name of a feature, if it has one. O(1).

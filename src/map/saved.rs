@@ -1,6 +1,5 @@
 //! Maps as serde saves and loads them.
 
-use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::feature_tries::SetId;
 use super::planar_map::PlanarMap;
@@ -8,6 +7,7 @@ use super::summary::BuildSummary;
 use crate::dcel::Dcel;
 use crate::geometry::Point;
 use crate::geometry::noding::NodingSummary;
+use crate::store::FeatureId;
 use crate::validate::Report;
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
@@ -27,7 +27,7 @@ struct SavedMap<D> {
     /// By number of feature.
     names: Vec<Option<String>>,
     /// Each set of features that occurs, in ascending order.
-    sets: Vec<Vec<FeatureId>>,
+    sets: Vec<Vec<u32>>,
     /// By face: the set that covers it.
     faces: Vec<usize>,
     /// By edge: the set that runs along it.
@@ -79,7 +79,7 @@ impl Serialize for PlanarMap {
         let mut numbers: FxHashMap<SetId, usize> = FxHashMap::default();
         let mut number = |set: SetId| {
             *numbers.entry(set).or_insert_with(|| {
-                sets.push(self.features.set(set).collect());
+                sets.push(self.features.set(set).map(FeatureId::number).collect());
                 sets.len() - 1
             })
         };
@@ -130,11 +130,11 @@ impl SavedMap<Dcel> {
         let mut numbers = Vec::with_capacity(sets.len());
         for (i, set) in sets.iter().enumerate() {
             let sorted = set.is_sorted_by(|a, b| a < b);
-            let known = set.last().is_none_or(|last| last.index() < names.len());
+            let known = set.last().is_none_or(|last| (*last as usize) < names.len());
             if !(sorted && known) {
                 return Err(LoadError::BadSet(i));
             }
-            numbers.push(features.number(set.iter().copied()));
+            numbers.push(features.number(set.iter().copied().map(FeatureId::new)));
         }
         let set = |number: usize| numbers.get(number).copied().ok_or(LoadError::NoSuchSet(number));
         for (face, number) in dcel.faces().zip(faces) {

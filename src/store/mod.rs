@@ -49,6 +49,8 @@ pub(crate) mod slots;
 mod watch;
 
 pub use fixed::FixedStore;
+#[cfg(feature = "map")]
+pub use keys::FeatureId;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 #[cfg(feature = "near")]
 pub use links::AttributeStore;

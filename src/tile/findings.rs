@@ -20,7 +20,7 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
     let sliver_area = limits.sliver_area.unwrap_or_else(|| chosen_area(areas.clone()));
     let slivers = summary.slivers.iter().filter(|sliver| sliver.area < sliver_area).map(|sliver| Finding {
         rule: CoverageRule::Sliver,
-        features: vec![FeatureId(sliver.feature)],
+        features: vec![FeatureId::new(sliver.feature)],
         area: sliver.area,
         width: sliver.width,
         length: sliver.length,
@@ -81,7 +81,7 @@ fn near_misses(spaces: &[&Region], width: f64) -> Vec<Finding> {
     for h in dcel.half_edges() {
         let (Some((edge, left)), Some((_, right))) = (drawing.left(h), drawing.left(h.twin())) else { continue };
         beyond.resize(h.index(), Vec::new());
-        beyond.push(right.iter().copied().map(FeatureId).collect());
+        beyond.push(right.iter().copied().map(FeatureId::new).collect());
         if left.is_empty() {
             of_faces.insert(h.face().index(), space_of[edge]);
         }

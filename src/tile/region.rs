@@ -215,7 +215,7 @@ impl<'a> Drawing<'a> {
     /// The finding that the faces are which are covered so.
     pub(super) fn finding(&self, rule: CoverageRule, features: &[u32], is_of: &dyn Fn(&[u32]) -> bool) -> Finding {
         let faces = self.faces(is_of);
-        let features = features.iter().copied().map(FeatureId).collect();
+        let features = features.iter().copied().map(FeatureId::new).collect();
         Finding { faces: Vec::new(), ..finding(&self.map, rule, features, &faces) }
     }
 }

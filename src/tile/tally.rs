@@ -71,7 +71,7 @@ impl Summary {
             let mut unmatched = builder(&features)?.unmatched();
             unmatched.retain(|one| local.bounds.contains(one.at));
             let in_whole = |one: UnmatchedVertex| {
-                let [of, lacked_by] = [one.of, one.lacked_by].map(|feature| FeatureId(numbers[feature.index()]));
+                let [of, lacked_by] = [one.of, one.lacked_by].map(|feature| FeatureId::new(numbers[feature.index()]));
                 UnmatchedVertex { of, lacked_by, ..one }
             };
             summary.unmatched = apart(&map, &unmatched, |p| cuts.snapped(p)).map(in_whole).collect();

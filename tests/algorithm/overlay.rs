@@ -313,8 +313,14 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
     let zones: Vec<u32> = map.values(zone).unwrap().values().copied().collect();
     assert_eq!((map.value(zone, small), zones.len()), (Some(&6), 2));
     assert_eq!(*lost.lock().unwrap(), [1.0]);
-    // A map laid over itself has its attributes once.
-    assert_eq!(overlay(&right, &right, Snap::Size(1.0)).unwrap().map().values(zone).unwrap().len(), 1);
+    // A map laid over itself has its attributes once, and its features twice.
+    let of_feature = right.add_attribute(Policy::of_features());
+    let wood = right.add_feature(Some("wood".into()));
+    right.set_value(of_feature, wood, "oaks").unwrap();
+    let twice = overlay(&right, &right, Snap::Size(1.0)).unwrap();
+    assert_eq!(twice.map().values(zone).unwrap().len(), 1);
+    let trees = twice.map().features().map(|f| twice.map().value(of_feature, f));
+    assert!(trees.eq([Some(&"oaks"); 2]));
 
     let strict = left.add_attribute(Policy::of_faces().drop_with(|_: &u8| Err("never")));
     left.set_value(strict, sliver, 1).unwrap();

@@ -1,15 +1,16 @@
 //! Values that follow edits, are undone with them, and are as they were where an edit is refused halfway.
 
 use crate::rewound::change;
-use crate::support::tokens::{Handles, Mints};
+use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::algorithm::area::face_area;
-use twinedge::dcel::{HalfEdge, HalfEdgeKey, OperatorError, Policy};
+use twinedge::dcel::{FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap};
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Audited, History, Located, PlanarMap};
+use twinedge::map::{Audited, Builder, Feature, FeatureId, History, Located, PlanarMap, Shape};
+use twinedge::validate::Expectation;
 use twinedge::validate::near::WriteSet;
 
 fn check(tests: u64, size: usize, law: impl Testable) {
@@ -42,6 +43,242 @@ fn no_token_is_lost_or_doubled_by_any_edit_undone_or_not() {
         assert_eq!(states.len(), 1);
     }
     check(60, 40, law as fn(EditProgram));
+}
+
+/// Adds, merges or removes features now and then, as a change of its own.
+fn shuffle_features(history: &mut History, step: usize) {
+    let count = history.get().features().count();
+    let feature = |map: &PlanarMap, i: usize| map.feature(i % count.max(1)).unwrap();
+    let outcome = match step % 5 {
+        0 => history.change("add", |map| {
+            map.add_feature(Some(step.to_string()));
+            Ok(())
+        }),
+        _ if count == 0 => return,
+        1 => history.change("merge", |map| map.merge_features(feature(map, step), feature(map, step / 5))),
+        3 if count > 4 => history.change("remove", |map| map.remove_feature(feature(map, step / 5)).map(drop)),
+        _ => return,
+    };
+    // Only a policy refuses.
+    assert!(matches!(outcome, Ok(()) | Err(EditError::Operator(OperatorError::Refused(_)))));
+}
+
+#[test]
+fn no_token_of_a_feature_is_lost_or_doubled_undone_or_not() {
+    fn law(program: EditProgram, refuses: bool) {
+        let (mint, mut map) = (Mint::default(), PlanarMap::new());
+        let of = map.add_attribute(mint.policy(Policy::of_features(), if refuses { 7 } else { 0 }));
+        let values = |history: &History| {
+            history.get().values(of).unwrap().iter().map(|(k, all)| (k, all.clone())).collect::<Vec<_>>()
+        };
+        let mut history = History::new(map);
+        let mut states = vec![(history.get().clone(), values(&history))];
+        for (i, op) in program.0.iter().enumerate() {
+            for edit in [false, true] {
+                let before = (history.mark(), history.get().clone(), values(&history));
+                if edit {
+                    change(&mut history, op);
+                } else {
+                    shuffle_features(&mut history, i);
+                }
+                let after = values(&history);
+                mint.check(after.iter().flat_map(|(_, tokens)| tokens.clone()).collect());
+                if history.mark() == before.0 {
+                    assert!(*history.get() == before.1 && after == before.2);
+                } else {
+                    states.push((history.get().clone(), after));
+                }
+            }
+        }
+        while states.len() > 1 {
+            let (map, tokens) = states.pop().unwrap();
+            assert!(*history.get() == map && values(&history) == tokens);
+            assert!(history.undo());
+            let (map, tokens) = states.last().unwrap();
+            assert!(history.get() == map && values(&history) == *tokens);
+        }
+        while history.redo() {}
+        mint.check(values(&history).into_iter().flat_map(|(_, tokens)| tokens).collect());
+    }
+    check(60, 60, law as fn(EditProgram, bool));
+}
+
+#[test]
+fn a_merged_feature_is_where_both_were_and_a_removed_one_is_nowhere() {
+    let mut map = PlanarMap::new();
+    let name = map.add_attribute(
+        Policy::of_features().merge_equal().drop_with(|kept: &bool| if *kept { Err("this one stays") } else { Ok(()) }),
+    );
+    map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]]).unwrap();
+    let fence = map.insert_segment([2.0, 0.0], [2.0, 2.0]).unwrap();
+    let (west, east) = fence.faces_split[0];
+    let [a, b, c] = ["a", "b", "c"].map(|name| map.add_feature(Some(name.into())));
+    map.set_features_of(west, [a, c]).unwrap();
+    map.set_features_of(east, [b, c]).unwrap();
+    map.set_features_along(fence.way[0], [b]).unwrap();
+    map.set_value(name, c, true).unwrap();
+    let size = map.add_attribute(Policy::of_features().merge_sum());
+    map.set_value(size, a, 1).unwrap();
+    map.set_value(size, b, 2).unwrap();
+    let before = map.clone();
+    assert!(matches!(map.remove_feature(c), Err(EditError::Operator(OperatorError::Refused(_)))));
+    assert!(matches!(map.merge_features(a, c), Err(EditError::Operator(OperatorError::Refused(_)))));
+    let mut other = map.clone();
+    let unknown = other.add_feature(None);
+    assert!(matches!(map.remove_feature(unknown), Err(EditError::NoSuchFeature(of)) if of == unknown));
+    assert!(matches!(map.merge_features(a, unknown), Err(EditError::NoSuchFeature(_))));
+    assert!(matches!(map.set_value(name, unknown, true), Err(EditError::NoSuchFeature(_))));
+    assert!(map == before);
+
+    map.merge_features(a, a).unwrap();
+    assert!(map == before);
+    map.merge_features(a, b).unwrap();
+    assert!(map.features_of(west).unwrap().eq([a, c]) && map.features_of(east).unwrap().eq([a, c]));
+    assert!(map.features_along(fence.way[0]).unwrap().eq([a]));
+    assert_eq!([a, b].map(|f| map.value(size, f)), [Some(&3), None]);
+    map.set_value(name, c, false).unwrap();
+    assert_eq!(map.remove_feature(c).unwrap().as_deref(), Some("c"));
+    assert!(map.features_of(west).unwrap().eq([a]) && map.value(name, c).is_none());
+    // The numbers of the others are as they were.
+    assert_eq!(map.features().map(|f| map.name(f)).collect::<Vec<_>>(), [Some("a"), None, None]);
+}
+
+/// Two squares that share a side, a third of it covered twice, and a feature on both.
+fn three_features() -> (PlanarMap, twinedge::dcel::Attribute<twinedge::dcel::Features, Tokens>) {
+    let square = |x: f64| Shape::polygon([[x, 0.0], [x + 3.0, 0.0], [x + 3.0, 3.0], [x, 3.0]]);
+    let mut builder = Builder::new();
+    for shapes in [vec![square(0.0)], vec![square(2.0)], vec![square(0.0), square(7.0)]] {
+        builder.feature(&Feature { shapes, ..Feature::default() }).unwrap();
+    }
+    let mut map = builder.build_with(twinedge::map::Noding::Exact).unwrap();
+    let of = map.add_attribute(Policy::of_features());
+    for (i, feature) in map.features().collect::<Vec<_>>().into_iter().enumerate() {
+        map.set_value(of, feature, (0..8).map(|k| 8 * i as u64 + k).collect::<Tokens>()).unwrap();
+    }
+    (map, of)
+}
+
+#[test]
+fn faces_get_the_tokens_of_the_features_that_cover_them_each_once() {
+    let (mut map, of) = three_features();
+    let mint = Mint::default();
+    let faces = map.add_attribute(mint.policy(Policy::of_faces(), 0));
+    map.cover_values(of, faces).unwrap();
+    let mut all: Tokens = map.values(faces).unwrap().values().flatten().copied().collect();
+    all.sort_unstable();
+    assert!(all.into_iter().eq(0..24));
+    for (face, tokens) in map.values(faces).unwrap() {
+        let features: Vec<usize> = map.features_of(face).unwrap().map(|f| f.index()).collect();
+        let mut of_tokens: Vec<usize> = tokens.iter().map(|token| *token as usize / 8).collect();
+        of_tokens.dedup();
+        assert_eq!(of_tokens, features);
+    }
+    // The first of several stays.
+    let copies = map.add_attribute(Policy::of_faces().split_copy());
+    map.cover_values(of, copies).unwrap();
+    for (face, tokens) in map.values(copies).unwrap() {
+        assert_eq!(tokens[0] / 8, map.features_of(face).unwrap().next().unwrap().index() as u64);
+    }
+    // By area: the last feature is in three parts, of 9, 6 and 3 units.
+    let area = map.add_attribute(Policy::of_features());
+    let last = map.feature(2).unwrap();
+    map.set_value(area, last, 18.0).unwrap();
+    let shares = map.add_attribute(Policy::of_faces().split_share().merge_sum());
+    map.cover_values(area, shares).unwrap();
+    assert!(
+        map.values(shares).unwrap().iter().all(|(face, share)| (face_area(&map, face).unwrap() - share).abs() < 1e-12)
+    );
+    assert_eq!(map.values(shares).unwrap().len(), 3);
+}
+
+#[test]
+fn faces_that_may_not_share_a_feature_leave_everything_as_it_was() {
+    let (mut map, of) = three_features();
+    let strict = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
+    let kept = map.dcel().faces().last().unwrap().key();
+    map.set_value(strict, kept, vec![99_u64]).unwrap();
+    assert!(matches!(map.cover_values(of, strict), Err(OperatorError::Refused(_))));
+    let mut history = History::new(map);
+    assert!(history.get().values(strict).unwrap().iter().eq([(kept, &vec![99])]));
+    // That of another map is no attribute, either.
+    let (mut other, foreign) = three_features();
+    assert_eq!(other.cover_values(of, strict), Err(OperatorError::NoSuchAttribute));
+    assert_eq!(other.cover_values(foreign, strict), Err(OperatorError::NoSuchAttribute));
+    let plain = history.change("add", |map| Ok::<_, ()>(map.add_attribute(Policy::of_faces()))).unwrap();
+    history.change("cover", |map| map.cover_values(of, plain)).unwrap();
+    assert_eq!(history.get().values(plain).unwrap().len(), 3);
+    assert!(history.undo() && history.get().values(plain).unwrap().is_empty());
+}
+
+#[test]
+fn a_map_made_of_another_one_takes_over_every_value() {
+    fn law(program: EditProgram) {
+        let (mints, mut map) = (Mints::default(), PlanarMap::new());
+        let handles = Handles::of_map(&mut map, &mints, 0);
+        let of_feature = map.add_attribute(Policy::of_features().ids(5));
+        let mut runner = EditRunner::new(map);
+        runner.run(&program);
+        let old = runner.into_map();
+        let (mut new, keys) = PlanarMap::from_view(&old, &Expectation::plane(), Outside::Given).unwrap();
+        let features: Vec<_> = old.features().map(|f| new.add_feature(old.name(f).map(Into::into))).collect();
+        new.carry_values(&old, &keys);
+        handles.check(new.dcel(), &mints);
+        // A feature that has a value keeps it.
+        if let Some(feature) = new.feature(0) {
+            new.set_value(of_feature, feature, 3).unwrap();
+            new.carry_values(&old, &keys);
+            assert_eq!(new.set_value(of_feature, feature, old.value(of_feature, feature).copied()), Ok(Some(3)));
+        }
+        for h in old.dcel().half_edges() {
+            let key = keys.half_edge(h.index()).unwrap();
+            assert_eq!(new.value(handles.half_edges, key), old.value(handles.half_edges, h.key()));
+            assert_eq!(new.value(handles.edges, key), old.value(handles.edges, h.key()));
+            assert_eq!(new.value(handles.corners, key), old.value(handles.corners, h.key()));
+        }
+        for (v, tokens) in old.values(handles.vertices).unwrap() {
+            let v = old.dcel().vertex(v).unwrap().index();
+            assert_eq!(new.value(handles.vertices, keys.vertex(v).unwrap()), Some(tokens));
+        }
+        for (f, tokens) in old.values(handles.faces).unwrap() {
+            let f = old.dcel().face(f).unwrap().index();
+            assert_eq!(new.value(handles.faces, keys.face(f).unwrap()), Some(tokens));
+        }
+        assert!(features.iter().all(|f| new.value(of_feature, *f) == old.value(of_feature, *f)));
+        assert!(features.iter().all(|f| new.find(of_feature, new.value(of_feature, *f).unwrap()) == Some(*f)));
+    }
+    check(60, 60, law as fn(EditProgram));
+}
+
+/// A map, and the values of its faces and features.
+type Saved = (PlanarMap, SecondaryMap<FaceKey, Tokens>, SecondaryMap<FeatureId, u64>);
+
+#[test]
+fn values_saved_beside_a_map_find_their_records_when_both_are_loaded() {
+    fn law(program: EditProgram) {
+        let (mints, mut map) = (Mints::default(), PlanarMap::new());
+        let handles = Handles::of_map(&mut map, &mints, 0);
+        let ids = map.add_attribute(Policy::of_features().ids(100));
+        let mut runner = EditRunner::new(map);
+        runner.run(&program);
+        let map = runner.into_map();
+        let text = serde_json::to_string(&(&map, map.values(handles.faces), map.values(ids))).unwrap();
+        let (mut loaded, faces, features) = serde_json::from_str::<Saved>(&text).unwrap();
+        let next = features.values().max().map_or(100, |last| last + 1);
+        let of_face = loaded.add_attribute(Policy::of_faces());
+        let again = loaded.add_attribute(Policy::of_features().ids(next));
+        for (face, tokens) in faces {
+            loaded.set_value(of_face, face, tokens).unwrap();
+        }
+        for (feature, id) in features {
+            loaded.set_value(again, feature, id).unwrap();
+        }
+        assert!(loaded == map);
+        assert!(loaded.values(of_face).unwrap().iter().eq(map.values(handles.faces).unwrap()));
+        assert!(loaded.values(again).unwrap().iter().eq(map.values(ids).unwrap()));
+        let added = loaded.add_feature(None);
+        assert_eq!(loaded.find(again, &next), Some(added));
+    }
+    check(40, 40, law as fn(EditProgram));
 }
 
 #[test]

@@ -25,7 +25,7 @@ impl Mint {
     }
 
     /// Parts share, merged records join, and made ones get a new token. Every so many tokens one is refused, if some are.
-    fn policy<K: Attributed>(&self, policy: Policy<K, Tokens>, refuses: u64) -> Policy<K, Tokens> {
+    pub(crate) fn policy<K: Attributed>(&self, policy: Policy<K, Tokens>, refuses: u64) -> Policy<K, Tokens> {
         let (mint, drain) = (self.clone(), self.clone());
         let refuse = move |tokens: &Tokens| {
             let refused = refuses > 0 && tokens.iter().any(|token| token % refuses == 3);
@@ -122,10 +122,7 @@ impl Handles {
             assert_eq!(dcel.value(self.edges, h.key()), dcel.value(self.edges, h.twin().key()));
         }
         for (values, mint) in values.iter().zip(mints) {
-            let mut tokens: Tokens = values.values().flatten().copied().collect();
-            tokens.extend(mint.dropped.lock().unwrap().iter());
-            tokens.sort_unstable();
-            assert!(tokens.into_iter().eq(0..mint.made.load(Ordering::Relaxed)));
+            mint.check(values.values().flatten().copied().collect());
         }
     }
 }
@@ -134,6 +131,13 @@ impl Mint {
     /// The numbers of tokens that were made and dropped.
     pub(crate) fn counts(&self) -> [usize; 2] {
         [self.made.load(Ordering::Relaxed) as usize, self.dropped.lock().unwrap().len()]
+    }
+
+    /// These are all tokens that were made and not dropped, each once.
+    pub(crate) fn check(&self, mut tokens: Tokens) {
+        tokens.extend(self.dropped.lock().unwrap().iter());
+        tokens.sort_unstable();
+        assert!(tokens.into_iter().eq(0..self.made.load(Ordering::Relaxed)));
     }
 
     pub(crate) fn has_dropped(&self, token: u64) -> bool {

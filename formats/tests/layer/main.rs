@@ -10,6 +10,7 @@ mod flatgeobuf;
 mod geojson_edit;
 mod geoparquet;
 mod hostile;
+mod indexed;
 mod losses;
 mod osm;
 mod pbf;

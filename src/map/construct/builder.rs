@@ -12,7 +12,7 @@ use crate::geometry::crossing::{Clash, clashes};
 use crate::geometry::noding::NodingSummary;
 use crate::geometry::predicates::in_range;
 use crate::geometry::threads;
-use crate::map::feature::{Feature, FeatureId, Shape};
+use crate::map::feature::{Feature, Shape};
 use crate::map::index::KeptIndex;
 use crate::map::not_plane::NotPlane;
 #[cfg(feature = "near")]
@@ -20,6 +20,7 @@ use crate::map::notes::Notes;
 use crate::map::number_table::{NumberTable, hash};
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
+use crate::store::FeatureId;
 
 /// Gathers rings, lines and points, and builds the map of them.
 ///
@@ -82,7 +83,7 @@ impl Builder {
     /// # Errors
     /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
     pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
-        let id = FeatureId(self.features.names.len() as u32);
+        let id = FeatureId::new(self.features.names.len() as u32);
         for (shape, what) in feature.shapes.iter().enumerate() {
             let at = Position { feature: id.index(), shape, ..Position::default() };
             Self::check(what, at)?;

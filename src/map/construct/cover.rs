@@ -18,9 +18,9 @@
 use super::arrange::half_edge;
 use super::gathered::{GatheredFeatures, Part};
 use crate::dcel::Dcel;
-use crate::map::feature::FeatureId;
 use crate::map::feature_sets::FeatureSets;
 use crate::map::feature_tries::SetId;
+use crate::store::FeatureId;
 
 /// The parts that use each segment, in order, once for each use.
 struct Uses {
@@ -53,7 +53,7 @@ pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -
     let GatheredFeatures { names, parts, .. } = gathered;
     let uses = uses(segments, gathered);
     let mut sets = FeatureSets::default();
-    let singles: Vec<SetId> = (0..names.len() as u32).map(|feature| sets.single(FeatureId(feature))).collect();
+    let singles: Vec<SetId> = (0..names.len() as u32).map(|feature| sets.single(FeatureId::new(feature))).collect();
     // Neighbours mostly have the same features.
     let (mut features, mut last) = (Vec::new(), (Vec::new(), SetId::default()));
     for segment in 0..segments {
@@ -120,7 +120,7 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
         let segment = (h.index() - first_half_edge(0)) / 2;
         let mut changed = SetId::default();
         state.cross(uses.of(segment), parts, |feature| {
-            changed = sets.differing(changed, singles[feature.0 as usize]);
+            changed = sets.differing(changed, singles[feature.index()]);
         });
         let set = sets.differing(sets.of_face(h.twin().face().index()), changed);
         sets.put_face(face.index(), set);
@@ -145,7 +145,7 @@ impl State {
             let before = *polygons;
             *polygons = if *inside { before + 1 } else { before - 1 };
             if before == 0 || *polygons == 0 {
-                changes(FeatureId(part.feature));
+                changes(FeatureId::new(part.feature));
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::geometry::Point;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::boxes::Boxes;
 use crate::geometry::predicates::{compare_lexicographic, on_segment};
-use crate::map::feature::FeatureId;
+use crate::store::FeatureId;
 use rustc_hash::FxHashMap;
 
 /// A vertex of a feature's polygon in the interior of a segment of another feature's polygon.
@@ -54,8 +54,8 @@ impl Builder {
             for dart in polygon {
                 let at_vertex = having.get_mut(&origin(&self.segments, *dart));
                 for features in at_vertex.into_iter().chain(along.get_mut(&(*dart >> 1))) {
-                    if features.last() != Some(&FeatureId(number)) {
-                        features.push(FeatureId(number));
+                    if features.last() != Some(&FeatureId::new(number)) {
+                        features.push(FeatureId::new(number));
                     }
                 }
             }

@@ -3,8 +3,8 @@
 use crate::dcel::{HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::NodingError;
-use crate::map::feature::FeatureId;
 use crate::map::not_plane::NotPlane;
+use crate::store::FeatureId;
 use thiserror::Error;
 
 /// The error of an edit. The map is unchanged.

@@ -2,11 +2,16 @@
 
 use super::error::EditError;
 use crate::dcel::{FaceKey, HalfEdgeKey};
-use crate::map::feature::FeatureId;
 use crate::map::feature_sets::FeatureSets;
+use crate::map::feature_tries::SetId;
 #[cfg(feature = "near")]
 use crate::map::notes::MapEntry;
 use crate::map::planar_map::PlanarMap;
+use crate::store::FeatureId;
+#[cfg(feature = "near")]
+use crate::store::attributes::Step;
+#[cfg(feature = "near")]
+use slotmap::Key;
 
 impl PlanarMap {
     /// Adds a feature that covers nothing yet. O(1), amortised.
@@ -29,8 +34,94 @@ impl PlanarMap {
     pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
         #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Feature(None));
+        let feature = FeatureId::new(self.names.len() as u32);
         self.names.push(name);
-        FeatureId(self.names.len() as u32 - 1)
+        #[cfg(feature = "near")]
+        self.give_made_feature(feature);
+        feature
+    }
+
+    /// Takes a feature off all faces and edges, and its name away. Returns the name.
+    ///
+    /// Its number is not given to another one: it stays that of a feature without name, which covers nothing.
+    ///
+    /// O((faces + edges) · log features).
+    ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let inside = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?.faces_split[0].1;
+    /// let garden = map.add_feature(Some("garden".into()));
+    /// map.set_features_of(inside, [garden])?;
+    /// assert_eq!(map.remove_feature(garden)?.as_deref(), Some("garden"));
+    /// assert_eq!(map.features_of(inside)?.count(), 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchFeature`]; [`EditError::Operator`] if the policy of an attribute refuses. Nothing changes then.
+    pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
+        self.checked([feature])?;
+        #[cfg(feature = "near")]
+        self.announce_feature(Step::Drop(feature.data()))?;
+        Ok(self.replace_feature(feature, SetId::default()))
+    }
+
+    /// Merges two features: `dropped` is [removed](Self::remove_feature), and `kept` covers and runs along what it did.
+    ///
+    /// O((faces + edges) · log features).
+    ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let inside = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?.faces_split[0].1;
+    /// let [town, village] = ["town", "village"].map(|name| map.add_feature(Some(name.into())));
+    /// map.set_features_of(inside, [village])?;
+    /// map.merge_features(town, village)?;
+    /// assert!(map.features_of(inside)?.eq([town]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`remove_feature`](Self::remove_feature).
+    pub fn merge_features(&mut self, kept: FeatureId, dropped: FeatureId) -> Result<(), EditError> {
+        self.checked([kept, dropped])?;
+        if kept != dropped {
+            #[cfg(feature = "near")]
+            self.announce_feature(Step::Merge(kept.data(), dropped.data()))?;
+            let kept = self.features.single(kept);
+            self.replace_feature(dropped, kept);
+        }
+        Ok(())
+    }
+
+    /// Puts the features of a set wherever another one was, and takes its name.
+    fn replace_feature(&mut self, feature: FeatureId, others: SetId) -> Option<String> {
+        let single = self.features.single(feature);
+        let faces: Vec<usize> = self.dcel.faces().map(|f| f.index()).collect();
+        for face in faces {
+            let set = self.features.of_face(face);
+            if self.features.common(set, single) == single {
+                let rest = self.features.differing(set, single);
+                let set = self.features.either(rest, others);
+                self.cover_face(face, set);
+            }
+        }
+        let edges: Vec<usize> = self.dcel.edges().map(|h| h.index()).collect();
+        for edge in edges {
+            let set = self.features.along(edge);
+            if self.features.common(set, single) == single {
+                let rest = self.features.differing(set, single);
+                let set = self.features.either(rest, others);
+                self.cover_edge(edge, set);
+            }
+        }
+        let name = self.names[feature.index()].take();
+        #[cfg(feature = "near")]
+        self.notes.write(|| MapEntry::Name(feature.number(), name.clone().map(String::into_boxed_str)));
+        name
     }
 
     /// Says which features cover a face, in place of those that did. O(k log k) for k features. For an example see

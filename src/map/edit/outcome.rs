@@ -1,7 +1,7 @@
 //! The result of an edit.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use crate::map::feature::FeatureId;
+use crate::store::FeatureId;
 
 /// The changes that an edit made, so that data kept beside the map can follow. With the feature `near`, attributes of a `PlanarMap` do so by
 /// themselves.

@@ -1,13 +1,13 @@
 //! Tests of `feature_tries`.
 
 use super::{EMPTY, FeatureTries, SetOperation};
-use crate::map::feature::FeatureId;
+use crate::store::FeatureId;
 use quickcheck::quickcheck;
 use std::collections::BTreeSet;
 
 /// Numbers that share prefixes of all lengths.
 fn spread(numbers: &[(u8, u8)]) -> BTreeSet<FeatureId> {
-    numbers.iter().map(|(shift, low)| FeatureId((1_u32 << (shift % 32)) ^ u32::from(low % 70))).collect()
+    numbers.iter().map(|(shift, low)| FeatureId::new((1_u32 << (shift % 32)) ^ u32::from(low % 70))).collect()
 }
 
 quickcheck! {
@@ -33,7 +33,7 @@ fn sets_inside_each_other_share_their_nodes() {
     let mut tries = FeatureTries::default();
     let mut set = EMPTY;
     for feature in 0..SETS {
-        let single = tries.single(FeatureId(feature));
+        let single = tries.single(FeatureId::new(feature));
         set = tries.combined(SetOperation::Differing, set, single);
     }
     assert_eq!(tries.members(set).count(), SETS as usize);

@@ -320,5 +320,5 @@ impl EditRunner {
 }
 
 fn ids(pick: FeaturesPick) -> impl Iterator<Item = FeatureId> {
-    (0..16).filter(move |bit| pick.0 >> bit & 1 == 1).map(FeatureId)
+    (0..16).filter(move |bit| pick.0 >> bit & 1 == 1).map(FeatureId::new)
 }

@@ -3,12 +3,13 @@
 use super::kind::{Attributed, Kind};
 use super::policy::{Merging, Policy, Reason, Splitting};
 use alloc::boxed::Box;
-use alloc::collections::{BTreeMap, VecDeque};
+use alloc::collections::VecDeque;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::any::Any;
 use core::fmt::Debug;
 use core::mem;
+use hashbrown::HashMap;
 use slotmap::{Key, KeyData, SecondaryMap};
 
 /// One thing that an operator does to the records of a kind. Those that it makes get their values once they are there, in the order in which
@@ -46,6 +47,10 @@ pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     /// Shares out by measures what the first of two parts still has.
     fn share(&mut self, parts: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
     fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
+    /// Gives the values of some records to others, or drops them.
+    fn transfer(&mut self, moves: &mut dyn Iterator<Item = (KeyData, Option<KeyData>)>, log: &mut Vec<Saved>);
+    /// Gives the values of the same attribute of another structure to records that have none.
+    fn absorb(&mut self, other: &dyn AnyColumn);
     /// Gives other keys to all values; those that get none are dropped.
     fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>);
     fn copied(&self) -> Box<dyn AnyColumn>;
@@ -115,14 +120,14 @@ pub(super) struct Column<K: Attributed, T> {
     policy: Arc<Policy<K, T>>,
     pub(super) values: SecondaryMap<K::Key, T>,
     /// By number of the value its record, if records are found by it.
-    index: BTreeMap<u128, K::Key>,
+    index: HashMap<u128, K::Key>,
     /// The values of records that will be made.
     announced: VecDeque<Option<T>>,
 }
 
 impl<K: Attributed, T: Value> Column<K, T> {
     pub(super) fn new(id: u32, policy: Policy<K, T>) -> Self {
-        let (values, index, announced) = (SecondaryMap::new(), BTreeMap::new(), VecDeque::new());
+        let (values, index, announced) = (SecondaryMap::new(), HashMap::new(), VecDeque::new());
         Self { id, policy: Arc::new(policy), values, index, announced }
     }
 
@@ -186,6 +191,36 @@ impl<K: Attributed, T: Value> Column<K, T> {
         };
         self.put(gone, None, log);
         self.put(key, merged, log);
+        Ok(())
+    }
+}
+
+#[cfg(feature = "map")]
+impl<K: Attributed, T: Value> Column<K, T> {
+    /// Gives a value to several records, as if they had been one that was split: each with its measure, the largest first.
+    pub(super) fn spread(&mut self, value: T, parts: &[(KeyData, f64)], log: &mut Vec<Saved>) -> Result<(), Reason> {
+        let policy = self.policy.clone();
+        let (mut value, mut rest) = (value, parts.iter().map(|(_, measure)| measure).sum::<f64>());
+        for (part, measure) in parts.iter().skip(1) {
+            let [kept, given] = match &policy.splitting {
+                Splitting::Keep => break,
+                Splitting::Copy => [value.clone(), value],
+                Splitting::Share(share) => share(&value, if rest > 0.0 { (measure / rest).min(1.0) } else { 0.0 }),
+                Splitting::Call(split) => split(value)?,
+            };
+            (value, rest) = (kept, rest - measure);
+            self.give((*part).into(), given, log)?;
+        }
+        parts.first().map_or(Ok(()), |(largest, _)| self.give((*largest).into(), value, log))
+    }
+
+    /// Gives a value to a record. If it has one, they are merged.
+    fn give(&mut self, key: K::Key, given: T, log: &mut Vec<Saved>) -> Result<(), Reason> {
+        let value = match (self.values.get(key).cloned(), &self.policy.merging) {
+            (Some(had), Merging::Call(merge)) => merge(Some(had), Some(given))?,
+            (had, _) => Some(had.unwrap_or(given)),
+        };
+        self.put(key, value, log);
         Ok(())
     }
 }
@@ -266,11 +301,28 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
         }
     }
 
+    fn transfer(&mut self, moves: &mut dyn Iterator<Item = (KeyData, Option<KeyData>)>, log: &mut Vec<Saved>) {
+        let taken: Vec<_> = moves.map(|(from, to)| (to, self.put(from.into(), None, log))).collect();
+        for (to, value) in taken {
+            if let (Some(to), Some(_)) = (to, &value) {
+                self.put(to.into(), value, log);
+            }
+        }
+    }
+
     fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>) {
         self.index.clear();
         for (old, value) in mem::take(&mut self.values) {
             if let Some(new) = key(old.data()) {
                 self.replace(new.into(), Some(value));
+            }
+        }
+    }
+
+    fn absorb(&mut self, other: &dyn AnyColumn) {
+        for (key, value) in other.as_any().downcast_ref::<Self>().into_iter().flat_map(|other| &other.values) {
+            if !self.values.contains_key(key) {
+                self.replace(key, Some(value.clone()));
             }
         }
     }

@@ -1,5 +1,7 @@
 //! The kinds of records that have attributes.
 
+#[cfg(feature = "map")]
+use crate::store::keys::FeatureId;
 use crate::store::keys::{FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 use slotmap::Key;
@@ -12,6 +14,8 @@ pub enum Kind {
     Edge,
     Corner,
     Face,
+    #[cfg(feature = "map")]
+    Feature,
 }
 
 mod sealed {
@@ -24,22 +28,26 @@ mod sealed {
 
 pub(crate) use sealed::Sealed;
 
-/// A kind of record that has [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`] or [`Faces`].
+/// A kind of record that has [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`], [`Faces`] or, on
+/// maps, `Features`.
 pub trait Attributed: sealed::Sealed + Debug + Send + Sync + 'static {
     /// The keys of these records.
     type Key: Key + Send + Sync;
 }
 
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident;)*) => {$(
+    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident $(if $feature:literal)?;)*) => {$(
         $(#[$doc])*
+        $(#[cfg(feature = $feature)])?
         #[derive(Clone, Copy, Debug)]
         pub enum $name {}
 
+        $(#[cfg(feature = $feature)])?
         impl sealed::Sealed for $name {
             const KIND: Kind = Kind::$kind;
         }
 
+        $(#[cfg(feature = $feature)])?
         impl Attributed for $name {
             type Key = $key;
         }
@@ -58,4 +66,6 @@ kinds! {
     Corners Corner HalfEdgeKey;
     /// Faces have the attribute, and the unbounded one may have a value, too.
     Faces Face FaceKey;
+    /// Features have the attribute. Only a [`PlanarMap`](crate::map::PlanarMap) has some, and gives them values.
+    Features Feature FeatureId if "map";
 }

@@ -10,11 +10,15 @@ mod quantity;
 
 pub use column::Value;
 pub(crate) use column::{Saved, Step};
+#[cfg(feature = "map")]
+pub use kind::Features;
 pub use kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
 pub(crate) use kind::{Kind, Sealed};
 pub use policy::Policy;
 pub use quantity::Quantity;
 
+#[cfg(feature = "map")]
+use crate::store::FeatureId;
 use crate::store::issuer::structure_offset;
 use alloc::boxed::Box;
 #[cfg(feature = "map")]
@@ -24,6 +28,8 @@ use column::{AnyColumn, Column};
 use core::fmt;
 use core::marker::PhantomData;
 use core::mem;
+#[cfg(feature = "map")]
+use slotmap::Key;
 use slotmap::{KeyData, SecondaryMap};
 
 /// The name of an attribute of a structure: of values of type `T` that records of one kind have.
@@ -109,8 +115,7 @@ impl Attributes {
             let is_larger = matches!(step, Step::Merge(_, dropped) if Some(*dropped) == larger);
             for column in self.columns.iter_mut().filter(|column| column.kind() == *kind) {
                 if let Err(reason) = column.announce(*step, is_larger, &mut self.log) {
-                    let mut failed = self.log.split_off(start);
-                    failed.iter_mut().rev().for_each(|saved| self.exchange(saved));
+                    self.rewind(start);
                     return Err(reason);
                 }
             }
@@ -126,6 +131,22 @@ impl Attributes {
                 column.settle(*key, &mut self.log);
             }
         }
+    }
+
+    /// Takes over the attributes of another structure. Where both have the same one, a record that has a value of its own keeps it.
+    pub(crate) fn extend(&mut self, other: Self) {
+        for new in other.columns {
+            match self.columns.iter_mut().find(|column| column.id() == new.id()) {
+                Some(column) => column.absorb(&*new),
+                None => self.columns.push(new),
+            }
+        }
+    }
+
+    /// Takes back all that was overwritten after so many values.
+    fn rewind(&mut self, start: usize) {
+        let mut failed = self.log.split_off(start);
+        failed.iter_mut().rev().for_each(|saved| self.exchange(saved));
     }
 
     /// Exchanges a value for the one that is there.
@@ -202,9 +223,30 @@ impl Attributes {
         }
     }
 
-    /// The same attributes for other faces, into which these were cut: each with its parts, the largest first, and their areas. Nothing else
-    /// has a value then.
-    pub(crate) fn cut(&self, faces: &[(KeyData, Vec<(KeyData, f64)>)]) -> Result<Self, &'static str> {
+    /// Gives to faces what features have that cover them: each value, and the parts of its feature, the largest first, with their areas. If the
+    /// policy refuses, everything is as it was. An error if the attribute is one of another structure.
+    pub(crate) fn spread<T: Value>(
+        &mut self,
+        of: Attribute<Faces, T>,
+        values: Vec<(T, Vec<(KeyData, f64)>)>,
+    ) -> Result<Result<(), &'static str>, ()> {
+        let start = self.log.len();
+        let column = self.columns.iter_mut().find(|column| column.id() == of.id).ok_or(())?;
+        let column = column.as_any_mut().downcast_mut::<Column<Faces, T>>().ok_or(())?;
+        let outcome = values.into_iter().try_for_each(|(value, parts)| column.spread(value, &parts, &mut self.log));
+        if outcome.is_err() {
+            self.rewind(start);
+        }
+        Ok(outcome)
+    }
+
+    /// The same attributes for other faces, into which these were cut: each with its parts, the largest first, and their areas; and for other
+    /// features. Nothing else has a value then.
+    pub(crate) fn cut(
+        &self,
+        faces: &[(KeyData, Vec<(KeyData, f64)>)],
+        features: &[(FeatureId, Option<FeatureId>)],
+    ) -> Result<Self, &'static str> {
         let mut all = self.clone();
         let mut first = BTreeMap::new();
         for (old, parts) in faces {
@@ -213,7 +255,14 @@ impl Attributes {
                 None => all.announce(&[(Kind::Face, Step::Drop(*old))])?,
             }
         }
-        all.rename(&|kind, old| first.get(&old).copied().filter(|_| kind == Kind::Face));
+        for (old, _) in features.iter().filter(|(_, new)| new.is_none()) {
+            all.announce(&[(Kind::Feature, Step::Drop(old.data()))])?;
+        }
+        all.rename(&|kind, old| match kind {
+            Kind::Face => first.get(&old).copied(),
+            Kind::Feature => features.get(FeatureId::from(old).index()).and_then(|(_, new)| new.map(|new| new.data())),
+            _ => None,
+        });
         for (_, parts) in faces {
             let mut rest: f64 = parts.iter().map(|(_, area)| area).sum();
             for (part, area) in parts.iter().skip(1) {
@@ -228,10 +277,12 @@ impl Attributes {
         Ok(all)
     }
 
-    /// Takes over the attributes of another structure, but for those that are there.
-    pub(crate) fn extend(&mut self, other: Self) {
-        let more = other.columns.into_iter().filter(|new| self.columns.iter().all(|column| column.id() != new.id()));
-        let more: Vec<_> = more.collect();
-        self.columns.extend(more);
+    /// Gives the values of records to others, or drops them: all at once, and policies are not asked.
+    pub(crate) fn transfer(&mut self, moves: &[(Kind, KeyData, Option<KeyData>)]) {
+        for column in &mut self.columns {
+            let kind = column.kind();
+            let mut of_kind = moves.iter().filter(|(of, ..)| *of == kind).map(|(_, from, to)| (*from, *to));
+            column.transfer(&mut of_kind, &mut self.log);
+        }
     }
 }

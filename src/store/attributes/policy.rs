@@ -1,5 +1,7 @@
 //! Policies: the rules by which the values of an attribute follow.
 
+#[cfg(feature = "map")]
+use super::kind::Features;
 use super::kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
 use super::quantity::Quantity;
 use alloc::sync::Arc;
@@ -33,12 +35,12 @@ pub(super) enum Merging<T> {
 /// By default the part of a split record that keeps its key keeps the value, and the other part has none; of two merged records the value
 /// of the one that is kept stays; a record that is made has none; that of a record that is dropped is dropped.
 ///
-/// | event | vertices | half-edges, edges | corners | faces |
-/// | --- | --- | --- | --- | --- |
-/// | made | added in a face or on an edge | drawn | at a new vertex | |
-/// | split | `split_vertex` | `split_edge` | an edge is drawn there | an edge closes a cycle |
-/// | merged | `contract_edge` | `join_edges` | an edge is erased there | the edge between is erased |
-/// | dropped | removed, or between joined edges | erased, or contracted | with its vertex, or its last edge | |
+/// | event | vertices | half-edges, edges | corners | faces | features |
+/// | --- | --- | --- | --- | --- | --- |
+/// | made | added in a face or on an edge | drawn | at a new vertex | | `add_feature` |
+/// | split | `split_vertex` | `split_edge` | an edge is drawn there | an edge closes a cycle | |
+/// | merged | `contract_edge` | `join_edges` | an edge is erased there | the edge between is erased | `merge_features` |
+/// | dropped | removed, or between joined edges | erased, or contracted | with its vertex, or its last edge | | `remove_feature` |
 ///
 /// The functions may refuse, with a reason: the operator or the edit is then [refused](crate::dcel::OperatorError::Refused), and nothing has
 /// changed. They are called while an operator runs, and must not panic.
@@ -139,7 +141,29 @@ impl<K: Attributed, T> Policy<K, T> {
     /// Keeps an index of numbers of the values, by which [`find`](crate::dcel::Dcel::find) finds records. No two records should have the same:
     /// of these it finds one at most.
     ///
-    /// A UUID is a number of this size.
+    /// A UUID is a number of this size. Here a function that issues such ids numbers the faces; [`ids`](Self::ids) is shorter.
+    ///
+    /// ```
+    /// use std::sync::atomic::{AtomicU64, Ordering};
+    /// use twinedge::dcel::{Dcel, OperatorError, Policy, Split};
+    ///
+    /// /// In place of that of a crate: an id of 128 bits that was never issued before.
+    /// fn uuid() -> u128 {
+    ///     static NEXT: AtomicU64 = AtomicU64::new(0);
+    ///     0xf81d_4fae_7dec_41d0_a765_0000_0000_0000 | u128::from(NEXT.fetch_add(1, Ordering::Relaxed))
+    /// }
+    ///
+    /// let mut map = Dcel::new();
+    /// let ids = Policy::of_faces().make_with(uuid).split_with(|id| Ok([id, uuid()])).identified_by(|id| *id);
+    /// let id = map.add_attribute(ids);
+    /// let outside = map.unbounded_face().key();
+    /// map.set_value(id, outside, uuid())?;
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let inside = map.connect(v, v, Split::default())?.new_face().unwrap();
+    /// let number = *map.value(id, inside).unwrap();
+    /// assert_eq!(map.find(id, &number), Some(inside));
+    /// # Ok::<(), OperatorError>(())
+    /// ```
     #[must_use]
     pub fn identified_by(mut self, number: fn(&T) -> u128) -> Self {
         self.number = Some(number);
@@ -151,7 +175,8 @@ impl<K: Attributed> Policy<K, u64> {
     /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
     /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it.
+    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it. For a structure that
+    /// was loaded, `first` is to be beyond the numbers that were saved.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, Policy};
@@ -177,7 +202,8 @@ impl<K: Attributed> Policy<K, u64> {
 }
 
 macro_rules! constructors {
-    ($($kind:ident $name:ident $doc:literal;)*) => {$(
+    ($($kind:ident $name:ident $doc:literal $(if $feature:literal)?;)*) => {$(
+        $(#[cfg(feature = $feature)])?
         impl<T> Policy<$kind, T> {
             #[doc = $doc]
             #[must_use]
@@ -194,6 +220,7 @@ constructors! {
     Edges of_edges "The default policy, for an attribute of edges.";
     Corners of_corners "The default policy, for an attribute of corners.";
     Faces of_faces "The default policy, for an attribute of faces.";
+    Features of_features "The default policy, for an attribute of the features of a map." if "map";
 }
 
 /// Policies by the length of edges or the area of faces.
