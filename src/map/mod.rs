@@ -63,6 +63,7 @@ mod index;
 mod not_plane;
 #[cfg(feature = "near")]
 mod notes;
+mod number_table;
 mod planar_map;
 #[cfg(feature = "serde")]
 mod saved;
