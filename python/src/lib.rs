@@ -8,6 +8,7 @@ mod audit;
 mod clean;
 mod editor;
 mod expectation;
+mod geometries;
 mod maps;
 mod source;
 mod structure;

@@ -1,22 +1,18 @@
-//! Tiles of maps: geometries as well-known binary, summaries and cuts as bytes.
+//! Tiles of maps: geometries as columns of Arrow, summaries and cuts as bytes.
 
 use crate::audit::{LimitsAsked, MapAsked, Told, told};
+use crate::geometries::{Column, features, given};
 use crate::source::Failure;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
-use twinedge::io::ReadSummary;
-use twinedge::map::{BuildError, Feature, Shape};
+use twinedge::map::{BuildError, Shape};
 use twinedge::tile::{Cuts, Found, Grid, Summary, Tile, TileError};
-use twinedge_formats::layer::{Feature as LayerFeature, geometry_of_wkb, to_map};
-use twinedge_report::{audit_summary, merged};
+use twinedge_report::{audit_summary, merged, refuse_without_cuts};
 
 /// A grid: the corners of its box, and the numbers of columns and rows.
 type GridArguments = ([f64; 4], u32, u32);
-
-/// Geometries as well-known binary.
-type Geometries = Vec<Option<PyBackedBytes>>;
 
 /// The positions of geometries, and the tile of each.
 type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
@@ -38,17 +34,6 @@ fn tile(grid: &Grid, number: u64) -> Result<Tile, Failure> {
     if grid.has(tile) { Ok(tile) } else { Err(none()) }
 }
 
-/// The feature of a geometry, which may be missing.
-fn feature(place: usize, geometry: Option<&PyBackedBytes>) -> Result<Feature, Failure> {
-    let geometry = geometry.map(|bytes| geometry_of_wkb(bytes)).transpose();
-    let geometry = geometry.map_err(|error| Failure::Value(format!("geometry {place}: {error}")))?;
-    Ok(to_map(&LayerFeature { geometry, ..LayerFeature::default() }, &mut ReadSummary::default()))
-}
-
-fn features(geometries: &[Option<PyBackedBytes>]) -> Result<Vec<Feature>, Failure> {
-    geometries.iter().enumerate().map(|(place, geometry)| feature(place, geometry.as_ref())).collect()
-}
-
 fn cuts(bytes: &[u8]) -> Result<Cuts, Failure> {
     serde_json::from_slice(bytes).map_err(|error| Failure::Value(format!("cuts: {error}")))
 }
@@ -67,21 +52,21 @@ fn refused(error: TileError) -> Failure {
 
 /// The tiles that each geometry is to be given to.
 #[pyfunction]
-pub(crate) fn tiles_of(
-    py: Python<'_>,
+pub(crate) fn tiles_of<'py>(
+    py: Python<'py>,
     of: GridArguments,
-    geometries: Geometries,
+    geometries: Column<'py>,
     cut: Option<PyBackedBytes>,
-) -> PyResult<Assignment<'_>> {
+) -> PyResult<Assignment<'py>> {
+    let columns = given(vec![geometries])?;
     let found = py.detach(|| {
         let grid = grid(of)?;
         let cuts = cut.map(|bytes| cuts(&bytes)).transpose()?;
         let (mut places, mut tiles) = (Vec::new(), Vec::new());
-        for (place, geometry) in geometries.iter().enumerate() {
-            let feature = feature(place, geometry.as_ref())?;
+        for (place, feature) in features(columns)?.iter().enumerate() {
             let met: Vec<Tile> = match &cuts {
-                Some(cuts) => cuts.tiles_of(&grid, &feature).collect(),
-                None => grid.tiles_of(&feature).collect(),
+                Some(cuts) => cuts.tiles_of(&grid, feature).collect(),
+                None => grid.tiles_of(feature).collect(),
             };
             for tile in met {
                 places.push(place as u64);
@@ -96,20 +81,19 @@ pub(crate) fn tiles_of(
 
 /// The box around geometries; none, if they have no points.
 #[pyfunction]
-pub(crate) fn bounds(py: Python<'_>, geometries: Geometries) -> PyResult<Option<[f64; 4]>> {
+pub(crate) fn bounds(py: Python<'_>, geometries: Column<'_>) -> PyResult<Option<[f64; 4]>> {
+    let columns = given(vec![geometries])?;
     let found = py.detach(|| {
         let mut found: Option<[f64; 4]> = None;
-        for (place, geometry) in geometries.iter().enumerate() {
-            for shape in &feature(place, geometry.as_ref())?.shapes {
-                let points = match shape {
-                    Shape::Polygon(rings) => rings.iter().flatten().collect(),
-                    Shape::Line(points) => points.iter().collect(),
-                    Shape::Point(point) => vec![point],
-                };
-                for p in points {
-                    let [x0, y0, x1, y1] = found.unwrap_or([p.x, p.y, p.x, p.y]);
-                    found = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
-                }
+        for shape in features(columns)?.iter().flat_map(|feature| &feature.shapes) {
+            let points = match shape {
+                Shape::Polygon(rings) => rings.iter().flatten().collect(),
+                Shape::Line(points) => points.iter().collect(),
+                Shape::Point(point) => vec![point],
+            };
+            for p in points {
+                let [x0, y0, x1, y1] = found.unwrap_or([p.x, p.y, p.x, p.y]);
+                found = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
             }
         }
         Ok::<_, Failure>(found)
@@ -137,16 +121,17 @@ pub(crate) fn tiles_to_search(py: Python<'_>, cut: PyBackedBytes, of: GridArgume
 
 /// The cuts that a tile finds in this round, from the features that come near it.
 #[pyfunction]
-pub(crate) fn search(
-    py: Python<'_>,
+pub(crate) fn search<'py>(
+    py: Python<'py>,
     cut: PyBackedBytes,
     of: GridArguments,
     at: u64,
-    geometries: Geometries,
-) -> PyResult<Bound<'_, PyBytes>> {
+    geometries: Vec<Column<'py>>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let columns = given(geometries)?;
     let bytes = py.detach(|| {
         let (cuts, grid) = (cuts(&cut)?, grid(of)?);
-        let features = features(&geometries)?;
+        let features = features(columns)?;
         let found = cuts.search(&grid, tile(&grid, at)?, (0..).zip(&features)).map_err(refused)?;
         serde_json::to_vec(&found).map_err(Failure::value)
     });
@@ -175,14 +160,15 @@ pub(crate) fn summarise<'py>(
     of: GridArguments,
     at: u64,
     numbers: PyReadonlyArray1<'py, u32>,
-    geometries: Geometries,
+    geometries: Vec<Column<'_>>,
     limits: LimitsAsked,
     cut: Option<PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyBytes>, Option<Bound<'py, PyBytes>>)> {
     let numbers = numbers.as_array().to_vec();
+    let columns = given(geometries)?;
     let bytes = py.detach(|| {
         let grid = grid(of)?;
-        let (features, tile, limits) = (features(&geometries)?, tile(&grid, at)?, limits.limits());
+        let (features, tile, limits) = (features(columns)?, tile(&grid, at)?, limits.limits());
         let given = || numbers.iter().copied().zip(&features);
         let bytes = |summary: Result<Summary, TileError>| {
             serde_json::to_vec(&summary.map_err(refused)?).map_err(Failure::value)
@@ -207,14 +193,29 @@ fn sum(summaries: &[PyBackedBytes]) -> Result<Option<Summary>, Failure> {
     Ok(merged(all)?)
 }
 
-/// One summary of several; none, if there is none.
+/// The sum of summaries, and that of those with edges cut; either all have these, or none.
+fn sums(summaries: &[PyBackedBytes], cuts: &[PyBackedBytes]) -> Result<(Option<Summary>, Option<Summary>), Failure> {
+    let (whole, cut) = (sum(summaries)?, sum(cuts)?);
+    if let (Some(whole), Some(cut)) = (&whole, &cut) {
+        refuse_without_cuts(whole, cut)?;
+    }
+    Ok((whole, cut))
+}
+
+/// One summary of several, and one of those with edges cut; none, if there is none.
 #[pyfunction]
-pub(crate) fn merge(py: Python<'_>, summaries: Vec<PyBackedBytes>) -> PyResult<Option<Bound<'_, PyBytes>>> {
+pub(crate) fn merge(
+    py: Python<'_>,
+    summaries: Vec<PyBackedBytes>,
+    cuts: Vec<PyBackedBytes>,
+) -> PyResult<(Option<Bound<'_, PyBytes>>, Option<Bound<'_, PyBytes>>)> {
     let bytes = py.detach(|| {
-        let whole = sum(&summaries)?;
-        whole.map(|whole| serde_json::to_vec(&whole)).transpose().map_err(Failure::value)
+        let (whole, cut) = sums(&summaries, &cuts)?;
+        let bytes = |sum: Option<Summary>| sum.map(|sum| serde_json::to_vec(&sum).map_err(Failure::value)).transpose();
+        Ok::<_, Failure>((bytes(whole)?, bytes(cut)?))
     });
-    Ok(bytes?.map(|bytes| PyBytes::new(py, &bytes)))
+    let (whole, cut) = bytes?;
+    Ok((whole.map(|bytes| PyBytes::new(py, &bytes)), cut.map(|bytes| PyBytes::new(py, &bytes))))
 }
 
 /// The tiles of a summary.
@@ -234,9 +235,10 @@ pub(crate) fn finish(
     asked: MapAsked,
 ) -> PyResult<Told> {
     let found = py.detach(|| {
-        let whole = sum(&summaries)?.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
+        let (whole, cut) = sums(&summaries, &cuts)?;
+        let whole = whole.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
         let options = asked.options()?;
-        told(&audit_summary(whole, sum(&cuts)?, &options)?, options.accepted.as_ref())
+        told(&audit_summary(whole, cut, &options)?, options.accepted.as_ref())
     });
     Ok(found?)
 }

@@ -122,14 +122,14 @@ def test_tiles_to_which_nothing_was_assigned_are_made_at_the_end(whole, features
     grid = tiles.Grid((0, 0, 48, 48), 8, 8)
     parts = [*tiles.audit_tiles(tiles.assign(features, grid), grid, **LIMITS)]
     assert len(parts) == 10
-    with pytest.raises(ValueError, match="54 tiles are missing, the first of them 0,2"):
+    with pytest.raises(ValueError, match=r"54 tiles are missing: \(3,0\), "):
         tiles.finish(parts)
     assert told(tiles.finish(parts, grid=grid, coverage=True, **LIMITS)) == told(whole)
 
 
 def test_what_is_missing_or_twice_is_named(features):
     parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
-    with pytest.raises(ValueError, match="1 tile is missing, the first of them 1,1"):
+    with pytest.raises(ValueError, match=r"1 tile is missing: \(1,1\)"):
         tiles.finish(parts[:4], parts[5:])
     with pytest.raises(ValueError, match="both summaries have tile 0,0"):
         tiles.merge(parts, parts[0])
@@ -260,8 +260,22 @@ def test_cuts_that_are_wrong_are_refused(features):
         with pytest.raises(ValueError, match=r"box|reach|range"):
             tiles.Cuts(box)
     complete, _ = rounds(layer, QUARTERS)
-    with pytest.raises(ValueError, match="some summaries were made with cuts, and others without"):
-        tiles.merge(tiles.audit_tile(layer, QUARTERS, 0), tiles.audit_tile(layer, QUARTERS, 1, cuts=complete))
+    parts = [tiles.audit_tile(layer, QUARTERS, tile, cuts=None if tile in (1, 2) else complete) for tile in range(4)]
+    for add in (tiles.merge, tiles.finish):
+        with pytest.raises(ValueError, match=r"tiles \(0,1\) and \(1,0\) were made without cuts, and others with cuts"):
+            add(parts)
+
+
+def test_a_tile_that_is_left_out_of_a_round_of_cuts_is_named():
+    layer = tiles.table(MEETING["an overlap on the corner of four tiles"][0])
+    cuts = tiles.Cuts(tiles.bounds(layer))
+    # Boundaries cross at (2.5, 1.5), in tile 1, and at (1.5, 2.5), in tile 2.
+    while wanted := cuts.tiles(QUARTERS):
+        cuts = cuts.take(*[cuts.search(layer, QUARTERS, tile) for tile in wanted if tile != 2])
+    parts = [tiles.audit_tile(layer, QUARTERS, tile, cuts=cuts) for tile in range(4)]
+    report = tiles.finish(parts, coverage=True)
+    why = report.to_dict()["coverage"]["not_checked"]
+    assert report.verdict == "invalid" and why.startswith("borders cross, and tile (0,1): edges still meet elsewhere than at vertices there")
 
 
 def test_more_cuts_than_can_be_judged_are_said_to_be():
@@ -269,6 +283,92 @@ def test_more_cuts_than_can_be_judged_are_said_to_be():
     cuts = tiles.Cuts((0, 0, 801, 801))
     with pytest.raises(ValueError, match="the coverage cannot be judged in tiles"):
         cuts.search(tiles.table(lines), tiles.Grid((0, 0, 801, 801), 1, 1), 0)
+
+
+def ragged(geometries, width=2):
+    """Geometries of one type as GeoArrow: apart, and interleaved with so many numbers."""
+    kind, coordinates, offsets = shapely.to_ragged_array(geometries, include_z=False)
+    name = f"geoarrow.{kind.name.lower()}"
+    filled = np.zeros((len(coordinates), width))
+    filled[:, :2] = coordinates
+    apart = pa.StructArray.from_arrays([pa.array(column) for column in coordinates.T.copy()], ["x", "y"])
+    interleaved = pa.FixedSizeListArray.from_arrays(pa.array(filled.ravel()), width)
+    columns = []
+    for inner, list_array in ((apart, pa.ListArray), (interleaved, pa.LargeListArray)):
+        for level in offsets:
+            whole = pa.int32() if list_array is pa.ListArray else pa.int64()
+            inner = list_array.from_arrays(pa.array(level, whole), inner)
+        columns.append(inner)
+    return name, columns
+
+
+def with_column(name, column, numbers=None):
+    field = pa.field("geometry", column.type, metadata={"ARROW:extension:name": name, "ARROW:extension:metadata": '{"crs": "EPSG:2056"}'})
+    numbers = pa.array(range(len(column)) if numbers is None else numbers, pa.uint32())
+    return pa.table([numbers, column], schema=pa.schema([pa.field("feature", pa.uint32()), field], {"of": "parcels"}))
+
+
+def test_geoarrow_is_read_where_it_is_and_says_the_same(whole, features):
+    multi = [shapely.MultiPolygon([polygon]) for polygon in LAYER]
+    for layer in (LAYER, multi):
+        name, columns = ragged(layer, 3)
+        for column in columns:
+            table = with_column(name, column)
+            assert tiles.bounds(table) == tiles.bounds(features)
+            # Batches are slices, whose offsets do not begin at 0.
+            batches = table.to_batches(max_chunksize=5)
+            rows = pa.Table.from_batches(tiles.assign(batches, GRID))
+            assert rows.schema.field("geometry").equals(table.schema.field("geometry"), check_metadata=True) and rows.schema.metadata == table.schema.metadata
+            parts = [*tiles.audit_tiles(rows, GRID, **LIMITS)]
+            assert parts == [*tiles.audit_tiles(tiles.assign(features, GRID), GRID, **LIMITS)]
+            assert told(tiles.finish(parts, grid=GRID, coverage=True, **LIMITS)) == told(whole)
+
+
+def test_all_types_of_geoarrow_are_assigned_as_well_known_binary_is():
+    lines = [shapely.LineString([(x, 0), (x + 1.5, 2)]) for x in range(6)]
+    for layer in (
+        [shapely.Point(x, x % 2) for x in range(6)],
+        [shapely.MultiPoint([(x, 0), (x + 1, 1)]) for x in range(6)],
+        lines,
+        [shapely.MultiLineString([line, [(9, 9), (9, 8)]]) for line in lines],
+    ):
+        expected = [*tiles.assign(tiles.table(layer), GRID)][0]
+        name, columns = ragged(layer)
+        for column in columns:
+            found = [*tiles.assign(with_column(name, column), GRID)][0]
+            assert [found["tile"], found["feature"]] == [expected["tile"], expected["feature"]], name
+
+
+def test_missing_geometries_and_wrong_ones_of_geoarrow():
+    name, (apart, interleaved) = ragged([shapely.box(0, 0, 1, 1), shapely.box(5, 5, 6, 6)])
+    for column in (apart, interleaved):
+        holed = column.take(pa.array([0, None, 1]))
+        assert [*tiles.assign(with_column(name, holed), GRID)][0]["feature"].to_pylist() == [0, 2]
+    points = pa.array([{"x": 1.0, "y": 1.0}, None, {"x": float("nan"), "y": float("nan")}], pa.struct([("x", pa.float64()), ("y", pa.float64())]))
+    assert [*tiles.assign(with_column("geoarrow.point", points), GRID)][0]["feature"].to_pylist() == [0]
+    flat = pa.ListArray.from_arrays(pa.array([0, 1], pa.int32()), points.slice(2))
+    backwards = pa.ListArray.from_arrays(pa.array([0, 2, 1, 2], pa.int32()), points.slice(0, 1).take(pa.array([0, 0])))
+    for column, kind, error, text in [
+        (flat, "linestring", ValueError, "geometry 0: its offsets are out of order, or a coordinate is not finite"),
+        (backwards, "linestring", ValueError, "geometry 1: its offsets are out of order"),
+        (apart, "point", TypeError, "geometry: expected the coordinates of geoarrow.point, not list"),
+        (points, "polygon", TypeError, "geometry: expected the lists of geoarrow.polygon, not struct"),
+        (apart, "geometry", TypeError, "geometry: expected well-known binary or GeoArrow, not list"),
+    ]:
+        with pytest.raises(error, match=text):
+            tiles.bounds(with_column(f"geoarrow.{kind}", column))
+
+
+def test_a_table_says_that_it_is_geoarrow_and_names_the_reference_system():
+    geopandas = pytest.importorskip("geopandas", reason="geopandas is not installed")
+    frame = geopandas.GeoDataFrame(geometry=LAYER, crs="EPSG:2056")
+    metadata = tiles.table(frame).schema.field("geometry").metadata
+    assert metadata[b"ARROW:extension:name"] == b"geoarrow.wkb"
+    assert json.loads(metadata[b"ARROW:extension:metadata"])["crs"]["id"] == {"authority": "EPSG", "code": 2056}
+    # As geopandas makes it.
+    for encoding in ("WKB", "geoarrow"):
+        table = pa.table(frame.to_arrow(geometry_encoding=encoding, index=False)).append_column("feature", pa.array(range(len(LAYER)), pa.uint32()))
+        assert tiles.audit_tile(table, GRID, 1, **LIMITS) == tiles.audit_tile(tiles.table(frame), GRID, 1, **LIMITS)
 
 
 def test_tables_that_are_wrong_are_refused(features):
@@ -279,7 +379,7 @@ def test_tables_that_are_wrong_are_refused(features):
         (features.set_column(0, "feature", pa.array([*range(26), None], pa.int64())), ValueError, "a feature has no number"),
         (features.set_column(0, "feature", pa.array([*range(26), 2**32])), ValueError, "not up to 4294967296"),
         (features.set_column(0, "feature", pa.array([0, *range(26)])), ValueError, "two features have the number 0"),
-        (features.set_column(1, "geometry", pa.array(["POINT(0 0)"] * 27)), TypeError, "expected well-known binary, not str"),
+        (features.set_column(1, "geometry", pa.array(["POINT(0 0)"] * 27)), TypeError, "expected well-known binary or GeoArrow, not str"),
         (features.set_column(1, "geometry", pa.array([b"\x01\x03"] * 27)), ValueError, "geometry 0: "),
         (7, TypeError, "expected a table"),
     ]:

@@ -43,7 +43,8 @@ impl Summary {
     }
 
     /// The summary of a tile whose edges are cut where they meet, by [`Cuts`] that are complete. `features` are all that
-    /// [`Cuts::tiles_of`] gives to the tile. It has no defects (C6), which are those of the input, but the vertices that borders lack (C7).
+    /// [`Cuts::tiles_of`] gives to the tile. It has no defects (C6), which are those of the input, but the vertices that borders lack (C7). If a tile was left
+    /// out of a round of cuts, edges still meet elsewhere than at vertices there.
     ///
     /// O(n log n) for the features that come near the tile.
     ///
@@ -76,6 +77,7 @@ impl Summary {
             };
             summary.unmatched = apart(&map, &unmatched, |p| cuts.snapped(p)).map(in_whole).collect();
         }
+        summary.crossings = local.crossings();
         Ok(local.summarize(tile, summary))
     }
 }

@@ -1,12 +1,12 @@
 //! Maps whose edges meet elsewhere than at vertices: they are cut tile by tile.
 
 use crate::maps::{Random, area, feature, line, point};
-use crate::whole::{compare, grid, whole, whole_cut};
+use crate::whole::{compare, grid, merged, whole, whole_cut};
 use std::collections::BTreeSet;
 use std::convert::Infallible;
 use twinedge::algorithm::coverage::{CoverageRule, Limits};
 use twinedge::map::{BuildError, Feature, Shape};
-use twinedge::tile::{AuditError, Cuts, Grid, Tile, TileError, audit};
+use twinedge::tile::{AuditError, CrossingKind, Cuts, Grid, Summary, Tile, TileError, audit};
 
 /// Triangles and lines between points of a lattice of 4 by 4 points, whose edges cross each other and pass through the points.
 fn on_lattice(random: &mut Random, count: usize) -> Vec<Feature> {
@@ -154,6 +154,27 @@ fn the_driver_says_what_rules_and_cut_tiles_say() {
     assert!(!outcome.crossings.is_empty() && !outcome.is_valid() && !whole(&features).is_plane());
     let found = outcome.coverage.expect("it was cut").findings;
     assert_eq!(found.len(), whole_cut(&features, &Limits::default()).findings.len());
+}
+
+#[test]
+fn a_tile_that_is_left_out_of_all_rounds_shows_what_is_not_cut() {
+    let features = [feature([area([0.0, 0.0], [2.5, 2.5])]), feature([area([1.5, 1.5], [4.0, 4.0])])];
+    let (grid, mut cuts) = (grid(&[2.0], &[2.0]), Cuts::new(4.0).expect("finite"));
+    let left_out = Tile { column: 0, row: 1 };
+    let numbered = || (0..).zip(&features);
+    while !cuts.is_complete() {
+        let others = grid.tiles().filter(|tile| *tile != left_out);
+        let found: Vec<_> = others.map(|tile| cuts.search(&grid, tile, numbered()).expect("in range")).collect();
+        cuts.take(found).expect("few rounds");
+    }
+    let summary = |tile| Summary::cut(&grid, tile, numbered(), &Limits::default(), &cuts).expect("in range");
+    let summaries = grid.tiles().map(summary).collect();
+    let outcome = merged(summaries, &mut Random::new(57)).finish().expect("no tile is missing");
+    assert_eq!(outcome.coverage, None);
+    let [crossing] = &outcome.crossings[..] else { panic!("{:?}", outcome.crossings) };
+    assert_eq!(crossing.kind, CrossingKind::Cross);
+    // The left side of the second square, and the upper side of the first one.
+    assert!(crossing.first.iter().all(|p| p.y.to_bits() == 2.5_f64.to_bits() || p.x.to_bits() == 1.5_f64.to_bits()));
 }
 
 #[test]

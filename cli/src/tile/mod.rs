@@ -137,5 +137,5 @@ fn told(amount: Option<Amount>) -> String {
         return "the whole file was read, as it has no boxes that say where its features are".to_owned();
     };
     let [features, of_features, bytes, of_bytes] = [features, of_features, bytes, of_bytes].map(grouped);
-    format!("{features} of {of_features} features were read, and {bytes} of {of_bytes} bytes")
+    format!("{features} of {of_features} features were read, and {bytes} bytes; the file has {of_bytes}")
 }

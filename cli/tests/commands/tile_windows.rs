@@ -71,8 +71,8 @@ fn tiles_read_what_lies_around_them_and_add_up_to_the_audit() {
         let (read, rest) = said.rsplit_once(": ").unwrap().1.split_once(" of 576 features were read, and ").unwrap();
         let read: usize = read.parse().unwrap();
         assert!((81..=144).contains(&read), "{said}");
-        let bytes: Vec<u64> =
-            rest.split(" of ").map(|n| n.trim_end_matches(" bytes\n").replace(',', "").parse().unwrap()).collect();
+        let bytes = rest.trim_end().split(" bytes; the file has ");
+        let bytes: Vec<u64> = bytes.map(|n| n.replace(',', "").parse().unwrap()).collect();
         assert!(bytes[0] * 2 < bytes[1], "{said}");
         files.push(summary);
     }

@@ -58,7 +58,7 @@ pub struct Amount {
     pub features: u64,
     /// The number of features in the file.
     pub of_features: u64,
-    /// The number of bytes that were read; of `GeoParquet`, those of columns.
+    /// The number of bytes that were read, each time; of `GeoParquet`, those of columns.
     pub bytes: u64,
     /// The number of bytes of the file.
     pub of_bytes: u64,

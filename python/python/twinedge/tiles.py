@@ -21,9 +21,10 @@ few rounds, of which only the first one takes all tiles: see :class:`Cuts`.
 >>> [(finding.rule, finding.features, finding.area) for finding in report.findings]
 [('C1', (0, 1), 1.0)]
 
-Tables are those of Arrow, with a column ``geometry`` of well-known binary and a column ``feature``, the number of each feature in the layer: an integer
-from 0 to 4,294,967,295 that no two have in common. Whatever has an Arrow table has such columns: DuckDB, Dask, Polars, Spark, GeoParquet read
-by pyarrow. This module needs pyarrow.
+Tables are those of Arrow, with a column ``geometry`` of well-known binary or GeoArrow and a column ``feature``, the number of each feature in the
+layer: an integer from 0 to 4,294,967,295 that no two have in common. Whatever has an Arrow table has such columns: DuckDB, Dask, Polars, Spark,
+GeoParquet read by pyarrow. GeoArrow is known by its extension type, or by that name in the metadata of the field: ``geoarrow.wkb``, and
+``geoarrow.point`` to ``geoarrow.multipolygon`` with coordinates apart or interleaved, which are read where they are. This module needs pyarrow.
 
 All tiles must be made with one grid, the same limits and the same cuts. A tile that is made again of the same features has the same bytes, so a
 worker that is lost loses nothing.
@@ -31,6 +32,7 @@ worker that is lost loses nothing.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -46,6 +48,10 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 __all__ = ["Cuts", "Grid", "assign", "assigned", "audit_tile", "audit_tiles", "bounds", "finish", "merge", "schema", "table"]
+
+
+#: The types of GeoArrow that are read without copying, and the lists around their coordinates.
+_DEPTHS = {"point": 0, "linestring": 1, "multipoint": 1, "polygon": 2, "multilinestring": 2, "multipolygon": 3}
 
 
 @dataclass(frozen=True)
@@ -109,7 +115,7 @@ class Cuts:
         """
         import pyarrow as pa
 
-        geometries = [one for batch in _batches(batches) for one in _wkb(batch, geometry)]
+        geometries = [_geometries(batch, geometry) for batch in _batches(batches)]
         found = _twinedge.search(self.state, grid._native(), _count("tile", tile, 2**32), geometries)
         return pa.RecordBatch.from_pydict({"found": pa.array([found], pa.binary())})
 
@@ -131,7 +137,8 @@ class Cuts:
 
 
 def table(layer: Any) -> pa.Table:
-    """The table of a GeoDataFrame, a GeoSeries or a sequence of shapely geometries: ``feature`` is the position. Needs shapely."""
+    """The table of a GeoDataFrame, a GeoSeries or a sequence of shapely geometries: ``feature`` is the position, ``geometry`` is ``geoarrow.wkb`` with
+    the reference system, if there is one. Needs shapely."""
     import pyarrow as pa
     import shapely
 
@@ -139,7 +146,11 @@ def table(layer: Any) -> pa.Table:
     geometries = np.fromiter(column, object)
     binary = shapely.to_wkb(geometries, flavor="iso")
     numbers = pa.array(np.arange(len(geometries), dtype=np.uint32))
-    return pa.table({"feature": numbers, "geometry": pa.array(binary, pa.binary())})
+    crs = getattr(layer, "crs", None)
+    known = {} if crs is None else {"crs": crs.to_json_dict(), "crs_type": "projjson"}
+    metadata = {"ARROW:extension:name": "geoarrow.wkb", "ARROW:extension:metadata": json.dumps(known)}
+    schema = pa.schema([pa.field("feature", pa.uint32()), pa.field("geometry", pa.binary(), metadata=metadata)])
+    return pa.table([numbers, pa.array(binary, pa.binary())], schema=schema)
 
 
 def schema() -> pa.Schema:
@@ -154,7 +165,7 @@ def bounds(batches: Any, *, geometry: str = "geometry") -> tuple[float, float, f
 
     ``batches`` is a table, a batch, a reader of batches, or an iterable of them.
     """
-    boxes = [box for batch in _batches(batches) if (box := _twinedge.bounds(_wkb(batch, geometry))) is not None]
+    boxes = [box for batch in _batches(batches) if (box := _twinedge.bounds(_geometries(batch, geometry))) is not None]
     if not boxes:
         raise ValueError("there are no points")
     low, high = np.min(boxes, axis=0), np.max(boxes, axis=0)
@@ -162,7 +173,7 @@ def bounds(batches: Any, *, geometry: str = "geometry") -> tuple[float, float, f
 
 
 def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> Iterator[pa.RecordBatch]:
-    """The rows of a table, each as often as it meets tiles, with the number of the tile in a column ``tile`` before the others.
+    """The rows of a table, each as often as it meets tiles, with the number of the tile in a column ``tile`` before the others, whose types and metadata stay.
 
     It is a generator of batches, one for each batch that comes, so ``mapInArrow`` of Spark takes it. With cuts, of any round, a feature goes to
     tiles that it comes very near, too, as edges are bent a little where they are cut. O(points + tiles that meet).
@@ -172,19 +183,21 @@ def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str 
     # The distance depends on the box only.
     margin = None if cuts is None else Cuts(cuts.box).state
     for batch in _batches(batches):
-        rows, found = _twinedge.tiles_of(grid._native(), _wkb(batch, geometry), margin)
+        rows, found = _twinedge.tiles_of(grid._native(), _geometries(batch, geometry), margin)
         taken = batch.take(pa.array(rows))
         columns = [pa.array(found.astype(np.int64)), *taken.columns]
-        yield pa.RecordBatch.from_arrays(columns, names=["tile", *batch.schema.names])
+        schema = pa.schema([pa.field("tile", pa.int64()), *batch.schema], batch.schema.metadata)
+        yield pa.RecordBatch.from_arrays(columns, schema=schema)
 
 
 def assigned(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> dict[int, pa.Table]:
     """The table of each tile of the grid, empty ones included: what :func:`assign` says, grouped, in memory."""
     import pyarrow as pa
 
-    found = dict(_by_tile(assign(batches, grid, cuts, geometry=geometry)))
-    nothing = pa.table({"feature": pa.array([], pa.uint32()), geometry: pa.array([], pa.binary())})
-    return {tile: found.get(tile, nothing) for tile in range(len(grid))}
+    given = [*_batches(batches)]
+    found = dict(_by_tile(assign(given, grid, cuts, geometry=geometry)))
+    schema = given[0].schema if given else pa.schema([("feature", pa.uint32()), (geometry, pa.binary())])
+    return {tile: found.get(tile, schema.empty_table()) for tile in range(len(grid))}
 
 
 def audit_tile(
@@ -215,9 +228,9 @@ def audit_tile(
     """
     import pyarrow as pa
 
-    given = [(_numbers(batch, feature), _wkb(batch, geometry)) for batch in _batches(batches)]
+    given = [(_numbers(batch, feature), _geometries(batch, geometry)) for batch in _batches(batches)]
     numbers = np.concatenate([numbers for numbers, _ in given]) if given else np.empty(0, np.uint32)
-    geometries = [one for _, wkb in given for one in wkb]
+    geometries = [column for _, column in given]
     limits = _limits(gap_width, lake_width, accept_gaps, sliver_area)
     place = _count("tile", tile, 2**32)
     state = None if cuts is None else cuts.state
@@ -238,12 +251,12 @@ def merge(*batches: Any) -> pa.RecordBatch:
 
     Associative and commutative, down to the bytes. O(what the borders cut and the tiles found).
 
-    Raises ``ValueError`` if they are of different grids or limits, have a tile in common, or only some were made with cuts.
+    Raises ``ValueError`` if they are of different grids or limits, have a tile in common, or only some were made with cuts: tiles are named by column
+    and row.
     """
     import pyarrow as pa
 
-    summaries, cuts = _summaries(batches)
-    summary, cut = _twinedge.merge(summaries), _twinedge.merge(cuts)
+    summary, cut = _twinedge.merge(*_summaries(batches))
     return pa.RecordBatch.from_pylist([] if summary is None else [{"summary": summary, "cut": cut}], schema())
 
 
@@ -259,7 +272,7 @@ def finish(
 
     It says what :func:`twinedge.audit` of the whole says: the verdict, the counts, and each violation and finding once, with its place;
     ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it. Where edges meet elsewhere than
-    at vertices, C1 to C5 and C7 are checked if tiles were made with :class:`Cuts`.
+    at vertices, C1 to C5 and C7 are checked if tiles were made with :class:`Cuts`; if one was left out of a round of cuts, the report says which.
 
     Parameters
     ----------
@@ -275,7 +288,7 @@ def finish(
     Raises
     ------
     ValueError
-        Tiles are missing, or as :func:`merge`.
+        Tiles are missing, which are named by column and row, or as :func:`merge`.
     """
     summaries, cuts = _summaries(batches)
     if grid is not None:
@@ -337,12 +350,52 @@ def _column(batch: pa.RecordBatch, name: str) -> pa.Array:
     return batch.column(at)
 
 
+def _geometries(batch: pa.RecordBatch, name: str) -> list[bytes | None] | dict[str, Any]:
+    """The geometries: well-known binary, or the arrays of GeoArrow, which are not copied."""
+    column, field = _column(batch, name), batch.schema.field(name)
+    extension: str | None = getattr(field.type, "extension_name", None)
+    if extension is None and field.metadata:
+        extension = field.metadata.get(b"ARROW:extension:name", b"").decode()
+    kind = (extension or "").removeprefix("geoarrow.")
+    if kind not in _DEPTHS:
+        return _wkb(batch, name)
+    inner = getattr(column, "storage", column)
+    missing = inner.is_null().to_numpy(zero_copy_only=False) if inner.null_count else None
+    length, offsets = len(inner), []
+    for _ in range(_DEPTHS[kind]):
+        if not hasattr(inner, "offsets"):
+            raise TypeError(f"{name}: expected the lists of {extension}, not {inner.type}")
+        offsets.append(inner.offsets.to_numpy())
+        inner = inner.values
+    x, y = _coordinates(inner, kind == "point", f"{name}: expected the coordinates of {extension}, not {inner.type}")
+    return {"kind": kind, "offsets": offsets, "x": x, "y": y, "length": length, "missing": missing}
+
+
+def _coordinates(points: pa.Array, may_lack: bool, wrong: str) -> tuple[Any, Any]:
+    """The coordinates of points, which are apart or interleaved. Points that are missing may lack them."""
+    import pyarrow as pa
+
+    if pa.types.is_fixed_size_list(points.type) and points.type.list_size >= 2:
+        step = points.type.list_size
+        values = points.values.slice(points.offset * step, len(points) * step)
+        sides = [values, values]
+    elif pa.types.is_struct(points.type) and points.type.get_field_index("x") >= 0 and points.type.get_field_index("y") >= 0:
+        step, sides = 1, [points.field("x"), points.field("y")]
+    else:
+        raise TypeError(wrong)
+    if any(side.type != pa.float64() or (side.null_count and not may_lack) for side in sides):
+        raise TypeError(wrong)
+    sides = [side.fill_null(np.nan) if side.null_count else side for side in sides]
+    x, y = (side.to_numpy() for side in sides)
+    return (x, y) if step == 1 else (x[::step], y[1::step])
+
+
 def _wkb(batch: pa.RecordBatch, name: str) -> list[bytes | None]:
     column = _column(batch, name)
     found: list[bytes | None] = getattr(column, "storage", column).to_pylist()
     wrong = next((one for one in found if not isinstance(one, (bytes, type(None)))), None)
     if wrong is not None:
-        raise TypeError(f"{name}: expected well-known binary, not {type(wrong).__name__}")
+        raise TypeError(f"{name}: expected well-known binary or GeoArrow, not {type(wrong).__name__}")
     return found
 
 
@@ -363,10 +416,6 @@ def _binary(batches: Iterable[Any], name: str) -> list[bytes]:
 
 
 def _summaries(batches: Iterable[Any]) -> tuple[list[bytes], list[bytes]]:
-    """The summaries, and those with edges cut: as many, or none."""
+    """The summaries, and those with edges cut."""
     given = [batch for one in batches for batch in _batches(one)]
-    summaries = _binary(given, "summary")
-    cuts = _binary((batch for batch in given if "cut" in batch.schema.names), "cut")
-    if cuts and len(cuts) != len(summaries):
-        raise ValueError("some summaries were made with cuts, and others without")
-    return summaries, cuts
+    return _binary(given, "summary"), _binary((batch for batch in given if "cut" in batch.schema.names), "cut")

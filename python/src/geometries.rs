@@ -1,0 +1,157 @@
+//! Geometries of Arrow: well-known binary, or the coordinates and offsets of `GeoArrow`, read where they are.
+
+use crate::source::Failure;
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use std::ops::Range;
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map::{Feature, Shape};
+use twinedge_formats::layer::{Feature as LayerFeature, geometry_of_wkb, to_map};
+
+/// A column of geometries.
+#[derive(FromPyObject)]
+pub(crate) enum Column<'py> {
+    Binary(Vec<Option<PyBackedBytes>>),
+    Native(Native<'py>),
+}
+
+/// A column of `GeoArrow`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Native<'py> {
+    /// The type, such as `multipolygon`.
+    kind: String,
+    /// The offsets of each level, the outermost one first.
+    offsets: Vec<Offsets<'py>>,
+    x: PyReadonlyArray1<'py, f64>,
+    y: PyReadonlyArray1<'py, f64>,
+    /// The number of geometries.
+    length: usize,
+    /// True for geometries that are missing.
+    missing: Option<PyReadonlyArray1<'py, bool>>,
+}
+
+#[derive(FromPyObject)]
+enum Offsets<'py> {
+    Narrow(PyReadonlyArray1<'py, i32>),
+    Wide(PyReadonlyArray1<'py, i64>),
+}
+
+/// Columns that need Python no more.
+pub(crate) enum Given {
+    Binary(Vec<Option<PyBackedBytes>>),
+    Features(Vec<Feature>),
+}
+
+/// Takes columns, one after the other. Those of `GeoArrow` are read.
+pub(crate) fn given(columns: Vec<Column<'_>>) -> Result<Vec<Given>, Failure> {
+    let of_column = |column: Column<'_>| match column {
+        Column::Binary(geometries) => Ok(Given::Binary(geometries)),
+        Column::Native(native) => native.features().map(Given::Features),
+    };
+    columns.into_iter().map(of_column).collect()
+}
+
+/// The features of all columns. Well-known binary is read.
+pub(crate) fn features(given: Vec<Given>) -> Result<Vec<Feature>, Failure> {
+    let mut features = Vec::new();
+    for column in given {
+        match column {
+            Given::Binary(geometries) => {
+                for geometry in &geometries {
+                    features.push(feature(features.len(), geometry.as_ref())?);
+                }
+            }
+            Given::Features(mut found) => features.append(&mut found),
+        }
+    }
+    Ok(features)
+}
+
+fn feature(place: usize, geometry: Option<&PyBackedBytes>) -> Result<Feature, Failure> {
+    let geometry = geometry.map(|bytes| geometry_of_wkb(bytes)).transpose();
+    let geometry = geometry.map_err(|error| Failure::Value(format!("geometry {place}: {error}")))?;
+    Ok(to_map(&LayerFeature { geometry, ..LayerFeature::default() }, &mut ReadSummary::default()))
+}
+
+impl Offsets<'_> {
+    /// The places below a place, if they are in order.
+    fn below(&self, place: usize) -> Option<Range<usize>> {
+        let at = |place: usize| match self {
+            Self::Narrow(offsets) => offsets.as_array().get(place).and_then(|offset| usize::try_from(*offset).ok()),
+            Self::Wide(offsets) => offsets.as_array().get(place).and_then(|offset| usize::try_from(*offset).ok()),
+        };
+        Some(at(place)?..at(place + 1)?).filter(|range| range.start <= range.end)
+    }
+}
+
+impl Native<'_> {
+    fn features(&self) -> Result<Vec<Feature>, Failure> {
+        let depth = match self.kind.as_str() {
+            "point" => 0,
+            "linestring" | "multipoint" => 1,
+            "polygon" | "multilinestring" => 2,
+            "multipolygon" => 3,
+            other => return Err(Failure::Value(format!("geometries of the type {other} are not read here"))),
+        };
+        let missing = self.missing.as_ref().map(PyReadonlyArray1::as_array);
+        let is_missing = |place: usize| missing.is_some_and(|missing| missing.get(place).is_none_or(|one| *one));
+        let feature = |place: usize| {
+            if self.offsets.len() != depth {
+                return None;
+            }
+            let shapes = if is_missing(place) { Vec::new() } else { self.shapes(place)? };
+            Some(Feature { shapes, ..Feature::default() })
+        };
+        let wrong = |place: usize| {
+            Failure::Value(format!("geometry {place}: its offsets are out of order, or a coordinate is not finite"))
+        };
+        (0..self.length).map(|place| feature(place).ok_or_else(|| wrong(place))).collect()
+    }
+
+    /// None, if offsets are out of order, or a coordinate is not finite.
+    fn shapes(&self, place: usize) -> Option<Vec<Shape>> {
+        let polygon = |place: usize| {
+            let rings: Vec<Vec<Point>> =
+                self.below(1, place)?.map(|ring| self.points(2, ring)).collect::<Option<_>>()?;
+            Some((!rings.is_empty()).then_some(Shape::Polygon(rings)))
+        };
+        let line = |level: usize, place: usize| {
+            let points = self.points(level, place)?;
+            Some((!points.is_empty()).then_some(Shape::Line(points)))
+        };
+        let shapes: Vec<Option<Shape>> = match self.kind.as_str() {
+            // An empty point has coordinates that are no numbers.
+            "point" if self.at(place)?.x.is_nan() => Vec::new(),
+            "point" => vec![Some(Shape::Point(self.point(place)?))],
+            "multipoint" => self.points(0, place)?.into_iter().map(|p| Some(Shape::Point(p))).collect(),
+            "linestring" => vec![line(0, place)?],
+            "multilinestring" => self.below(0, place)?.map(|one| line(1, one)).collect::<Option<_>>()?,
+            "polygon" => {
+                let rings: Vec<Vec<Point>> =
+                    self.below(0, place)?.map(|ring| self.points(1, ring)).collect::<Option<_>>()?;
+                vec![(!rings.is_empty()).then_some(Shape::Polygon(rings))]
+            }
+            _ => self.below(0, place)?.map(polygon).collect::<Option<_>>()?,
+        };
+        Some(shapes.into_iter().flatten().collect())
+    }
+
+    fn below(&self, level: usize, place: usize) -> Option<Range<usize>> {
+        self.offsets.get(level)?.below(place)
+    }
+
+    fn points(&self, level: usize, place: usize) -> Option<Vec<Point>> {
+        self.below(level, place)?.map(|i| self.point(i)).collect()
+    }
+
+    fn point(&self, i: usize) -> Option<Point> {
+        self.at(i).filter(|p| p.x.is_finite() && p.y.is_finite())
+    }
+
+    fn at(&self, i: usize) -> Option<Point> {
+        Some(Point::new(*self.x.as_array().get(i)?, *self.y.as_array().get(i)?))
+    }
+}
