@@ -80,7 +80,9 @@ impl<'a> Read<'a> {
                 vertex_of[number] = vertex_of[first];
             }
         }
-        order.iter_mut().for_each(|first| *first = vertex_of[*first as usize]);
+        for first in &mut order {
+            *first = vertex_of[*first as usize];
+        }
         Self {
             sites: points.into(),
             vertex_of,
