@@ -555,6 +555,20 @@ fn a_diff_of_another_map_is_refused_and_nothing_changes() {
 }
 
 #[test]
+fn ids_of_128_bits_are_saved_as_they_are() {
+    let (a, by) = two_squares();
+    let mut b = a.clone();
+    draw(&mut b, by, 1, 3);
+    let made = by.f(&b, 3);
+    b.set_value(by.parcel, made, u128::MAX).unwrap();
+    let text = serde_json::to_string(&diff(&a, &b, &by.ids()).unwrap()).unwrap();
+    assert!(text.contains("340282366920938463463374607431768211455"), "{text}");
+    let mut again = a;
+    serde_json::from_str::<Diff>(&text).unwrap().apply(&mut again, &by.ids()).unwrap();
+    assert_eq!(by.told(&again), by.told(&b));
+}
+
+#[test]
 fn attributes_that_are_not_compared_stay_with_their_records() {
     let (mut a, by) = two_squares();
     for face in [1, 2] {
