@@ -7,12 +7,14 @@
 
 mod crs;
 mod geometry_column;
+mod ids;
 mod moment;
 mod read;
 mod value;
 mod write;
 
 pub(super) use crs::is_held;
+pub(super) use ids::id_kind;
 pub(super) use read::read;
 pub(super) use write::{losses, write};
 
