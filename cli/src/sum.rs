@@ -25,7 +25,7 @@ use twinedge_trials::{SumError, sum};
 /// program of `soak` fails, the counts are those of the programs that were run.
 ///
 /// Summaries of tiles, as `tile` writes them, are merged instead. Their sum is what `audit` says of the map. If two files have the same
-/// tile, one of them is to be left out.
+/// tile, one of them is to be left out. Tiles that are missing, or that were made without cuts where borders cross, are named by column and row.
 ///
 /// The files must have the same command, version and arguments. All N parts must be there, each once, and none may have been
 /// interrupted.
@@ -100,8 +100,7 @@ impl Sum {
         let summaries = parts.into_iter().map(summary).collect::<Result<Vec<_>, Failure>>()?;
         let (summaries, of_cut): (Vec<_>, Vec<_>) = summaries.into_iter().unzip();
         let whole = merged(summaries)?.ok_or_else(|| Failure("there is no summary".to_owned()))?;
-        let of_cut: Option<Vec<_>> = of_cut.into_iter().collect();
-        let cut = merged(of_cut.unwrap_or_default())?;
+        let cut = merged(of_cut.into_iter().flatten().collect())?;
         if let Some(path) = &self.output {
             write_file(path, None, &Saved::bytes(whole, cut)?)?;
             return Ok(Verdict::Sound);

@@ -1,12 +1,13 @@
 //! The reason why there is no report.
 
-use crate::words::counted;
+use crate::tile_words::{in_words, made_without};
+use crate::words::{counted, grouped};
 use std::io;
 use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
 use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
-use twinedge::tile::{AuditError, GridError};
+use twinedge::tile::{AuditError, GridError, Tile};
 use twinedge_formats::{layer, mesh, postgis};
 use twinedge_sphere::DrawingError;
 
@@ -26,6 +27,20 @@ pub enum Error {
     /// A tile has no summary, or summaries of tiles cannot be merged, or are missing.
     #[error(transparent)]
     Tiles(#[from] AuditError<io::Error>),
+    /// Summaries are not those of all tiles.
+    #[error("{} missing: {}", if *count == 1 { "1 tile is".to_owned() } else { format!("{} tiles are", grouped(*count)) }, in_words(tiles, *count))]
+    Missing {
+        /// The first of the tiles that are missing.
+        tiles: Vec<Tile>,
+        /// The number of all.
+        count: u64,
+    },
+    /// Some tiles were made with their edges cut, and others without.
+    #[error("{}, and others with cuts", made_without(tiles))]
+    WithoutCuts {
+        /// Those without.
+        tiles: Vec<Tile>,
+    },
     /// There is no such grid.
     #[error(transparent)]
     Grid(#[from] GridError),

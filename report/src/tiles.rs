@@ -4,6 +4,7 @@ use crate::coverage::{Coverage, CoverageOptions, SHOWN};
 use crate::error::Error;
 use crate::imported::{Imported, names};
 use crate::input::Input;
+use crate::left_out::{reason, refuse_missing, without_cuts};
 use crate::map::following;
 use crate::map_json::extra;
 use crate::map_notes::notes;
@@ -12,6 +13,7 @@ use crate::noted::{Keep, Noted};
 use crate::options::Options;
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::shelf::Shelf;
+use crate::tile_words::made_without;
 use crate::trace::position;
 use crate::units::Units;
 use crate::words::counted;
@@ -74,7 +76,7 @@ pub(crate) fn audit(
     let mut extra = extra(&imported, &warnings);
     extra.insert("tiles".to_owned(), size(&grid));
     let units = Units::of(&imported, asked.geodesic)?;
-    let found = report(&imported, outcome, &asked.coverage, &units, asked.most())?;
+    let found = report(&imported, outcome, None, &asked.coverage, &units, asked.most())?;
     Ok(AuditReport {
         notes: notes(&imported, warnings),
         style: CoverageStyle {
@@ -129,10 +131,16 @@ fn vertices(shape: &Shape) -> usize {
 /// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
 pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Options) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
+    refuse_missing(&summary)?;
+    let without = cut.as_ref().map(|cut| without_cuts(&summary, cut)).unwrap_or_default();
     let outcome = summary.finish().map_err(AuditError::from)?;
-    let outcome = match cut {
-        Some(cut) => outcome.with_cut(cut.finish().map_err(AuditError::from)?),
-        None => outcome,
+    let (outcome, left_out) = match cut.filter(|_| without.is_empty()) {
+        Some(cut) => {
+            let cut = cut.finish().map_err(AuditError::from)?;
+            let left_out = reason(&grid, &cut);
+            (outcome.with_cut(cut), left_out)
+        }
+        None => (outcome, (!without.is_empty()).then(|| made_without(&without))),
     };
     let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
     let named = findings.flat_map(|finding| &finding.features).map(|feature| feature.index());
@@ -161,7 +169,7 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
         edges: None,
     };
     let units = Units::Plane { degrees: false };
-    let found = report(&imported, outcome, &asked.coverage, &units, asked.most())?;
+    let found = report(&imported, outcome, left_out, &asked.coverage, &units, asked.most())?;
     let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
     Ok(AuditReport {
         style: CoverageStyle { worst: SHOWN, decimals: 6, is_rule: asked.coverage.is_rule },
@@ -216,10 +224,11 @@ pub fn merged(mut summaries: Vec<Summary>) -> Result<Option<Summary>, Error> {
     Ok(summaries.pop())
 }
 
-/// The report, apart from what is known of the input.
+/// The report, apart from what is known of the input. `left_out` says which tiles were, when edges were cut.
 fn report(
     imported: &Imported,
     mut outcome: Outcome,
+    left_out: Option<String>,
     asked: &CoverageOptions,
     units: &Units,
     list: usize,
@@ -227,10 +236,11 @@ fn report(
     let mut rules: Vec<RuleLine> = outcome.rules().map(|(rule, outcome)| RuleLine::new(rule, outcome)).collect();
     rules.extend(SeamRule::ALL.into_iter().filter_map(|rule| seam_line(rule, &outcome)));
     let is_plane = outcome.crossings.is_empty() && outcome.adds_up.is_some();
-    let why = match &outcome.uncut {
-        Some(why) => why.to_string(),
-        None if is_plane => "tiles contradict each other".to_owned(),
-        None => "borders cross, and it is not known how to cut them".to_owned(),
+    let why = match (&outcome.uncut, left_out) {
+        (Some(why), _) => why.to_string(),
+        (None, _) if is_plane => "tiles contradict each other".to_owned(),
+        (None, Some(why)) => format!("borders cross, and {why}"),
+        (None, None) => "borders cross, and it is not known how to cut them".to_owned(),
     };
     let coverage = Coverage::of_tiles(imported, asked, units, list, outcome.coverage.take().ok_or(why));
     let mismatched = |one: &Crossing| {

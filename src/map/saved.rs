@@ -228,8 +228,8 @@ impl PlanarMap {
             return Err(LoadError::Certificate(*first));
         }
         for v in self.dcel.vertices().map(|v| v.index()) {
-            let point = drawing.points[v].map(|steps| scaled(steps, drawing.exponent));
-            if point != <[f64; 2]>::from(self.points[v]) {
+            let [x, y] = drawing.points[v].map(|steps| scaled(steps, drawing.exponent));
+            if Point::new(x, y) != self.points[v] {
                 return Err(LoadError::OtherDrawing(v));
             }
             if !in_range(self.points[v]) {
@@ -243,5 +243,8 @@ impl PlanarMap {
 /// So many steps of two to this exponent, exactly. No number if these are not steps of coordinates in range.
 fn scaled(steps: i64, exponent: i32) -> f64 {
     // Up to 2^53 of them, so nothing is rounded.
-    if (-453..=500).contains(&exponent) { steps as f64 * 2.0_f64.powi(exponent) } else { f64::NAN }
+    match u64::try_from(1023_i64 + i64::from(exponent)) {
+        Ok(power) if (-453..=500).contains(&exponent) => steps as f64 * f64::from_bits(power << 52),
+        _ => f64::NAN,
+    }
 }

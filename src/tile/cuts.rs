@@ -152,6 +152,23 @@ impl Cuts {
         })
     }
 
+    /// The corners of a box around all features that are to be given to a tile, and around the edges of `features` that come near it, infinite where the grid
+    /// ends. What lies outside makes no difference to the way in which the edges in the tile are cut, if `features` are all that are given to it. O(points).
+    #[must_use]
+    pub fn window<'f>(&self, grid: &Grid, tile: Tile, features: impl IntoIterator<Item = &'f Feature>) -> [Point; 2] {
+        let margin = 2.0 * self.margin();
+        let around = grid.bounds(tile).grown(margin);
+        let line = |line: Option<f64>, otherwise| line.unwrap_or(otherwise);
+        let mut low = Point::new(line(around.left, -f64::INFINITY), line(around.bottom, -f64::INFINITY));
+        let mut high = Point::new(line(around.right, f64::INFINITY), line(around.top, f64::INFINITY));
+        let chains = features.into_iter().flat_map(|feature| &feature.shapes).flat_map(chains_of);
+        for [a, b] in chains.flat_map(steps).map(|(a, b)| in_order(a, b)).filter(|ends| meets(&around, ends)) {
+            low = Point::new(low.x.min(a.x - margin), low.y.min(a.y.min(b.y) - margin));
+            high = Point::new(high.x.max(b.x + margin), high.y.max(a.y.max(b.y) + margin));
+        }
+        [low, high]
+    }
+
     /// The distance from a tile up to which features are given to it.
     pub(super) fn margin(&self) -> f64 {
         MARGIN * self.noding.cell()

@@ -91,15 +91,9 @@ fn the_world_adds_up() {
     around_the_world(&world(CROSSING), 4, &mut random);
 }
 
+/// Coasts with many islands, cut by few lines: grids of all sizes are those of the smaller map.
 #[test]
-#[ignore = "takes minutes"]
-fn the_world_adds_up_on_hundreds_of_grids() {
+fn a_larger_world_adds_up() {
     let mut random = Random::new(32);
-    for _ in 0..40 {
-        around_the_world(&planted(world(SMALL), &mut random), 6, &mut random);
-    }
-    around_the_world(&world(CROSSING), 40, &mut random);
-    for _ in 0..8 {
-        around_the_world(&planted(world(LARGE), &mut random), 3, &mut random);
-    }
+    around_the_world(&planted(world(LARGE), &mut random), 1, &mut random);
 }

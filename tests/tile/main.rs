@@ -9,3 +9,4 @@ mod drawn;
 mod maps;
 mod saved;
 mod whole;
+mod window;

@@ -468,17 +468,19 @@ fn the_first_violation_is_of_the_first_rule_that_is_asked_for() {
     }
 }
 
-/// Every change of one cell of a few surfaces, in both forms, under expectations that are met and that are not.
+/// Every change of one cell of a few surfaces, in both forms, under expectations that are met and that are not. The reference takes long for
+/// the tetrahedron, so that one is changed in its whole forms only.
 #[test]
 fn both_validators_agree_on_every_corruption() {
     let two = faces(7, &[[0, 1, 2], [3, 4, 5]], Border::NoFace);
     let tetrahedron = faces(4, &TETRAHEDRON, Border::OneHalfEdge);
-    let tables = [disc(Border::OneHalfEdge), disc(Border::NoFace), two, tetrahedron];
+    let tables = [(disc(Border::OneHalfEdge), 3), (disc(Border::NoFace), 3), (two, 3), (tetrahedron, 1)];
     let (mut met, mut optional) = (0, 0);
-    for textbook in &tables {
+    for (textbook, forms) in &tables {
         let records = with_boundary_components(textbook);
         for whole in [textbook, &records] {
-            for mut table in [whole.clone(), whole.without(Part::Prev), whole.without(Part::Faces)] {
+            let reduced = [whole.clone(), whole.without(Part::Prev), whole.without(Part::Faces)];
+            for mut table in reduced.into_iter().take(*forms) {
                 let some = MESH.sides(4).components(1).borders(1).genus(0).simple();
                 for expectation in [everything(MESH), some, MESH.border_kept()] {
                     let parts = expectation.looks_at(table.parts);

@@ -18,6 +18,7 @@ mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
 mod iso;
+mod journal;
 mod layers;
 mod literature;
 mod mesh;
@@ -32,4 +33,5 @@ mod soak;
 mod sum;
 mod tables;
 mod tile;
+mod tile_windows;
 mod verdict;

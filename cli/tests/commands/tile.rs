@@ -148,7 +148,9 @@ fn the_sum_of_all_tiles_is_the_audit() {
     assert_eq!(compared(of_parts), compared(sum));
     let missing = twinedge(&[&["sum"], &files[1..]].concat());
     assert_eq!(missing.status.code(), Some(2));
-    assert!(complaint(&missing).contains("1 tile is missing, the first of them 1,0"));
+    assert!(complaint(&missing).contains("1 tile is missing: (1,0)"));
+    let missing = twinedge(&[&["sum"], &files[4..]].concat());
+    assert!(complaint(&missing).contains("4 tiles are missing: (0,0), (1,0), (0,1) and (2,1)"));
     let twice = twinedge(&["sum", files[0], files[0]]);
     assert!(complaint(&twice).contains("both summaries have tile 1,0"));
 }

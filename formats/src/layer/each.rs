@@ -1,7 +1,10 @@
-//! The taker of the features that a reader hands over.
+//! The takers of what a reader hands over.
 
 use super::error::ReadError;
-use super::model::Feature;
+use super::model::{Feature, Geometry};
 
 /// Takes the features of a layer, one by one, and ends the reading by an error.
 pub type Each<'a> = dyn FnMut(Feature) -> Result<(), ReadError> + 'a;
+
+/// Takes the geometries of features in a window, each with the number of its feature.
+pub type EachGeometry<'a> = dyn FnMut(u64, Option<Geometry>) + 'a;

@@ -175,6 +175,9 @@ pub enum Cause {
     /// A text has letters beyond ASCII, and the character set that the file names is not known here.
     #[error("the character set {0:?} is not known here: name another in the file .cpg, such as UTF-8 or 1252")]
     UnknownCharset(String),
+    /// A geometry, or a box of an index, reaches out of the box that the file has around it: it would be missed where a window is read by boxes.
+    #[error("it reaches out of the box that the file has around it, so windows cannot be read by boxes")]
+    OutOfBox,
     /// A file that belongs to it is not there.
     #[error("the file {0} is missing")]
     Missing(String),

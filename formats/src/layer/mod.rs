@@ -13,7 +13,7 @@
 //! | well-known text | line by line | yes | ids, attributes, features without geometry |
 //! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
-//! | `FlatGeobuf` | feature by feature | yes, without an index | ids that are not the numbers of features, other types of values in a column |
+//! | `FlatGeobuf` | feature by feature | yes | ids that are not the numbers of features, other types of values in a column |
 //! | `GeoParquet` | row by row | yes | ids, names of layers, definitions of reference systems in well-known text |
 //! | `GeoPackage` | row by row | yes | ids that are not whole numbers, lists, names that differ by case |
 //!
@@ -21,6 +21,8 @@
 //! in these, on WGS 84, as RFC 7946 has it.
 //!
 //! A zip archive or gzip data with one layer is read as that layer, with the feature `archive`.
+//!
+//! [`Indexed`] reads the features in a window of `FlatGeobuf` and `GeoParquet`, without the others.
 //!
 //! [`read`] tells the format by its content and by the extension of the file. Files that are truncated or contradict themselves,
 //! and counts that exceed the data, are errors ([`ReadError`]).
@@ -32,6 +34,8 @@ mod crs;
 mod each;
 mod epsg;
 mod error;
+#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
+mod extent;
 mod files;
 #[cfg(feature = "flatgeobuf")]
 mod flatgeobuf;
@@ -43,6 +47,8 @@ mod geojson_edit;
 mod geopackage;
 #[cfg(feature = "geoparquet")]
 mod geoparquet;
+#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
+mod indexed;
 #[cfg(any(feature = "geojson", feature = "topojson"))]
 mod json;
 mod loss;
@@ -71,11 +77,13 @@ mod write;
 #[cfg(feature = "archive")]
 pub use archive::{Unpacked, UnpackedFiles, unpack, unpack_bytes, zip};
 pub use crs::Crs;
-pub use each::Each;
+pub use each::{Each, EachGeometry};
 pub use error::{ArchiveError, Cause, Place, ReadError, WriteError};
 pub use files::Files;
 #[cfg(feature = "geojson")]
 pub use geojson_edit::{Edit, edited, edits};
+#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
+pub use indexed::{Amount, Indexed};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{

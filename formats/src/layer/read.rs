@@ -51,8 +51,7 @@ pub fn read(
     options: &ReadOptions,
     each: &mut Each<'_>,
 ) -> Result<Header, ReadError> {
-    let mut head = Vec::new();
-    reader.take(HEAD).read_to_end(&mut head)?;
+    let head = beginning(reader)?;
     #[cfg(feature = "archive")]
     if let Some(unpacked) =
         super::archive::unpack(&head, &mut head.as_slice().chain(&mut *reader), path, options.layer.as_deref())?
@@ -100,10 +99,16 @@ pub fn read(
 #[cfg(feature = "archive")]
 fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut file = BufReader::new(File::open(path)?);
-    let mut head = Vec::new();
-    file.by_ref().take(HEAD).read_to_end(&mut head)?;
+    let head = beginning(&mut file)?;
     format_of(&head, Some(path), options)?;
     read(&mut head.as_slice().chain(file), Some(path), options, each)
+}
+
+/// The bytes by which the format is told.
+pub(super) fn beginning(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> {
+    let mut head = Vec::new();
+    reader.take(HEAD).read_to_end(&mut head)?;
+    Ok(head)
 }
 
 /// The format as which [`read`] reads what begins with these bytes. O(bytes).

@@ -159,7 +159,8 @@ fn lengths_and_counts_beyond_the_data_are_refused() {
     // The length of the header, and that of the first feature.
     let error = with(8, &[0xFF; 4]);
     assert!(matches!(error, ReadError::Content { place: Place::Header, cause: Cause::TooMany { .. }, .. }), "{error}");
-    let first = 12 + u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize;
+    // An index of three nodes lies between.
+    let first = 12 + u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize + 3 * 40;
     let error = with(first, &[0xFF; 4]);
     assert!(
         matches!(error, ReadError::Content { place: Place::Feature(0), cause: Cause::Truncated(_), .. }),

@@ -43,8 +43,13 @@ pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
         other @ Format::TopoJson => unreachable!("{other} is not written"),
     };
     let (_folder, path) = scratch(name);
-    write_path(layer, &path, format).unwrap();
+    write_as(layer, &path, format);
     read(&path).unwrap()
+}
+
+/// Writes a layer to a file.
+pub(crate) fn write_as(layer: &Layer, path: &Path, format: Format) {
+    write_path(layer, path, format).unwrap();
 }
 
 /// Reads a layer from a file.

@@ -6,12 +6,16 @@
 //!
 //! Source: the specification at <https://flatgeobuf.org>, version 3.
 
+mod index;
+mod packed;
 mod properties;
 mod read;
+mod tree;
 mod write;
 
 use super::model::{Id, Layer};
 
+pub(super) use index::IndexedFile;
 pub(super) use read::read;
 pub(super) use write::{losses, write};
 

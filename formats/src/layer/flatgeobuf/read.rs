@@ -6,9 +6,10 @@ use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
 use super::TEXTS;
 use super::properties::{attributes, kind};
+use super::tree::Tree;
 use ::flatgeobuf::{
-    Geometry as Table, GeometryType as Kind, Header as HeaderTable, size_prefixed_root_as_feature_with_opts,
-    size_prefixed_root_as_header_with_opts,
+    Feature as FeatureTable, Geometry as Table, GeometryType as Kind, Header as HeaderTable,
+    size_prefixed_root_as_feature_with_opts, size_prefixed_root_as_header_with_opts,
 };
 use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
@@ -21,40 +22,22 @@ const NESTED: usize = 32;
 /// The largest header that the crate reads, too.
 const LARGEST_HEADER: u32 = 10 << 20;
 
-/// The bytes of a node of the index.
-const NODE: u64 = 40;
-
 /// The newest version of the format that is known.
 const VERSION: u8 = 3;
 
-fn content(place: Place, cause: Cause) -> ReadError {
+pub(super) fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::FlatGeobuf, place, cause }
 }
 
-fn invalid(message: impl Into<String>) -> Cause {
+pub(super) fn invalid(message: impl Into<String>) -> Cause {
     Cause::Invalid(message.into())
 }
 
 /// Reads features, each handed to `each`. An index is skipped.
 pub(in crate::layer) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
-    let mut magic = [0; 8];
-    reader.read_exact(&mut magic).map_err(|error| truncated(error, Place::Header, "the first 8 bytes"))?;
-    let [b'f', b'g', b'b', version, b'f', b'g', b'b', _] = magic else {
-        return Err(in_header(invalid("it does not begin as FlatGeobuf does")));
-    };
-    if version > VERSION {
-        return Err(in_header(invalid(format!("version {version} is not read here"))));
-    }
-    let mut buffer = Vec::new();
-    if !table(reader, &mut buffer, Place::Header, Some(LARGEST_HEADER))? {
-        return Err(in_header(Cause::Truncated("the header")));
-    }
-    let header = size_prefixed_root_as_header_with_opts(&options(&buffer), &buffer);
-    let header = header.map_err(|error| in_header(refused(&error)))?;
-    if header.has_t() || header.has_tm() {
-        return Err(in_header(invalid("positions with times are not read here")));
-    }
+    let buffer = header_bytes(reader)?;
+    let header = header_of(&buffer)?;
     let mut fields = Vec::new();
     for column in header.columns().into_iter().flatten() {
         let name: Arc<str> = column.name().into();
@@ -80,6 +63,35 @@ pub(in crate::layer) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Resu
         each(feature(&header, &body, number, &fields).map_err(|cause| content(place, cause))?)?;
     }
     Ok(of_header(&header, fields))
+}
+
+/// Reads the table of the header, with the length before it.
+pub(super) fn header_bytes(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> {
+    let in_header = |cause| content(Place::Header, cause);
+    let mut magic = [0; 8];
+    reader.read_exact(&mut magic).map_err(|error| truncated(error, Place::Header, "the first 8 bytes"))?;
+    let [b'f', b'g', b'b', version, b'f', b'g', b'b', _] = magic else {
+        return Err(in_header(invalid("it does not begin as FlatGeobuf does")));
+    };
+    if version > VERSION {
+        return Err(in_header(invalid(format!("version {version} is not read here"))));
+    }
+    let mut buffer = Vec::new();
+    if !table(reader, &mut buffer, Place::Header, Some(LARGEST_HEADER))? {
+        return Err(in_header(Cause::Truncated("the header")));
+    }
+    Ok(buffer)
+}
+
+/// The header of a table that was read. O(columns).
+pub(super) fn header_of(buffer: &[u8]) -> Result<HeaderTable<'_>, ReadError> {
+    let in_header = |cause| content(Place::Header, cause);
+    let header = size_prefixed_root_as_header_with_opts(&options(buffer), buffer);
+    let header = header.map_err(|error| in_header(refused(&error)))?;
+    if header.has_t() || header.has_tm() {
+        return Err(in_header(invalid("positions with times are not read here")));
+    }
+    Ok(header)
 }
 
 /// The error for a stream that ends.
@@ -125,23 +137,10 @@ fn table(reader: &mut dyn Read, buffer: &mut Vec<u8>, place: Place, largest: Opt
     Ok(true)
 }
 
-/// The index is a tree: each node has as many below it as the header says, and those of the lowest level are features.
 fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), ReadError> {
-    let (count, size) = (header.features_count(), u64::from(header.index_node_size()));
-    if size == 0 || count == 0 {
-        return Ok(());
-    }
-    let too_many = || content(Place::Header, Cause::TooMany { what: "features", count });
-    if size == 1 {
-        return Err(content(Place::Header, invalid("nodes of the index have one entry each")));
-    }
-    let (mut level, mut nodes) = (count, count);
-    while level > 1 {
-        level = level.div_ceil(size);
-        nodes = nodes.checked_add(level).ok_or_else(too_many)?;
-    }
-    let bytes = if count == 1 { nodes.checked_add(1) } else { Some(nodes) };
-    let bytes = bytes.and_then(|nodes| nodes.checked_mul(NODE)).ok_or_else(too_many)?;
+    let tree = Tree::of_header(header).map_err(|cause| content(Place::Header, cause))?;
+    let Some(tree) = tree else { return Ok(()) };
+    let bytes = tree.bytes();
     let skipped = io::copy(&mut reader.take(bytes), &mut io::sink())?;
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
 }
@@ -165,18 +164,31 @@ fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
 }
 
 fn feature(header: &HeaderTable<'_>, body: &[u8], number: u64, fields: &[Field]) -> Result<Feature, Cause> {
-    let table = size_prefixed_root_as_feature_with_opts(&options(body), body).map_err(|error| refused(&error))?;
-    let geometry = table.geometry().map(|geometry| {
-        let kind = Some(header.geometry_type()).filter(|kind| *kind != Kind::Unknown);
-        shape(geometry, kind.unwrap_or(geometry.type_()), header, 0)
-    });
+    let table = feature_table(body)?;
     let bytes = table.properties().map(|bytes| bytes.bytes()).unwrap_or_default();
     Ok(Feature {
         id: Some(Id::Number(number.into())),
-        geometry: geometry.transpose()?,
+        geometry: geometry(header, table)?,
         attributes: attributes(bytes, header.columns(), table.columns(), fields)?,
         members: Members::new(),
     })
+}
+
+/// The geometry of a feature, without its attributes.
+pub(super) fn geometry_of(header: &HeaderTable<'_>, body: &[u8]) -> Result<Option<Geometry>, Cause> {
+    geometry(header, feature_table(body)?)
+}
+
+fn feature_table(body: &[u8]) -> Result<FeatureTable<'_>, Cause> {
+    size_prefixed_root_as_feature_with_opts(&options(body), body).map_err(|error| refused(&error))
+}
+
+fn geometry(header: &HeaderTable<'_>, feature: FeatureTable<'_>) -> Result<Option<Geometry>, Cause> {
+    let geometry = feature.geometry().map(|geometry| {
+        let kind = Some(header.geometry_type()).filter(|kind| *kind != Kind::Unknown);
+        shape(geometry, kind.unwrap_or(geometry.type_()), header, 0)
+    });
+    geometry.transpose()
 }
 
 /// The recursion is as deep as collections are nested, at most [`NESTED`].

@@ -1,8 +1,9 @@
-//! Writing `FlatGeobuf`, in the order of the features and so without an index.
+//! Writing `FlatGeobuf`, in the order of the features, with an index if each of them is somewhere.
 
 use super::super::error::WriteError;
 use super::super::loss::{Loss, absent};
 use super::super::model::{Feature, Field, FieldKind, Geometry, Layer, Line, Position, Shape, Value};
+use super::packed::{NODE_SIZE, extents, packed};
 use super::properties::{append, column};
 use super::{TEXTS, holds_ids};
 use ::flatgeobuf::{
@@ -64,11 +65,8 @@ pub(in crate::layer) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), 
         return Err(impossible("more than 65,535 columns"));
     }
     let kind = common_kind(layer);
-    out.write_all(MAGIC)?;
-    out.write_all(&header(layer, &columns, kind))?;
-    let mut properties = Vec::new();
-    for feature in &layer.features {
-        properties.clear();
+    let body = |feature: &Feature| {
+        let mut properties = Vec::new();
         for (number, (field, kind)) in columns.iter().enumerate() {
             let value = feature.get(&field.name).unwrap_or(&Value::Null);
             append(number as u16, *kind, value, &mut properties);
@@ -78,9 +76,17 @@ pub(in crate::layer) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), 
         if properties.len() + 32 * positions > LARGEST {
             return Err(impossible("a feature of more than a gigabyte"));
         }
-        out.write_all(&body(feature, &properties, kind))?;
+        Ok(body(feature, &properties, kind))
+    };
+    let extents = extents(layer);
+    out.write_all(MAGIC)?;
+    out.write_all(&header(layer, &columns, kind, extents.as_ref().map_or(0, |_| NODE_SIZE)))?;
+    if let Some(extents) = extents {
+        // Bodies are made twice, so that they need not be kept.
+        let lengths = layer.features.iter().map(|feature| Ok(body(feature)?.len()));
+        out.write_all(&packed(&extents, lengths.collect::<Result<Vec<_>, WriteError>>()?.into_iter()))?;
     }
-    Ok(())
+    layer.features.iter().try_for_each(|feature| Ok(out.write_all(&body(feature)?)?))
 }
 
 /// The kind of all geometries; unknown if they differ, and then each has its own. With heights or measures, geometries of one and of
@@ -129,7 +135,7 @@ const fn kind_of(shape: &Shape) -> Kind {
     }
 }
 
-fn header(layer: &Layer, columns: &[(Field, FieldKind)], geometry_type: Kind) -> Vec<u8> {
+fn header(layer: &Layer, columns: &[(Field, FieldKind)], geometry_type: Kind, index_node_size: u16) -> Vec<u8> {
     let mut builder = FlatBufferBuilder::new();
     let tables: Vec<_> = columns
         .iter()
@@ -164,7 +170,7 @@ fn header(layer: &Layer, columns: &[(Field, FieldKind)], geometry_type: Kind) ->
         has_m,
         columns,
         features_count: layer.features.len() as u64,
-        index_node_size: 0,
+        index_node_size,
         crs,
         title,
         description,

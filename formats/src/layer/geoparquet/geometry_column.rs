@@ -3,7 +3,7 @@
 use super::super::crs::Crs;
 use super::super::error::Cause;
 use super::super::model::EDGES;
-use super::{GEO, crs};
+use super::{GEO, SIDES, crs};
 use parquet::basic::LogicalType;
 use parquet::file::metadata::FileMetaData;
 use parquet::schema::types::Type;
@@ -12,8 +12,8 @@ use serde_json::Value as Json;
 /// The column of the geometries.
 pub(super) struct GeometryColumn {
     pub(super) name: String,
-    /// The column of the boxes of the geometries.
-    pub(super) covering: Option<String>,
+    /// The paths of the columns of the boxes of the geometries: least x, least y, greatest x, greatest y.
+    pub(super) covering: Option<[Vec<String>; 4]>,
     pub(super) crs: Option<Crs>,
     /// The kind of edges, if they are not straight in the plane of the coordinates.
     pub(super) edges: Option<String>,
@@ -51,7 +51,7 @@ impl GeometryColumn {
         }
         Ok(Self {
             name: name.to_owned(),
-            covering: column.pointer("/covering/bbox/xmin/0").and_then(Json::as_str).map(str::to_owned),
+            covering: column.pointer("/covering/bbox").and_then(covering),
             crs: match column.get("crs") {
                 None => crs::of_native(None, |_| None),
                 Some(Json::Null) => None,
@@ -73,4 +73,13 @@ impl GeometryColumn {
         let name = column.name().to_owned();
         Some(Self { name, covering: None, crs: crs::of_native(text.as_deref(), metadata), edges })
     }
+}
+
+fn covering(boxes: &Json) -> Option<[Vec<String>; 4]> {
+    let path = |side: &str| {
+        let path = boxes.get(side)?.as_array()?.iter();
+        path.map(|name| name.as_str().map(str::to_owned)).collect::<Option<Vec<_>>>().filter(|path| !path.is_empty())
+    };
+    let [x0, y0, x1, y1] = SIDES.map(path);
+    Some([x0?, y0?, x1?, y1?])
 }

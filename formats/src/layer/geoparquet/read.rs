@@ -19,12 +19,12 @@ use std::path::Path;
 use std::sync::Arc;
 use twinedge::io::Format;
 
-fn content(place: Place, cause: Cause) -> ReadError {
+pub(super) fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::GeoParquet, place, cause }
 }
 
 /// Asks the crate for something, at a place.
-fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ReadError> {
+pub(super) fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ReadError> {
     let answer = catch_unwind(AssertUnwindSafe(question));
     let answer = answer.unwrap_or_else(|_| Err(ParquetError::General("the file is damaged".to_owned())));
     answer.map_err(|error| content(place, Cause::Invalid(error.to_string())))
@@ -85,7 +85,7 @@ fn columns(schema: &Type, geometries: &GeometryColumn, ids: Option<&str>) -> Res
     let mut columns = Vec::new();
     for of_file in schema.get_fields() {
         let name = of_file.name();
-        if geometries.covering.as_deref() == Some(name) {
+        if geometries.covering.as_ref().is_some_and(|[path, ..]| path[0] == name) {
             continue;
         }
         if value::is_interval(of_file) {
@@ -119,7 +119,7 @@ fn feature(row: Vec<(String, Cell)>, columns: &[Column]) -> Result<Feature, Caus
     Ok(feature)
 }
 
-fn geometry(cell: Cell) -> Result<Option<Geometry>, Cause> {
+pub(super) fn geometry(cell: Cell) -> Result<Option<Geometry>, Cause> {
     match cell {
         Cell::Null => Ok(None),
         Cell::Bytes(bytes) => Ok(Some(wkb::parse(bytes.data())?.0)),

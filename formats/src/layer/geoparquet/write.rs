@@ -6,7 +6,7 @@ use super::super::model::{Dimensions, EDGES, Feature, Field, FieldKind, Geometry
 use super::super::unique::unique;
 use super::super::wkb;
 use super::ids::{self, id_kind};
-use super::{GEO, crs, moment};
+use super::{GEO, SIDES, crs, moment};
 use parquet::basic::{Compression, LogicalType, Repetition, TimeUnit, Type as Physical, ZstdLevel};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
 use parquet::errors::ParquetError;
@@ -23,9 +23,6 @@ use std::sync::Arc;
 
 /// The rows of a row group: readers of a region skip whole groups by their boxes.
 const ROWS: usize = 1 << 16;
-
-/// The names of the numbers of a box, in their order.
-const SIDES: [&str; 4] = ["xmin", "ymin", "xmax", "ymax"];
 
 impl From<ParquetError> for WriteError {
     fn from(error: ParquetError) -> Self {

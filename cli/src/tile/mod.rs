@@ -1,20 +1,28 @@
 //! `twinedge tile`: the summary of one tile of a map.
 
+mod made;
+
 use crate::coverage_arguments::CoverageArguments;
 use crate::input::MapFile;
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict, named};
+use made::{Asked, Made, by_windows, of_whole};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use twinedge::geometry::Point;
-use twinedge::map::{BuildError, Feature};
-use twinedge::tile::{Cuts, Grid, Summary, Tile as Place, TileError};
-use twinedge_report::{Imported, InMemory, Keep, grid_of, no_cuts};
+use twinedge::tile::{Summary, Tile as Place};
+use twinedge_formats::layer::{Amount, Indexed};
+use twinedge_report::words::grouped;
+use twinedge_report::{Imported, InMemory, Keep};
 
 /// Make the summary of one tile of a map.
 ///
 /// A grid cuts the map into tiles, and each can be judged by a process of its own, on whatever machine. `twinedge sum` of the summaries of
 /// all tiles says what `twinedge audit` says of the map. Summaries that are equal are equal byte by byte, so a tile may be made again.
+///
+/// Of `FlatGeobuf` with an index, and of `GeoParquet` with a column of boxes or Parquet's own geometries, only the features are read that meet the tile, and those by
+/// which their edges are cut. Boxes that are smaller than what is in them are an error, in the tile where they show their feature: so if all
+/// tiles can be made, nothing was missed. Other files are read as a whole for each tile; `twinedge convert` writes both formats.
 ///
 /// All tiles must be made of the same file, with the same grid, box and limits.
 #[derive(Debug, clap::Args)]
@@ -43,6 +51,10 @@ pub(crate) struct Tile {
     #[command(flatten)]
     coverage: CoverageArguments,
 
+    /// Say on standard error how much of the file was read.
+    #[arg(short, long)]
+    verbose: bool,
+
     /// The file to write.
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
@@ -54,7 +66,7 @@ pub(crate) struct Saved {
     pub(crate) command: String,
     pub(crate) version: String,
     pub(crate) summary: Summary,
-    /// That of the tile with its edges cut, if there is something to cut in the map.
+    /// That of the tile with its edges cut; none, if there is nothing to cut in the map, or too much.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(crate) cut: Option<Summary>,
 }
@@ -92,41 +104,38 @@ fn corners(text: &str) -> Result<[Point; 2], String> {
 
 impl Tile {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let input = self.map.open()?;
+        let mut input = self.map.open()?;
         let name = input.name.clone();
         if self.map.is_snapped() {
             return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
         }
-        let mut shelf = InMemory::default();
-        let read = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf).map_err(named(&name))?;
-        let grid = match self.corners {
-            Some([low, high]) => Grid::new(low, high, self.grid[0], self.grid[1])?,
-            None => grid_of(read.noted.corners(), self.grid).map_err(named(&name))?,
-        };
-        let numbered = (0..).zip(shelf.features());
+        let options = input.options();
+        input.map_format().map_err(named(&name))?;
+        let indexed = input.path.as_deref().map(|path| Indexed::open(path, &options)).transpose();
+        let indexed = indexed.map_err(named(&name))?.flatten();
         let limits = self.coverage.options().limits;
-        let summary = Summary::new(&grid, self.place, numbered.clone(), &limits).map_err(named(&name))?;
-        let cuts = cuts(read.noted.corners(), &numbered).map_err(named(&name))?;
-        let cut = cuts.map(|cuts| Summary::cut(&grid, self.place, numbered, &limits, &cuts));
-        let cut = cut.transpose().map_err(named(&name))?;
+        let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits };
+        let (made, amount) = if let Some(mut file) = indexed {
+            (by_windows(&mut file, &asked).map_err(named(&name))?, Some(file.amount()))
+        } else {
+            let mut shelf = InMemory::default();
+            let read = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf);
+            let corners = read.map_err(named(&name))?.noted.corners();
+            (of_whole(shelf.features(), corners, &asked).map_err(named(&name))?, None)
+        };
+        if self.verbose {
+            eprintln!("{name}: {}", told(amount));
+        }
+        let Made { summary, cut } = made;
         write_file(&self.output, self.map.path(), &Saved::bytes(summary, cut)?)?;
         Ok(Verdict::Sound)
     }
 }
 
-/// The cuts of the whole map, which all of its tiles find alike; none, if there is nothing to cut, or too much.
-fn cuts<'f>(
-    corners: Option<[Point; 2]>,
-    features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),
-) -> Result<Option<Cuts>, TileError> {
-    let all = Grid::EVERYTHING;
-    let mut cuts = no_cuts(corners)?;
-    while !cuts.is_complete() {
-        let found = cuts.search(&all, Place { column: 0, row: 0 }, features.clone());
-        match found.and_then(|found| cuts.take([found])) {
-            Err(TileError::Build(BuildError::TooManyCuts { .. })) => return Ok(None),
-            taken => taken?,
-        }
-    }
-    Ok(Some(cuts).filter(|cuts| !cuts.is_empty()))
+fn told(amount: Option<Amount>) -> String {
+    let Some(Amount { features, of_features, bytes, of_bytes, .. }) = amount else {
+        return "the whole file was read, as it has no boxes that say where its features are".to_owned();
+    };
+    let [features, of_features, bytes, of_bytes] = [features, of_features, bytes, of_bytes].map(grouped);
+    format!("{features} of {of_features} features were read, and {bytes} of {of_bytes} bytes")
 }

@@ -1,0 +1,99 @@
+//! Making the summaries of a tile, from all of a map or from what lies around the tile.
+
+use std::collections::BTreeMap;
+use twinedge::algorithm::coverage::Limits;
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map::{BuildError, Feature};
+use twinedge::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
+use twinedge_formats::layer::{Feature as LayerFeature, Indexed, ReadError, to_map};
+use twinedge_report::{Error, grid_of, no_cuts};
+
+/// The summary that is asked for.
+pub(super) struct Asked {
+    pub(super) size: [u32; 2],
+    /// The corners of the box that the grid divides, if they are not those of the map.
+    pub(super) corners: Option<[Point; 2]>,
+    pub(super) place: Tile,
+    pub(super) limits: Limits,
+}
+
+impl Asked {
+    fn grid(&self, corners: Option<[Point; 2]>) -> Result<Grid, Error> {
+        match self.corners {
+            Some([low, high]) => Ok(Grid::new(low, high, self.size[0], self.size[1])?),
+            None => grid_of(corners, self.size),
+        }
+    }
+}
+
+/// The summary of a tile, and that of the tile with its edges cut.
+pub(super) struct Made {
+    pub(super) summary: Summary,
+    pub(super) cut: Option<Summary>,
+}
+
+/// Makes the summaries from all features of a map, which lie between two corners.
+pub(super) fn of_whole(features: &[Feature], corners: Option<[Point; 2]>, asked: &Asked) -> Result<Made, Error> {
+    let numbered = (0..).zip(features);
+    let grid = asked.grid(corners)?;
+    let summary = Summary::new(&grid, asked.place, numbered.clone(), &asked.limits).map_err(refused)?;
+    let cuts = complete(no_cuts(corners)?, &numbered)?.filter(|cuts| !cuts.is_empty());
+    let cut = cuts.map(|cuts| Summary::cut(&grid, asked.place, numbered, &asked.limits, &cuts));
+    Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
+}
+
+/// Makes the summaries from the features around the tile: those that meet it, and then those that meet their edges there, by which these edges are cut.
+/// It is not known if there is something to cut elsewhere in the map, so edges are taken as cut in any case.
+pub(super) fn by_windows(file: &mut Indexed, asked: &Asked) -> Result<Made, Error> {
+    let corners = file.corners();
+    let (grid, cuts) = (asked.grid(corners)?, no_cuts(corners)?);
+    if !grid.has(asked.place) {
+        return Err(refused(TileError::NoSuchTile(asked.place)));
+    }
+    let mut features = BTreeMap::new();
+    add(file, cuts.window(&grid, asked.place, []), &mut features)?;
+    let summary = Summary::new(&grid, asked.place, numbered(&features), &asked.limits).map_err(refused)?;
+    add(file, cuts.window(&grid, asked.place, features.values()), &mut features)?;
+    let cuts = complete(cuts, &numbered(&features))?;
+    let cut = cuts.map(|cuts| Summary::cut(&grid, asked.place, numbered(&features), &asked.limits, &cuts));
+    Ok(Made { summary, cut: cut.transpose().map_err(refused)? })
+}
+
+fn numbered(features: &BTreeMap<u32, Feature>) -> impl Iterator<Item = (u32, &Feature)> + Clone {
+    features.iter().map(|(number, feature)| (*number, feature))
+}
+
+/// Adds the features in a window that are not there yet.
+fn add(file: &mut Indexed, window: [Point; 2], features: &mut BTreeMap<u32, Feature>) -> Result<(), Error> {
+    if u32::try_from(file.amount().of_features).is_err() {
+        return Err(ReadError::Refused("there are more than 4,294,967,295 features".into()).into());
+    }
+    let mut found = Vec::new();
+    file.read(window, &mut |number| !features.contains_key(&(number as u32)), &mut |number, geometry| {
+        let feature = LayerFeature { geometry, ..LayerFeature::default() };
+        found.push((number as u32, to_map(&feature, &mut ReadSummary::default())));
+    })?;
+    features.extend(found);
+    Ok(())
+}
+
+fn refused(error: TileError) -> Error {
+    AuditError::from(error).into()
+}
+
+/// The cuts among all of these features; none, if there are too many.
+fn complete<'f>(
+    mut cuts: Cuts,
+    features: &(impl Iterator<Item = (u32, &'f Feature)> + Clone),
+) -> Result<Option<Cuts>, Error> {
+    let all = Grid::EVERYTHING;
+    while !cuts.is_complete() {
+        let found = cuts.search(&all, Tile { column: 0, row: 0 }, features.clone());
+        match found.and_then(|found| cuts.take([found])) {
+            Err(TileError::Build(BuildError::TooManyCuts { .. })) => return Ok(None),
+            taken => taken.map_err(refused)?,
+        }
+    }
+    Ok(Some(cuts))
+}

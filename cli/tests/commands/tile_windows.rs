@@ -1,0 +1,137 @@
+//! `twinedge tile` of files with boxes: the same bytes as from the whole file, less that is read, boxes that lie, and tiles that are left out.
+
+use crate::support::{complaint, data, json, scratch_folder, twinedge};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// The squares in a row, and the rows.
+const ACROSS: usize = 24;
+
+/// Squares in rows, of which some overlap their right neighbours: across lines of any grid, and beside them.
+fn squares() -> String {
+    let mut lines = String::new();
+    for number in 0..ACROSS * ACROSS {
+        let [x, y] = [number % ACROSS, number / ACROSS].map(|i| i as f64);
+        let right = if number % 37 == 5 { x + 1.3 } else { x + 1.0 };
+        let ring = [[x, y], [right, y], [right, y + 1.0], [x, y + 1.0], [x, y]];
+        let geometry = json!({"type": "Polygon", "coordinates": [ring]});
+        writeln!(lines, "{}", json!({"type": "Feature", "properties": {"owner": number}, "geometry": geometry}))
+            .unwrap();
+    }
+    lines
+}
+
+fn convert(from: &str, folder: &Path, name: &str) -> String {
+    let to = folder.join(name).to_str().unwrap().to_owned();
+    // Ids are lost.
+    let output = twinedge(&["convert", from, "-o", &to, "--lossy"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    to
+}
+
+/// Makes a tile: the path of its summary, and what was said.
+fn tile(file: &str, grid: &str, at: &str, folder: &Path) -> Result<(String, String), String> {
+    let summary = folder.join(format!("{}-{at}.summary", Path::new(file).extension().unwrap().display()));
+    let summary = summary.to_str().unwrap().to_owned();
+    let output = twinedge(&["tile", file, "--grid", grid, "--tile", at, "-o", &summary, "--verbose"]);
+    let said = String::from_utf8(output.stderr).unwrap();
+    if output.status.success() { Ok((summary, said)) } else { Err(said) }
+}
+
+#[test]
+fn the_summary_of_a_tile_has_the_same_bytes_whether_all_was_read_or_its_window() {
+    let folder = scratch_folder("tile-windows");
+    let text = data("world-110m-crossing.geojson");
+    let others = ["world.fgb", "world.parquet"].map(|name| convert(&text, &folder, name));
+    for at in ["0,0", "1,0", "0,1", "1,1"] {
+        let (whole, said) = tile(&text, "2x2", at, &folder).unwrap();
+        assert!(said.contains("the whole file was read"), "{said}");
+        let whole = std::fs::read(whole).unwrap();
+        assert!(String::from_utf8_lossy(&whole).contains("\"cut\":{"));
+        for file in &others {
+            let (summary, _) = tile(file, "2x2", at, &folder).unwrap();
+            assert!(std::fs::read(summary).unwrap() == whole, "{file} {at}");
+        }
+    }
+}
+
+#[test]
+fn tiles_read_what_lies_around_them_and_add_up_to_the_audit() {
+    let folder = scratch_folder("tile-windows-sum");
+    let text = folder.join("squares.geojsonl").to_str().unwrap().to_owned();
+    std::fs::write(&text, squares()).unwrap();
+    let (_, whole) = json(&["audit", &text, "--format", "json"]);
+    assert!(whole["coverage"]["overlaps"].as_u64() > Some(10));
+    let file = convert(&text, &folder, "squares.fgb");
+    let mut files = Vec::new();
+    for at in ["0,0", "1,0", "2,0", "0,1", "1,1", "2,1", "0,2", "1,2", "2,2"] {
+        let (summary, said) = tile(&file, "3x3", at, &folder).unwrap();
+        // Eight squares each way, and those around them.
+        let (read, rest) = said.rsplit_once(": ").unwrap().1.split_once(" of 576 features were read, and ").unwrap();
+        let read: usize = read.parse().unwrap();
+        assert!((81..=144).contains(&read), "{said}");
+        let bytes: Vec<u64> =
+            rest.split(" of ").map(|n| n.trim_end_matches(" bytes\n").replace(',', "").parse().unwrap()).collect();
+        assert!(bytes[0] * 2 < bytes[1], "{said}");
+        files.push(summary);
+    }
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    let (status, sum) = json(&[&["sum", "--format", "json"], &files[..]].concat());
+    assert_eq!((status, &sum["rules"], &sum["counts"]), (Some(1), &whole["rules"], &whole["counts"]));
+    for key in ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid", "mismatches", "not_checked"]
+    {
+        assert_eq!(sum["coverage"][key], whole["coverage"][key], "{key}");
+    }
+
+    // A tile that was made without cuts is named, and so is one that was cut otherwise than its neighbours.
+    let saved: Value = serde_json::from_slice(&std::fs::read(files[4]).unwrap()).unwrap();
+    let with = |cut: Value| {
+        let mut saved = saved.clone();
+        saved["cut"] = cut;
+        std::fs::write(files[4], saved.to_string()).unwrap();
+        let (status, sum) = json(&[&["sum", "--format", "json"], &files[..]].concat());
+        assert_eq!(status, Some(1));
+        sum["coverage"]["not_checked"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(with(Value::Null), "borders cross, and tile (1,1) was made without cuts");
+    let why = with(saved["summary"].clone());
+    assert!(why.starts_with("borders cross, and tile (1,1): edges still meet elsewhere than at vertices"), "{why}");
+}
+
+#[test]
+fn a_box_that_is_smaller_than_its_feature_is_an_error_in_the_tile_where_it_shows_it() {
+    let folder = scratch_folder("tile-windows-lies");
+    let text = folder.join("squares.geojsonl").to_str().unwrap().to_owned();
+    std::fs::write(&text, squares()).unwrap();
+    let file = convert(&text, &folder, "squares.fgb");
+    let mut bytes = std::fs::read(&file).unwrap();
+    let header = u32::from_le_bytes(bytes[8..12].try_into().unwrap()) as usize;
+    // After 1, 3 and 36 nodes come those of the features. Square 12 is in the middle column, and its box says that it is farther to the left.
+    let right = 12 + header + 40 * (40 + 12) + 16;
+    assert_eq!(bytes[right..right + 8], 13.0_f64.to_le_bytes());
+    bytes[right - 16..right - 8].copy_from_slice(&2.0_f64.to_le_bytes());
+    bytes[right..right + 8].copy_from_slice(&3.0_f64.to_le_bytes());
+    std::fs::write(&file, bytes).unwrap();
+    let made = ["0,0", "1,0", "2,0"].map(|at| tile(&file, "3x1", at, &folder));
+    let error = made[0].as_ref().unwrap_err();
+    assert!(error.contains("FlatGeobuf: feature 12: it reaches out of the box"), "{error}");
+    assert!(made[1].is_ok() && made[2].is_ok(), "{made:?}");
+}
+
+#[test]
+fn what_is_refused_of_a_file_with_boxes() {
+    let folder = scratch_folder("tile-windows-refused");
+    let text = folder.join("squares.geojsonl").to_str().unwrap().to_owned();
+    std::fs::write(&text, squares()).unwrap();
+    let file = convert(&text, &folder, "squares.fgb");
+    for (arguments, told) in [
+        (&["--tile", "3,0"][..], "the grid has no tile 3,0"),
+        (&["--tile", "0,0", "--layer", "other"], "there is no layer \"other\""),
+    ] {
+        let output = twinedge(&[&["tile", &file, "--grid", "3x1", "-o", "x"], arguments].concat());
+        assert_eq!(output.status.code(), Some(2));
+        let text = complaint(&output);
+        assert!(text.contains(told), "{text}");
+    }
+}

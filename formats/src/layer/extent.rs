@@ -1,0 +1,75 @@
+//! Boxes that a file has around what is in it.
+
+use super::error::Cause;
+use super::model::Geometry;
+use twinedge::geometry::Point;
+
+/// A box that a file has around a geometry, or around many. It says nothing if its corners are not in order, as that of nothing, or of something that
+/// passes the antimeridian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    pub(super) low: Point,
+    pub(super) high: Point,
+}
+
+impl Extent {
+    /// The box of nothing.
+    pub(super) const NOTHING: Self = Self {
+        low: Point { x: f64::INFINITY, y: f64::INFINITY },
+        high: Point { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY },
+    };
+
+    pub(super) const fn new([x0, y0, x1, y1]: [f64; 4]) -> Self {
+        Self { low: Point { x: x0, y: y0 }, high: Point { x: x1, y: y1 } }
+    }
+
+    /// Returns true if it says where something is.
+    pub(super) fn is_known(&self) -> bool {
+        self.low.x <= self.high.x && self.low.y <= self.high.y
+    }
+
+    /// Returns true if what lies in it may meet a window.
+    pub(super) fn may_meet(&self, window: &Self) -> bool {
+        let is_apart = self.high.x < window.low.x
+            || window.high.x < self.low.x
+            || self.high.y < window.low.y
+            || window.high.y < self.low.y;
+        !(self.is_known() && is_apart)
+    }
+
+    fn holds(&self, x: f64, y: f64) -> bool {
+        self.low.x <= x && x <= self.high.x && self.low.y <= y && y <= self.high.y
+    }
+
+    /// Refuses a box in it that reaches out of it.
+    pub(super) fn check(&self, inner: &Self) -> Result<(), Cause> {
+        let is_inside = self.holds(inner.low.x, inner.low.y) && self.holds(inner.high.x, inner.high.y);
+        if self.is_known() && inner.is_known() && !is_inside { Err(Cause::OutOfBox) } else { Ok(()) }
+    }
+
+    /// Refuses a geometry in it that reaches out of it.
+    pub(super) fn check_geometry(&self, geometry: &Geometry) -> Result<(), Cause> {
+        let mut is_inside = true;
+        geometry.shape.visit(&mut |p| is_inside &= self.holds(p.x, p.y));
+        if self.is_known() && !is_inside { Err(Cause::OutOfBox) } else { Ok(()) }
+    }
+
+    /// The box that says where something is: this one, or else the one around it.
+    pub(super) fn or(self, around: Self) -> Self {
+        if self.is_known() { self } else { around }
+    }
+
+    /// The box around both; what is not known of one is that of the other.
+    pub(super) fn with(self, other: Self) -> Self {
+        match (self.is_known(), other.is_known()) {
+            (_, false) => self,
+            (false, true) => other,
+            (true, true) => Self::new([
+                self.low.x.min(other.low.x),
+                self.low.y.min(other.low.y),
+                self.high.x.max(other.high.x),
+                self.high.y.max(other.high.y),
+            ]),
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! The index of `FlatGeobuf`: a tree of boxes, by which the features in a window are found without reading others.
+//!
+//! Features are numbered as they follow each other. So that their numbers are those of their leaves, the leaves must be in the order of the
+//! features, as all known writers have them; where they are not, that is an error.
+
+use super::super::each::EachGeometry;
+use super::super::error::{Cause, Place, ReadError};
+use super::super::extent::Extent;
+use super::super::model::Geometry;
+use super::read::{content, geometry_of, header_bytes, header_of, invalid};
+use super::tree::{NODE, Tree};
+use std::fs::File;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::ops::Range;
+use std::path::Path;
+
+#[derive(Clone, Copy)]
+struct Node {
+    extent: Extent,
+    /// Of a leaf, the place of its feature after the index.
+    offset: u64,
+}
+
+/// A file with an index.
+pub(in crate::layer) struct IndexedFile {
+    file: File,
+    length: u64,
+    header: Vec<u8>,
+    tree: Tree,
+    /// The places where the index and the features begin.
+    index: u64,
+    features: u64,
+    root: Extent,
+    read: u64,
+}
+
+impl IndexedFile {
+    /// Opens a file; none, if it has no index.
+    pub(in crate::layer) fn open(path: &Path) -> Result<Option<Self>, ReadError> {
+        let file = File::open(path)?;
+        let length = file.metadata()?.len();
+        let header = header_bytes(&mut BufReader::new(&file))?;
+        let tree = Tree::of_header(&header_of(&header)?).map_err(|cause| content(Place::Header, cause))?;
+        let Some(tree) = tree else { return Ok(None) };
+        let index = 8 + header.len() as u64;
+        let features = index.saturating_add(tree.bytes());
+        let mut found = Self { file, length, header, tree, index, features, root: Extent::NOTHING, read: index };
+        found.root = found.nodes(found.tree.level_count() - 1, 0..1)?[0].extent;
+        Ok(Some(found))
+    }
+
+    pub(in crate::layer) const fn extent(&self) -> Extent {
+        self.root
+    }
+
+    /// The number of features.
+    pub(in crate::layer) fn count(&self) -> u64 {
+        self.tree.count()
+    }
+
+    /// The numbers of bytes that were read, and that there are.
+    pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
+        [self.read, self.length]
+    }
+
+    /// Hands over the geometries that may meet a window, with the numbers of their features in order. Memory O(largest feature).
+    pub(in crate::layer) fn read(
+        &mut self,
+        window: &Extent,
+        is_wanted: &mut dyn FnMut(u64) -> bool,
+        each: &mut EachGeometry<'_>,
+    ) -> Result<(), ReadError> {
+        let mut ahead = vec![(self.tree.level_count() - 1, 0, self.root)];
+        while let Some((level, node, around)) = ahead.pop() {
+            let below = self.tree.below(level, node);
+            // With the leaf after the last one, as a feature ends where the next one begins.
+            let to = if level == 1 { (below.end + 1).min(self.count()) } else { below.end };
+            let nodes = self.nodes(level - 1, below.start..to)?;
+            let mut met = Vec::new();
+            for (number, place) in below.zip(0..) {
+                let extent = nodes[place].extent;
+                let at = if level == 1 { Place::Feature(number as usize) } else { Place::Header };
+                around.check(&extent).map_err(|cause| content(at, cause))?;
+                let extent = extent.or(around);
+                if !nodes[place].extent.may_meet(window) {
+                    continue;
+                }
+                if level > 1 {
+                    met.push((level - 1, number, extent));
+                } else if is_wanted(number) {
+                    let end = nodes.get(place + 1).map(|node| node.offset);
+                    let geometry = self.feature(number, nodes[place].offset, end)?;
+                    if let Some(geometry) = &geometry {
+                        extent.check_geometry(geometry).map_err(|cause| content(at, cause))?;
+                    }
+                    each(number, geometry);
+                }
+            }
+            ahead.extend(met.into_iter().rev());
+        }
+        Ok(())
+    }
+
+    fn nodes(&mut self, level: usize, nodes: Range<u64>) -> Result<Vec<Node>, ReadError> {
+        let at = self.index + (self.tree.start(level) + nodes.start) * NODE;
+        let bytes = self.bytes_at(at, (nodes.end - nodes.start) * NODE, Place::Header, "the index")?;
+        let number = |bytes: &[u8], i: usize| {
+            let mut number = [0; 8];
+            number.copy_from_slice(&bytes[8 * i..8 * i + 8]);
+            number
+        };
+        let node = |bytes: &[u8]| Node {
+            extent: Extent::new([0, 1, 2, 3].map(|i| f64::from_le_bytes(number(bytes, i)))),
+            offset: u64::from_le_bytes(number(bytes, 4)),
+        };
+        Ok(bytes.chunks_exact(NODE as usize).map(node).collect())
+    }
+
+    /// The geometry of the feature that lies between two places after the index, the second of which is the end of the file if there is none.
+    fn feature(&mut self, number: u64, start: u64, end: Option<u64>) -> Result<Option<Geometry>, ReadError> {
+        let place = Place::Feature(number as usize);
+        let refused = |cause| content(place, cause);
+        let end = end.unwrap_or(self.length.saturating_sub(self.features));
+        let length = end.checked_sub(start).filter(|_| (number == 0) == (start == 0));
+        let out_of_order = || refused(invalid("the index does not list the features in their order"));
+        let length = length.ok_or_else(out_of_order)?;
+        let body = self.bytes_at(self.features.saturating_add(start), length, place, "a table")?;
+        let prefix = body.first_chunk().map(|bytes| u64::from(u32::from_le_bytes(*bytes)) + 4);
+        if prefix != Some(length) {
+            return Err(out_of_order());
+        }
+        geometry_of(&header_of(&self.header)?, &body).map_err(refused)
+    }
+
+    fn bytes_at(&mut self, at: u64, length: u64, place: Place, what: &'static str) -> Result<Vec<u8>, ReadError> {
+        if at.checked_add(length).is_none_or(|end| end > self.length) {
+            return Err(content(place, Cause::Truncated(what)));
+        }
+        let mut bytes = vec![0; length as usize];
+        self.file.seek(SeekFrom::Start(at))?;
+        self.file.read_exact(&mut bytes)?;
+        self.read += length;
+        Ok(bytes)
+    }
+}

@@ -1,0 +1,142 @@
+//! Reading the features in a window, by the boxes that a file has.
+
+use super::each::EachGeometry;
+use super::error::ReadError;
+use super::extent::Extent;
+use super::read::{ReadOptions, beginning, format_of};
+use std::fs::File;
+use std::path::Path;
+use twinedge::geometry::Point;
+use twinedge::io::Format;
+
+/// A file that says by boxes where its features are, so that those in a window are read without the others: `FlatGeobuf` with an index, and `GeoParquet` with
+/// statistics of its column of boxes or of Parquet's own geometries.
+///
+/// Boxes are not believed: what is read is compared with the boxes around it. A window cannot tell what lies in it that the boxes hide; but
+/// each feature has a place where its boxes show it, and there it is an error. So if windows that together cover the plane are read without an error, nothing
+/// was missed in any of them.
+///
+/// ```
+/// use twinedge::geometry::Point;
+/// use twinedge_formats::layer::{
+///     Dimensions, Feature, Format, Geometry, Indexed, Layer, Position, ReadOptions, Shape, write_path,
+/// };
+///
+/// # #[cfg(feature = "geoparquet")] {
+/// # let folder = tempfile::tempdir()?;
+/// # let path = folder.path().join("trees.parquet");
+/// let tree = |x| Feature {
+///     geometry: Some(Geometry::new(Dimensions::Xy, Shape::Point(Some(Position::new(x, 0.0))))),
+///     ..Feature::default()
+/// };
+/// write_path(&Layer { features: vec![tree(1.0), tree(5.0)], ..Layer::default() }, &path, Format::GeoParquet)?;
+/// let mut file = Indexed::open(&path, &ReadOptions::default())?.unwrap();
+/// assert_eq!(file.corners(), Some([Point::new(1.0, 0.0), Point::new(5.0, 0.0)]));
+/// let mut found = Vec::new();
+/// file.read([Point::new(4.0, -1.0), Point::new(6.0, 1.0)], &mut |_| true, &mut |number, _| found.push(number))?;
+/// assert_eq!(found, [1]);
+/// # }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Indexed {
+    file: Inner,
+    features: u64,
+}
+
+enum Inner {
+    #[cfg(feature = "flatgeobuf")]
+    FlatGeobuf(super::flatgeobuf::IndexedFile),
+    #[cfg(feature = "geoparquet")]
+    GeoParquet(Box<super::geoparquet::IndexedFile>),
+}
+
+/// The numbers of features and bytes of a file, those that were read and all there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Amount {
+    /// The number of features that were read. One that was read twice counts twice.
+    pub features: u64,
+    /// The number of features in the file.
+    pub of_features: u64,
+    /// The number of bytes that were read; of `GeoParquet`, those of columns.
+    pub bytes: u64,
+    /// The number of bytes of the file.
+    pub of_bytes: u64,
+}
+
+impl Indexed {
+    /// Opens a file; none, if it has no boxes by which windows can be read. O(row groups).
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    pub fn open(path: &Path, options: &ReadOptions) -> Result<Option<Self>, ReadError> {
+        if options.files.is_some() {
+            return Ok(None);
+        }
+        let head = beginning(&mut File::open(path)?)?;
+        let file = match format_of(&head, Some(path), options) {
+            #[cfg(feature = "flatgeobuf")]
+            Ok(Format::FlatGeobuf) => super::flatgeobuf::IndexedFile::open(path)?.map(Inner::FlatGeobuf),
+            #[cfg(feature = "geoparquet")]
+            Ok(Format::GeoParquet) => {
+                super::geoparquet::IndexedFile::open(path)?.map(|file| Inner::GeoParquet(Box::new(file)))
+            }
+            // The faults of other files are found when they are read as a whole.
+            _ => None,
+        };
+        Ok(file.map(|file| Self { file, features: 0 }))
+    }
+
+    fn extent(&self) -> Extent {
+        match &self.file {
+            #[cfg(feature = "flatgeobuf")]
+            Inner::FlatGeobuf(file) => file.extent(),
+            #[cfg(feature = "geoparquet")]
+            Inner::GeoParquet(file) => file.extent(),
+        }
+    }
+
+    /// The corners of the box around all features, as the file says; none, if there is nothing, or the file does not say.
+    #[must_use]
+    pub fn corners(&self) -> Option<[Point; 2]> {
+        let Extent { low, high } = Some(self.extent()).filter(Extent::is_known)?;
+        Some([low, high])
+    }
+
+    /// Hands over the geometries of all features that may meet the closed box between two corners, and that are wanted, with their numbers in the file, in order. Attributes
+    /// are not read. Memory O(largest feature), or O(pages of a row group).
+    ///
+    /// # Errors
+    /// [`ReadError`], with [`Cause::OutOfBox`](super::Cause::OutOfBox) if something is not where its box says.
+    pub fn read(
+        &mut self,
+        [low, high]: [Point; 2],
+        is_wanted: &mut dyn FnMut(u64) -> bool,
+        each: &mut EachGeometry<'_>,
+    ) -> Result<(), ReadError> {
+        let window = Extent { low, high };
+        let count = &mut self.features;
+        let mut counted = |number, geometry| {
+            *count += 1;
+            each(number, geometry);
+        };
+        match &mut self.file {
+            #[cfg(feature = "flatgeobuf")]
+            Inner::FlatGeobuf(file) => file.read(&window, is_wanted, &mut counted),
+            #[cfg(feature = "geoparquet")]
+            Inner::GeoParquet(file) => file.read(&window, is_wanted, &mut counted),
+        }
+    }
+
+    /// The numbers of features and bytes that were read until now.
+    #[must_use]
+    pub fn amount(&self) -> Amount {
+        let (of_features, [bytes, of_bytes]) = match &self.file {
+            #[cfg(feature = "flatgeobuf")]
+            Inner::FlatGeobuf(file) => (file.count(), file.bytes()),
+            #[cfg(feature = "geoparquet")]
+            Inner::GeoParquet(file) => (file.count(), file.bytes()),
+        };
+        Amount { features: self.features, of_features, bytes, of_bytes }
+    }
+}

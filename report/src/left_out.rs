@@ -1,0 +1,61 @@
+//! Tiles that were left out, by name.
+
+use crate::error::Error;
+use crate::tile_words::{NAMED, of_tiles};
+use twinedge::geometry::Point;
+use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
+
+/// Refuses a summary that is not of all tiles. O(tiles of the summary).
+pub(crate) fn refuse_missing(summary: &Summary) -> Result<(), Error> {
+    let [columns, rows] = summary.grid().size().map(u64::from);
+    let count = (columns * rows).saturating_sub(summary.tiles().len() as u64);
+    let is_missing = |tile: &Tile| summary.tiles().binary_search(tile).is_err();
+    let missing: Vec<Tile> = summary.grid().tiles().filter(is_missing).take(NAMED).collect();
+    if missing.is_empty() { Ok(()) } else { Err(Error::Missing { tiles: missing, count }) }
+}
+
+/// The tiles of a summary that are none of another one, which is that of the same tiles with their edges cut.
+pub(crate) fn without_cuts(whole: &Summary, cut: &Summary) -> Vec<Tile> {
+    whole.tiles().iter().copied().filter(|tile| cut.tiles().binary_search(tile).is_err()).collect()
+}
+
+/// Refuses summaries of which some were made with edges cut, and others without.
+///
+/// # Errors
+/// [`Error::WithoutCuts`].
+pub fn refuse_without_cuts(whole: &Summary, cut: &Summary) -> Result<(), Error> {
+    let tiles = without_cuts(whole, cut);
+    if tiles.is_empty() { Ok(()) } else { Err(Error::WithoutCuts { tiles }) }
+}
+
+/// The reason why the map with its edges cut is not known, as far as tiles tell; none, if it is known.
+pub(crate) fn reason(grid: &Grid, cut: &Outcome) -> Option<String> {
+    let mut tiles: Vec<Tile> = cut.crossings.iter().map(|one| grid.tile_of(place(one))).collect();
+    let why = if tiles.is_empty() {
+        tiles.extend(cut.seams.iter().map(|fault| fault.tile));
+        "other cuts were taken there than beside it"
+    } else {
+        "edges still meet elsewhere than at vertices there, as after a round of cuts without it"
+    };
+    tiles.sort_unstable();
+    tiles.dedup();
+    (!tiles.is_empty()).then(|| format!("{}: {why}", of_tiles(&tiles)))
+}
+
+/// A point near which two edges meet.
+fn place(one: &Crossing) -> Point {
+    let ([a, b], [c, d]) = (one.first, one.second);
+    let [along, across] = [[b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y]];
+    let area = along[0] * across[1] - along[1] * across[0];
+    let part = ((c.x - a.x) * across[1] - (c.y - a.y) * across[0]) / area;
+    match one.kind {
+        CrossingKind::Cross if part.is_finite() => Point::new(a.x + part * along[0], a.y + part * along[1]),
+        CrossingKind::Touch => a,
+        // The second one of the ends of two edges that overlap lies on both.
+        _ => {
+            let mut ends = [a, b, c, d];
+            ends.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+            ends[1]
+        }
+    }
+}
