@@ -77,7 +77,8 @@ enum LoadError {
 /// Saves everything: the keys, so that data that is saved beside the map by key finds its records again; edges of no feature
 /// and isolated vertices; names and features; the summaries. O(n).
 ///
-/// Only plane maps can be saved ([`PlanarMap::is_plane`]).
+/// Only plane maps can be saved ([`PlanarMap::is_plane`]). The index of [`locate`](PlanarMap::locate) is not: in JSON, reading one takes as long as
+/// building it.
 ///
 /// ```
 /// use twinedge::map::PlanarMap;
