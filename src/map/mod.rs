@@ -82,6 +82,8 @@ pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
+#[cfg(all(feature = "serde", feature = "spade"))]
+pub use saved::Certified;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};
 
