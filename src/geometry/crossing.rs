@@ -167,11 +167,15 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
         here.sort_unstable();
         here.dedup();
         found.total += here.len() as u64;
-        here.into_iter().for_each(|clash| found.take(id, clash, room));
+        for clash in here {
+            found.take(id, clash, room);
+        }
     };
     let merge = |mut one: Clashes, other: Clashes| {
         one.total += other.total;
-        other.first.into_iter().for_each(|(id, clash)| one.take(id, clash, room));
+        for (id, clash) in other.first {
+            one.take(id, clash, room);
+        }
         one
     };
     let found = Boxes::new(0..things, bounds).pairs(0.0, &Clashes::default, &each, &merge);

@@ -58,8 +58,9 @@ impl NumberTable {
         }
         for number in self.count..count {
             let hash = hash_of(number);
-            let free = self.way(hash).find(|slot| self.slots[*slot] == EMPTY);
-            free.into_iter().for_each(|slot| self.slots[slot] = tag(hash) | number);
+            if let Some(free) = self.way(hash).find(|slot| self.slots[*slot] == EMPTY) {
+                self.slots[free] = tag(hash) | number;
+            }
         }
         self.count = self.count.max(count);
     }
