@@ -24,6 +24,7 @@ impl Bounds {
     }
 
     /// The smallest box around points; none if there are none.
+    #[cfg(feature = "map")]
     pub(crate) fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
         points.into_iter().map(Self::one).reduce(Self::joined)
     }

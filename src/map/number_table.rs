@@ -58,9 +58,8 @@ impl NumberTable {
         }
         for number in self.count..count {
             let hash = hash_of(number);
-            let free = self.way(hash).find(|slot| self.slots[*slot] == EMPTY);
-            if let Some(slot) = free {
-                self.slots[slot] = tag(hash) | number;
+            if let Some(free) = self.way(hash).find(|slot| self.slots[*slot] == EMPTY) {
+                self.slots[free] = tag(hash) | number;
             }
         }
         self.count = self.count.max(count);

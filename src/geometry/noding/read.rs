@@ -55,7 +55,9 @@ impl<'a> Read<'a> {
     pub(super) fn numbered(grid: &Grid, points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
         let pixel = |number: usize| grid.pixels.at(grid.steps(points[number]));
         let mut sorted: Vec<(Pixel, u32)> = threads::map(points, |point| (grid.pixels.at(grid.steps(*point)), 0));
-        (0..).zip(&mut sorted).for_each(|(number, (_, of))| *of = number);
+        for (number, (_, of)) in (0..).zip(&mut sorted) {
+            *of = number;
+        }
         // One number for both coordinates is compared without a branch.
         let key = |[x, y]: Pixel| i128::from(x) << 64 | i128::from(y.cast_unsigned() ^ 1 << 63);
         threads::sort_unstable_by(&mut sorted, |(a, p), (b, q)| key(*a).cmp(&key(*b)).then(p.cmp(q)));

@@ -49,7 +49,9 @@ impl GatheredFeatures {
         self.darts.reserve_exact(darts.len());
         let mut start = 0;
         for part in &mut self.parts {
-            darts[start..part.end].iter().for_each(|dart| by(&mut self.darts, *dart));
+            for dart in &darts[start..part.end] {
+                by(&mut self.darts, *dart);
+            }
             start = part.end;
             part.end = self.darts.len();
         }
