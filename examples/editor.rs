@@ -2,7 +2,7 @@
 //! and redone. Each step is validated in its own time.
 //!
 //! Owners and taxes are attributes of faces. Both parts of a split parcel have its owners, and its tax is shared out by area; a merged parcel
-//! has the owners of both, and the sum. Undoing brings back what was.
+//! has the owners of both, and the sum. Each parcel has a number for good. Undoing brings back what was.
 //!
 //! ```text
 //! cargo run --example editor
@@ -23,6 +23,7 @@ type Owners = BTreeSet<&'static str>;
 struct Editor {
     history: History,
     baseline: EmbeddingBaseline,
+    number: Attribute<Faces, u64>,
     owners: Attribute<Faces, Owners>,
     tax: Attribute<Faces, f64>,
 }
@@ -30,6 +31,9 @@ struct Editor {
 impl Editor {
     fn new() -> Outcome<Self> {
         let mut map = PlanarMap::new();
+        let number = map.add_attribute(Policy::of_faces().ids(1));
+        // New faces are split off the unbounded one, so it has a number, too.
+        map.set_value(number, map.dcel().unbounded_face().key(), 0)?;
         let owners =
             map.add_attribute(Policy::of_faces().split_copy().merge_with(|kept: Option<Owners>, dropped| {
                 match (kept, dropped) {
@@ -40,7 +44,7 @@ impl Editor {
             }));
         let tax = map.add_attribute(Policy::of_faces().split_share().merge_sum());
         let baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
-        Ok(Self { history: History::new(map), baseline, owners, tax })
+        Ok(Self { history: History::new(map), baseline, number, owners, tax })
     }
 
     fn edit<T>(&mut self, name: &'static str, edit: impl FnOnce(&mut PlanarMap) -> Result<T, EditError>) -> Outcome<T> {
@@ -70,7 +74,7 @@ impl Editor {
 
 fn main() -> Outcome<()> {
     let mut editor = Editor::new()?;
-    let (owners, tax) = (editor.owners, editor.tax);
+    let (number, owners, tax) = (editor.number, editor.owners, editor.tax);
     let parcel = editor.edit("draw a parcel", |map| {
         let parcel = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?;
         map.set_value(owners, parcel.faces_split[0].1, Owners::from(["Ada"]))?;
@@ -103,5 +107,10 @@ fn main() -> Outcome<()> {
     assert_eq!((editor.parcels()?.len(), editor.history.get().dcel().vertex_count()), (0, 0));
     while editor.step(History::redo)? {}
     assert_eq!(editor.parcels()?, merged);
+    let map = editor.history.get();
+    let [first, second] = [1, 2].map(|parcel| map.find(number, &parcel));
+    println!("parcel 1: {:?}, parcel 2: {:?}", first.map(|face| map.value(owners, face)), second);
+    // One of both numbers is left, on the face that the merging kept.
+    assert_ne!(first.is_some(), second.is_some());
     Ok(())
 }

@@ -28,6 +28,7 @@ mod prove;
 mod prove_meshes;
 mod query;
 mod replay;
+mod replay_map;
 mod sample;
 mod soak;
 mod status;

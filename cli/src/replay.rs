@@ -2,6 +2,7 @@
 
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, print, print_json};
+use crate::replay_map;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
 use clap::ValueEnum;
@@ -19,16 +20,27 @@ use twinedge_trials::{Silent, Structure, replay};
 ///
 /// The names in a step count what there is, in order of creation. The line below a step shows the records that they chose, by
 /// their names in the table. Then the program is run once more in step with the reference, as `twinedge soak` does it.
+///
+/// With --map it is a journal of edits of a map, which begins with the line `twinedge edits 1`: `insert_point`, `insert_segment`,
+/// `insert_segment_snapped`, `insert_ring`, `remove_edge`, `remove_vertex`, `move_vertex`, `add_feature`, `set_features_of`, `set_features_along`, in the
+/// words of `twinedge::map::program`. Each step is validated, and has to be done. The output of --format json is a journal, too.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge replay failing.program
   twinedge replay failing.program --on pointers
   printf 'twinedge program 1\\nadd_isolated_vertex unbounded\\n' | twinedge replay -
+  twinedge replay --map monday.edits --format json > monday.json
+  printf 'twinedge edits 1\\ninsert_ring 0,0 4,0 4,4\\nmove_vertex v1 5,0\\n' | twinedge replay --map -
 
-Exit status: 0 every step is valid and in step with the reference; 1 otherwise, or a step panicked; 2 the file could not be read.")]
+Exit status: 0 every step is valid, and in step with the reference or, with --map, was done; 1 otherwise, or a step panicked; \
+2 the file could not be read.")]
 pub(crate) struct Replay {
-    /// The program, as `twinedge soak` saves it; `-` for standard input.
+    /// The program, as `twinedge soak` saves it, or the journal; `-` for standard input.
     file: PathBuf,
+
+    /// Replay a journal of edits, from an empty map on. Vertices, half-edges and faces are counted in order of creation: v0, h0, f0.
+    #[arg(long, conflicts_with = "on")]
+    map: bool,
 
     /// The structure to run it on. Default: the structure that the file names, or slots.
     #[arg(long, value_enum, value_name = "STRUCTURE")]
@@ -78,6 +90,9 @@ impl Replay {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let name = if self.is_standard_input() { "standard input".into() } else { self.file.display().to_string() };
         let text = self.read().map_err(|error| Failure(format!("{name}: {error}")))?;
+        if self.map {
+            return replay_map::run(&text, self.format).map_err(|Failure(error)| Failure(format!("{name}: {error}")));
+        }
         let program: Program = text.parse().map_err(|error| Failure(format!("{name}: {error}")))?;
         let on = self.on.or_else(|| named_in(&text)).unwrap_or_default();
         let (steps, difference) = on.with(Replaying(&program));

@@ -1,10 +1,12 @@
-//! The Python module `twinedge._twinedge`: the validator over numpy arrays, audits of meshes and maps, whole or in tiles, and what maps can be asked.
+//! The Python module `twinedge._twinedge`: the validator over numpy arrays, audits of meshes and maps, whole or in tiles, what maps can be asked, and maps that are edited.
 //!
 //! Each function returns a report as JSON, in the form of `docs/report.md`. The package `twinedge` makes objects of it.
 
 mod arrays;
+mod attributes;
 mod audit;
 mod clean;
+mod editor;
 mod expectation;
 mod geometries;
 mod maps;
@@ -29,6 +31,7 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(structure::validate, module)?)?;
     module.add_function(wrap_pyfunction!(structure::explain, module)?)?;
     module.add_class::<maps::Map>()?;
+    module.add_class::<editor::Editor>()?;
     module.add_function(wrap_pyfunction!(audit::audit, module)?)?;
     module.add_function(wrap_pyfunction!(audit::audit_faces, module)?)?;
     module.add_function(wrap_pyfunction!(audit::diff, module)?)?;

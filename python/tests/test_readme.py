@@ -24,7 +24,7 @@ def test_the_first_lines_run(capsys):
 
 
 def test_every_name_in_the_table_is_there():
-    for module, names in [(twinedge, ["validate", "audit", "audit_faces", "expect", "diff", "clean", "Map", "overlay", "draw"]), (testing, ["surfaces", "triangle_meshes", "broken"]),
+    for module, names in [(twinedge, ["validate", "audit", "audit_faces", "expect", "diff", "clean", "Map", "overlay", "draw", "Editor"]), (testing, ["surfaces", "triangle_meshes", "broken"]),
                           (adapters, ["networkx", "compas", "trimesh", "shapely", "geopandas"])]:
         for name in names:
             assert name in README and getattr(module, name).__doc__
@@ -40,7 +40,7 @@ def test_every_example_runs(code, capsys):
 
 
 def test_there_is_an_example_for_each():
-    for used in ["adapters.networkx(", "adapters.trimesh(", "adapters.geopandas(", "hypothesis.given(", "expect(", "Map(", "tiles.audit_tile("]:
+    for used in ["adapters.networkx(", "adapters.trimesh(", "adapters.geopandas(", "hypothesis.given(", "expect(", "Map(", "Editor(", "tiles.audit_tile("]:
         assert any(used in block for block in BLOCKS), used
 
 

@@ -72,10 +72,9 @@ pub fn audit(
     let may_say = options.edges.is_none() && input.map_format()? == Some(Format::GeoParquet);
     let is_asked = options.edges == Some(Edges::Geodesic);
     let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
-    let imported = Imported::read(input, &options.map, keep, stage)?;
+    let mut imported = Imported::read(input, &options.map, keep, stage)?;
     let is_geodesic = is_asked || may_say && options.are_as_said(&imported);
-    let judge = if is_geodesic { sphere::audit } else { map::audit };
-    let report = judge(&imported, options, stage)?;
+    let report = judge(&mut imported, is_geodesic, options, stage)?;
     Ok(told(report, Subject::Map(Box::new(imported)), options, kind))
 }
 
@@ -91,8 +90,8 @@ pub fn audit_plainly(
 ) -> Result<Audited, Error> {
     let (report, subject) = match kind {
         InputKind::Map => {
-            let imported = Imported::read(input, &options.map, Keep { coverage: true, ..Keep::default() }, stage)?;
-            (map::audit(&imported, options, stage)?, Subject::Map(Box::new(imported)))
+            let mut imported = Imported::read(input, &options.map, Keep { coverage: true, ..Keep::default() }, stage)?;
+            (map::audit(&mut imported, options, stage)?, Subject::Map(Box::new(imported)))
         }
         InputKind::Mesh(format) => {
             let (report, mesh) = mesh::audit(input, format, options, mesh::plainly)?;
@@ -133,8 +132,8 @@ pub fn audit_against(
     options.refuse_with_geodesic(Some("--against or --parent-column"))?;
     let columns = options.parent.iter().flat_map(|parent| parent.columns(other.is_some())).collect::<Vec<_>>();
     let keep = Keep { coverage: true, columns: &columns, features: true, points: true, ..Keep::default() };
-    let imported = Imported::read(input, &options.map, keep, stage)?;
-    let mut report = map::audit(&imported, options, stage)?;
+    let mut imported = Imported::read(input, &options.map, keep, stage)?;
+    let mut report = map::audit(&mut imported, options, stage)?;
     let other = other.map(|other| Other::read(other, options)).transpose()?;
     layers::judge(&imported, other.as_ref(), options, &mut report, stage)?;
     Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
@@ -170,9 +169,8 @@ pub fn audit_layer(
     options.refuse_with_geodesic(None)?;
     let is_geodesic = options.edges == Some(Edges::Geodesic);
     let keep = Keep { coverage: !is_geodesic, features: is_geodesic, ..Keep::default() };
-    let imported = Imported::of_layer(name, layer, &map, keep, stage)?;
-    let judge = if is_geodesic { sphere::audit } else { map::audit };
-    let mut report = judge(&imported, options, stage)?;
+    let mut imported = Imported::of_layer(name, layer, &map, keep, stage)?;
+    let mut report = judge(&mut imported, is_geodesic, options, stage)?;
     report.rules.splice(0..0, rules);
     report.findings.extend(findings);
     report.finding_count += found;
@@ -197,6 +195,15 @@ pub fn audit_in_tiles(
     options.refuse_with_geodesic(Some("--tiles or --memory"))?;
     let report = tiles::audit(input, options, division, shelf, stage)?;
     Ok(told(report, Subject::None, options, InputKind::Map))
+}
+
+fn judge(
+    imported: &mut Imported,
+    is_geodesic: bool,
+    options: &Options,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<AuditReport, Error> {
+    if is_geodesic { sphere::audit(imported, options, stage) } else { map::audit(imported, options, stage) }
 }
 
 /// A report as it was asked for.

@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::map::{BuildError, FeatureId, Noding, PlanarMap};
+use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 
 /// The number of findings of each rule that the text shows unless asked.
@@ -90,16 +90,17 @@ const DEFECTS: usize = 20;
 
 impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
-    /// grid was asked for, what it removed or made is found by comparing.
+    /// grid was asked for, what it removed or made is found by comparing. `builder` is that of the map, if it was kept.
     #[must_use]
     pub fn new(
         imported: &Imported,
+        builder: Option<Builder>,
         asked: &CoverageOptions,
         units: &Units,
         list: usize,
         stage: &mut dyn FnMut(&'static str),
     ) -> Self {
-        let judgement = judged(imported, &asked.limits, units, stage).map_err(|why| why.to_string());
+        let judgement = judged(imported, builder, &asked.limits, units, stage).map_err(|why| why.to_string());
         Self::of(imported, asked, units, list, judgement)
     }
 
@@ -446,12 +447,13 @@ struct Judgement {
 
 fn judged(
     imported: &Imported,
+    builder: Option<Builder>,
     limits: &Limits,
     units: &Units,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Judgement, NotChecked> {
     let map = &imported.map;
-    let Some(builder) = imported.builder.clone() else {
+    let Some(builder) = builder else {
         stage("checking the coverage");
         let mut found = check(map, limits)?;
         found.findings.extend(mismatches(map, &imported.unmatched)?);

@@ -216,9 +216,11 @@ fn gather(
     each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
 ) -> Result<(ReadSummary, Noted, Header), ReadError> {
     let mut summary = ReadSummary::default();
-    let header = read(&mut |feature| {
+    let header = read(&mut |mut feature| {
         let mut of_map = to_map(&feature, &mut summary);
-        noted.note(&mut of_map, &feature, keep);
+        // A large geometry is not kept twice.
+        let has_geometry = feature.geometry.take().is_some();
+        noted.note(&mut of_map, &feature, has_geometry, keep);
         each(of_map)
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));

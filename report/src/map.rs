@@ -21,18 +21,20 @@ use twinedge::map::{FeatureId, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, places, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
-/// Validates the map, and judges it as a coverage.
+/// Validates the map, and judges it as a coverage, for which the builder is used up.
 pub(crate) fn audit(
-    imported: &Imported,
+    imported: &mut Imported,
     asked: &Options,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<AuditReport, Error> {
+    let builder = imported.builder.take();
+    let imported = &*imported;
     let Imported { name, map, noted, crs, .. } = imported;
     let list = asked.most();
     stage("validating");
     let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(list));
     let units = Units::of(imported, asked.geodesic)?;
-    let coverage = Coverage::new(imported, &asked.coverage, &units, list, stage);
+    let coverage = Coverage::new(imported, builder, &asked.coverage, &units, list, stage);
     let is_rule = asked.coverage.is_rule;
     let of_coverage = if is_rule { coverage.total() } else { 0 };
     // A rule that cannot be checked is not known to hold.

@@ -114,8 +114,8 @@ impl Noted {
         }
     }
 
-    /// Notes the next feature, and names it by the column asked for.
-    pub(crate) fn note(&mut self, feature: &mut Feature, read: &LayerFeature, keep: Keep<'_>) {
+    /// Notes the next feature, and names it by the column asked for. `read` has its attributes.
+    pub(crate) fn note(&mut self, feature: &mut Feature, read: &LayerFeature, has_geometry: bool, keep: Keep<'_>) {
         let text = |column: &str| read.get(column).and_then(Value::text);
         let number = self.ids.len();
         self.ids.push(feature.id.clone());
@@ -149,7 +149,7 @@ impl Noted {
         if is_finite && feature.shapes.is_empty() {
             self.without_geometry.push(number);
         }
-        if read.geometry.is_none() && is_finite {
+        if !has_geometry && is_finite {
             self.null.1 += 1;
             if self.null.0.len() < NULL {
                 let name = feature.name.as_ref().or(feature.id.as_ref()).map(|name| plain(name));
@@ -276,13 +276,18 @@ fn goes_around(a: Point, b: Point) -> bool {
 fn turns_back(shape: &Shape) -> bool {
     let Shape::Polygon(rings) = shape else { return false };
     rings.iter().any(|ring| {
-        let mut points = ring.clone();
-        points.dedup();
-        if points.first() == points.last() {
-            points.pop();
-        }
-        let count = points.len();
-        count > 2 && (0..count).any(|i| points[i] == points[(i + 2) % count])
+        let steps = ring.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let count = steps + usize::from(ring.first() != ring.last());
+        let mut last = None;
+        // Without those that repeat the one before; around the end, there are two more.
+        let mut distinct = ring.iter().cycle().filter(|point| last.replace(**point) != Some(**point)).take(count + 2);
+        let mut before = [None; 2];
+        count > 2
+            && distinct.any(|point| {
+                let is_back = before[0] == Some(*point);
+                before = [before[1], Some(*point)];
+                is_back
+            })
     })
 }
 

@@ -3,14 +3,17 @@
 //! The [sweep](mod@super::sweep) says quickly whether a drawing of points and straight segments is plane, and names
 //! one fault if it is not. [`clashes`] finds all of them.
 
+use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
-use core::ops::ControlFlow;
 
-use rstar::{AABB, RTree, RTreeObject};
-
+use super::bounds::Bounds;
+use super::boxes::Boxes;
 use super::point::Point;
-use super::predicates::{Endpoint, Meeting, compare_lexicographic, in_range, meeting, on_segment};
+use super::predicates::{
+    Endpoint, Meeting, Orientation, compare_lexicographic, in_range, meeting, on_segment, orientation,
+};
+use super::threads;
 
 /// A reason why points and straight segments do not draw a plane map.
 ///
@@ -103,7 +106,7 @@ pub enum InvalidSegments {
 /// sorted; then, for each segment in turn, what it crosses and overlaps among the later segments and what touches it,
 /// sorted. Where k points coincide, each of the k (k - 1) / 2 pairs counts.
 ///
-/// Time O(n log n + p log p), where p is the number of pairs of bounding boxes that meet or that an R-tree cannot tell
+/// Time O(n log n + p log p), where p is the number of pairs of bounding boxes that meet or that a tree of boxes cannot tell
 /// apart from those early, and memory O(n + cap). p may be quadratic even for a plane drawing (long parallel
 /// diagonals), so ask the [sweep](super::sweep::sweep) first.
 ///
@@ -125,122 +128,108 @@ pub enum InvalidSegments {
 /// ```
 pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(Vec<Clash>, u64), InvalidSegments> {
     check(points, segments)?;
-    let mut found = Clashes { first: Vec::new(), total: 0, cap };
-    same_places(points, &mut found);
+    let mut first = Vec::new();
+    let mut total = same_places(points, &mut first, cap);
 
-    let tree = boxes(points, segments);
-    let mut here = Vec::new();
-    for (id, &[u, v]) in (0u32..).zip(segments) {
-        let (p, q) = (points[u as usize], points[v as usize]);
-        let visit = |other: &Entry| {
-            match other.what {
-                What::Segment(other) if other != id => {
-                    match classify(points, segments, id, other) {
-                        // This is found from both sides: the smaller reports it.
-                        Some(clash @ (Clash::Cross { a, .. } | Clash::Overlap { a, .. })) if a == id => {
-                            here.push(clash);
-                        }
-                        // This may be found for several segments that end there: see below.
-                        Some(clash @ Clash::Touch { segment, .. }) if segment == id => {
-                            here.push(clash);
-                        }
-                        _ => {}
-                    }
-                }
-                What::Point(vertex)
-                    if on_segment(points[vertex as usize], p, q) && !at_end(points[vertex as usize], p, q) =>
-                {
-                    here.push(Clash::Touch { vertex, segment: id });
-                }
-                _ => {}
-            }
-            ControlFlow::<()>::Continue(())
-        };
-        let _never_breaks = tree.locate_in_envelope_intersecting_int(AABB::from_corners(p.into(), q.into()), visit);
+    // Behind the segments, the points that none of them uses.
+    let isolated = isolated(points, segments);
+    let things = u32::try_from(segments.len() + isolated.len()).map_err(|_| InvalidSegments::TooLarge)?;
+    let segment_of = |thing: u32| segments.get(thing as usize);
+    let bounds = |thing: u32| {
+        let ends = segment_of(thing).copied().unwrap_or_else(|| [isolated[thing as usize - segments.len()]; 2]);
+        let [a, b] = ends.map(|end| Bounds::one(points[end as usize]));
+        a.joined(b)
+    };
+    let room = cap - first.len();
+    let each = |found: &mut Clashes, id: u32, others: &[u32]| {
+        let Some(ends) = segment_of(id) else { return };
+        let [p, q] = ends.map(|end| points[end as usize]);
+        // A point that touches a segment may be found for several others that end there.
+        let mut here: Vec<Clash> = others
+            .iter()
+            .filter_map(|&other| {
+                let clash = if segment_of(other).is_some() {
+                    classify(points, segments, id, other)?
+                } else {
+                    let vertex = isolated[other as usize - segments.len()];
+                    let at = points[vertex as usize];
+                    (on_segment(at, p, q) && !at_end(at, p, q)).then_some(Clash::Touch { vertex, segment: id })?
+                };
+                // The others are found from the other side.
+                let of_this = match clash {
+                    Clash::Cross { a, .. } | Clash::Overlap { a, .. } => a,
+                    Clash::Touch { segment, .. } => segment,
+                    Clash::SamePlace { .. } => return None,
+                };
+                (of_this == id).then_some(clash)
+            })
+            .collect();
         here.sort_unstable();
         here.dedup();
-        found.extend(&mut here);
-    }
-    Ok((found.first, found.total))
+        found.total += here.len() as u64;
+        for clash in here {
+            found.take(id, clash, room);
+        }
+    };
+    let merge = |mut one: Clashes, other: Clashes| {
+        one.total += other.total;
+        for (id, clash) in other.first {
+            one.take(id, clash, room);
+        }
+        one
+    };
+    let found = Boxes::new(0..things, bounds).pairs(0.0, &Clashes::default, &each, &merge);
+    total += found.total;
+    first.extend(found.first.into_sorted_vec().into_iter().map(|(_, clash)| clash));
+    Ok((first, total))
 }
 
-/// The first clashes, as many as wanted, and the number of all.
+/// The first clashes of segments, each with the segment that reports it, and the number of all.
+#[derive(Default)]
 struct Clashes {
-    first: Vec<Clash>,
+    first: BinaryHeap<(u32, Clash)>,
     total: u64,
-    cap: usize,
 }
 
 impl Clashes {
-    /// Returns the number of clashes that are still wanted.
-    fn room(&self) -> usize {
-        self.cap - self.first.len()
-    }
-
-    /// Takes all of `clashes` in.
-    fn extend(&mut self, clashes: &mut Vec<Clash>) {
-        self.total += clashes.len() as u64;
-        let room = self.room();
-        self.first.extend(clashes.drain(..).take(room));
+    /// Keeps a clash if it is among the first ones, of which there are `room` at most.
+    fn take(&mut self, id: u32, clash: Clash, room: usize) {
+        if self.first.len() < room {
+            self.first.push((id, clash));
+        } else if let Some(mut last) = self.first.peek_mut().filter(|last| (id, clash) < **last) {
+            *last = (id, clash);
+        }
     }
 }
 
-/// Finds the pairs of points with the same coordinates, sorted.
-fn same_places(points: &[Point], found: &mut Clashes) {
+/// The points that no segment uses.
+fn isolated(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
+    let mut is_used = alloc::vec![false; points.len()];
+    for end in segments.as_flattened() {
+        is_used[*end as usize] = true;
+    }
+    (0..).zip(is_used).filter(|(_, is_used)| !is_used).map(|(point, _)| point).collect()
+}
+
+/// Finds the first pairs of points with the same coordinates, sorted, and returns how many there are.
+fn same_places(points: &[Point], first: &mut Vec<Clash>, cap: usize) -> u64 {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     let compare = |&a: &u32, &b: &u32| compare_lexicographic(points[a as usize], points[b as usize]);
-    order.sort_unstable_by(|a, b| compare(a, b).then(a.cmp(b)));
-    let mut groups: Vec<&[u32]> =
+    threads::sort_unstable_by(&mut order, |a, b| compare(a, b).then(a.cmp(b)));
+    let groups: Vec<&[u32]> =
         order.chunk_by(|a, b| compare(a, b) == Ordering::Equal).filter(|group| group.len() > 1).collect();
-    found.total += groups.iter().map(|group| (group.len() as u64) * (group.len() as u64 - 1) / 2).sum::<u64>();
+    let total = groups.iter().map(|group| (group.len() as u64) * (group.len() as u64 - 1) / 2).sum::<u64>();
 
     // The pairs sorted: all of the smallest point, then all of the next. Each group gives its first point up in its
     // turn.
     let mut pairs = Vec::new();
-    for group in &mut groups {
+    for group in &groups {
         pairs.extend((0..group.len()).map(|i| (group[i], &group[i + 1..])));
     }
     pairs.sort_unstable();
     let pairs = pairs.into_iter().flat_map(|(a, later)| later.iter().map(move |&b| Clash::SamePlace { a, b }));
-    found.first.extend(pairs.take(found.room()));
-}
-
-/// An entry of the tree of boxes: a segment, or a point that no segment uses.
-enum What {
-    Segment(u32),
-    Point(u32),
-}
-
-struct Entry {
-    what: What,
-    envelope: AABB<[f64; 2]>,
-}
-
-impl RTreeObject for Entry {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        self.envelope
-    }
-}
-
-/// The boxes of all segments and of all isolated points.
-fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Entry> {
-    let mut isolated = alloc::vec![true; points.len()];
-    let mut all = Vec::with_capacity(segments.len());
-    for (id, ends) in (0..).zip(segments) {
-        let [p, q] = ends.map(|end| {
-            isolated[end as usize] = false;
-            points[end as usize].into()
-        });
-        all.push(Entry { what: What::Segment(id), envelope: AABB::from_corners(p, q) });
-    }
-    for (id, &p) in (0..).zip(points) {
-        if isolated[id as usize] {
-            all.push(Entry { what: What::Point(id), envelope: AABB::from_point(p.into()) });
-        }
-    }
-    RTree::bulk_load(all)
+    first.extend(pairs.take(cap));
+    total
 }
 
 fn at_end(p: Point, a: Point, b: Point) -> bool {
@@ -252,6 +241,19 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
     let (a, b) = (one.min(other), one.max(other));
     let ([first, second], [third, fourth]) = (segments[a as usize], segments[b as usize]);
     let at = |point: u32| points[point as usize];
+    // Most that meet follow each other.
+    let common = [
+        [first, second, third, fourth],
+        [first, second, fourth, third],
+        [second, first, third, fourth],
+        [second, first, fourth, third],
+    ]
+    .into_iter()
+    .find(|[from, _, other, _]| from == other);
+    let is_corner = |[from, to, _, other]: [u32; 4]| orientation(at(from), at(to), at(other)) != Orientation::Collinear;
+    if common.is_some_and(is_corner) {
+        return None;
+    }
     match meeting(at(first), at(second), at(third), at(fourth)) {
         Meeting::Disjoint | Meeting::SharedEndpoint => None,
         Meeting::Cross => Some(Clash::Cross { a, b }),

@@ -12,6 +12,9 @@ pub mod noding;
 pub mod predicates;
 pub mod sweep;
 
+pub(crate) mod bounds;
+pub(crate) mod boxes;
+pub(crate) mod curve;
 mod point;
 mod status;
 pub(crate) mod threads;

@@ -262,8 +262,9 @@ impl PlanarMap {
         if self.attributes().is_some() { self.rewinding(edit) } else { edit(self) }
     }
 
+    /// The same for any map.
     #[cold]
-    fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
+    pub(super) fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         let written = self.notes.written.take();
         let is_recorded = self.notes.journal.is_some();
         if !is_recorded {

@@ -6,9 +6,8 @@
 //!
 //! Source: Okasaki and Gill, "Fast mergeable integer maps", 1998.
 
+use super::number_table::{NumberTable, hash};
 use crate::store::FeatureId;
-use rustc_hash::FxHashMap;
-use std::collections::hash_map::Entry;
 
 /// The number of a set of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -46,6 +45,14 @@ impl Node {
         }
     }
 
+    fn hash(self) -> u64 {
+        let both = |a: u32, b: u32| u64::from(a) << 32 | u64::from(b);
+        match self {
+            Self::Leaf { prefix, bits } => hash([prefix.into(), bits]),
+            Self::Branch { prefix, bit, sides: [low, high] } => hash([both(prefix, bit), both(low.0, high.0)]),
+        }
+    }
+
     /// Returns the number of lower bits in which its features may differ.
     const fn width(self) -> u32 {
         match self {
@@ -68,12 +75,12 @@ pub(super) enum SetOperation {
 pub(super) struct FeatureTries {
     /// By number of set.
     nodes: Vec<Node>,
-    numbers: FxHashMap<Node, SetId>,
+    numbers: NumberTable,
 }
 
 impl Default for FeatureTries {
     fn default() -> Self {
-        Self { nodes: vec![Node::Leaf { prefix: 0, bits: 0 }], numbers: FxHashMap::default() }
+        Self { nodes: vec![Node::Leaf { prefix: 0, bits: 0 }], numbers: NumberTable::default() }
     }
 }
 
@@ -185,13 +192,13 @@ impl FeatureTries {
     }
 
     fn intern(&mut self, node: Node) -> SetId {
-        match self.numbers.entry(node) {
-            Entry::Occupied(known) => *known.get(),
-            Entry::Vacant(new) => {
-                self.nodes.push(node);
-                *new.insert(SetId(self.nodes.len() as u32 - 1))
-            }
+        let Self { nodes, numbers } = self;
+        if let Some(known) = numbers.find(node.hash(), |number| nodes[number as usize] == node) {
+            return SetId(known);
         }
+        nodes.push(node);
+        numbers.extend(nodes.len(), |number| nodes[number as usize].hash());
+        SetId(nodes.len() as u32 - 1)
     }
 }
 

@@ -25,11 +25,12 @@
 //! ```
 //!
 //! With the feature `near`, `History` has edits that are undone and redone, `Audited` validates after each, and
-//! [attributes](PlanarMap#attributes) follow them. The example `editor` is the core of an editor of parcels, whose owners and taxes follow.
+//! [attributes](PlanarMap#attributes) follow them. The example `undo_owners_ids` is the core of an editor in short.
 //!
 //! | module | purpose |
 //! | --- | --- |
 //! | `certificate` (feature `spade`) | a triangulation by which anyone can check that a map is drawn in the plane |
+//! | `diff` (feature `near`) | the changes from one map to another, by ids: shown, saved, applied, merged |
 //! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
 //! | [`locate`] | where a point lies, by an index or by walking there |
 //! | [`zone`] | what a line meets, in order |
@@ -37,6 +38,8 @@
 
 #[cfg(feature = "spade")]
 pub mod certificate;
+#[cfg(feature = "near")]
+pub mod diff;
 pub mod edit;
 pub mod locate;
 #[cfg(feature = "program")]
@@ -60,6 +63,7 @@ mod index;
 mod not_plane;
 #[cfg(feature = "near")]
 mod notes;
+mod number_table;
 mod planar_map;
 #[cfg(feature = "serde")]
 mod saved;
@@ -69,6 +73,8 @@ mod summary;
 pub use audited::Audited;
 pub(crate) use construct::usual_cuts;
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
+#[cfg(feature = "near")]
+pub use diff::{diff, merge};
 pub use feature::{Feature, Shape};
 #[cfg(feature = "near")]
 pub use history::History;
@@ -76,6 +82,8 @@ pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
+#[cfg(all(feature = "serde", feature = "spade"))]
+pub use saved::Certified;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};
 

@@ -8,6 +8,7 @@ mod support;
 mod attributes;
 mod audited;
 mod certificate;
+mod diff;
 mod edit;
 mod edit_programs;
 mod edited_maps;

@@ -63,6 +63,96 @@ fn what_is_loaded_is_what_was_saved() {
     QuickCheck::new().rng(Gen::from_size_and_seed(12, 2026)).tests(200).quickcheck(law as fn(Edits) -> bool);
 }
 
+fn certified(map: &PlanarMap) -> Value {
+    serde_json::to_value(map.certified().unwrap()).unwrap()
+}
+
+#[test]
+fn what_is_loaded_by_its_certificate_is_what_was_saved() {
+    fn law((segments, rings, edits): Edits) -> bool {
+        let map = edited(&segments, &rings, &edits);
+        is_same(&map, &loaded(certified(&map)).unwrap())
+    }
+    QuickCheck::new().rng(Gen::from_size_and_seed(10, 2026)).tests(60).quickcheck(law as fn(Edits) -> bool);
+    // On the finest grid of all, and on the coarsest.
+    for size in [2.0_f64.powi(-400), 2.0_f64.powi(498)] {
+        let mut map = PlanarMap::new();
+        for x in [1.0, 3.0] {
+            map.insert_point([x * size * (1.0 + 2.0_f64.powi(-30)), -size]).unwrap();
+        }
+        assert!(is_same(&map, &loaded(certified(&map)).unwrap()), "{size}");
+    }
+}
+
+#[test]
+fn a_certificate_is_checked_and_not_believed() {
+    let map = edited(&[(0, 9, 3, 9)], &[(0, 0, 4)], &[]);
+    let good = certified(&map);
+    let another = certified(&edited(&[(0, 9, 3, 9)], &[(0, 0, 5)], &[]));
+    let wrong = "the certificate of the map is wrong: ";
+    let cases: [(&str, Value, &str); 6] = [
+        ("/points/0", json!([0.5, 0.0]), "the certificate of the map is one of another drawing: vertex "),
+        ("/drawing/exponent", json!(1), "the certificate of the map is one of another drawing: vertex "),
+        ("/drawing/exponent", json!(-1075), "the certificate of the map is one of another drawing: vertex "),
+        ("/drawing/points/1", json!([90, 90]), wrong),
+        ("/drawing/points", json!([]), wrong),
+        ("/drawing", another["drawing"].clone(), "the certificate of the map is one of another drawing: vertex "),
+    ];
+    for (place, value, says) in cases {
+        let mut bad = good.clone();
+        *bad.pointer_mut(place).unwrap() = value;
+        let error = loaded(bad).unwrap_err();
+        assert!(error.starts_with(says), "{place}: {error}");
+    }
+    // Alone, and too far away for exact predicates.
+    let mut alone = PlanarMap::new();
+    alone.insert_point([1.0, 0.0]).unwrap();
+    let mut far = certified(&alone);
+    far["drawing"]["exponent"] = json!(500);
+    far["points"][0] = json!([2.0_f64.powi(500), 0.0]);
+    assert!(loaded(far.clone()).is_ok());
+    far["drawing"]["points"][1] = json!([2, -1]);
+    far["points"][0] = json!([2.0_f64.powi(501), -2.0_f64.powi(500)]);
+    assert!(loaded(far).unwrap_err().ends_with("lies where predicates are not exact"));
+    // A vertex that is moved across an edge, in the map and in its certificate: no triangle allows that.
+    let mut both = good.clone();
+    both["points"][0] = json!([3.0, 3.0]);
+    both["drawing"]["points"][1] = json!([3, 3]);
+    assert!(loaded(both).unwrap_err().starts_with(wrong));
+    // Without one, the map is validated.
+    let mut none = good.clone();
+    none["drawing"] = Value::Null;
+    assert!(is_same(&map, &loaded(none.clone()).unwrap()));
+    none.as_object_mut().unwrap().remove("drawing");
+    assert!(is_same(&map, &loaded(none).unwrap()));
+}
+
+#[test]
+fn whatever_number_of_a_certificate_is_changed_no_other_map_is_loaded() {
+    let map = edited(&[(0, 9, 3, 9)], &[(0, 0, 4), (1, 1, 1)], &[]);
+    let good = certified(&map);
+    let columns = good["drawing"]["columns"]["columns"].as_array().unwrap();
+    let (mut refused, mut loads) = (0, 0);
+    for (i, column) in columns.iter().enumerate() {
+        for (j, number) in column.as_array().unwrap().iter().enumerate() {
+            let mut bad = good.clone();
+            bad["drawing"]["columns"]["columns"][i][j] = json!(number.as_u64().unwrap() ^ 1);
+            match loaded(bad) {
+                Err(error) => {
+                    assert!(error.starts_with("the certificate of the map is wrong: "), "{error}");
+                    refused += 1;
+                }
+                // Numbers of vacant slots mean nothing.
+                Ok(again) => {
+                    assert!(is_same(&map, &again));
+                    loads += 1;
+                }
+            }
+        }
+    }
+    assert!(refused > 10 * loads, "{refused} and {loads}");
+}
+
 #[test]
 fn the_empty_map_and_points_alone() {
     let mut map = PlanarMap::new();

@@ -70,8 +70,10 @@ const HEADINGS: [&str; 8] = ["rule", "kind", "features", "area", "width", "lengt
 impl CoverageOf {
     pub(super) fn answer(&self, imported: &Imported) -> Result<(), Failure> {
         let units = self.measured.units(imported)?;
+        let builder = imported.builder.clone();
         let mut coverage =
-            busy(|stage| Coverage::new(imported, &self.asked.options(), &units, usize::MAX, stage)).unexplained();
+            busy(|stage| Coverage::new(imported, builder, &self.asked.options(), &units, usize::MAX, stage))
+                .unexplained();
         if let Some(why) = coverage.not_checked() {
             return Err(Failure(format!("{}: {why}", imported.name)));
         }

@@ -18,6 +18,7 @@ mod help;
 #[cfg(target_os = "linux")]
 mod interrupt;
 mod iso;
+mod journal;
 mod layers;
 mod literature;
 mod mesh;

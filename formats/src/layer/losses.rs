@@ -25,12 +25,15 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     let has_columns = !matches!(format, Format::Wkt | Format::Wkb);
     let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson);
 
-    #[cfg(feature = "geopackage")]
-    let holds_ids = is_json
-        || format == Format::FlatGeobuf
-        || (format == Format::GeoPackage && super::geopackage::holds_ids(layer));
-    #[cfg(not(feature = "geopackage"))]
-    let holds_ids = is_json || format == Format::FlatGeobuf;
+    let holds_ids = match format {
+        // It says itself which ids it loses.
+        Format::FlatGeobuf => true,
+        #[cfg(feature = "geopackage")]
+        Format::GeoPackage => super::geopackage::holds_ids(layer),
+        #[cfg(feature = "geoparquet")]
+        Format::GeoParquet => super::geoparquet::id_kind(layer).is_some(),
+        _ => is_json,
+    };
     if !holds_ids {
         found.extend(some_if(layer.features.iter().filter(|f| f.id.is_some()).count(), Loss::Ids));
     }

@@ -1,12 +1,12 @@
 //! Cleaning: what was planted is gone, what was right is as it was, and cleaning twice is cleaning once.
 
-use crate::support::{from_text, to_geojson, world};
+use crate::support::{from_text, through, to_geojson, world};
 use quickcheck::{TestResult, quickcheck};
 use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
 use twinedge::algorithm::coverage::{CoverageRule, DefectKind};
 use twinedge::geometry::noding::Snap;
 use twinedge_formats::layer::clean::{CleanError, CleanOptions, CleanReport, clean};
-use twinedge_formats::layer::{Feature, Layer, Position, Shape};
+use twinedge_formats::layer::{Feature, Format, Layer, Position, Shape};
 
 fn cleaned(layer: &Layer, options: &CleanOptions) -> (Layer, CleanReport) {
     let mut layer = layer.clone();
@@ -433,5 +433,37 @@ quickcheck! {
             layer.features.iter().map(area).sum::<f64>()
         });
         TestResult::from_bool(covered.iter().all(|area| (area - covered[0]).abs() < 1e-6))
+    }
+}
+
+/// Parcels that overlap, with these ids.
+fn overlapping(ids: [&str; 2]) -> Layer {
+    let parcel = |id: &str, x: f64| {
+        let [x0, x1] = [x, x + 10.0];
+        format!(
+            r#"{{"type":"Feature","id":{id},"properties":{{"x":{x:?}}},"geometry":{{"type":"Polygon","coordinates":[[[{x0},0],[{x1},0],[{x1},9],[{x0},9],[{x0},0]]]}}}}"#
+        )
+    };
+    from_text(&format!("{}\n{}\n", parcel(ids[0], 0.0), parcel(ids[1], 9.5)))
+}
+
+#[test]
+fn ids_outlive_cleaning_and_every_format_that_has_some() {
+    const ANY: [Format; 3] = [Format::GeoJson, Format::GeoJsonSeq, Format::GeoParquet];
+    const WHOLE: [Format; 4] = [Format::GeoJson, Format::GeoJsonSeq, Format::GeoParquet, Format::GeoPackage];
+    for (ids, formats) in [(["\"A-1\"", "\"B\""], &ANY[..]), (["40", "7"], &WHOLE)] {
+        let layer = overlapping(ids);
+        for format in formats {
+            // A table is read in the order of its keys.
+            let sorted = |layer: &Layer| {
+                let mut ids: Vec<_> = layer.features.iter().map(|f| (f.id.clone(), f.get("x").cloned())).collect();
+                ids.sort_by_key(|(id, _)| id.as_ref().map(ToString::to_string));
+                ids
+            };
+            let read = through(&layer, *format);
+            let (clean, report) = cleaned(&read, &CleanOptions::default());
+            assert_eq!(report.changes.len(), 1);
+            assert_eq!(sorted(&through(&clean, *format)), sorted(&layer), "{format}");
+        }
     }
 }

@@ -233,18 +233,56 @@ fn what_cannot_be_held_is_said() {
     let layer = from_text(
         r#"{"type":"FeatureCollection","name":"x","source":1,"features":[
 {"type":"Feature","id":1,"properties":{"a":1},"geometry":null},
-{"type":"Feature","properties":{"a":"b","c":2},"geometry":null}]}"#,
+{"type":"Feature","id":"1","properties":{"a":"b","c":2},"geometry":null}]}"#,
     );
     assert_eq!(
         losses(&layer, Format::GeoParquet),
         [
-            Loss::Ids(1),
+            Loss::Ids(2),
             Loss::Members(vec!["source".into()]),
             Loss::Name("x".into()),
             Loss::Type { column: "a".into(), from: FieldKind::Integer, to: FieldKind::Text },
             Loss::Absent(1)
         ]
     );
+}
+
+/// The value of the metadata of a file under a key.
+fn entry_of(path: &Path, key: &str) -> Option<String> {
+    let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
+    let entries = reader.metadata().file_metadata().key_value_metadata().unwrap();
+    entries.iter().find(|entry| entry.key == key).and_then(|entry| entry.value.clone())
+}
+
+#[test]
+fn ids_are_a_column_that_the_metadata_name() {
+    let feature = |id: &str| format!(r#"{{"type":"Feature"{id},"properties":{{"fid":"a","id":2}},"geometry":null}}"#);
+    let file = |ids: [&str; 2]| {
+        let layer = from_text(&format!("{}\n{}\n", feature(ids[0]), feature(ids[1])));
+        assert!(losses(&layer, Format::GeoParquet).is_empty());
+        let (folder, path) = scratch("ids.parquet");
+        write_path(&layer, &path, Format::GeoParquet).unwrap();
+        assert_eq!(read(&path).unwrap().features, layer.features);
+        (folder, path)
+    };
+    // As GDAL names the column of its ids. That of the layer keeps its name.
+    let (_folder, path) = file([r#","id":-7"#, ""]);
+    let schema: Json = serde_json::from_str(&entry_of(&path, "gdal:schema").unwrap()).unwrap();
+    assert_eq!(schema, json!({"fid": "fid_1", "columns": {}}));
+    let (_folder, path) = file([r#","id":"A-1""#, r#","id":"é""#]);
+    assert_eq!((entry_of(&path, "gdal:schema"), entry_of(&path, "twinedge:id").as_deref()), (None, Some("id_1")));
+    let (_folder, path) = file(["", ""]);
+    assert_eq!((entry_of(&path, "gdal:schema"), entry_of(&path, "twinedge:id")), (None, None));
+}
+
+#[test]
+fn metadata_that_name_no_column_of_ids_are_none() {
+    for metadata in [r#"{"fid":"shape"}"#, r#"{"fid":"none"}"#, r#"{"fid":3}"#, r#"{"fid":""}"#, "{", "[]"] {
+        let (_folder, path) = scratch("no_ids.parquet");
+        write_point(&path, Some(LogicalType::geometry(None)), &[("gdal:schema", metadata)]);
+        let layer = read(&path).unwrap();
+        assert!(layer.features[0].id.is_none() && layer.features[0].geometry.is_some(), "{metadata}");
+    }
 }
 
 /// Dates and times that are not written as they are read would come back changed.

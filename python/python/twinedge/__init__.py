@@ -9,6 +9,7 @@ It names the rule that is broken and the record that breaks it::
 - :func:`validate` judges links in arrays and meshes, :func:`audit` geometries, meshes and files, :func:`audit_faces` lists of faces.
 - :func:`expect` is a gate for data, :func:`diff` says what is new since the last report.
 - :func:`clean` repairs a layer, :class:`Map` answers what lies where, :func:`overlay` and :func:`draw` do what they say.
+- :class:`Editor` is a map that is edited: undone, redone, with values that follow.
 - :mod:`twinedge.tiles` audits what is larger than one machine.
 - :mod:`twinedge.adapters` has a function for each library whose structures it knows.
 - :mod:`twinedge.testing` has Hypothesis strategies of sound and broken structures.
@@ -23,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._audit import audit, audit_faces
 from ._clean import Cleaned, clean
+from ._editor import Edited, Editor
 from ._expect import Expectation, expect
 from ._map import Border, Map, Piece, Place, draw, overlay
 from ._names import Side
@@ -43,6 +45,8 @@ __all__ = [
     "Border",
     "Cleaned",
     "Difference",
+    "Edited",
+    "Editor",
     "Expectation",
     "FINDING_KINDS",
     "Finding",

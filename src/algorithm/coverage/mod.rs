@@ -32,6 +32,7 @@
 //! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
 //! feature leaks ([`leaks`]). Then it is not known what it covers, and [`check`] refuses the map.
 
+mod apart;
 pub(crate) mod check;
 mod claims;
 mod duplicate;

@@ -19,11 +19,11 @@ use super::sliver::median;
 use crate::algorithm::area::Sum;
 use crate::dcel::HalfEdge;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::boxes::Boxes;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::map::{FeatureId, PlanarMap};
 use core::cmp::Ordering;
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 
@@ -34,7 +34,10 @@ const LEAST: f64 = 4.0;
 const OF_MEDIAN: f64 = 100.0;
 
 /// Tells the features that cover the face on the other side of a half-edge.
-pub(crate) type Beyond<'a> = dyn Fn(HalfEdge<'a>) -> &'a [FeatureId] + 'a;
+pub(crate) type Beyond<'a> = dyn Fn(HalfEdge<'a>) -> &'a [FeatureId] + Sync + 'a;
+
+/// The stretches of two features that lie opposite each other, by side.
+type Pairs = BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>>;
 
 /// The sides: half-edges of features' borders with one of the spaces to their left, by index. What is known of them is looked up, since there
 /// are as many as half-edges where islands lie in the sea.
@@ -107,25 +110,16 @@ pub(crate) fn near_misses_beside<'a>(
     width: f64,
 ) -> Vec<Finding> {
     let sides = &Sides { map, spaces, beyond };
-    // By the two features, then by side.
-    let mut pairs: BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>> = BTreeMap::new();
-    let boxed = |side| {
-        let [a, b] = sides.ends(side);
-        GeomWithData::new(Rectangle::from_corners([a.x, a.y], [b.x, b.y]), side)
+    let bounds = |side: u32| {
+        let [a, b] = sides.ends(side as usize).map(Bounds::one);
+        a.joined(b)
     };
-    let tree = RTree::bulk_load(sides.all().map(boxed).collect());
-    for side in sides.all() {
+    let each = |pairs: &mut Pairs, side: u32, others: &[u32]| {
+        let side = side as usize;
         let (ends, features) = (sides.ends(side), sides.features(side));
         let space = sides.space(sides.half_edge(side));
-        let [a, b] = ends;
-        let low = [a.x.min(b.x) - width, a.y.min(b.y) - width];
-        let high = [a.x.max(b.x) + width, a.y.max(b.y) + width];
-        for near in tree.locate_in_envelope_intersecting(AABB::from_corners(low, high)) {
-            let other = near.data;
-            if other == side
-                || space != sides.space(sides.half_edge(other))
-                || have_common(features, sides.features(other))
-            {
+        for other in others.iter().map(|other| *other as usize) {
+            if space != sides.space(sides.half_edge(other)) || have_common(features, sides.features(other)) {
                 continue;
             }
             let Some(stretch) = facing(ends, sides.ends(other), width) else { continue };
@@ -137,8 +131,15 @@ pub(crate) fn near_misses_beside<'a>(
                 }
             }
         }
-    }
-    drop(tree);
+    };
+    // Each side is looked at once.
+    let merge = |mut one: Pairs, other: Pairs| {
+        for (pair, stretches) in other {
+            one.entry(pair).or_default().extend(stretches);
+        }
+        one
+    };
+    let pairs = Boxes::new(sides.all().map(|side| side as u32), bounds).pairs(width, &Pairs::new, &each, &merge);
     let mut findings = Vec::new();
     for (pair, near) in &pairs {
         for cluster in clusters(near, sides) {

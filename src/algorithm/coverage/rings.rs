@@ -2,10 +2,10 @@
 
 use crate::algorithm::area::ring_area;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::boxes::Boxes;
 use crate::geometry::predicates::{Endpoint, Meeting, Orientation, compare_angle, meeting, on_segment, orientation};
 use core::cmp::Ordering;
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// A ring with at least three points, none of which repeats the one before it, nor the last the first.
@@ -58,52 +58,75 @@ pub(super) struct Meet {
     pub(super) rings: [usize; 2],
 }
 
-type Segments = RTree<GeomWithData<Rectangle<[f64; 2]>, (usize, usize)>>;
+/// The segments of rings, numbered one ring after the other.
+struct Segments<'a> {
+    rings: &'a [Ring],
+    /// The number of the first segment of each ring.
+    first: Vec<u32>,
+    /// The ring of each segment.
+    ring: Vec<u32>,
+}
+
+impl Segments<'_> {
+    /// The ring of a segment, and its place there.
+    fn place(&self, segment: u32) -> (usize, usize) {
+        let ring = self.ring[segment as usize];
+        (ring as usize, (segment - self.first[ring as usize]) as usize)
+    }
+
+    fn bounds(&self, segment: u32) -> Bounds {
+        let (ring, i) = self.place(segment);
+        let [a, b] = self.rings[ring].segment(i).map(Bounds::one);
+        a.joined(b)
+    }
+}
 
 /// Rings with an index of their segments.
-pub(super) struct Rings {
-    pub(super) all: Vec<Ring>,
-    segments: Segments,
+pub(super) struct Rings<'a> {
+    all: &'a [Ring],
+    segments: &'a Segments<'a>,
+    boxes: Boxes<&'a (dyn Fn(u32) -> Bounds + Sync)>,
     /// The greatest first coordinate.
     right: f64,
 }
 
-impl Rings {
-    /// O(n log n) for n points.
-    pub(super) fn new(rings: Vec<Ring>) -> Self {
-        let boxed = |r: usize, i: usize| {
-            let [a, b] = rings[r].segment(i);
-            GeomWithData::new(Rectangle::from_corners([a.x, a.y], [b.x, b.y]), (r, i))
-        };
-        let all = (0..rings.len()).flat_map(|r| (0..rings[r].points.len()).map(move |i| (r, i)));
-        let segments = RTree::bulk_load(all.map(|(r, i)| boxed(r, i)).collect());
-        let right = rings.iter().flat_map(|ring| &ring.points).map(|p| p.x).fold(f64::NEG_INFINITY, f64::max);
-        Self { all: rings, segments, right }
+/// Does something with an index of rings. O(n log n) for n points.
+pub(super) fn with_index<T>(all: &[Ring], ask: impl FnOnce(&Rings<'_>) -> T) -> T {
+    let (mut first, mut ring) = (Vec::with_capacity(all.len()), Vec::new());
+    for (number, one) in (0..).zip(all) {
+        first.push(ring.len() as u32);
+        ring.resize(ring.len() + one.points.len(), number);
     }
+    let segments = Segments { rings: all, first, ring };
+    let bounds = |segment: u32| segments.bounds(segment);
+    let boxes = Boxes::new(0..segments.ring.len() as u32, &bounds as &(dyn Fn(u32) -> Bounds + Sync));
+    let right = all.iter().flat_map(|ring| &ring.points).map(|p| p.x).fold(f64::NEG_INFINITY, f64::max);
+    ask(&Rings { all, segments: &segments, boxes, right })
+}
 
+impl Rings<'_> {
     /// All places where rings meet, except where a ring goes on. Where several segments meet at a point, each pair of rings is
-    /// reported once for each way in which they do. O(n log n + p) for p pairs of segments whose boxes meet.
+    /// reported once for each way in which they do. O(n log n + p log p) for p pairs of segments whose boxes meet.
     pub(super) fn meets(&self) -> Vec<Meet> {
-        let mut found = Vec::new();
-        let mut known: FxHashSet<(u64, u64, usize, usize, Contact)> = FxHashSet::default();
-        for (r, ring) in self.all.iter().enumerate() {
-            for i in 0..ring.points.len() {
-                let [a, b] = ring.segment(i);
-                let area = AABB::from_corners([a.x.min(b.x), a.y.min(b.y)], [a.x.max(b.x), a.y.max(b.y)]);
-                for near in self.segments.locate_in_envelope_intersecting(area) {
-                    let (q, j) = near.data;
-                    if (q, j) <= (r, i) {
-                        continue;
-                    }
-                    let Some((contact, at)) = self.contact((r, i), (q, j)) else { continue };
-                    let is_new = known.insert((at.x.to_bits(), at.y.to_bits(), r, q, contact));
-                    if is_new {
-                        found.push(Meet { contact, at, rings: [r, q] });
-                    }
-                }
+        let each = |found: &mut Vec<([u32; 2], Contact, Point)>, segment: u32, others: &[u32]| {
+            for other in others.iter().filter(|other| **other > segment) {
+                let contact = self.contact(self.segments.place(segment), self.segments.place(*other));
+                found.extend(contact.map(|(contact, at)| ([segment, *other], contact, at)));
             }
-        }
-        found
+        };
+        let merge = |mut one: Vec<_>, mut other: Vec<_>| {
+            one.append(&mut other);
+            one
+        };
+        let mut found = self.boxes.pairs(0.0, &Vec::new, &each, &merge);
+        found.sort_unstable_by_key(|(segments, ..)| *segments);
+        let mut known: FxHashSet<(u64, u64, usize, usize, Contact)> = FxHashSet::default();
+        let meets = found.into_iter().filter_map(|(segments, contact, at)| {
+            let rings = segments.map(|segment| self.segments.place(segment).0);
+            let is_new = known.insert((at.x.to_bits(), at.y.to_bits(), rings[0], rings[1], contact));
+            is_new.then_some(Meet { contact, at, rings })
+        });
+        meets.collect()
     }
 
     /// Returns the contact of two segments, and its place.
@@ -172,9 +195,8 @@ impl Rings {
     /// The rings that a ray to the right crosses an odd number of times, and those on which its start lies.
     fn ray(&self, p: Point) -> (FxHashSet<usize>, FxHashSet<usize>) {
         let (mut odd, mut on) = (FxHashSet::default(), FxHashSet::default());
-        let reach = AABB::from_corners([p.x, p.y], [self.right.max(p.x), p.y]);
-        for near in self.segments.locate_in_envelope_intersecting(reach) {
-            let (q, i) = near.data;
+        let reach = Bounds { low: p, high: Point::new(self.right.max(p.x), p.y) };
+        for (q, i) in self.boxes.meeting(&reach).into_iter().map(|segment| self.segments.place(segment)) {
             let [a, b] = self.all[q].segment(i);
             if on_segment(p, a, b) {
                 on.insert(q);

@@ -4,26 +4,37 @@
 //! [contour](crate::algorithm::contour). Overlaps and gaps that are slivers are found as overlaps and gaps.
 
 use super::finding::{CoverageRule, Finding, Limits};
-use super::region::{connected, finding};
+use super::region::{connected, finding, size};
 use crate::dcel::{Face, FaceKey};
 use crate::geometry::threads;
-use crate::map::{FeatureId, PlanarMap};
+use crate::map::PlanarMap;
 use core::f64::consts::PI;
 use rustc_hash::FxHashSet;
 
 /// The slivers, and the area below which a thin part is one. O(n + half-edges of the faces of each feature), expected.
 pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) -> (Vec<Finding>, f64) {
-    let of_feature = |(feature, keys): &(FeatureId, &Vec<FaceKey>)| {
+    let parts_of = |keys: &[FaceKey]| {
         let own: Vec<Face<'_>> = keys.iter().filter_map(|key| map.dcel().face(*key).ok()).collect();
+        if own.len() == 1 {
+            return vec![own];
+        }
         let indices: FxHashSet<usize> = own.iter().map(|face| face.index()).collect();
-        let regions = connected(own, |face| indices.contains(&face.index()).then_some(()));
-        regions.iter().map(|part| finding(map, CoverageRule::Sliver, vec![*feature], part)).collect::<Vec<_>>()
+        connected(own, |face| indices.contains(&face.index()).then_some(()))
     };
-    let features: Vec<(FeatureId, &Vec<FaceKey>)> = map.features().zip(faces).collect();
-    let mut parts: Vec<Finding> = threads::map(&features, of_feature).into_iter().flatten().collect();
-    let limit = limits.sliver_area.unwrap_or_else(|| chosen_area(parts.iter().map(|part| part.area).collect()));
-    parts.retain(|part| part.area < limit && is_thin(part.area, part.length, limits));
-    (parts, limit)
+    let size = |part: &Vec<Face<'_>>| size(map, part);
+    let sizes = threads::map(faces, |keys| parts_of(keys).iter().map(size).collect::<Vec<_>>());
+    let limit =
+        limits.sliver_area.unwrap_or_else(|| chosen_area(sizes.iter().flatten().map(|(area, _)| *area).collect()));
+    let is_sliver = |(area, length): &(f64, f64)| *area < limit && is_thin(*area, *length, limits);
+    // There are as many parts as faces, and few are slivers: only these are findings.
+    let mut found = Vec::new();
+    for ((feature, keys), sizes) in map.features().zip(faces).zip(&sizes) {
+        if sizes.iter().any(is_sliver) {
+            let slivers = parts_of(keys).into_iter().zip(sizes).filter(|(_, size)| is_sliver(size));
+            found.extend(slivers.map(|(part, _)| finding(map, CoverageRule::Sliver, vec![feature], &part)));
+        }
+    }
+    (found, limit)
 }
 
 /// The area of slivers if none is given, from those of all parts. O(n), expected.

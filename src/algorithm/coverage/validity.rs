@@ -18,7 +18,8 @@
 //!
 //! Source: "Simple feature access, part 1: common architecture" (OGC 06-103r4), sections 6.1.11 and 6.1.14.
 
-use super::rings::{Contact, Meet, Ring, Rings};
+use super::apart;
+use super::rings::{Contact, Meet, Ring, Rings, with_index};
 use crate::geometry::Point;
 use crate::map::Shape;
 use core::fmt;
@@ -114,17 +115,26 @@ pub fn defects(shapes: &[Shape]) -> Vec<Defect> {
             Shape::Line(_) | Shape::Point(_) => {}
         }
     }
-    let rings = Rings::new(rings);
-    let meets = rings.meets();
-    let is_touch = |meet: &Meet| meet.contact == Contact::Touch;
-    found.extend(meets.iter().filter(|meet| !is_touch(meet)).map(|meet| intersection(&rings, meet)));
-    if meets.iter().all(is_touch) {
-        found.extend(nesting(&rings));
-        if found.is_empty() {
-            found.extend(disconnected(&rings, &meets));
-        }
+    match apart::containers(&rings) {
+        Some(containers) => found.extend(nesting(&rings, &containers)),
+        None => found.extend(with_index(&rings, |index| of_meeting(&rings, index, found.is_empty()))),
     }
     found.sort_by_key(|defect| (defect.kind, defect.shape, defect.ring));
+    found
+}
+
+/// The defects of rings of which some meet.
+fn of_meeting(rings: &[Ring], index: &Rings<'_>, are_whole: bool) -> Vec<Defect> {
+    let meets = index.meets();
+    let is_touch = |meet: &Meet| meet.contact == Contact::Touch;
+    let mut found: Vec<Defect> =
+        meets.iter().filter(|meet| !is_touch(meet)).map(|meet| intersection(rings, meet)).collect();
+    if meets.iter().all(is_touch) {
+        found.extend(nesting(rings, &index.containers()));
+        if are_whole && found.is_empty() {
+            found.extend(disconnected(rings, &meets));
+        }
+    }
     found
 }
 
@@ -138,12 +148,12 @@ fn without_repetition(points: &[Point]) -> Vec<Point> {
     distinct
 }
 
-fn defect(rings: &Rings, kind: DefectKind, ring: usize, at: Point) -> Defect {
-    let Ring { polygon, number, .. } = rings.all[ring];
+fn defect(rings: &[Ring], kind: DefectKind, ring: usize, at: Point) -> Defect {
+    let Ring { polygon, number, .. } = rings[ring];
     Defect { kind, at, shape: polygon, ring: number }
 }
 
-fn intersection(rings: &Rings, meet: &Meet) -> Defect {
+fn intersection(rings: &[Ring], meet: &Meet) -> Defect {
     let kind = match meet.contact {
         Contact::SelfTouch => DefectKind::RingSelfIntersection,
         Contact::Crossing | Contact::Touch => DefectKind::SelfIntersection,
@@ -152,13 +162,13 @@ fn intersection(rings: &Rings, meet: &Meet) -> Defect {
 }
 
 /// Finds the misplaced rings among rings that do not cross.
-fn nesting(rings: &Rings) -> Vec<Defect> {
+fn nesting(rings: &[Ring], containers: &[Vec<usize>]) -> Vec<Defect> {
     let mut found = Vec::new();
-    let shells: FxHashSet<usize> = rings.all.iter().filter(|c| c.number == 0).map(|c| c.polygon).collect();
-    for (r, containers) in rings.containers().iter().enumerate() {
-        let ring = &rings.all[r];
+    let shells: FxHashSet<usize> = rings.iter().filter(|c| c.number == 0).map(|c| c.polygon).collect();
+    for (r, containers) in containers.iter().enumerate() {
+        let ring = &rings[r];
         let within = |polygon: usize, is_shell: bool| {
-            containers.iter().map(|c| &rings.all[*c]).any(|c| c.polygon == polygon && (c.number == 0) == is_shell)
+            containers.iter().map(|c| &rings[*c]).any(|c| c.polygon == polygon && (c.number == 0) == is_shell)
         };
         let kind = if ring.number > 0 {
             if shells.contains(&ring.polygon) && !within(ring.polygon, true) {
@@ -170,7 +180,7 @@ fn nesting(rings: &Rings) -> Vec<Defect> {
             }
         } else {
             let is_nested = |c: &usize| {
-                let c = &rings.all[*c];
+                let c = &rings[*c];
                 c.number == 0 && c.polygon != ring.polygon && !within(c.polygon, false)
             };
             if !containers.iter().any(is_nested) {
@@ -185,16 +195,16 @@ fn nesting(rings: &Rings) -> Vec<Defect> {
 
 /// The polygons whose inside falls apart: it does if rings and the points at which they touch, joined to each other, form a
 /// circle. Each such polygon is reported where its first circle closes.
-fn disconnected(rings: &Rings, meets: &[Meet]) -> Vec<Defect> {
+fn disconnected(rings: &[Ring], meets: &[Meet]) -> Vec<Defect> {
     // Rings first, then points of a polygon.
-    let mut parent: Vec<usize> = (0..rings.all.len()).collect();
+    let mut parent: Vec<usize> = (0..rings.len()).collect();
     let mut points: FxHashMap<(u64, u64, usize), usize> = FxHashMap::default();
     let mut joined: FxHashSet<(usize, usize)> = FxHashSet::default();
     let mut reported = FxHashSet::default();
     let mut found = Vec::new();
     for meet in meets {
-        let polygon = rings.all[meet.rings[0]].polygon;
-        if polygon != rings.all[meet.rings[1]].polygon {
+        let polygon = rings[meet.rings[0]].polygon;
+        if polygon != rings[meet.rings[1]].polygon {
             continue;
         }
         let point = *points.entry((meet.at.x.to_bits(), meet.at.y.to_bits(), polygon)).or_insert_with(|| {

@@ -15,9 +15,12 @@ use crate::store::links::BoundaryStart;
 use alloc::vec;
 use alloc::vec::Vec;
 
+/// The group of the unbounded face.
+pub(super) const UNBOUNDED: usize = 0;
+
 /// The faces in groups that become one face each.
 pub(super) struct Groups {
-    /// By face its group. That of the unbounded face is 0.
+    /// By face its group.
     of: Vec<u32>,
     pub(super) count: usize,
 }

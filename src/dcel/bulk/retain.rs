@@ -1,9 +1,10 @@
 //! Keeping some vertices and edges and removing all others.
 
-use super::nest::Groups;
+use super::nest::{Groups, UNBOUNDED};
 use crate::dcel::elements::{HalfEdge, Vertex};
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
+use crate::slots::NIL;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::vec;
@@ -170,7 +171,7 @@ impl Work {
             }
             cycles.push(Cycle { boundary, group, face });
         }
-        let outer = self.groups.outer(store);
+        let outer = self.outer(store, &cycles);
         let mut kept = vec![store.unbounded(); self.groups.count];
         let is_outer = |store: &S, b: S::Boundary, group: usize| outer[group] as usize == store.boundary_index(b);
         for Cycle { boundary, group, face } in &cycles {
@@ -195,6 +196,19 @@ impl Work {
             store.list_inner(kept[group], b);
         }
         self.merge_faces(store, &kept);
+    }
+
+    /// By group that changes the index of the boundary component that is its outer one, or nil.
+    fn outer<S: Store>(&self, store: &S, cycles: &[Cycle<S>]) -> Vec<u32> {
+        let mut outer = vec![NIL; self.groups.count];
+        for Cycle { boundary, group, .. } in cycles.iter().filter(|cycle| cycle.group != UNBOUNDED) {
+            if outer[*group] != NIL {
+                // Only what surrounds the others tells which of several it is.
+                return self.groups.outer(store);
+            }
+            outer[*group] = store.boundary_index(*boundary) as u32;
+        }
+        outer
     }
 
     /// Takes the edges out of the links, and finds out which groups change. Gives the vertices that become isolated, with their groups.

@@ -173,7 +173,7 @@ impl NodingSummary {
 #[derive(Clone, Copy, Debug)]
 struct ChainRange {
     start: usize,
-    len: usize,
+    len: u32,
     reversed: bool,
 }
 
@@ -202,7 +202,7 @@ impl Noded {
     #[must_use]
     pub fn chain(&self, segment: usize) -> Option<Chain<'_>> {
         let &ChainRange { start, len, reversed } = self.ranges.get(segment)?;
-        Some(Chain { vertices: &self.pool[start..start + len], reversed })
+        Some(Chain { vertices: &self.pool[start..start + len as usize], reversed })
     }
 
     /// The vertex that an input point became. `None` if there is no such point. O(1).
@@ -291,7 +291,7 @@ pub fn node_within(segments: &[[Point; 2]], points: &[Point], snap: Snap, cuts: 
     if segments.len().saturating_mul(2).saturating_add(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    finish(&grid, &Read::new(&grid, segments, points), cuts)
+    finish(&grid, Read::new(&grid, segments, points), cuts)
 }
 
 /// The same for distinct points, each of which is a vertex, and segments between them by number.
@@ -307,16 +307,17 @@ pub(crate) fn node_numbered(
     if segments.len().max(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    finish(&grid, &Read::numbered(&grid, points, segments), cuts)
+    finish(&grid, Read::numbered(&grid, points, segments), cuts)
 }
 
 /// Nodes what was read.
-fn finish(grid: &Grid, read: &Read, cuts: usize) -> Result<Noded, NodingError> {
-    let Runs { joined, of, duplicates } = runs::join(read.segments());
+fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingError> {
+    let Runs { joined, of, duplicates } = runs::join(read.segments(grid));
     if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {
         return Err(NodingError::TooManyCuts { allowed: cuts });
     }
-    let mut vertices = read.vertices.clone();
+    let mut vertices = core::mem::take(&mut read.vertices);
+    let given = vertices.len();
     let (chains, rounds) = chains::snap(grid.pixels, &joined, &mut vertices, cuts)?;
 
     let mut collapsed = Vec::new();
@@ -327,15 +328,17 @@ fn finish(grid: &Grid, read: &Read, cuts: usize) -> Result<Noded, NodingError> {
             return ChainRange { start: chains.pool().len() + collapsed.len() - 1, len: 1, reversed: false };
         };
         let [i, j] = [from, to].map(|end| chains.place(run, &joined[run], &vertices, end));
-        ChainRange { start: i.min(j), len: i.abs_diff(j) + 1, reversed: i > j }
+        ChainRange { start: i.min(j), len: i.abs_diff(j) as u32 + 1, reversed: i > j }
     };
     let ranges: Vec<ChainRange> = read.ends().map(range_of).collect();
+    drop(joined);
 
     // The vertices get the numbers of their places in the order of the points.
     let by_pixel = |a: &u32, b: &u32| vertices[*a as usize].cmp(&vertices[*b as usize]);
-    let mut order = read.order.clone();
-    order.extend(order.len() as u32..vertices.len() as u32);
-    threads::sort_unstable_by(&mut order[read.order.len()..], by_pixel);
+    let mut order = core::mem::take(&mut read.order);
+    let sorted_already = order.len();
+    order.extend(sorted_already as u32..vertices.len() as u32);
+    threads::sort_unstable_by(&mut order[sorted_already..], by_pixel);
     // Two runs at most, so this merges.
     order.sort_by(by_pixel);
     let mut number = vec![0; vertices.len()];
@@ -345,13 +348,13 @@ fn finish(grid: &Grid, read: &Read, cuts: usize) -> Result<Noded, NodingError> {
     let renamed = |v: u32| number[v as usize];
     let summary = NodingSummary {
         cell: grid.cell(),
-        crossings: vertices.len() - read.vertices.len(),
+        crossings: vertices.len() - given,
         split: ranges.iter().filter(|range| range.len > 2).count(),
         duplicates,
         collapsed: collapsed.len(),
-        merged: read.distinct() - read.vertices.len(),
+        merged: read.distinct() - given,
         rounds,
-        largest_move: read.largest_move(grid),
+        largest_move: read.largest_move(grid, &vertices),
     };
     let (segments, (points, pool, vertex_of_point)) = threads::join(
         || distinct_edges(|| chains.edges().map(|edge| sorted(edge.map(renamed))), vertices.len()),

@@ -2,25 +2,22 @@
 
 use super::grid::Grid;
 use super::input::{Input, NodingError};
-use super::pixel::{Pixel, Segment, Steps};
+use super::pixel::{Pixel, Segment};
 use crate::geometry::point::{Point, folded};
 #[cfg(feature = "map")]
 use crate::geometry::threads;
+use alloc::borrow::Cow;
 use rustc_hash::FxHashMap;
 
-/// A distinct point of the input.
-struct Site {
-    point: Point,
-    at: Steps,
-    vertex: u32,
-}
-
-/// The input, read.
+/// The input, read. Points and segments that have numbers already are borrowed.
 #[derive(Default)]
-pub(super) struct Read {
-    sites: Vec<Site>,
+pub(super) struct Read<'a> {
+    /// The distinct points.
+    sites: Cow<'a, [Point]>,
+    /// By site.
+    vertex_of: Vec<u32>,
     /// The sites where each segment starts and ends.
-    ends: Vec<[u32; 2]>,
+    ends: Cow<'a, [[u32; 2]]>,
     /// The sites of the single points.
     points: Vec<u32>,
     /// The pixels of all sites, distinct.
@@ -29,10 +26,10 @@ pub(super) struct Read {
     pub(super) order: Vec<u32>,
 }
 
-impl Read {
+impl<'a> Read<'a> {
     pub(super) fn new(grid: &Grid, segments: &[[Point; 2]], points: &[Point]) -> Self {
         let mut reader =
-            Reader { grid, read: Self::default(), sites: FxHashMap::default(), vertices: FxHashMap::default() };
+            Reader { grid, read: Read::default(), sites: FxHashMap::default(), vertices: FxHashMap::default() };
         reader.sites.reserve(segments.len());
         reader.vertices.reserve(segments.len());
         // The segments of a ring follow each other.
@@ -44,7 +41,7 @@ impl Read {
             };
             let end = reader.site(to);
             last = Some((to, end));
-            reader.read.ends.push([from, end]);
+            reader.read.ends.to_mut().push([from, end]);
         }
         for &point in points {
             let site = reader.site(point);
@@ -55,35 +52,43 @@ impl Read {
 
     /// The same for distinct points, each of which is a vertex, and segments between them by number.
     #[cfg(feature = "map")]
-    pub(super) fn numbered(grid: &Grid, points: &[Point], segments: &[[u32; 2]]) -> Self {
-        let places: Vec<Steps> = threads::map(points, |point| grid.steps(*point));
-        let mut sorted: Vec<(Pixel, u32)> = places.iter().map(|at| grid.pixels.at(*at)).zip(0..).collect();
+    pub(super) fn numbered(grid: &Grid, points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
+        let pixel = |number: usize| grid.pixels.at(grid.steps(points[number]));
+        let mut sorted: Vec<(Pixel, u32)> = threads::map(points, |point| (grid.pixels.at(grid.steps(*point)), 0));
+        for (number, (_, of)) in (0..).zip(&mut sorted) {
+            *of = number;
+        }
         // One number for both coordinates is compared without a branch.
         let key = |[x, y]: Pixel| i128::from(x) << 64 | i128::from(y.cast_unsigned() ^ 1 << 63);
         threads::sort_unstable_by(&mut sorted, |(a, p), (b, q)| key(*a).cmp(&key(*b)).then(p.cmp(q)));
         // The vertices keep the order of the points: neighbours in a drawing are mostly neighbours there.
-        let mut vertices: Vec<Pixel> = Vec::with_capacity(points.len());
         let mut vertex_of = vec![0; points.len()];
         let first_of = |equal: &[(Pixel, u32)]| equal[0].1;
+        let mut order = Vec::with_capacity(points.len());
         for equal in sorted.chunk_by(|(p, _), (q, _)| p == q) {
+            order.push(first_of(equal));
             for (_, number) in equal {
                 vertex_of[*number as usize] = first_of(equal);
             }
         }
+        drop(sorted);
+        let mut vertices: Vec<Pixel> = Vec::with_capacity(order.len());
         for number in 0..points.len() {
             let first = vertex_of[number] as usize;
             if first == number {
                 vertex_of[number] = vertices.len() as u32;
-                vertices.push(grid.pixels.at(places[number]));
+                vertices.push(pixel(number));
             } else {
                 vertex_of[number] = vertex_of[first];
             }
         }
-        let order = sorted.chunk_by(|(p, _), (q, _)| p == q).map(|equal| vertex_of[first_of(equal) as usize]).collect();
-        let site = |((point, at), vertex): ((&Point, Steps), u32)| Site { point: *point, at, vertex };
+        for first in &mut order {
+            *first = vertex_of[*first as usize];
+        }
         Self {
-            sites: points.iter().zip(places).zip(vertex_of).map(site).collect(),
-            ends: segments.to_vec(),
+            sites: points.into(),
+            vertex_of,
+            ends: segments.into(),
             points: (0..points.len() as u32).collect(),
             vertices,
             order,
@@ -91,26 +96,28 @@ impl Read {
     }
 
     /// The segments that are more than a vertex.
-    pub(super) fn segments(&self) -> Vec<Segment> {
-        let longer = self.ends.iter().map(|ends| ends.map(|site| &self.sites[site as usize]));
+    pub(super) fn segments(&self, grid: &Grid) -> Vec<Segment> {
+        let longer = self.ends.iter().filter(|ends| {
+            let [p, q] = ends.map(|site| self.vertex_of[site as usize]);
+            p != q
+        });
         let mut segments = Vec::with_capacity(self.ends.len());
-        segments.extend(
-            longer
-                .filter(|[p, q]| p.vertex != q.vertex)
-                .map(|[p, q]| if p.at < q.at { [p, q] } else { [q, p] })
-                .map(|[p, q]| Segment { a: p.at, b: q.at, ends: [p.vertex, q.vertex] }),
-        );
+        segments.extend(longer.map(|ends| {
+            let [p, q] = ends.map(|site| (grid.steps(self.sites[site as usize]), self.vertex_of[site as usize]));
+            let [(a, from), (b, to)] = if p.0 < q.0 { [p, q] } else { [q, p] };
+            Segment { a, b, ends: [from, to] }
+        }));
         segments
     }
 
     /// The vertices where each segment starts and ends.
     pub(super) fn ends(&self) -> impl Iterator<Item = [u32; 2]> {
-        self.ends.iter().map(|ends| ends.map(|site| self.sites[site as usize].vertex))
+        self.ends.iter().map(|ends| ends.map(|site| self.vertex_of[site as usize]))
     }
 
     /// The vertices of the single points.
     pub(super) fn points(&self) -> impl Iterator<Item = u32> {
-        self.points.iter().map(|&site| self.sites[site as usize].vertex)
+        self.points.iter().map(|&site| self.vertex_of[site as usize])
     }
 
     /// Returns the number of distinct points.
@@ -118,10 +125,10 @@ impl Read {
         self.sites.len()
     }
 
-    /// The largest move of a point, in x and in y.
-    pub(super) fn largest_move(&self, grid: &Grid) -> [f64; 2] {
-        self.sites.iter().fold([0.0; 2], |[x, y], Site { point, vertex, .. }| {
-            let to = grid.point(self.vertices[*vertex as usize]);
+    /// The largest move of a point to its vertex, in x and in y.
+    pub(super) fn largest_move(&self, grid: &Grid, vertices: &[Pixel]) -> [f64; 2] {
+        self.sites.iter().zip(&self.vertex_of).fold([0.0; 2], |[x, y], (point, vertex)| {
+            let to = grid.point(vertices[*vertex as usize]);
             [f64::max(x, (to.x - point.x).abs()), f64::max(y, (to.y - point.y).abs())]
         })
     }
@@ -129,7 +136,7 @@ impl Read {
 
 struct Reader<'a> {
     grid: &'a Grid,
-    read: Read,
+    read: Read<'static>,
     /// By [`Point::hash_key`].
     sites: FxHashMap<(u64, u64), u32>,
     /// By the coordinates of the pixel, folded.
@@ -139,14 +146,14 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn site(&mut self, point: Point) -> u32 {
         *self.sites.entry(point.hash_key()).or_insert_with(|| {
-            let at = self.grid.steps(point);
-            let pixel = self.grid.pixels.at(at);
+            let pixel = self.grid.pixels.at(self.grid.steps(point));
             let key = pixel.map(|c| folded(c.cast_unsigned()));
             let vertex = *self.vertices.entry(key.into()).or_insert_with(|| {
                 self.read.vertices.push(pixel);
                 self.read.vertices.len() as u32 - 1
             });
-            self.read.sites.push(Site { point, at, vertex });
+            self.read.sites.to_mut().push(point);
+            self.read.vertex_of.push(vertex);
             self.read.sites.len() as u32 - 1
         })
     }

@@ -52,10 +52,11 @@ pub(super) const fn half_edge(dart: Dart) -> u32 {
 }
 
 /// The points by index of their vertex.
-pub(super) fn points_by_vertex(points: &[Point]) -> Vec<Point> {
-    let mut by_index = vec![Point::default(); Assembly::vertex_index(0) as usize];
-    by_index.extend_from_slice(points);
-    by_index
+pub(super) fn points_by_vertex(mut points: Vec<Point>) -> Vec<Point> {
+    let unused = Assembly::vertex_index(0) as usize;
+    points.reserve_exact(unused);
+    points.splice(0..0, core::iter::repeat_n(Point::default(), unused));
+    points
 }
 
 /// The darts that leave each point, counter-clockwise from the positive x axis.
@@ -196,14 +197,14 @@ pub(super) fn arrange(
     points: &[Point],
     segments: &[[u32; 2]],
     swept: &Placement,
-    turned: &CombinatorialMap,
+    turned: CombinatorialMap,
 ) -> Result<Dcel, BuildError> {
     let Placement { lowest, below, .. } = swept;
     let CombinatorialMap { rotations, cycles } = turned;
 
     // The cycles that are the outside of their component, and for each the face where that lies.
     let mut outside = vec![false; cycles.starts.len()];
-    let outside_darts: Vec<_> = lowest.iter().map(|v| outside_dart(rotations, points, segments, *v)).collect();
+    let outside_darts: Vec<_> = lowest.iter().map(|v| outside_dart(&rotations, points, segments, *v)).collect();
     for dart in outside_darts.iter().flatten() {
         outside[cycles.of[*dart as usize] as usize] = true;
     }
@@ -217,6 +218,7 @@ pub(super) fn arrange(
     }
     let mut vertices: Vec<VertexLink<u32, u32>> =
         (0..points.len()).map(|v| VertexLink::Leaving(rotations.leaving(v).first().copied().unwrap_or(NIL))).collect();
+    drop(rotations);
     let mut starts: Vec<BoundaryStart<u32, u32>> = cycles.starts.iter().copied().map(BoundaryStart::HalfEdge).collect();
     let mut inner = Vec::with_capacity(lowest.len());
     // From left to right, so that the face of what lies below a component is known.

@@ -4,7 +4,7 @@ use super::arrange::{CombinatorialMap, Placement, arrange, points_by_vertex};
 use super::cover::cover;
 use super::cut::{self, CutSegments, Noding, usual_cuts};
 use super::error::BuildError;
-use super::gathered::{Dart, GatheredFeature};
+use super::gathered::GatheredFeatures;
 use super::rings::Ring;
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
@@ -17,10 +17,10 @@ use crate::map::index::KeptIndex;
 use crate::map::not_plane::NotPlane;
 #[cfg(feature = "near")]
 use crate::map::notes::Notes;
+use crate::map::number_table::{NumberTable, hash};
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use crate::store::FeatureId;
-use rustc_hash::FxHashMap;
 
 /// Gathers rings, lines and points, and builds the map of them.
 ///
@@ -44,12 +44,11 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Debug, Default)]
 pub struct Builder {
     pub(super) points: Vec<Point>,
-    /// By [`Point::hash_key`].
-    places: FxHashMap<(u64, u64), u32>,
+    places: NumberTable,
     /// Distinct segments, by their ends in order of vertex numbers.
     pub(super) segments: Vec<[u32; 2]>,
-    segment_numbers: FxHashMap<(u32, u32), u32>,
-    pub(super) features: Vec<GatheredFeature>,
+    segment_numbers: NumberTable,
+    pub(super) features: GatheredFeatures,
     summary: BuildSummary,
     /// The number of cuts allowed, if one was set.
     cuts: Option<usize>,
@@ -84,17 +83,24 @@ impl Builder {
     /// # Errors
     /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
     pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
-        let id = FeatureId::new(self.features.len() as u32);
+        let id = FeatureId::new(self.features.names.len() as u32);
         for (shape, what) in feature.shapes.iter().enumerate() {
             let at = Position { feature: id.index(), shape, ..Position::default() };
             Self::check(what, at)?;
         }
-        let mut gathered = GatheredFeature { name: feature.name.clone(), ..GatheredFeature::default() };
-        for (shape, what) in feature.shapes.iter().enumerate() {
-            let at = Position { feature: id.index(), shape, ..Position::default() };
-            self.take(what, at, &mut gathered)?;
+        // A builder that came back has no tables.
+        self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
+        self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
+        let [darts, parts] = [self.features.darts.len(), self.features.parts.len()];
+        let taken = feature.shapes.iter().enumerate().try_for_each(|(shape, what)| {
+            self.take(what, Position { feature: id.index(), shape, ..Position::default() })
+        });
+        if let Err(full) = taken {
+            self.features.darts.truncate(darts);
+            self.features.parts.truncate(parts);
+            return Err(full);
         }
-        self.features.push(gathered);
+        self.features.names.push(feature.name.clone());
         self.summary.features += 1;
         Ok(id)
     }
@@ -177,39 +183,41 @@ impl Builder {
         }
     }
 
-    fn take(&mut self, shape: &Shape, at: Position, into: &mut GatheredFeature) -> Result<(), BuildError> {
+    fn take(&mut self, shape: &Shape, at: Position) -> Result<(), BuildError> {
         match shape {
             Shape::Polygon(rings) => {
-                let mut darts = Vec::new();
                 for (ring, points) in rings.iter().enumerate() {
-                    self.ring(points, Position { ring, ..at }, &mut darts)?;
+                    self.ring(points, Position { ring, ..at })?;
                 }
-                into.polygons.push(darts);
+                self.features.put_part(true);
             }
-            Shape::Line(points) => self.chain(points, at, &mut into.lines, &mut Vec::new())?,
+            Shape::Line(points) => {
+                self.chain(points, at, &mut Vec::new())?;
+                self.features.put_part(false);
+            }
             Shape::Point(p) => {
-                self.vertex(*p)?;
+                self.vertex(*p, 0)?;
             }
         }
         Ok(())
     }
 
     /// Takes the segments of a ring, closes it, and looks at it.
-    fn ring(&mut self, ring: &[Point], at: Position, darts: &mut Vec<Dart>) -> Result<(), BuildError> {
+    fn ring(&mut self, ring: &[Point], at: Position) -> Result<(), BuildError> {
         let (Some(first), Some(last)) = (ring.first(), ring.last()) else {
             self.summary.degenerate_rings += 1;
             return Ok(());
         };
-        let before = darts.len();
+        let before = self.features.darts.len();
         let mut starts = Vec::with_capacity(ring.len());
-        self.chain(ring, at, darts, &mut starts)?;
+        self.chain(ring, at, &mut starts)?;
         if first != last {
             let end = Position { point: ring.len() - 1, ..at };
             self.summary.open_rings += 1;
             self.summary.list(self.summary.open_rings, IrregularityKind::OpenRing, end, *last);
-            self.chain(&[*last, *first], end, darts, &mut starts)?;
+            self.chain(&[*last, *first], end, &mut starts)?;
         }
-        let darts = &darts[before..];
+        let darts = &self.features.darts[before..];
         let shape = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.shape();
         let summary = &mut self.summary;
         if darts.len() < 3 {
@@ -233,17 +241,13 @@ impl Builder {
     }
 
     /// Takes the segments of a chain of points, with the place where each starts; one point alone is an isolated vertex.
-    fn chain(
-        &mut self,
-        points: &[Point],
-        at: Position,
-        darts: &mut Vec<Dart>,
-        starts: &mut Vec<u32>,
-    ) -> Result<(), BuildError> {
+    fn chain(&mut self, points: &[Point], at: Position, starts: &mut Vec<u32>) -> Result<(), BuildError> {
         let Some((first, rest)) = points.split_first() else { return Ok(()) };
-        let mut from = self.vertex(*first)?;
+        let mut from = self.vertex(*first, 0)?;
+        let mut last = 0;
         for (p, point) in rest.iter().zip(at.point..) {
-            let to = self.vertex(*p)?;
+            let before = self.points.len();
+            let to = self.vertex(*p, from)?;
             self.summary.segments += 1;
             if from == to {
                 self.summary.zero_length_segments += 1;
@@ -251,35 +255,51 @@ impl Builder {
                 self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
                 continue;
             }
-            let ends = if from < to { (from, to) } else { (to, from) };
-            let next = self.segments.len() as u32;
-            let number = *self.segment_numbers.entry(ends).or_insert(next);
-            if number == next {
-                if next >= 1 << 30 {
-                    return Err(BuildError::Full(RecordKind::Edge));
-                }
-                self.segments.push([ends.0, ends.1]);
-            } else {
-                self.summary.duplicate_segments += 1;
-            }
-            darts.push(number << 1 | u32::from(from > to));
+            let ends = [from.min(to), from.max(to)];
+            // No segment leads to a point that is new.
+            let known = if self.points.len() > before { None } else { self.known_segment(ends, last) };
+            self.summary.duplicate_segments += usize::from(known.is_some());
+            let number = known.map_or_else(|| self.new_segment(ends), Ok)?;
+            self.features.darts.push(number << 1 | u32::from(from > to));
+            last = number;
             starts.push(point as u32);
             from = to;
         }
         Ok(())
     }
 
-    fn vertex(&mut self, p: Point) -> Result<u32, BuildError> {
+    /// The number of a segment, which is mostly beside another one: borders are followed from both sides.
+    fn known_segment(&self, ends: [u32; 2], beside: u32) -> Option<u32> {
+        let is = |number: u32| self.segments.get(number as usize) == Some(&ends);
+        let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
+        near.or_else(|| self.segment_numbers.find(hash_of_segment(ends), is))
+    }
+
+    fn new_segment(&mut self, ends: [u32; 2]) -> Result<u32, BuildError> {
+        let number = self.segments.len() as u32;
+        if number >= 1 << 30 {
+            return Err(BuildError::Full(RecordKind::Edge));
+        }
+        self.segments.push(ends);
+        self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
+        Ok(number)
+    }
+
+    /// The number of a point, which is mostly beside that of another one.
+    fn vertex(&mut self, p: Point, beside: u32) -> Result<u32, BuildError> {
         // Adding zero turns −0 into 0.
         let p = Point::new(p.x + 0.0, p.y + 0.0);
-        let next = self.points.len() as u32;
-        let number = *self.places.entry(p.hash_key()).or_insert(next);
-        if number == next {
-            if next >= 1 << 30 {
-                return Err(BuildError::Full(RecordKind::Vertex));
-            }
-            self.points.push(p);
+        let is = |number: u32| self.points.get(number as usize) == Some(&p);
+        let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
+        if let Some(known) = near.or_else(|| self.places.find(hash_of_point(p), is)) {
+            return Ok(known);
         }
+        let number = self.points.len() as u32;
+        if number >= 1 << 30 {
+            return Err(BuildError::Full(RecordKind::Vertex));
+        }
+        self.points.push(p);
+        self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
         Ok(number)
     }
 
@@ -333,19 +353,19 @@ impl Builder {
             Noding::Snap(snap) => {
                 let cuts = cuts.unwrap_or(usual_cuts(segments.len()));
                 let CutSegments { points, segments, summary } =
-                    cut::snapped(&points, &segments, &mut features, snap, cuts)?;
+                    cut::snapped(points, segments, &mut features, snap, cuts)?;
                 (points, segments, Some(summary))
             }
         };
-        assembled(&points, &segments, &mut features, plane, |clash| match clash {
+        let map = assembled(&points, &segments, &mut features, plane, |clash| match clash {
             Clash::Cross { a, b } if noding == Noding::Exact => {
                 let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
                 let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
                 Err(BuildError::Crossing { one, other, count })
             }
             _ => Ok(()),
-        })
-        .map(|map| PlanarMap { summary, noding: noded, ..map })
+        })?;
+        Ok(PlanarMap { summary, noding: noded, points: points_by_vertex(points), ..map })
     }
 
     /// Builds the map of the segments as they are. If it is not plane, the builder comes back, so that they can be cut without
@@ -371,23 +391,28 @@ impl Builder {
         drop((places, segment_numbers));
         let map = assembled(&points, &segments, &mut features, None, |_| Ok(()))?;
         if map.is_plane() {
-            return Ok((PlanarMap { summary, ..map }, None));
+            return Ok((PlanarMap { summary, points: points_by_vertex(points), ..map }, None));
         }
-        for (feature, name) in features.iter_mut().zip(&map.names) {
-            feature.name.clone_from(name);
-        }
-        let places = (0..).zip(&points).map(|(number, point)| (point.hash_key(), number)).collect();
-        let segment_numbers = (0..).zip(&segments).map(|(number, ends)| ((ends[0], ends[1]), number)).collect();
-        let kept = Self { points, places, segments, segment_numbers, features, summary: summary.clone(), cuts };
-        Ok((PlanarMap { summary, ..map }, Some(kept)))
+        let map = PlanarMap { summary: summary.clone(), points: points_by_vertex(points.clone()), ..map };
+        features.names.clone_from(&map.names);
+        let kept = Self { points, segments, features, summary, cuts, ..Self::default() };
+        Ok((map, Some(kept)))
     }
 }
 
-/// The map of segments. Takes the names of the features. `refuse` is asked about segments that meet elsewhere than at their ends.
+fn hash_of_point(p: Point) -> u64 {
+    hash([p.x.to_bits(), p.y.to_bits()])
+}
+
+fn hash_of_segment([a, b]: [u32; 2]) -> u64 {
+    hash([a.into(), b.into()])
+}
+
+/// The map of segments, but for its points. Takes the names of the features. `refuse` is asked about segments that meet elsewhere than at their ends.
 fn assembled(
     points: &[Point],
     segments: &[[u32; 2]],
-    features: &mut [GatheredFeature],
+    features: &mut GatheredFeatures,
     swept: Option<Placement>,
     refuse: impl FnOnce(Clash) -> Result<(), BuildError>,
 ) -> Result<PlanarMap, BuildError> {
@@ -398,13 +423,13 @@ fn assembled(
     );
     let swept = swept?;
     swept.clash.map_or(Ok(()), refuse)?;
-    let dcel = arrange(points, segments, &swept, &turned)?;
+    let dcel = arrange(points, segments, &swept, turned)?;
     let of_map = cover(&dcel, segments.len(), features);
     Ok(PlanarMap {
-        points: points_by_vertex(points),
+        points: Vec::new(),
         not_plane: swept.clash.map(|clash| NotPlane::at(clash, points, segments)),
         dcel,
-        names: features.iter_mut().map(|feature| feature.name.take()).collect(),
+        names: core::mem::take(&mut features.names),
         features: of_map,
         summary: BuildSummary::default(),
         noding: None,

@@ -16,18 +16,11 @@
 //! for each feature how many of its polygons that are. O(segments of all features · log features), expected.
 
 use super::arrange::half_edge;
-use super::gathered::GatheredFeature;
+use super::gathered::{GatheredFeatures, Part};
 use crate::dcel::Dcel;
 use crate::map::feature_sets::FeatureSets;
 use crate::map::feature_tries::SetId;
 use crate::store::FeatureId;
-
-/// A polygon of a feature, or all its lines.
-#[derive(Clone, Copy)]
-struct Part {
-    feature: u32,
-    is_polygon: bool,
-}
 
 /// The parts that use each segment, in order, once for each use.
 struct Uses {
@@ -56,42 +49,42 @@ struct State {
 }
 
 /// The features of the faces and edges of a map that was made of `segments` segments.
-pub(super) fn cover(dcel: &Dcel, segments: usize, features: &[GatheredFeature]) -> FeatureSets {
-    let mut parts = Vec::new();
-    let uses = uses(segments, features, &mut parts);
+pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -> FeatureSets {
+    let GatheredFeatures { names, parts, .. } = gathered;
+    let uses = uses(segments, gathered);
     let mut sets = FeatureSets::default();
+    let singles: Vec<SetId> = (0..names.len() as u32).map(|feature| sets.single(FeatureId::new(feature))).collect();
+    // Neighbours mostly have the same features.
+    let (mut features, mut last) = (Vec::new(), (Vec::new(), SetId::default()));
     for segment in 0..segments {
-        let mut features: Vec<u32> = uses.of(segment).iter().map(|part| parts[*part as usize].feature).collect();
+        features.clear();
+        features.extend(uses.of(segment).iter().map(|part| parts[*part as usize].feature));
         features.dedup();
-        if !features.is_empty() {
-            let set = sets.number(features.into_iter().map(FeatureId::new));
-            sets.put_along(first_half_edge(segment), set);
+        if features.is_empty() {
+            continue;
         }
+        if features != last.0 {
+            last.0.clone_from(&features);
+            let either = |set, feature: &u32| sets.either(set, singles[*feature as usize]);
+            last.1 = features.iter().fold(SetId::default(), either);
+        }
+        sets.put_along(first_half_edge(segment), last.1);
     }
-    walk(dcel, &uses, &parts, &mut sets, features.len());
+    walk(dcel, &uses, parts, &mut sets, &singles);
     sets
 }
 
-fn uses(segments: usize, features: &[GatheredFeature], parts: &mut Vec<Part>) -> Uses {
-    let mut darts = Vec::new();
-    for (feature, number) in features.iter().zip(0..) {
-        for polygon in &feature.polygons {
-            darts.push(polygon);
-            parts.push(Part { feature: number, is_polygon: true });
-        }
-        darts.push(&feature.lines);
-        parts.push(Part { feature: number, is_polygon: false });
-    }
+fn uses(segments: usize, gathered: &GatheredFeatures) -> Uses {
     // Summed up, `first[s + 1]` is where those of segment s begin, and filing them moves it to where they end.
     let mut first = vec![0; segments + 2];
-    for dart in darts.iter().copied().flatten() {
+    for dart in &gathered.darts {
         first[(dart >> 1) as usize + 2] += 1;
     }
     for i in 1..first.len() {
         first[i] += first[i - 1];
     }
     let mut filed = vec![0; first[segments + 1]];
-    for (darts, part) in darts.into_iter().zip(0..) {
+    for ((_, darts), part) in gathered.all().zip(0..) {
         for dart in darts {
             let place = &mut first[(dart >> 1) as usize + 1];
             filed[*place] = part;
@@ -105,8 +98,8 @@ const fn first_half_edge(segment: usize) -> usize {
     half_edge((segment << 1) as u32) as usize
 }
 
-fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, features: usize) {
-    let mut state = State { inside: vec![false; parts.len()], polygons: vec![0; features] };
+fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, singles: &[SetId]) {
+    let mut state = State { inside: vec![false; parts.len()], polygons: vec![0; singles.len()] };
     let mut known = vec![false; dcel.faces().last().map_or(0, |face| face.index() + 1)];
     let unbounded = dcel.unbounded_face();
     known[unbounded.index()] = true;
@@ -127,8 +120,7 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, featur
         let segment = (h.index() - first_half_edge(0)) / 2;
         let mut changed = SetId::default();
         state.cross(uses.of(segment), parts, |feature| {
-            let single = sets.single(feature);
-            changed = sets.differing(changed, single);
+            changed = sets.differing(changed, singles[feature.index()]);
         });
         let set = sets.differing(sets.of_face(h.twin().face().index()), changed);
         sets.put_face(face.index(), set);

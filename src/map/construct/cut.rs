@@ -1,7 +1,7 @@
 //! Cutting gathered segments where they meet, before a map is built of them.
 
 use super::error::BuildError;
-use super::gathered::{Dart, GatheredFeature};
+use super::gathered::{Dart, GatheredFeatures};
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::geometry::noding::{NodingError, NodingSummary, Snap, node_numbered};
@@ -64,26 +64,17 @@ impl Pieces {
         self.starts.push(self.darts.len());
     }
 
-    /// Replaces the segments that a feature uses by their pieces.
-    fn replace(&self, darts: &mut Vec<Dart>) {
-        let mut out = Vec::with_capacity(darts.len());
-        for dart in darts.iter() {
-            let segment = (*dart >> 1) as usize;
+    /// Replaces the segments that features use by their pieces.
+    fn follow(&self, features: &mut GatheredFeatures) {
+        features.replace(|out, dart| {
+            let segment = (dart >> 1) as usize;
             let pieces = &self.darts[self.starts[segment]..self.starts[segment + 1]];
             if dart & 1 == 0 {
                 out.extend_from_slice(pieces);
             } else {
                 out.extend(pieces.iter().rev().map(|piece| piece ^ 1));
             }
-        }
-        *darts = out;
-    }
-
-    fn follow(&self, features: &mut [GatheredFeature]) {
-        for feature in features {
-            feature.polygons.iter_mut().for_each(|darts| self.replace(darts));
-            self.replace(&mut feature.lines);
-        }
+        });
     }
 }
 
@@ -119,7 +110,7 @@ impl<'a> Numbers<'a> {
 pub(super) fn exact(
     points: Vec<Point>,
     segments: &[[u32; 2]],
-    features: &mut [GatheredFeature],
+    features: &mut GatheredFeatures,
 ) -> Result<CutSegments, BuildError> {
     let tree: RTree<GeomWithData<[f64; 2], u32>> =
         RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
@@ -165,9 +156,9 @@ pub(crate) const fn usual_cuts(segments: usize) -> usize {
 
 /// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](crate::geometry::noding).
 pub(super) fn snapped(
-    points: &[Point],
-    segments: &[[u32; 2]],
-    features: &mut [GatheredFeature],
+    points: Vec<Point>,
+    segments: Vec<[u32; 2]>,
+    features: &mut GatheredFeatures,
     snap: Snap,
     cuts: usize,
 ) -> Result<CutSegments, BuildError> {
@@ -175,16 +166,16 @@ pub(super) fn snapped(
     if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
         return Err(BuildError::CellSize);
     }
-    let noded = match node_numbered(points, segments, snap, cuts) {
+    let noded = match node_numbered(&points, &segments, snap, cuts) {
         Ok(noded) if noded.summary.cell < MIN_COORDINATE => {
-            node_numbered(points, segments, Snap::Size(MIN_COORDINATE), cuts)
+            node_numbered(&points, &segments, Snap::Size(MIN_COORDINATE), cuts)
         }
         outcome => outcome,
     };
     let noded = noded.map_err(|error| match error {
         NodingError::Size => BuildError::CellSize,
         NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
-            let p = at.point(&[], points).unwrap_or_default();
+            let p = at.point(&[], &points).unwrap_or_default();
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
         NodingError::TooManyCuts { allowed } => BuildError::TooManyCuts { allowed },
@@ -193,9 +184,11 @@ pub(super) fn snapped(
     if noded.points.len().max(noded.segments.len()) >= 1 << 30 {
         return Err(BuildError::Full(RecordKind::Edge));
     }
+    let count = segments.len();
+    drop((points, segments));
     let number = Numbers::new(&noded.segments, noded.points.len());
-    let mut pieces = Pieces::new(segments.len());
-    for segment in 0..segments.len() {
+    let mut pieces = Pieces::new(count);
+    for segment in 0..count {
         pieces.push(noded.chain(segment).into_iter().flatten(), |ends| number.of(ends));
     }
     pieces.follow(features);

@@ -3,14 +3,59 @@
 /// A half-edge before there are any: twice the number of its segment, plus 1 if it runs against it.
 pub(super) type Dart = u32;
 
-/// The record of a feature until the map is built.
+/// A polygon of a feature, or lines of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) feature: u32,
+    pub(super) is_polygon: bool,
+    /// The place after its last dart.
+    end: usize,
+}
+
+/// The features until the map is built.
 #[derive(Clone, Debug, Default)]
-pub(super) struct GatheredFeature {
-    pub(super) name: Option<String>,
-    /// For each polygon its rings, one after the other.
-    pub(super) polygons: Vec<Vec<Dart>>,
-    /// All segments of lines.
-    pub(super) lines: Vec<Dart>,
+pub(super) struct GatheredFeatures {
+    pub(super) names: Vec<Option<String>>,
+    /// In order of the features.
+    pub(super) parts: Vec<Part>,
+    /// Of each polygon its rings, one after the other; all segments of lines.
+    pub(super) darts: Vec<Dart>,
+}
+
+impl GatheredFeatures {
+    /// The next feature has a part, of the darts since the one before.
+    pub(super) fn put_part(&mut self, is_polygon: bool) {
+        self.parts.push(Part { feature: self.names.len() as u32, is_polygon, end: self.darts.len() });
+    }
+
+    /// The parts with their darts, in order of the features.
+    pub(super) fn all(&self) -> impl Iterator<Item = (Part, &[Dart])> {
+        let mut start = 0;
+        self.parts.iter().map(move |part| {
+            let darts = &self.darts[start..part.end];
+            start = part.end;
+            (*part, darts)
+        })
+    }
+
+    /// The same of polygons.
+    pub(super) fn polygons(&self) -> impl Iterator<Item = (u32, &[Dart])> {
+        self.all().filter(|(part, _)| part.is_polygon).map(|(part, darts)| (part.feature, darts))
+    }
+
+    /// Replaces darts: `by` adds to the new ones those for a dart.
+    pub(super) fn replace(&mut self, mut by: impl FnMut(&mut Vec<Dart>, Dart)) {
+        let darts = core::mem::take(&mut self.darts);
+        self.darts.reserve_exact(darts.len());
+        let mut start = 0;
+        for part in &mut self.parts {
+            for dart in &darts[start..part.end] {
+                by(&mut self.darts, *dart);
+            }
+            start = part.end;
+            part.end = self.darts.len();
+        }
+    }
 }
 
 /// The point where a dart starts.

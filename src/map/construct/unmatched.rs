@@ -3,10 +3,10 @@
 use super::builder::Builder;
 use super::gathered::origin;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::boxes::Boxes;
 use crate::geometry::predicates::{compare_lexicographic, on_segment};
 use crate::store::FeatureId;
-use rstar::RTree;
-use rstar::primitives::{GeomWithData, Rectangle};
 use rustc_hash::FxHashMap;
 
 /// A vertex of a feature's polygon in the interior of a segment of another feature's polygon.
@@ -29,7 +29,7 @@ impl Builder {
     /// or touch, and are noded differently. Sorted by the two features, then by place. A feature that uses the segment itself is
     /// not among those that have the vertex.
     ///
-    /// O(n log n + k) for n segments and k pairs of a vertex and a segment whose bounding box has it, in practice: an R-tree gives no guarantee.
+    /// O(n log n + k) for n segments and k pairs of a vertex and a segment whose bounding box has it, in practice: a tree of boxes gives no guarantee.
     ///
     /// ```
     /// use twinedge::geometry::Point;
@@ -50,8 +50,8 @@ impl Builder {
         }
         let mut having: FxHashMap<u32, Vec<FeatureId>> = touches.iter().map(|(p, _)| (*p, Vec::new())).collect();
         let mut along: FxHashMap<u32, Vec<FeatureId>> = touches.iter().map(|(_, s)| (*s, Vec::new())).collect();
-        for (number, feature) in (0..).zip(&self.features) {
-            for dart in feature.polygons.iter().flatten() {
+        for (number, polygon) in self.features.polygons() {
+            for dart in polygon {
                 let at_vertex = having.get_mut(&origin(&self.segments, *dart));
                 for features in at_vertex.into_iter().chain(along.get_mut(&(*dart >> 1))) {
                     if features.last() != Some(&FeatureId::new(number)) {
@@ -82,29 +82,33 @@ impl Builder {
     /// The ends of polygons' segments that lie inside another such segment, by their numbers.
     fn touches(&self) -> Vec<(u32, u32)> {
         let mut of_polygons = vec![false; self.segments.len()];
-        for dart in self.features.iter().flat_map(|feature| feature.polygons.iter().flatten()) {
+        for dart in self.features.polygons().flat_map(|(_, polygon)| polygon) {
             of_polygons[*dart as usize >> 1] = true;
         }
-        let segments = || (0..self.segments.len() as u32).filter(|segment| of_polygons[*segment as usize]);
-        let boxed = |segment: u32| {
-            let [a, b] = self.ends(segment);
-            GeomWithData::new(Rectangle::from_corners([a.x, a.y], [b.x, b.y]), segment)
+        let segments = (0..self.segments.len() as u32).filter(|segment| of_polygons[*segment as usize]);
+        let bounds = |segment: u32| {
+            let [a, b] = self.segments[segment as usize].map(|end| Bounds::one(self.points[end as usize]));
+            a.joined(b)
         };
-        let tree = RTree::bulk_load(segments().map(boxed).collect());
-        let mut points: Vec<u32> = segments().flat_map(|segment| self.segments[segment as usize]).collect();
-        points.sort_unstable();
-        points.dedup();
-        let mut found = Vec::new();
-        for point in points {
-            let p = self.points[point as usize];
-            for near in tree.locate_all_at_point([p.x, p.y]) {
-                let is_end = self.segments[near.data as usize].contains(&point);
-                let [a, b] = self.ends(near.data);
-                if !is_end && on_segment(p, a, b) {
-                    found.push((point, near.data));
-                }
-            }
-        }
+        let each = |found: &mut Vec<(u32, u32)>, segment: u32, others: &[u32]| {
+            let [a, b] = self.ends(segment);
+            let is_inside = |point: &u32| {
+                let p = self.points[*point as usize];
+                let is_end = self.segments[segment as usize].contains(point);
+                !is_end && on_segment(p, a, b)
+            };
+            let ends = others.iter().flat_map(|other| self.segments[*other as usize]);
+            let mut inside: Vec<u32> = ends.filter(is_inside).collect();
+            inside.sort_unstable();
+            inside.dedup();
+            found.extend(inside.into_iter().map(|point| (point, segment)));
+        };
+        let merge = |mut one: Vec<_>, mut other: Vec<_>| {
+            one.append(&mut other);
+            one
+        };
+        let mut found = Boxes::new(segments, bounds).pairs(0.0, &Vec::new, &each, &merge);
+        found.sort_unstable();
         found
     }
 

@@ -130,14 +130,14 @@ impl PlanarMap {
     }
 
     /// Says what covers a face, by its index.
-    pub(super) fn cover_face(&mut self, face: usize, set: SetId) {
+    pub(in crate::map) fn cover_face(&mut self, face: usize, set: SetId) {
         #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::OfFace(face as u32, self.features.of_face(face)));
         self.features.put_face(face, set);
     }
 
     /// Says what runs along an edge, by the index of either half-edge.
-    pub(super) fn cover_edge(&mut self, half_edge: usize, set: SetId) {
+    pub(in crate::map) fn cover_edge(&mut self, half_edge: usize, set: SetId) {
         #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Along(half_edge as u32, self.features.along(half_edge)));
         self.features.put_along(half_edge, set);

@@ -1,24 +1,9 @@
-//! Boxes, and on which side of a point or a segment all of a box lies.
+//! The side of a point or a segment on which all of a box lies.
 
 use crate::geometry::Point;
-
-/// A box with sides along the axes, which belong to it.
-#[derive(Clone, Copy)]
-pub(super) struct Bounds {
-    pub(super) low: Point,
-    pub(super) high: Point,
-}
+use crate::geometry::bounds::Bounds;
 
 impl Bounds {
-    /// The smallest box around points; none if there are none.
-    pub(super) fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
-        let one = |p: Point| Self { low: p, high: p };
-        points.into_iter().map(one).reduce(|a, b| Self {
-            low: Point::new(a.low.x.min(b.low.x), a.low.y.min(b.low.y)),
-            high: Point::new(a.high.x.max(b.high.x), a.high.y.max(b.high.y)),
-        })
-    }
-
     /// Returns true if all of it comes after a point in lexicographic order, false if all comes before; none if neither.
     #[inline]
     pub(super) fn after(&self, p: Point) -> Option<bool> {

@@ -1,8 +1,8 @@
 //! A grid over the map, which answers most searches without the graph.
 
-use super::bounds::Bounds;
 use super::graph::{Graph, GraphHit, Stage};
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::predicates::{Orientation, in_range, orientation};
 use alloc::vec;
 use alloc::vec::Vec;

@@ -1,10 +1,10 @@
 //! The search graph, packed: questions of 12 bytes each, which lead to a face. First it is asked in which slab a point lies, and
 //! then the search graph of that slab.
 
-use super::bounds::Bounds;
 use super::slabs::{Slab, Slabs};
 use super::trapezoids::{Drawing, GraphError, search_graph};
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use crate::geometry::threads;
 use core::cmp::Ordering;

@@ -1,13 +1,13 @@
 //! The index: a search graph, and a grid in front of it.
 
-use super::bounds::Bounds;
 use super::cells::Cells;
-use super::curve::Curve;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
 use super::trapezoids::{Drawing, GraphError};
 use crate::dcel::Vertex;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::curve::Curve;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::geometry::threads;
 use crate::map::not_plane::NotPlane;

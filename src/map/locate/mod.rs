@@ -48,7 +48,6 @@
 
 mod bounds;
 mod cells;
-mod curve;
 mod graph;
 pub(in crate::map) mod in_face;
 mod kept;

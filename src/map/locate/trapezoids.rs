@@ -34,9 +34,10 @@
 //! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
 //! Computational Geometry 2003, 211-219.
 
-use super::bounds::{Bounds, is_before};
+use super::bounds::is_before;
 use super::lists::Lists;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::predicates::{Orientation, count_step, orientation};
 
 /// No vertex, or no trapezoid. Links of no trapezoid are written and mean nothing.

@@ -47,6 +47,8 @@ pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     /// Shares out by measures what the first of two parts still has.
     fn share(&mut self, parts: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
     fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
+    /// Gives the values of some records to others, or drops them.
+    fn transfer(&mut self, moves: &mut dyn Iterator<Item = (KeyData, Option<KeyData>)>, log: &mut Vec<Saved>);
     /// Gives the values of the same attribute of another structure to records that have none.
     fn absorb(&mut self, other: &dyn AnyColumn);
     /// Gives other keys to all values; those that get none are dropped.
@@ -296,6 +298,15 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
         if let (Some(between), [Some(a), Some(b)]) = (self.policy.between, ends) {
             let value = between(a, b, part);
             self.put(vertex.into(), Some(value), log);
+        }
+    }
+
+    fn transfer(&mut self, moves: &mut dyn Iterator<Item = (KeyData, Option<KeyData>)>, log: &mut Vec<Saved>) {
+        let taken: Vec<_> = moves.map(|(from, to)| (to, self.put(from.into(), None, log))).collect();
+        for (to, value) in taken {
+            if let (Some(to), Some(_)) = (to, &value) {
+                self.put(to.into(), value, log);
+            }
         }
     }
 

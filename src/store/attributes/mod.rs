@@ -276,4 +276,13 @@ impl Attributes {
         }
         Ok(all)
     }
+
+    /// Gives the values of records to others, or drops them: all at once, and policies are not asked.
+    pub(crate) fn transfer(&mut self, moves: &[(Kind, KeyData, Option<KeyData>)]) {
+        for column in &mut self.columns {
+            let kind = column.kind();
+            let mut of_kind = moves.iter().filter(|(of, ..)| *of == kind).map(|(_, from, to)| (*from, *to));
+            column.transfer(&mut of_kind, &mut self.log);
+        }
+    }
 }

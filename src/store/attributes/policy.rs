@@ -176,7 +176,8 @@ impl<K: Attributed> Policy<K, u64> {
     /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
     /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it. For a structure that
-    /// was loaded, `first` is to be beyond the numbers that were saved.
+    /// was loaded, `first` is to be beyond the numbers that were saved. What is split off a record without number has none: so give one to
+    /// the unbounded face, too, from which all others come.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, Policy};

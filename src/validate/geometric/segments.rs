@@ -12,13 +12,13 @@ use core::cmp::Ordering;
 pub(in crate::validate) struct Segments {
     pub(in crate::validate) points: Vec<Point>,
     /// The vertex of each point that is none of the bends, which follow.
-    vertices: Vec<usize>,
+    vertices: Vec<u32>,
     /// The point of each vertex.
     pub(in crate::validate) numbers: Vec<u32>,
     pub(in crate::validate) ends: Vec<[u32; 2]>,
     /// For each segment the half-edge that runs from its lexicographically smaller end to the larger; at an open boundary
     /// the only one.
-    half_edges: Vec<usize>,
+    half_edges: Vec<u32>,
     /// The number of each segment on its edge, in the direction of the half-edge that has the bends; empty if there are none.
     pieces: Vec<u32>,
     /// The number of edges.
@@ -41,7 +41,7 @@ impl Segments {
         for v in columns.vertices() {
             numbers[v] = found.points.len() as u32;
             found.points.push(columns.points[v]);
-            found.vertices.push(v);
+            found.vertices.push(v as u32);
         }
         found.points.extend(&columns.bends.points);
         found.numbers = numbers;
@@ -51,7 +51,7 @@ impl Segments {
                 found.bent(columns, h);
             } else if rises(columns.tail(h), columns.head(h)) || columns.twin[h] == NIL {
                 found.ends.push([columns.origin(h), columns.target(h)].map(|v| found.numbers[v]));
-                found.half_edges.push(h);
+                found.half_edges.push(h as u32);
                 if !columns.bends.points.is_empty() {
                     found.pieces.push(0);
                 }
@@ -73,7 +73,7 @@ impl Segments {
         for (piece, to) in places.map(bend).chain([target]).enumerate() {
             let along = rises(self.points[from as usize], self.points[to as usize]) || columns.twin[h] == NIL;
             self.ends.push([from, to]);
-            self.half_edges.push(if along { h } else { columns.twin[h] as usize });
+            self.half_edges.push(if along { h as u32 } else { columns.twin[h] });
             self.pieces.push(piece as u32);
             from = to;
         }
@@ -86,7 +86,7 @@ impl Segments {
 
     /// The half-edge that has the region above a segment to its left; none if the boundary is open there.
     pub(in crate::validate) fn above(&self, columns: &Columns, segment: u32) -> Option<usize> {
-        let h = self.half_edges[segment as usize];
+        let h = self.half_edge(segment);
         let [from, to] = self.ends[segment as usize].map(|end| self.points[end as usize]);
         // The ends are in the direction of the half-edge that has the bends, or that has none.
         let along = columns.bends_of(h).1.is_empty() || columns.is_asked(h);
@@ -140,7 +140,7 @@ impl Segments {
 
     fn spot(&self, columns: &Columns, point: u32) -> Spot {
         match (point as usize).checked_sub(self.vertices.len()) {
-            None => Spot::Vertex(self.vertices[point as usize]),
+            None => Spot::Vertex(self.vertices[point as usize] as usize),
             Some(place) => {
                 let (half_edge, bend) = columns.bends.owner(place);
                 Spot::Bend(half_edge, bend)
@@ -149,7 +149,7 @@ impl Segments {
     }
 
     fn half_edge(&self, segment: u32) -> usize {
-        self.half_edges[segment as usize]
+        self.half_edges[segment as usize] as usize
     }
 
     fn is_straight(&self, columns: &Columns, segment: u32) -> bool {

@@ -19,13 +19,16 @@ pub(super) struct GeometryColumn {
     pub(super) edges: Option<String>,
 }
 
+/// The metadata of a file under a key.
+pub(super) fn entry_of(file: &FileMetaData, key: &str) -> Option<String> {
+    let all = file.key_value_metadata().into_iter().flatten();
+    all.into_iter().find(|entry| entry.key == key).and_then(|entry| entry.value.clone())
+}
+
 impl GeometryColumn {
     /// The primary column of geometries; without metadata of `GeoParquet`, the first one of Parquet's own type.
     pub(super) fn of_file(metadata: &FileMetaData) -> Result<Self, Cause> {
-        let value = |key: &str| {
-            let all = metadata.key_value_metadata().into_iter().flatten();
-            all.into_iter().find(|entry| entry.key == key).and_then(|entry| entry.value.clone())
-        };
+        let value = |key: &str| entry_of(metadata, key);
         let Some(text) = value(GEO) else {
             let columns = metadata.schema().get_fields().iter();
             let native = columns.into_iter().find_map(|column| Self::native(column, value));

@@ -7,6 +7,7 @@
 
 mod crs;
 mod geometry_column;
+mod ids;
 mod index;
 mod moment;
 mod read;
@@ -14,6 +15,7 @@ mod value;
 mod write;
 
 pub(super) use crs::is_held;
+pub(super) use ids::id_kind;
 pub(super) use index::IndexedFile;
 pub(super) use read::read;
 pub(super) use write::{losses, write};

@@ -4,10 +4,10 @@
 
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::model::{EDGES, Feature, Field, Geometry, Header};
+use super::super::model::{EDGES, Feature, Field, FieldKind, Geometry, Header};
 use super::super::wkb;
-use super::geometry_column::GeometryColumn;
-use super::value;
+use super::geometry_column::{GeometryColumn, entry_of};
+use super::{ids, value};
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field as Cell;
@@ -33,8 +33,14 @@ pub(super) fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetE
 /// A column that is read.
 struct Column {
     of_file: TypePtr,
-    /// None for the geometries.
-    name: Option<Arc<str>>,
+    role: Role,
+}
+
+#[derive(PartialEq)]
+enum Role {
+    Geometry,
+    Id,
+    Attribute(Arc<str>),
 }
 
 /// Reads the features, each handed to `each`. Memory O(pages of a row group).
@@ -45,9 +51,11 @@ pub(in crate::layer) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header,
     let metadata = reader.metadata().file_metadata();
     let geometries = GeometryColumn::of_file(metadata).map_err(in_header)?;
     let schema = metadata.schema();
-    let columns = columns(schema, &geometries).map_err(in_header)?;
+    let ids = ids::named(|key| entry_of(metadata, key));
+    let columns = columns(schema, &geometries, ids.as_deref()).map_err(in_header)?;
     let fields = columns.iter().filter_map(|column| {
-        let name = column.name.clone()?;
+        let Role::Attribute(name) = &column.role else { return None };
+        let name = name.clone();
         Some(Field { name, kind: value::kind(&column.of_file), width: None, decimals: None })
     });
     let mut header = Header { crs: geometries.crs, fields: fields.collect(), ..Header::default() };
@@ -73,7 +81,7 @@ pub(in crate::layer) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header,
 }
 
 /// The columns that are read: all but that of the boxes.
-fn columns(schema: &Type, geometries: &GeometryColumn) -> Result<Vec<Column>, Cause> {
+fn columns(schema: &Type, geometries: &GeometryColumn, ids: Option<&str>) -> Result<Vec<Column>, Cause> {
     let mut columns = Vec::new();
     for of_file in schema.get_fields() {
         let name = of_file.name();
@@ -83,10 +91,16 @@ fn columns(schema: &Type, geometries: &GeometryColumn) -> Result<Vec<Column>, Ca
         if value::is_interval(of_file) {
             return Err(Cause::Invalid(format!("the column {name} has intervals of time, which are not read here")));
         }
-        let name = (name != geometries.name).then(|| name.into());
-        columns.push(Column { of_file: of_file.clone(), name });
+        let role = if name == geometries.name {
+            Role::Geometry
+        } else if ids == Some(name) && matches!(value::kind(of_file), FieldKind::Integer | FieldKind::Text) {
+            Role::Id
+        } else {
+            Role::Attribute(name.into())
+        };
+        columns.push(Column { of_file: of_file.clone(), role });
     }
-    if columns.iter().all(|column| column.name.is_some()) {
+    if columns.iter().all(|column| column.role != Role::Geometry) {
         return Err(Cause::Invalid(format!("it has no column {}, where the geometries should be", geometries.name)));
     }
     Ok(columns)
@@ -95,9 +109,10 @@ fn columns(schema: &Type, geometries: &GeometryColumn) -> Result<Vec<Column>, Ca
 fn feature(row: Vec<(String, Cell)>, columns: &[Column]) -> Result<Feature, Cause> {
     let mut feature = Feature::default();
     for ((_, cell), column) in row.into_iter().zip(columns) {
-        match &column.name {
-            Some(name) => feature.attributes.push((name.clone(), value::value(cell, &column.of_file)?)),
-            None => feature.geometry = geometry(cell)?,
+        match &column.role {
+            Role::Attribute(name) => feature.attributes.push((name.clone(), value::value(cell, &column.of_file)?)),
+            Role::Id => feature.id = ids::of_value(value::value(cell, &column.of_file)?),
+            Role::Geometry => feature.geometry = geometry(cell)?,
         }
     }
     feature.attributes.shrink_to_fit();

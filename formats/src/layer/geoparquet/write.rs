@@ -5,6 +5,7 @@ use super::super::loss::{Loss, absent};
 use super::super::model::{Dimensions, EDGES, Feature, Field, FieldKind, Geometry, Layer, Value, kind_of};
 use super::super::unique::unique;
 use super::super::wkb;
+use super::ids::{self, id_kind};
 use super::{GEO, SIDES, crs, moment};
 use parquet::basic::{Compression, LogicalType, Repetition, TimeUnit, Type as Physical, ZstdLevel};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type};
@@ -93,18 +94,26 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
     let columns = columns(layer);
     let mut taken: HashSet<String> = columns.iter().map(|(field, _)| field.name.to_lowercase()).collect();
     let [geometry, covering] = ["geometry", "bbox"].map(|name| unique(name, &mut taken));
-    let schema = schema(layer, &columns, &geometry, &covering)?;
-    let metadata = metadata(layer, &geometry, &covering).to_string();
+    let ids = id_kind(layer).map(|kind| (unique(ids::usual_name(kind), &mut taken), kind));
+    let schema = schema(layer, &columns, ids.as_ref(), [&geometry, &covering])?;
+    let of_geometries = KeyValue::new(GEO.to_owned(), metadata(layer, &geometry, &covering).to_string());
+    let of_ids = ids.as_ref().map(|(name, kind)| ids::metadata(*kind, name));
+    let metadata = [of_geometries].into_iter().chain(of_ids).collect();
     let properties = WriterProperties::builder()
         .set_created_by(format!("twinedge {}", env!("CARGO_PKG_VERSION")))
         .set_compression(Compression::ZSTD(ZstdLevel::default()))
         .set_column_dictionary_enabled(ColumnPath::from(geometry.as_str()), false)
         .set_column_statistics_enabled(ColumnPath::from(geometry.as_str()), EnabledStatistics::None)
-        .set_key_value_metadata(Some(vec![KeyValue::new(GEO.to_owned(), metadata)]))
+        .set_key_value_metadata(Some(metadata))
         .build();
     let mut writer = SerializedFileWriter::new(File::create(path)?, schema, Arc::new(properties))?;
     for features in layer.features.chunks(ROWS) {
         let mut group = writer.next_row_group()?;
+        match &ids {
+            Some((_, FieldKind::Integer)) => column::<Int64Type, _>(&mut group, features, ids::number)?,
+            Some(_) => column::<ByteArrayType, _>(&mut group, features, ids::text)?,
+            None => {}
+        }
         for (field, kind) in &columns {
             attribute(&mut group, features, &field.name, *kind)?;
         }
@@ -126,8 +135,8 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
 fn schema(
     layer: &Layer,
     columns: &[(Field, FieldKind)],
-    geometry: &str,
-    covering: &str,
+    ids: Option<&(String, FieldKind)>,
+    [geometry, covering]: [&str; 2],
 ) -> Result<TypePtr, ParquetError> {
     let primitive = |name: &str, physical, logical| {
         let builder = Type::primitive_type_builder(name, physical).with_repetition(Repetition::OPTIONAL);
@@ -150,7 +159,11 @@ fn schema(
         };
         primitive(&field.name, physical, logical)
     };
-    let mut fields = columns.iter().map(of_field).collect::<Result<Vec<_>, _>>()?;
+    let of_ids = ids.map(|(name, kind)| match kind {
+        FieldKind::Integer => primitive(name, Physical::INT64, None),
+        _ => primitive(name, Physical::BYTE_ARRAY, Some(LogicalType::String)),
+    });
+    let mut fields = of_ids.into_iter().chain(columns.iter().map(of_field)).collect::<Result<Vec<_>, _>>()?;
     fields.push(primitive(geometry, Physical::BYTE_ARRAY, None)?);
     let side = |name: &&str| {
         Type::primitive_type_builder(name, Physical::DOUBLE).with_repetition(Repetition::REQUIRED).build().map(Arc::new)

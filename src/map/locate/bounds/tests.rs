@@ -1,7 +1,7 @@
 //! Tests of `bounds`.
 
-use super::Bounds;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 #[test]

@@ -10,13 +10,13 @@
 //! Source: D. Hilbert, "Ueber die stetige Abbildung einer Linie auf ein Flächenstück", Mathematische Annalen 38 (1891) 459-460.
 
 use super::bounds::Bounds;
-use crate::geometry::Point;
+use super::point::Point;
 
 /// Cuts of each side in two.
 const LEVELS: u32 = 16;
 
 /// A Hilbert curve through a box.
-pub(super) struct Curve {
+pub(crate) struct Curve {
     low: Point,
     /// Cells per unit of length; 0 if the box has no extent.
     scale: [f64; 2],
@@ -24,13 +24,13 @@ pub(super) struct Curve {
 
 impl Curve {
     /// The curve through a box.
-    pub(super) fn through(Bounds { low, high }: Bounds) -> Self {
+    pub(crate) fn through(Bounds { low, high }: Bounds) -> Self {
         let per = |width: f64| if width > 0.0 { f64::from((1_u32 << LEVELS) - 1) / width } else { 0.0 };
         Self { low, scale: [per(high.x - low.x), per(high.y - low.y)] }
     }
 
     /// The place on the curve of the cell of a point in the box. O(1).
-    pub(super) fn place(&self, p: Point) -> u32 {
+    pub(crate) fn place(&self, p: Point) -> u32 {
         #[expect(clippy::cast_sign_loss, reason = "the box begins at its lowest corner")]
         let [mut x, mut y] = [(p.x - self.low.x) * self.scale[0], (p.y - self.low.y) * self.scale[1]].map(|c| c as u32);
         let mut place = 0;

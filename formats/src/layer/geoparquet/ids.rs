@@ -1,0 +1,73 @@
+//! The column of the ids of features, as the metadata of a file name it.
+//!
+//! `GeoParquet` leaves it to whoever writes. GDAL names a column of whole numbers in its own metadata, and so is it done here. Texts, which GDAL
+//! does not take for ids, are named in others.
+
+use super::super::model::{Feature, FieldKind, Id, Layer, Value};
+use parquet::data_type::ByteArray;
+use parquet::file::metadata::KeyValue;
+use serde_json::{Value as Json, json};
+
+/// The key of the metadata of GDAL.
+const GDAL: &str = "gdal:schema";
+
+/// The key of the metadata that name a column of ids that are texts.
+const TEXTS: &str = "twinedge:id";
+
+/// The type of a column that holds the ids of all features; none if there is none, or no id.
+pub(in crate::layer) fn id_kind(layer: &Layer) -> Option<FieldKind> {
+    let mut kinds = layer.features.iter().filter_map(|feature| feature.id.as_ref()).map(|id| match id {
+        Id::Text(_) => Some(FieldKind::Text),
+        Id::Number(number) => number.as_i64().map(|_| FieldKind::Integer),
+    });
+    let first = kinds.next().flatten()?;
+    kinds.all(|kind| kind == Some(first)).then_some(first)
+}
+
+/// The usual name of a column of ids of a type.
+pub(super) const fn usual_name(kind: FieldKind) -> &'static str {
+    match kind {
+        FieldKind::Integer => "fid",
+        _ => "id",
+    }
+}
+
+/// The metadata that name the column.
+pub(super) fn metadata(kind: FieldKind, column: &str) -> KeyValue {
+    match kind {
+        FieldKind::Integer => KeyValue::new(GDAL.to_owned(), json!({"fid": column, "columns": {}}).to_string()),
+        _ => KeyValue::new(TEXTS.to_owned(), column.to_owned()),
+    }
+}
+
+/// The column that metadata name, each handed out by its key.
+pub(super) fn named(metadata: impl Fn(&str) -> Option<String>) -> Option<String> {
+    let of_gdal = || {
+        let schema: Json = serde_json::from_str(&metadata(GDAL)?).ok()?;
+        Some(schema.get("fid")?.as_str()?.to_owned())
+    };
+    metadata(TEXTS).or_else(of_gdal).filter(|name| !name.is_empty())
+}
+
+/// The id that a value is; none for null. Other values than those of the two types are none, either.
+pub(super) fn of_value(value: Value) -> Option<Id> {
+    match value {
+        Value::Integer(number) => Some(Id::Number(number.into())),
+        Value::Text(text) => Some(Id::Text(text)),
+        _ => None,
+    }
+}
+
+pub(super) fn number(feature: &Feature) -> Option<i64> {
+    match feature.id.as_ref()? {
+        Id::Number(number) => number.as_i64(),
+        Id::Text(_) => None,
+    }
+}
+
+pub(super) fn text(feature: &Feature) -> Option<ByteArray> {
+    match feature.id.as_ref()? {
+        Id::Text(text) => Some(text.as_str().into()),
+        Id::Number(_) => None,
+    }
+}

@@ -1,0 +1,85 @@
+//! Two sides of changes to one map.
+
+use super::Diff;
+use super::compare::diff;
+use super::error::{Conflict, MergeError};
+use super::ids::Ids;
+use super::record::{Change, Record};
+use crate::map::PlanarMap;
+use std::collections::BTreeMap;
+
+/// Merges what two sides did to a map: `base`, with the changes of both.
+///
+/// The merged map has the keys of `base` where it has its records. New features of `theirs` come after those of `ours`. O(n log n).
+///
+/// # Errors
+/// [`MergeError::Conflicts`] names what both sides changed, and [`MergeError::Together`] what does not fit although no record is the same: lines of
+/// one side that cross those of the other, faces that both cut.
+pub fn merge(base: &PlanarMap, ours: &PlanarMap, theirs: &PlanarMap, ids: &Ids) -> Result<PlanarMap, MergeError> {
+    let both = diff(base, ours, ids)?.merge(&diff(base, theirs, ids)?)?;
+    let mut merged = base.clone();
+    both.apply(&mut merged, ids).map_err(MergeError::Together)?;
+    Ok(merged)
+}
+
+impl Diff {
+    /// The changes of both diffs, which are of one map. The same change on both sides is done once. O(n log n) for n changes.
+    ///
+    /// # Errors
+    /// [`MergeError::Conflicts`], with all of them; [`MergeError::DifferentMaps`], as far as one can tell.
+    pub fn merge(&self, theirs: &Self) -> Result<Self, MergeError> {
+        if self.features != theirs.features {
+            return Err(MergeError::DifferentMaps);
+        }
+        let renumbered = |change: &Change| match change {
+            Change::Features { from, to } => {
+                let to = to.iter().map(|f| if *f < self.features { *f } else { f.saturating_add(self.names.len()) });
+                Change::Features { from: from.clone(), to: to.collect() }
+            }
+            change => change.clone(),
+        };
+        let theirs_changes: Vec<_> =
+            theirs.changes.iter().map(|(record, change)| (*record, renumbered(change))).collect();
+        let by_record = |changes: &[(Record, Change)]| {
+            let mut all: BTreeMap<Record, Vec<Change>> = BTreeMap::new();
+            for (record, change) in changes {
+                all.entry(*record).or_default().push(change.clone());
+            }
+            all
+        };
+        let (ours, others) = (by_record(&self.changes), by_record(&theirs_changes));
+        let mut conflicts = Vec::new();
+        for (record, change) in &self.changes {
+            for other in
+                others.get(record).into_iter().flatten().filter(|other| *other != change && change.excludes(other))
+            {
+                conflicts.push(Conflict { ours: (*record, change.clone()), theirs: (*record, other.clone()) });
+            }
+        }
+        // Edges that one side draws to vertices that the other one drops, and features that it gives.
+        let loose = |changes: &[(Record, Change)], other: &BTreeMap<Record, Vec<Change>>| {
+            let mut loose = Vec::new();
+            for (record, change) in changes {
+                let needs = change.needs(*record).into_iter();
+                let dropped = needs.filter(|need| other.get(need).is_some_and(|all| all.contains(&Change::Dropped)));
+                loose.extend(dropped.map(|need| ((*record, change.clone()), (need, Change::Dropped))));
+            }
+            loose
+        };
+        let our_loose = loose(&self.changes, &others).into_iter();
+        conflicts.extend(our_loose.map(|(ours, theirs)| Conflict { ours, theirs }));
+        let their_loose = loose(&theirs_changes, &ours).into_iter();
+        conflicts.extend(their_loose.map(|(theirs, ours)| Conflict { ours, theirs }));
+        if !conflicts.is_empty() {
+            return Err(MergeError::Conflicts(conflicts));
+        }
+        let mut changes = self.changes.clone();
+        changes.extend(
+            theirs_changes
+                .into_iter()
+                .filter(|(record, change)| !ours.get(record).is_some_and(|all| all.contains(change))),
+        );
+        let names = self.names.iter().chain(&theirs.names).cloned().collect();
+        Ok(Self { features: self.features, names, changes }.in_order())
+    }
+}
