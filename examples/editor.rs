@@ -110,6 +110,7 @@ fn main() -> Outcome<()> {
     let map = editor.history.get();
     let [first, second] = [1, 2].map(|parcel| map.find(number, &parcel));
     println!("parcel 1: {:?}, parcel 2: {:?}", first.map(|face| map.value(owners, face)), second);
-    assert!(first.is_some() && second.is_none());
+    // One of both numbers is left, on the face that the merging kept.
+    assert_ne!(first.is_some(), second.is_some());
     Ok(())
 }

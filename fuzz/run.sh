@@ -2,7 +2,7 @@
 # Builds all fuzz targets and runs each for a fixed number of runs, beginning with its corpus:
 #
 #     fuzz/run.sh [RUNS [TARGET…]]
-#     fuzz/run.sh still [TARGET…]    until coverage stands still: in rounds of 20,000 runs, until three in a row reach no new code
+#     fuzz/run.sh still [RUNS] [TARGET…]    until coverage stands still: in rounds of RUNS (20,000), until three in a row reach no new code
 #
 # Exit status: 0 nothing was found; 1 something was; 2 misuse.
 #
@@ -13,13 +13,18 @@ cd "$(dirname "$0")"
 
 all=(programs in_step stale_keys validator_total certificates segments noding edits history geojson layer flatgeobuf shapefile topojson postgis)
 misused() {
-  printf '%s\nusage: fuzz/run.sh [RUNS|still [TARGET…]]\ntargets: %s\n' "$1" "${all[*]}" >&2
+  printf '%s\nusage: fuzz/run.sh [RUNS|still [RUNS] [TARGET…]]\ntargets: %s\n' "$1" "${all[*]}" >&2
   exit 2
 }
 
 runs=${1:-2000}
 shift || true
 [[ $runs =~ ^[0-9]+$ || $runs == still ]] || misused "not a number of runs: $runs"
+round_of=20000
+if [[ $runs == still && ${1:-} =~ ^[1-9][0-9]*$ ]]; then
+  round_of=$1
+  shift
+fi
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
   targets=("${all[@]}")
@@ -73,10 +78,10 @@ for target in "${targets[@]}"; do
   reached=0 since=0 round=0
   while [ "$since" -lt 3 ]; do
     round=$((round + 1))
-    run "$target" 20000 "$round"
+    run "$target" "$round_of" "$round"
     now=$(sed -n 's/^#[0-9]*[[:space:]]DONE[[:space:]]*cov: \([0-9]*\) .*/\1/p' "$found/$target.log")
     since=$((now > reached ? 0 : since + 1))
     reached=$((now > reached ? now : reached))
-    echo "$((round * 20000)) runs: $now edges of the program's code reached"
+    echo "$((round * round_of)) runs: $now edges of the program's code reached"
   done
 done

@@ -62,7 +62,7 @@
 //! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
 //! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
 //! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |
-//! | draw a map, with half-edges if you like | [`io::svg`] | `map` (default) |
+//! | draw a map, with half-edges if you like | `svg` of the package `twinedge-formats` | |
 //! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
 //! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary`, `proptest` |
 //! | test what is computed from a map, by random or fuzzed edits | `map::program` | the same, and `map` |
@@ -75,7 +75,7 @@
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
 //! | `std` (default) | with `program`, panics of a structure under test are caught | none |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`] | `std`; robust, rstar, rustc-hash, thiserror |
-//! | `map` (default) | [`map`], [`algorithm`], [`tile`], [`io::svg`] | those of `dcel` and `geometry` |
+//! | `map` (default) | [`map`], [`algorithm`], [`tile`] | those of `dcel` and `geometry` |
 //! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, attributes, `dcel::Audited` and `dcel::History`; with `map`, `map::Audited` and `map::History` | none |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |

@@ -21,8 +21,8 @@ use twinedge_trials::{Silent, Structure, replay};
 /// The names in a step count what there is, in order of creation. The line below a step shows the records that they chose, by
 /// their names in the table. Then the program is run once more in step with the reference, as `twinedge soak` does it.
 ///
-/// With --map it is a journal of edits of a map, which begins with the line `twinedge edits 1`: insert_point, insert_segment,
-/// insert_segment_snapped, insert_ring, remove_edge, remove_vertex, move_vertex, add_feature, set_features_of, set_features_along, in the
+/// With --map it is a journal of edits of a map, which begins with the line `twinedge edits 1`: `insert_point`, `insert_segment`,
+/// `insert_segment_snapped`, `insert_ring`, `remove_edge`, `remove_vertex`, `move_vertex`, `add_feature`, `set_features_of`, `set_features_along`, in the
 /// words of `twinedge::map::program`. Each step is validated, and has to be done. The output of --format json is a journal, too.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:

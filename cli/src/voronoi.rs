@@ -8,8 +8,8 @@ use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
 use twinedge::algorithm::voronoi::{Voronoi, delaunay, voronoi};
 use twinedge::geometry::Point;
-use twinedge::io::svg::{self, Options};
 use twinedge::map::PlanarMap;
+use twinedge_formats::svg::{self, Options};
 use twinedge_report::voronoi::{Sites, cells, triangles};
 
 /// Make the Voronoi diagram of points: for each the part of the plane that is nearest to it.

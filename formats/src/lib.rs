@@ -2,7 +2,7 @@
 //!
 //! [`mesh`] reads OBJ, OFF, PLY, STL and glTF, joins the faces to half-edges, says in the user's terms what cannot be joined, and
 //! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer` reads and
-//! writes layers of features, and repairs them; `layer::topojson` audits arcs.
+//! writes layers of features, and repairs them; `layer::topojson` audits arcs. `svg` draws maps.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {
@@ -40,6 +40,7 @@
 //! | `epsg` (default) | the definitions of the reference systems of the EPSG; without them only WGS 84 is known by its number | none |
 //! | `osm` (default) | the module `layer::osm`: boundaries of `OpenStreetMap` | osmpbf |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
+//! | `svg` (default) | the module `svg` | none |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -49,5 +50,7 @@ pub mod layer;
 pub mod mesh;
 #[cfg(feature = "postgis")]
 pub mod postgis;
+#[cfg(feature = "svg")]
+pub mod svg;
 #[cfg(any(feature = "postgis", feature = "topojson"))]
 mod topology_audit;

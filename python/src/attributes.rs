@@ -144,8 +144,12 @@ fn of_objects<K: Attributed>(
         }
         Rule::Named(name) if name == "keep" => policy,
         Rule::Named(name) if name == "copy" => policy.split_copy(),
-        split => {
-            return Err(unknown("split", &split, "keep, copy, share (edges, faces), between (vertices), or a function"));
+        split @ Rule::Named(_) => {
+            return Err(unknown(
+                "split",
+                &split,
+                "keep, copy, share (edges, faces), between (vertices), or a function",
+            ));
         }
     };
     Ok(match merge {
@@ -177,7 +181,7 @@ fn of_objects<K: Attributed>(
             })
         }
         Rule::Named(name) if name == "keep" => policy,
-        merge => return Err(unknown("merge", &merge, "keep, equal, sum, or a function")),
+        merge @ Rule::Named(_) => return Err(unknown("merge", &merge, "keep, equal, sum, or a function")),
     })
 }
 
@@ -189,7 +193,11 @@ fn of_numbers<K: Attributed>(policy: Policy<K, f64>, split: &Rule, merge: &Rule)
         "keep" | "share" | "between" => policy,
         "copy" => policy.split_copy(),
         _ => {
-            return Err(unknown("split", split, "keep, copy, share (edges, faces) and between (vertices), for numbers"));
+            return Err(unknown(
+                "split",
+                split,
+                "keep, copy, share (edges, faces) and between (vertices), for numbers",
+            ));
         }
     };
     Ok(match merge.name() {

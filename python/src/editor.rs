@@ -116,7 +116,7 @@ impl Editor {
     fn validate_near(&mut self) -> PyResult<()> {
         let history = self.history.as_ref().ok_or_else(busy)?;
         let found = validate_embedding_near(&mut self.baseline, history.get(), &history.written());
-        found.map(|_| ()).map_err(|report| PyRuntimeError::new_err(report.to_string()))
+        found.map(drop).map_err(|report| PyRuntimeError::new_err(report.to_string()))
     }
 
     fn column(&self, name: &str) -> PyResult<&dyn Column> {

@@ -12,7 +12,7 @@ use twinedge::algorithm::overlay::{Operand, overlay};
 use twinedge::dcel::{Face, FaceKey};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::io::svg;
+use twinedge_formats::svg;
 use twinedge::map::{FeatureId, Located, Locator, PlanarMap};
 use twinedge::validate::{Collect, Expectation, validate_embedding};
 use twinedge_report::{Imported, Keep, MapOptions, Units, borders};

@@ -250,9 +250,8 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
     ]
     .into_iter()
     .find(|[from, _, other, _]| from == other);
-    if let Some([from, to, _, other]) = common
-        && orientation(at(from), at(to), at(other)) != Orientation::Collinear
-    {
+    let is_corner = |[from, to, _, other]: [u32; 4]| orientation(at(from), at(to), at(other)) != Orientation::Collinear;
+    if common.is_some_and(is_corner) {
         return None;
     }
     match meeting(at(first), at(second), at(third), at(fourth)) {

@@ -5,20 +5,18 @@
 //! | `geojson` | GeoJSON (RFC 7946), and sequences of it (RFC 8142, newline-delimited) | yes | yes |
 //! | `wkt` | well-known text, a geometry per line | yes | yes |
 //! | `geo_types` | the types of the crate geo-types | yes | yes |
-//! | [`svg`] | a picture | | yes |
 //! | [`tables`] | the three tables of the textbooks | yes | yes |
 //!
 //! Readers hand over [`Feature`](crate::map::Feature)s for a [`Builder`](crate::map::Builder) to take. `read` takes any of the
 //! text formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count
 //! what they dropped in the same `ReadSummary`. Writers take features, and [`features`] and [`faces`] make features of a
-//! map.
+//! map. Pictures are drawn by `svg` of the package `twinedge-formats`.
 
 mod export;
 #[cfg(feature = "geo-types")]
 pub mod geo_types;
 #[cfg(feature = "geojson")]
 pub mod geojson;
-pub mod svg;
 pub mod tables;
 #[cfg(feature = "wkt")]
 pub mod wkt;

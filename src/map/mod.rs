@@ -25,7 +25,7 @@
 //! ```
 //!
 //! With the feature `near`, `History` has edits that are undone and redone, `Audited` validates after each, and
-//! [attributes](PlanarMap#attributes) follow them. The example `editor` is the core of an editor of parcels, whose owners and taxes follow.
+//! [attributes](PlanarMap#attributes) follow them. The example `undo_owners_ids` is the core of an editor in short.
 //!
 //! | module | purpose |
 //! | --- | --- |

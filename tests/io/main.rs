@@ -10,6 +10,5 @@ mod geojson;
 mod geojson_properties;
 mod import;
 mod reading;
-mod svg;
 mod tables;
 mod wkt;

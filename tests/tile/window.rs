@@ -67,12 +67,12 @@ fn a_tile_needs_what_lies_in_its_window() {
     let mut share = 0.0;
     for round in 0..30 {
         let size = [1.0, 3.0, 9.0][round % 3];
-        let mut corners = |_| {
+        let mut triangle = || {
             let [x, y] = [random.part() * 20.0, random.part() * 20.0];
             let mut corner = || [x + random.part() * size, y + random.part() * size];
             [corner(), corner(), corner()]
         };
-        let mut features: Vec<Feature> = (0..40).map(|_| feature([Shape::polygon(corners(()))])).collect();
+        let mut features: Vec<Feature> = (0..40).map(|_| feature([Shape::polygon(triangle())])).collect();
         features.push(feature([line(&[[0.0, 10.0], [20.0, 10.0]])]));
         share += compare(&features, &Grid::new([0.0, 0.0], [20.0, 20.0], 4, 3).expect("a grid"));
     }

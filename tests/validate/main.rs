@@ -10,6 +10,8 @@ mod adversarial_embeddings;
 mod adversarial_views;
 mod bends;
 mod certificate;
+mod certificate_columns;
+mod certificate_records;
 mod comparison;
 mod embeddings;
 mod expectations;

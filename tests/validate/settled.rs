@@ -7,7 +7,9 @@ use crate::support::watched::Watched;
 use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+use twinedge::validate::{
+    Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View, Violation,
+};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::CorruptWork;
 use twinedge_trials::enumerate::for_each_corruption;
@@ -88,6 +90,18 @@ fn a_vertex_that_no_next_leaves() {
     let table: Table = "V 2 0 - 1 1 H 2 0 1 0 1 0 1 0 0 0 0 B 2 0 h0 i0 0 v1 i1 F 1 - 2 0 1".parse().unwrap();
     let table = table.without(Part::Leaving);
     assert!(validate(&table, &PLANE, Collect::All).broken_rules().any(|rule| rule == Rule::B2));
+    assert_same(&table, &PLANE, &table);
+}
+
+/// Two edges and an isolated vertex. The half-edges of the second edge name the boundary component of the vertex, each as the next
+/// does, and a wrong prev at the first edge keeps cycles from being walked along.
+#[test]
+fn half_edges_on_the_boundary_component_of_a_vertex_where_prev_is_wrong_elsewhere() {
+    let table = "V 5 0 - 1 - 2 - 3 - - 1 H 4 0 1 1 0 0 1 0 0 0 0 2 3 3 3 1 3 2 2 2 1 B 2 0 h0 i0 0 v4 i1 F 1 - 2 0 1";
+    let table: Table = table.parse().unwrap();
+    let report = validate(&table, &PLANE, Collect::All);
+    let second = Violation::SecondCycle { boundary: 1, cycle: 0, half_edges: 2 };
+    assert!(report.violations().contains(&second), "{report}");
     assert_same(&table, &PLANE, &table);
 }
 

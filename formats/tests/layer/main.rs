@@ -18,4 +18,5 @@ mod random;
 mod round_trips;
 mod shapefiles;
 mod support;
+mod svg;
 mod topojson;

@@ -49,27 +49,20 @@ impl Diff {
         if self.features != map.features().count() {
             return Err(super::DiffError::Features(self.features.min(map.features().count())).into());
         }
-        let made: BTreeSet<Record> =
-            self.changes.iter().filter(|(_, change)| change.makes()).map(|(record, _)| *record).collect();
+        let made: BTreeSet<Record> = self.changes.iter().filter(|one| one.1.makes()).map(|one| one.0).collect();
         for (record, change) in &self.changes {
             let key = base.key(map, *record);
             let is_as_it_was = match change {
-                Change::Moved { from, .. } => {
-                    matches!(record, Record::Vertex(v) if base.vertices.get(v).is_some_and(|v| map[*v] == *from))
-                }
-                Change::Dropped => key.is_some() && *record != Record::Unbounded,
-                Change::Reshaped(_) => key.is_some() && matches!(record, Record::Face(_)),
-                Change::Added(_) => key.is_none() && matches!(record, Record::Vertex(_)),
-                Change::Drawn => key.is_none() && matches!(record, Record::Edge(..)),
-                Change::Made(_) => key.is_none() && matches!(record, Record::Face(_)),
-                Change::Features { from, .. } => {
-                    (key.is_some() || made.contains(record)) && base.features(map, *record) == *from
-                }
+                change if change.makes() => key.is_none(),
+                Change::Moved { from, .. } => key.is_some_and(|v| map.position(v.into()) == Ok(*from)),
+                Change::Features { from, .. } => base.features(map, *record) == *from,
                 Change::Value { name, from, .. } => {
-                    let had = key.and_then(|key| (column(ids, *record, name)?.get)(map, key));
-                    (key.is_some() || made.contains(record)) && had == *from
+                    key.and_then(|key| (column(ids, *record, name)?.get)(map, key)) == *from
                 }
+                _ => key.is_some(),
             };
+            let is_as_it_was =
+                is_as_it_was && change.stage(*record).is_some() && (key.is_some() || made.contains(record));
             if !is_as_it_was {
                 return Err(ApplyError::AnotherMap(*record));
             }
@@ -317,9 +310,9 @@ impl<'a> Drawing<'a> {
             let record = Record::Face(id);
             let mut keys =
                 beside.iter().filter_map(|(from, to)| self.index.half_edge(self.map, *from, *to)).map(|h| h.face());
-            let face = keys.next().ok_or(ApplyError::NoFace(record))?;
+            let face = keys.next().ok_or(ApplyError::NotOneFace(record))?;
             if keys.any(|other| other != face) {
-                return Err(ApplyError::TwoFaces(record));
+                return Err(ApplyError::NotOneFace(record));
             }
             if let Some(other) = named.insert(face.key(), record) {
                 return Err(ApplyError::OneFace(other, record));

@@ -1,10 +1,10 @@
 //! Errors of comparing, applying and merging.
 
-use super::merge::Conflict;
-use super::record::Record;
+use super::record::{Change, Record};
 use crate::dcel::{FaceKey, StaleKey, VertexKey};
 use crate::map::NotPlane;
 use crate::map::edit::EditError;
+use std::fmt;
 use thiserror::Error;
 
 /// The error of a map whose records cannot be told by ids.
@@ -54,15 +54,12 @@ pub enum ApplyError {
         /// The one that is there.
         with: Record,
     },
-    /// A face would have none of its outline.
-    #[error("nothing of the outline of {0} would be there")]
-    NoFace(Record),
     /// Two faces would be one.
     #[error("{0} and {1} would be one face")]
     OneFace(Record, Record),
-    /// A face would be two.
-    #[error("{0} would be two faces")]
-    TwoFaces(Record),
+    /// The outline of a face would not be that of one face.
+    #[error("the outline of {0} would not be that of one face")]
+    NotOneFace(Record),
     /// An edge would bound a face that has no id.
     #[error("{0} would bound a face without id")]
     Unnamed(Record),
@@ -93,4 +90,21 @@ pub enum MergeError {
     /// No record was changed on both sides, but together they draw no map with these faces.
     #[error("the changes of both sides do not fit: {0}")]
     Together(ApplyError),
+}
+
+/// Two changes, one of each side, that cannot both be done.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Conflict {
+    /// The record that our side changed, and the change.
+    pub ours: (Record, Change),
+    /// The same of their side.
+    pub theirs: (Record, Change),
+}
+
+impl fmt::Display for Conflict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { ours, theirs } = self;
+        write!(f, "ours: {} {}, theirs: {} {}", ours.0, ours.1, theirs.0, theirs.1)
+    }
 }

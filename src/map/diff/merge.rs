@@ -2,29 +2,11 @@
 
 use super::Diff;
 use super::compare::diff;
-use super::error::MergeError;
+use super::error::{Conflict, MergeError};
 use super::ids::Ids;
 use super::record::{Change, Record};
 use crate::map::PlanarMap;
 use std::collections::BTreeMap;
-use std::fmt;
-
-/// Two changes, one of each side, that cannot both be done.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Conflict {
-    /// The record that our side changed, and the change.
-    pub ours: (Record, Change),
-    /// The same of their side.
-    pub theirs: (Record, Change),
-}
-
-impl fmt::Display for Conflict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { ours, theirs } = self;
-        write!(f, "ours: {} {}, theirs: {} {}", ours.0, ours.1, theirs.0, theirs.1)
-    }
-}
 
 /// Merges what two sides did to a map: `base`, with the changes of both.
 ///

@@ -85,21 +85,21 @@ pub enum Change {
 }
 
 impl Change {
-    /// The place in the order in which changes are applied.
-    pub(super) fn stage(&self, record: Record) -> u8 {
-        match (self, record) {
+    /// The place in the order in which changes are applied; none for a change that such a record cannot have.
+    pub(super) fn stage(&self, record: Record) -> Option<u8> {
+        Some(match (self, record) {
             (Self::Dropped, Record::Edge(..)) => 0,
             (Self::Dropped, Record::Vertex(_)) => 1,
-            (Self::Moved { .. }, _) => 2,
-            (Self::Added(_), _) => 3,
-            (Self::Drawn, _) => 4,
-            (Self::Dropped, Record::Face(_) | Record::Unbounded) => 5,
-            (Self::Made(_) | Self::Reshaped(_), _) => 6,
-            (Self::Features { .. }, _) => 7,
-            (Self::Value { .. }, _) => 8,
+            (Self::Moved { .. }, Record::Vertex(_)) => 2,
+            (Self::Added(_), Record::Vertex(_)) => 3,
+            (Self::Drawn, Record::Edge(..)) => 4,
+            (Self::Dropped | Self::Made(_) | Self::Reshaped(_), Record::Face(_)) => 5,
+            (Self::Features { .. }, Record::Edge(..) | Record::Face(_) | Record::Unbounded) => 6,
+            (Self::Value { .. }, _) => 7,
             // Nothing has it any more.
-            (Self::Dropped, Record::Feature(_)) => 9,
-        }
+            (Self::Dropped, Record::Feature(_)) => 8,
+            _ => return None,
+        })
     }
 
     /// The records that have to be there for a change to one.

@@ -2,9 +2,9 @@
 
 use super::frame::{Frame, path};
 use super::text::put;
-use crate::dcel::HalfEdge;
-use crate::map::PlanarMap;
-use crate::validate::Embedding;
+use twinedge::dcel::HalfEdge;
+use twinedge::map::PlanarMap;
+use twinedge::validate::Embedding;
 
 /// Lines are as wide as this, in pixels, unless they would cover more than a part of the panel.
 const WIDTH: f64 = 0.6;

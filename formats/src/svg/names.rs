@@ -3,10 +3,10 @@
 use super::frame::Frame;
 use super::label_spot::{LabelSpot, widest, widest_within};
 use super::text::{put, text};
-use crate::algorithm::coverage::faces_by_feature;
-use crate::geometry::Point;
-use crate::map::PlanarMap;
 use core::f64::consts::TAU;
+use twinedge::algorithm::coverage::faces_by_feature;
+use twinedge::geometry::Point;
+use twinedge::map::PlanarMap;
 
 /// The width of a letter and the height of a name, in pixels.
 const LETTER: f64 = 5.2;

@@ -1,7 +1,7 @@
 //! Options of pictures.
 
-use crate::geometry::Point;
-use crate::validate::Violation;
+use twinedge::geometry::Point;
+use twinedge::validate::Violation;
 
 /// The contents of a picture, and its size.
 #[derive(Clone, Copy, Debug)]

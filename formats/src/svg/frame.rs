@@ -1,10 +1,10 @@
 //! From coordinates to pixels.
 
 use super::text::put;
-use crate::dcel::Face;
-use crate::geometry::Point;
-use crate::map::PlanarMap;
-use crate::validate::Embedding;
+use twinedge::dcel::Face;
+use twinedge::geometry::Point;
+use twinedge::map::PlanarMap;
+use twinedge::validate::Embedding;
 
 /// The mapping from points to places in a panel of the picture.
 pub(super) struct Frame {
@@ -115,7 +115,7 @@ impl Bounds {
 /// all of them without a window. O(half-edges).
 ///
 /// ```
-/// use twinedge::io::svg::half_edges_in;
+/// use twinedge_formats::svg::half_edges_in;
 /// use twinedge::map::PlanarMap;
 ///
 /// let mut map = PlanarMap::new();
@@ -127,7 +127,7 @@ impl Bounds {
 #[must_use]
 pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
     let Some(window) = window.and_then(Bounds::of_window) else { return map.dcel().half_edge_count() };
-    let seen = |h: &crate::dcel::HalfEdge<'_>| {
+    let seen = |h: &twinedge::dcel::HalfEdge<'_>| {
         Bounds::around([h.origin(), h.target()].map(|v| map.point(v.index()))).meets(&window)
     };
     map.dcel().half_edges().filter(seen).count()

@@ -3,10 +3,10 @@
 use super::frame::Frame;
 use super::label_spot::widest;
 use super::text::{put, text};
-use crate::dcel::HalfEdge;
-use crate::map::PlanarMap;
-use crate::validate::Embedding;
 use core::f64::consts::{PI, TAU};
+use twinedge::dcel::HalfEdge;
+use twinedge::map::PlanarMap;
+use twinedge::validate::Embedding;
 
 type Pixel = [f64; 2];
 

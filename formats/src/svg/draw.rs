@@ -6,7 +6,7 @@ use super::layout::{Layout, SPACE};
 use super::options::Options;
 use super::text::put;
 use super::{detail, lines, marks, names};
-use crate::map::PlanarMap;
+use twinedge::map::PlanarMap;
 
 const STYLE: &str = "\
 .sea,.free{fill:#f6f8fa}.hatch{fill:url(#hatch)}.gap{fill:url(#gap)}\
@@ -39,7 +39,7 @@ const DEFINITIONS: &str = "<defs>\
 ///
 /// ```
 /// use twinedge::map::{Builder, Shape};
-/// use twinedge::io::svg::{self, Options};
+/// use twinedge_formats::svg::{self, Options};
 ///
 /// let mut builder = Builder::new();
 /// builder.shape(&Shape::polygon([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]))?;

@@ -2,12 +2,12 @@
 
 use super::frame::Frame;
 use super::text::{escaped, put, text};
-use crate::dcel::HalfEdge;
-use crate::geometry::Point;
-use crate::geometry::predicates::{Meeting, meeting};
-use crate::map::PlanarMap;
-use crate::validate::{Embedding, places};
-use crate::validate::{Record, Violation};
+use twinedge::dcel::HalfEdge;
+use twinedge::geometry::Point;
+use twinedge::geometry::predicates::{Meeting, meeting};
+use twinedge::map::PlanarMap;
+use twinedge::validate::{Embedding, places};
+use twinedge::validate::{Record, Violation};
 
 /// The greatest number of times that a number is moved.
 const MOVES: usize = 12;

@@ -3,12 +3,11 @@
 use super::frame::{Bounds, Frame, path};
 use super::outline::outlines;
 use super::text::{escaped, put};
-use crate::algorithm::colouring::feature_colours;
-use crate::algorithm::coverage::features_of;
-use crate::dcel::Boundary;
-use crate::geometry::Point;
-use crate::map::{FeatureId, PlanarMap};
-use crate::validate::Embedding;
+use twinedge::algorithm::colouring::feature_colours;
+use twinedge::dcel::Boundary;
+use twinedge::geometry::Point;
+use twinedge::map::{FeatureId, PlanarMap};
+use twinedge::validate::Embedding;
 
 /// Fills for features; more colours than these repeat.
 const FILLS: [&str; 8] = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb", "#c9b8e4", "#ffe08a", "#9adbc9", "#d8c4a8"];
@@ -27,7 +26,8 @@ pub(super) struct Fills {
 impl Fills {
     /// O(n log n).
     pub(super) fn of(map: &PlanarMap) -> Self {
-        let has_areas = map.dcel().faces().any(|face| features_of(map, face).next().is_some());
+        let has_areas =
+            map.dcel().faces().any(|face| map.features_of(face.key()).is_ok_and(|mut all| all.next().is_some()));
         let outlines = if map.is_plane() { Vec::new() } else { outlines(map) };
         Self { colours: feature_colours(map), has_areas, outlines }
     }
@@ -51,7 +51,8 @@ impl Fills {
             for boundary in face.boundaries().filter(|b| b.start().is_some()) {
                 path(&mut outline, positions(map, boundary).map(|p| frame.at(p)), true);
             }
-            let features: Vec<_> = if map.is_plane() { features_of(map, face).collect() } else { Vec::new() };
+            let features: Vec<_> =
+                if map.is_plane() { map.features_of(face.key()).into_iter().flatten().collect() } else { Vec::new() };
             let names: Vec<&str> = features.iter().filter_map(|f| map.name(*f)).collect();
             let title = format!("<title>f{}: {}</title>", face.index(), escaped(&names.join(", ")));
             let is_gap = features.is_empty() && self.has_areas && map.is_plane();

@@ -1,10 +1,10 @@
 //! The outlines of features, on a map on which it is not known which faces they cover.
 
-use crate::dcel::HalfEdge;
-use crate::geometry::Point;
-use crate::map::PlanarMap;
-use crate::validate::Embedding;
 use std::collections::BTreeMap;
+use twinedge::dcel::HalfEdge;
+use twinedge::geometry::Point;
+use twinedge::map::PlanarMap;
+use twinedge::validate::Embedding;
 
 /// The rings that the edges of each feature form, by its index, without its spikes. O(n log n).
 pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {

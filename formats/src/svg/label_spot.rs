@@ -1,9 +1,9 @@
 //! The place in a face with room for a label.
 
 use super::frame::{Frame, sides};
-use crate::dcel::Face;
-use crate::geometry::Point;
-use crate::map::PlanarMap;
+use twinedge::dcel::Face;
+use twinedge::geometry::Point;
+use twinedge::map::PlanarMap;
 
 /// A horizontal stretch inside a face.
 pub(super) struct LabelSpot {

@@ -1,0 +1,95 @@
+//! Certificates, record by record: a vacant slot is asked for nothing, and each record with which a test fails is counted.
+
+use crate::support::only_live::OnlyLive;
+use crate::support::tables::{TETRAHEDRON, half_edge, textbook_mesh};
+use twinedge::validate::certificate::{
+    Certificate, Column, Failure, Labels, SurfaceCertificate, Test, check, check_parallel, check_surface,
+    check_surface_parallel,
+};
+use twinedge::validate::{Start, Table, View};
+
+/// The failures, in words.
+fn failures(result: Result<(), Vec<Failure>>) -> Vec<String> {
+    result.unwrap_err().iter().map(ToString::to_string).collect()
+}
+
+fn tests(result: Result<(), Vec<Failure>>) -> Vec<Test> {
+    result.unwrap_err().iter().map(|failure| failure.test()).collect()
+}
+
+#[test]
+fn a_boundary_component_that_starts_at_a_vacant_vertex_is_wrong() {
+    let table: Table = "V 1 x H 0 B 1 0 v0 i0 F 1 - 1 0".parse().unwrap();
+    assert!(tests(check(&OnlyLive(&table), &Labels::default())).contains(&Test::StartOk));
+}
+
+#[test]
+fn half_edges_of_a_vacant_face_are_wrong() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let (labels, genus) = Labels::of_surface(&table).unwrap();
+    assert_eq!(check_surface(&OnlyLive(&table), &labels, genus), Ok(()));
+    table.faces[3] = None;
+    assert!(tests(check_surface(&OnlyLive(&table), &labels, genus)).contains(&Test::CycleOk));
+}
+
+#[test]
+fn half_edges_before_a_vacant_one_are_wrong() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let (labels, genus) = Labels::of_surface(&table).unwrap();
+    table.half_edges[0] = None;
+    assert!(tests(check_surface(&OnlyLive(&table), &labels, genus)).contains(&Test::CycleOk));
+}
+
+/// The component of the last half-edge is that of all that follow it, and of no number beyond them.
+#[test]
+fn a_next_beyond_the_last_half_edge_is_of_no_component() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let (labels, genus) = Labels::of_surface(&table).unwrap();
+    half_edge(&mut table, 5).next = Some(12);
+    let found = failures(check_surface(&table, &labels, genus));
+    assert!(found.contains(&"component_ok: 1 of the half-edges, the first is 5".to_owned()), "{found:?}");
+}
+
+/// One of them alone has no neighbour of lower rank. The others have the component of their neighbours, which is none.
+#[test]
+fn all_half_edges_of_no_component_are_counted() {
+    let table = textbook_mesh(4, &TETRAHEDRON);
+    let (mut labels, genus) = Labels::of_surface(&table).unwrap();
+    *labels.column_mut(Column::HalfEdgeComponent) = vec![u32::MAX; table.half_edges.len()];
+    let found = failures(check_surface(&table, &labels, genus));
+    assert!(found.contains(&"component_ok: 12 of the half-edges, the first is 0".to_owned()), "{found:?}");
+}
+
+#[test]
+fn counts_of_a_surface_are_said_in_words() {
+    let certificate = SurfaceCertificate::new(&textbook_mesh(4, &TETRAHEDRON)).unwrap();
+    let mut counts = certificate.check().unwrap();
+    assert_eq!(counts.to_string(), "a surface of genus 0 with 1 component, closed");
+    (counts.genus, counts.components, counts.holes) = (2, 3, 1);
+    assert_eq!(counts.to_string(), "a surface of genus 2 with 3 components, open at 1 hole");
+    (counts.components, counts.holes) = (0, 2);
+    assert_eq!(counts.to_string(), "a surface of genus 2 with 0 components, open at 2 holes");
+}
+
+#[test]
+fn labels_of_another_structure_are_readable_for_no_number_of_threads() {
+    let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let none = Labels::default();
+    assert!(tests(check(&edge, &none)).contains(&Test::Readable));
+    assert_eq!(check_parallel(&edge, &none), check(&edge, &none));
+    assert!(tests(check_surface(&edge, &none, 0)).contains(&Test::Readable));
+    assert_eq!(check_surface_parallel(&edge, &none, 0), check_surface(&edge, &none, 0));
+}
+
+/// A certificate of its own columns is the same, and one of columns that do not fit together is none.
+#[test]
+fn a_certificate_is_made_of_columns() {
+    let vertex: Table = "V 1 - 0 H 0 B 1 0 v0 i0 F 1 - 1 0".parse().unwrap();
+    let certificate = Certificate::new(&vertex, &Labels::new(&vertex).unwrap()).unwrap();
+    assert_eq!(certificate.check(), Ok(()));
+    assert_eq!((certificate.isolated(0), certificate.boundary_start(0)), (Some(0), Some(Start::Vertex(0))));
+    let mut columns = certificate.columns().clone();
+    assert_eq!(Certificate::from_columns(columns.clone()), Some(certificate));
+    columns.column_mut(Column::BoundaryPlace).clear();
+    assert_eq!(Certificate::from_columns(columns), None);
+}
