@@ -6,7 +6,8 @@ use twinedge::validate::certificate::{
     Certificate, Column, Failure, Labels, SurfaceCertificate, Test, check, check_parallel, check_surface,
     check_surface_parallel,
 };
-use twinedge::validate::{Start, Table, View};
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Expectation, Rule, Start, Table, View};
 
 /// The failures, in words.
 fn failures(result: Result<(), Vec<Failure>>) -> Vec<String> {
@@ -21,6 +22,26 @@ fn tests(result: Result<(), Vec<Failure>>) -> Vec<Test> {
 fn a_boundary_component_that_starts_at_a_vacant_vertex_is_wrong() {
     let table: Table = "V 1 x H 0 B 1 0 v0 i0 F 1 - 1 0".parse().unwrap();
     assert!(tests(check(&OnlyLive(&table), &Labels::default())).contains(&Test::StartOk));
+}
+
+/// No sum has isolated vertices, so nothing else finds the second one.
+#[test]
+fn an_isolated_vertex_is_one_boundary_component() {
+    let table: Table = "V 1 - 0 H 0 B 2 0 v0 i0 0 v0 i1 F 1 - 2 0 1".parse().unwrap();
+    let labels = Labels::new(&table).unwrap();
+    assert_eq!(failures(check(&table, &labels)), ["start_ok: 1 of the boundary components, the first is 1"]);
+    assert_eq!(first_broken_rule(&table, &Expectation::plane()), Some(Rule::B2));
+}
+
+#[test]
+fn no_boundary_component_starts_at_a_vertex_with_half_edges() {
+    let table = "V 1 0 2 H 2 0 1 0 0 0 0 0 1 1 1 B 3 0 h0 o 1 h1 i0 1 v0 i1 F 2 0 0 - 2 1 2";
+    let table: Table = table.parse().unwrap();
+    let labels = Labels::new(&table).unwrap();
+    let wrong =
+        ["start_ok: 1 of the boundary components, the first is 2", "vertex_ok: 1 of the vertices, the first is 0"];
+    let found = failures(check(&table, &labels));
+    assert!(wrong.iter().all(|wrong| found.contains(&(*wrong).to_owned())), "{found:?}");
 }
 
 #[test]
@@ -56,14 +77,18 @@ fn all_half_edges_of_no_component_are_counted() {
     let table = textbook_mesh(4, &TETRAHEDRON);
     let (mut labels, genus) = Labels::of_surface(&table).unwrap();
     *labels.column_mut(Column::HalfEdgeComponent) = vec![u32::MAX; table.half_edges.len()];
-    let found = failures(check_surface(&table, &labels, genus));
+    let result = check_surface(&table, &labels, genus);
+    let numbers = |failure: &Failure| (failure.test(), failure.count(), failure.first());
+    assert!(result.as_ref().unwrap_err().iter().map(numbers).any(|found| found == (Test::ComponentOk, 12, Some(0))));
+    let found = failures(result);
     assert!(found.contains(&"component_ok: 12 of the half-edges, the first is 0".to_owned()), "{found:?}");
 }
 
 #[test]
-fn counts_of_a_surface_are_said_in_words() {
+fn a_surface_is_counted_and_the_counts_are_said_in_words() {
     let certificate = SurfaceCertificate::new(&textbook_mesh(4, &TETRAHEDRON)).unwrap();
     let mut counts = certificate.check().unwrap();
+    assert_eq!((counts.vertices, counts.edges, counts.faces), (4, 6, 4));
     assert_eq!(counts.to_string(), "a surface of genus 0 with 1 component, closed");
     (counts.genus, counts.components, counts.holes) = (2, 3, 1);
     assert_eq!(counts.to_string(), "a surface of genus 2 with 3 components, open at 1 hole");
@@ -79,6 +104,16 @@ fn labels_of_another_structure_are_readable_for_no_number_of_threads() {
     assert_eq!(check_parallel(&edge, &none), check(&edge, &none));
     assert!(tests(check_surface(&edge, &none, 0)).contains(&Test::Readable));
     assert_eq!(check_surface_parallel(&edge, &none, 0), check_surface(&edge, &none, 0));
+}
+
+/// A loop, whose unbounded face is the last record, so that another thread finds it than the first one.
+#[test]
+fn the_unbounded_face_is_counted_whichever_thread_finds_it() {
+    let table = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 0 h0 o 1 h1 i0 F 2 0 0 - 1 1";
+    let table: Table = table.parse().unwrap();
+    let labels = Labels::new(&table).unwrap();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+    assert_eq!((check(&table, &labels), pool.install(|| check_parallel(&table, &labels))), (Ok(()), Ok(())));
 }
 
 /// A certificate of its own columns is the same, and one of columns that do not fit together is none.
