@@ -12,9 +12,9 @@ use twinedge::algorithm::overlay::{Operand, overlay};
 use twinedge::dcel::{Face, FaceKey};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::svg;
 use twinedge::map::{FeatureId, Located, Locator, PlanarMap};
 use twinedge::validate::{Collect, Expectation, validate_embedding};
+use twinedge_formats::svg;
 use twinedge_report::{Imported, Keep, MapOptions, Units, borders};
 
 /// With details, a picture of more half-edges than this is not legible.
