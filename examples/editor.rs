@@ -32,8 +32,6 @@ impl Editor {
     fn new() -> Outcome<Self> {
         let mut map = PlanarMap::new();
         let number = map.add_attribute(Policy::of_faces().ids(1));
-        // New faces are split off the unbounded one, so it has a number, too.
-        map.set_value(number, map.dcel().unbounded_face().key(), 0)?;
         let owners =
             map.add_attribute(Policy::of_faces().split_copy().merge_with(|kept: Option<Owners>, dropped| {
                 match (kept, dropped) {

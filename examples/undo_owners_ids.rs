@@ -10,11 +10,10 @@ use twinedge::map::{History, PlanarMap};
 
 fn main() -> Result<(), EditError> {
     let mut map = PlanarMap::new();
-    let id = map.add_attribute(Policy::of_faces().ids(1));
+    // A merged parcel has the id of the larger one.
+    let id = map.add_attribute(Policy::of_faces().ids(1).merge_larger());
     let owner = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
     let tax = map.add_attribute(Policy::of_faces().split_share().merge_sum());
-    // New faces are split off the unbounded one, so it has an id, too.
-    map.set_value(id, map.dcel().unbounded_face().key(), 0)?;
 
     let mut editor = History::new(map);
     editor.change("draw a parcel", |map| {

@@ -42,8 +42,8 @@ if cargo fuzz --version >/dev/null 2>&1 && cargo +nightly --version >/dev/null 2
 else
   [ "$runs" != still ] || misused 'coverage is only known with cargo-fuzz and a nightly toolchain'
   echo '==> no cargo-fuzz with a nightly toolchain: plain build, no coverage feedback'
-  RUSTFLAGS='--cfg fuzzing' cargo build --release --bins --target-dir "$build"
-  binaries=$build/release
+  RUSTFLAGS='--cfg fuzzing' cargo build --bins --target-dir "$build"
+  binaries=$build/debug
 fi
 
 # New inputs go to a folder of their own, so that the corpus stays small.

@@ -55,6 +55,10 @@
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
 //! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
 //! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
+//! | undo and redo edits | `dcel::History`, `map::History` | `near` (default) |
+//! | keep owners, ids and the like that follow edits | `dcel::Policy`, [attributes](map::PlanarMap#attributes) | `near` (default) |
+//! | save and load, with the keys; certified, if you like | [`map::PlanarMap`] by serde | `serde` |
+//! | compare two edited copies of a map, and merge them | `map::diff` | `near` (default) |
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
 //! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
 //! | find overlaps, gaps, slivers, duplicates, polygons that are not valid by the OGC | [`algorithm::coverage`] | `map` (default) |

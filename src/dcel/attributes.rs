@@ -61,6 +61,23 @@ impl<S: Store> Dcel<S> {
         self.store.attributes()?.find(of, value)
     }
 
+    /// Returns the number that [`Policy::ids`] gives to the next record; none if the attribute gives no ids. O(attributes).
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, OperatorError, Policy};
+    ///
+    /// let mut map = Dcel::new();
+    /// let id = map.add_attribute(Policy::of_vertices().ids(7));
+    /// let v = map.add_isolated_vertex(map.unbounded_face().key())?.vertex;
+    /// map.remove_isolated_vertex(v)?;
+    /// assert_eq!(map.next_id(id), Some(8));
+    /// # Ok::<(), OperatorError>(())
+    /// ```
+    #[must_use]
+    pub fn next_id<K: Attributed>(&self, of: Attribute<K, u64>) -> Option<u64> {
+        self.store.attributes()?.next_id(of)
+    }
+
     /// The key under which the value of a record is kept.
     fn record_key<K: Attributed>(&self, key: K::Key) -> Result<K::Key, StaleKey> {
         let data = key.data();
@@ -107,6 +124,16 @@ impl<S: AttributeStore> Dcel<S> {
             attributes.clear_log();
         }
         attributes.put(of, key, value.into()).map_err(|()| OperatorError::NoSuchAttribute)
+    }
+
+    /// Adds the attributes of another structure, without values: they are the same ones, with the same policies. O(attributes).
+    ///
+    /// So values are given to a structure that was loaded, and two that were loaded apart can be compared.
+    pub fn add_attributes_of<R: Store>(&mut self, other: &Dcel<R>) {
+        if let Some(mut all) = other.store.attributes().cloned() {
+            all.rename(&|_, _| None);
+            self.store.kept_attributes().extend(all);
+        }
     }
 
     /// Takes over the attributes of a structure from which this one was [made](Dcel::from_view), with the values of its records: `keys` are

@@ -82,7 +82,15 @@ impl PlanarMap {
         self.dcel.find(of, value)
     }
 
+    /// Returns the number that [`Policy::ids`] gives to the next record; none if the attribute gives no ids. O(attributes).
+    #[must_use]
+    pub fn next_id<K: Attributed>(&self, of: Attribute<K, u64>) -> Option<u64> {
+        self.dcel.next_id(of)
+    }
+
     /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
+    ///
+    /// The value is named as the type that the attribute has: `"Bob".to_owned()`, not `"Bob".into()`.
     ///
     /// # Errors
     /// A stale key; [`EditError::NoSuchFeature`]; [`OperatorError::NoSuchAttribute`].
@@ -107,6 +115,14 @@ impl PlanarMap {
             }
             Notes { journal: None, .. } => self.dcel.set_value(of, key, value),
         }?)
+    }
+
+    /// Adds the attributes of another map, without values: they are the same ones, with the same policies. O(attributes).
+    ///
+    /// So values are given to a map that was [loaded](#impl-Serialize-for-PlanarMap), and two that were loaded apart can be
+    /// [compared](mod@super::diff).
+    pub fn add_attributes_of(&mut self, other: &Self) {
+        self.dcel.add_attributes_of(&other.dcel);
     }
 
     /// Gives to faces what features have that cover them, as on a map that was [built](super::Builder) of features with values.

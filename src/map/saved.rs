@@ -74,8 +74,10 @@ enum LoadError {
     Labels(#[from] LabelsError),
 }
 
-/// Saves everything: the keys, so that data that is saved beside the map by key finds its records again; edges of no feature
+/// Saves the keys, so that data that is saved beside the map by key finds its records again; edges of no feature
 /// and isolated vertices; names and features; the summaries. O(n).
+///
+/// Values of [attributes](PlanarMap#attributes) are saved beside it: see the second example.
 ///
 /// Only plane maps can be saved ([`PlanarMap::is_plane`]). The index of [`locate`](PlanarMap::locate) is not: in JSON, reading one takes as long as
 /// building it.
@@ -92,6 +94,35 @@ enum LoadError {
 /// let again: PlanarMap = serde_json::from_str(&text)?;
 /// assert_eq!(again.position(ring.vertices[1])?, [4.0, 0.0].into());
 /// assert!(again.features_of(ring.faces_split[0].1)?.eq([garden]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Ids and owners are saved as maps of keys, and ids go on where they were:
+///
+/// ```
+/// # #[cfg(feature = "near")] {
+/// use twinedge::dcel::{FaceKey, Policy};
+/// use twinedge::map::PlanarMap;
+///
+/// let owners = || Policy::of_faces().split_copy().merge_equal();
+/// let mut map = PlanarMap::new();
+/// let (id, owner) = (map.add_attribute(Policy::of_faces().ids(1)), map.add_attribute(owners()));
+/// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+/// map.set_value(owner, ring.faces_split[0].1, "Ada".to_owned())?;
+/// let saved = serde_json::to_string(&(&map, map.next_id(id), map.values(id), map.values(owner)))?;
+///
+/// type Values<T> = slotmap::SecondaryMap<FaceKey, T>;
+/// let (mut map, next, ids, names): (PlanarMap, u64, Values<u64>, Values<String>) = serde_json::from_str(&saved)?;
+/// let (id, owner) = (map.add_attribute(Policy::of_faces().ids(next)), map.add_attribute(owners()));
+/// for (face, number) in ids {
+///     map.set_value(id, face, number)?;
+/// }
+/// for (face, name) in names {
+///     map.set_value(owner, face, name)?;
+/// }
+/// let parcel = map.find(id, &1).unwrap();
+/// assert_eq!((map.value(owner, parcel).map(String::as_str), map.next_id(id)), (Some("Ada"), Some(2)));
+/// # }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 impl Serialize for PlanarMap {

@@ -330,3 +330,18 @@ fn ids_find_their_records_through_operators_undoing_and_compacting() {
     }
     check(60, 40, law as fn(Program));
 }
+
+#[test]
+fn faces_get_ids_although_the_unbounded_one_has_none() {
+    let mut dcel = Dcel::new();
+    let id = dcel.add_attribute(Policy::of_faces().ids(5));
+    let outside = dcel.unbounded_face().key();
+    let v = dcel.add_isolated_vertex(outside).unwrap().vertex;
+    let loop_at = |dcel: &mut Dcel| dcel.connect(v, v, Split::default());
+    let drawn = loop_at(&mut dcel).unwrap();
+    assert_eq!((dcel.value(id, outside), dcel.value(id, drawn.new_face().unwrap())), (None, Some(&5)));
+    dcel.remove_edge(drawn.half_edge).unwrap();
+    let drawn = loop_at(&mut dcel).unwrap();
+    assert_eq!(dcel.value(id, drawn.new_face().unwrap()), Some(&6));
+    assert_eq!((dcel.next_id(id), dcel.values(id).unwrap().len()), (Some(7), 1));
+}

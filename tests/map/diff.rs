@@ -1,8 +1,11 @@
 //! Differences of maps by ids: applied, merged, saved.
 
 use quickcheck::{Gen, QuickCheck, Testable};
+use slotmap::SecondaryMap;
 use std::collections::{BTreeMap, BTreeSet};
-use twinedge::dcel::{Attribute, Edges, Face, FaceKey, Faces, HalfEdge, Policy, VertexKey, Vertices};
+use twinedge::dcel::{
+    Attribute, Attributed, Edges, Face, FaceKey, Faces, HalfEdge, Policy, Value, VertexKey, Vertices,
+};
 use twinedge::map::diff::{ApplyError, Change, Conflict, Diff, DiffError, Ids, MergeError, Record, diff, merge};
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditProgram, EditRunner};
@@ -591,4 +594,27 @@ fn attributes_that_are_not_compared_stay_with_their_records() {
     assert!(found.changes().iter().any(|(_, change)| matches!(change, Change::Reshaped(_))), "{found}");
     found.apply(&mut a, &by.ids()).unwrap();
     assert_eq!(a.values(by.note).unwrap().len(), 1);
+}
+
+/// Maps that were loaded are other maps than those that were saved: their attributes are added, and then their values.
+#[test]
+fn maps_that_were_loaded_apart_are_compared() {
+    fn give<K: Attributed, T: Value>(of: Attribute<K, T>, from: &PlanarMap, to: &mut PlanarMap) {
+        for (key, value) in from.values(of).unwrap() {
+            to.set_value(of, key, value.clone()).unwrap();
+        }
+    }
+    let (map, by) = two_squares();
+    let mut loaded: PlanarMap = serde_json::from_str(&serde_json::to_string(&map).unwrap()).unwrap();
+    assert_eq!(diff(&map, &loaded, &by.ids()), Err(DiffError::NoSuchAttribute));
+    loaded.add_attributes_of(&map);
+    assert_eq!(loaded.values(by.owner).map(SecondaryMap::len), Some(0));
+    give(by.corner, &map, &mut loaded);
+    give(by.parcel, &map, &mut loaded);
+    give(by.height, &map, &mut loaded);
+    give(by.owner, &map, &mut loaded);
+    give(by.fence, &map, &mut loaded);
+    give(by.note, &map, &mut loaded);
+    assert!(diff(&map, &loaded, &by.ids()).unwrap().is_empty());
+    assert_eq!(loaded.next_id(by.corner), map.next_id(by.corner));
 }

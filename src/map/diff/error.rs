@@ -14,6 +14,9 @@ pub enum DiffError {
     /// A map is not plane.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),
+    /// A map has not the attributes by which records are told and compared.
+    #[error("a map has not the attributes of the ids and values: `add_attributes_of` adds those of another map")]
+    NoSuchAttribute,
     /// A vertex has no id.
     #[error("{0:?} has no id")]
     VertexWithoutId(VertexKey),

@@ -18,6 +18,7 @@ type Put<V> = dyn Fn(&mut PlanarMap, KeyData, Option<V>) -> bool + Send + Sync;
 pub(super) struct Column<V> {
     pub(super) name: String,
     pub(super) kind: Kind,
+    is_of: Box<dyn Fn(&PlanarMap) -> bool + Send + Sync>,
     pub(super) get: Box<Get<V>>,
     /// False if the value cannot be told back, or the map has no such attribute.
     pub(super) put: Box<Put<V>>,
@@ -33,6 +34,7 @@ impl<V: 'static> Column<V> {
         Self {
             name: name.into(),
             kind: K::KIND,
+            is_of: Box::new(move |map| map.values(of).is_some()),
             get: Box::new(move |map, key| map.value(of, key.into()).map(&show)),
             put: Box::new(move |map, key, value| match value.map(&read) {
                 None => map.set_value(of, key.into(), None).is_ok(),
@@ -52,8 +54,8 @@ impl Compared for Faces {}
 
 /// The attributes by which records of two maps are the same, and those whose values are compared.
 ///
-/// Vertices and bounded faces have ids: [`Policy::ids`](crate::dcel::Policy::ids) gives them. For new faces to get one, the unbounded face needs one, too, as they
-/// are split off it; it is not compared. Edges need none: two vertices are the ends of one straight edge at most.
+/// Vertices and bounded faces have ids: [`Policy::ids`](crate::dcel::Policy::ids) gives them. Edges need none: two vertices are the ends of one
+/// straight edge at most.
 pub struct Ids {
     pub(super) vertices: Column<u128>,
     pub(super) faces: Column<u128>,
@@ -111,6 +113,10 @@ pub(super) struct Index {
 impl Index {
     pub(super) fn new(map: &PlanarMap, by: &Ids) -> Result<Self, DiffError> {
         map.plane()?;
+        let has_values = by.values.iter().all(|column| (column.is_of)(map));
+        if !((by.vertices.is_of)(map) && (by.faces.is_of)(map) && has_values) {
+            return Err(DiffError::NoSuchAttribute);
+        }
         let mut index = Self {
             vertices: BTreeMap::new(),
             edges: BTreeMap::new(),

@@ -10,6 +10,10 @@ use std::collections::BTreeMap;
 
 /// Merges what two sides did to a map: `base`, with the changes of both.
 ///
+/// Values are merged record by record, and no policy is asked: where one side splits a face, and the other gives it another value, the part that
+/// keeps its id has that value, and the other parts have those that their side gave them. A fence that both draw by themselves is two, with ids of their
+/// own, which do not fit.
+///
 /// The merged map has the keys of `base` where it has its records. New features of `theirs` come after those of `ours`. O(n log n).
 ///
 /// # Errors

@@ -9,10 +9,9 @@
 //! use twinedge::map::PlanarMap;
 //!
 //! let mut base = PlanarMap::new();
-//! let (corner, parcel) = (base.add_attribute(Policy::of_vertices().ids(1)), base.add_attribute(Policy::of_faces().ids(0)));
+//! let (corner, parcel) = (base.add_attribute(Policy::of_vertices().ids(1)), base.add_attribute(Policy::of_faces().ids(1)));
 //! let owner = base.add_attribute(Policy::of_faces().split_copy().merge_equal());
 //! let ids = Ids::new(corner, parcel).values("owner", owner, String::clone, |text| Some(text.into()));
-//! base.set_value(parcel, base.dcel().unbounded_face().key(), 0)?;
 //! let inside = base.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?.faces_split[0].1;
 //! base.set_value(owner, inside, "Ada".to_owned())?;
 //!
@@ -33,7 +32,11 @@
 //!
 //! Vertices and faces are told by ids, edges by their ends, and a face also by its outline. That is all that a map with straight edges
 //! consists of. Ids of records that two sides make must differ: clones of a map share the counter of [`Policy::ids`](crate::dcel::Policy::ids), but copies that
-//! were saved and read begin each at the number that they are given.
+//! were loaded apart begin each at the number that they are given. Give them ids that no two have, as UUIDs are:
+//! [`identified_by`](crate::dcel::Policy::identified_by) has an example.
+//!
+//! All maps have the same attributes, as clones do. Maps that were loaded apart get them by [`add_attributes_of`](PlanarMap::add_attributes_of) the first one,
+//! and then their values by [`set_value`](PlanarMap::set_value).
 
 mod apply;
 mod compare;
@@ -48,6 +51,8 @@ pub use ids::{Compared, Ids};
 pub use merge::merge;
 pub use record::{Change, Record};
 
+#[cfg(doc)]
+use crate::map::PlanarMap;
 use std::fmt;
 
 /// The changes that lead from one map to another, in the order in which they are applied. It is shown with a change on each line.

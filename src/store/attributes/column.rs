@@ -136,6 +136,10 @@ impl<K: Attributed, T: Value> Column<K, T> {
         self.policy.number.and_then(|number| self.index.get(&number(value)).copied())
     }
 
+    pub(super) fn next_id(&self) -> Option<u64> {
+        self.policy.next_id()
+    }
+
     /// Exchanges the value of a record.
     fn replace(&mut self, key: K::Key, value: Option<T>) -> Option<T> {
         let had = self.values.remove(key);
@@ -168,9 +172,12 @@ impl<K: Attributed, T: Value> Column<K, T> {
     /// The value of the other part.
     fn split(&mut self, key: K::Key, log: &mut Vec<Saved>) -> Result<Option<T>, Reason> {
         let policy = self.policy.clone();
+        if let Splitting::Make = policy.splitting {
+            return Ok(policy.making.as_ref().map(|make| make()));
+        }
         let Some(value) = self.values.get(key) else { return Ok(None) };
         Ok(match &policy.splitting {
-            Splitting::Keep => None,
+            Splitting::Keep | Splitting::Make => None,
             Splitting::Copy => Some(value.clone()),
             // Nothing is measured yet.
             Splitting::Share(share) => Some(share(value, 0.0)[1].clone()),
@@ -204,6 +211,10 @@ impl<K: Attributed, T: Value> Column<K, T> {
         for (part, measure) in parts.iter().skip(1) {
             let [kept, given] = match &policy.splitting {
                 Splitting::Keep => break,
+                Splitting::Make => match &policy.making {
+                    Some(make) => [value, make()],
+                    None => break,
+                },
                 Splitting::Copy => [value.clone(), value],
                 Splitting::Share(share) => share(&value, if rest > 0.0 { (measure / rest).min(1.0) } else { 0.0 }),
                 Splitting::Call(split) => split(value)?,

@@ -93,6 +93,11 @@ impl Attributes {
         self.column(of)?.find(value)
     }
 
+    /// The number that the next record gets, if the attribute gives ids.
+    pub(crate) fn next_id<K: Attributed>(&self, of: Attribute<K, u64>) -> Option<u64> {
+        self.column(of)?.next_id()
+    }
+
     /// Writes a value, or takes it away. Returns the one that was there; an error if the attribute is one of another structure.
     pub(crate) fn put<K: Attributed, T: Value>(
         &mut self,

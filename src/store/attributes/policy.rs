@@ -20,6 +20,8 @@ pub(super) enum Splitting<T> {
     Keep,
     Copy,
     Share(fn(&T, f64) -> [T; 2]),
+    /// As for a record that is made, also if the other part has no value.
+    Make,
     Call(Arc<dyn Fn(T) -> Result<[T; 2], Reason> + Send + Sync>),
 }
 
@@ -52,19 +54,29 @@ pub struct Policy<K: Attributed, T> {
     pub(super) dropping: Option<Arc<Dropping<T>>>,
     /// A number of the value, by which its record is found.
     pub(super) number: Option<fn(&T) -> u128>,
+    /// The next id, if ids are given.
+    pub(super) counter: Option<Arc<AtomicU64>>,
     of: PhantomData<K>,
 }
 
 impl<K: Attributed, T> Policy<K, T> {
     const fn new() -> Self {
         let (splitting, merging) = (Splitting::Keep, Merging::Keep);
-        Self { splitting, merging, making: None, between: None, dropping: None, number: None, of: PhantomData }
+        let (making, between, dropping, number, counter) = (None, None, None, None, None);
+        Self { splitting, merging, making, between, dropping, number, counter, of: PhantomData }
     }
 
     /// Gives a copy to the other part of a record that is split.
     #[must_use]
     pub fn split_copy(mut self) -> Self {
         self.splitting = Splitting::Copy;
+        self
+    }
+
+    /// Gives to the other part of a record that is split what [a record that is made](Self::make_with) gets, whether the first part has a value or not.
+    #[must_use]
+    pub fn split_make(mut self) -> Self {
+        self.splitting = Splitting::Make;
         self
     }
 
@@ -154,10 +166,9 @@ impl<K: Attributed, T> Policy<K, T> {
     /// }
     ///
     /// let mut map = Dcel::new();
-    /// let ids = Policy::of_faces().make_with(uuid).split_with(|id| Ok([id, uuid()])).identified_by(|id| *id);
+    /// let ids = Policy::of_faces().make_with(uuid).split_make().identified_by(|id| *id);
     /// let id = map.add_attribute(ids);
     /// let outside = map.unbounded_face().key();
-    /// map.set_value(id, outside, uuid())?;
     /// let v = map.add_isolated_vertex(outside)?.vertex;
     /// let inside = map.connect(v, v, Split::default())?.new_face().unwrap();
     /// let number = *map.value(id, inside).unwrap();
@@ -171,13 +182,22 @@ impl<K: Attributed, T> Policy<K, T> {
     }
 }
 
+impl<K: Attributed, T> Policy<K, T> {
+    pub(super) fn next_id(&self) -> Option<u64> {
+        self.counter.as_ref().map(|next| next.load(Ordering::Relaxed))
+    }
+}
+
 impl<K: Attributed> Policy<K, u64> {
     /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
     /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it. For a structure that
-    /// was loaded, `first` is to be beyond the numbers that were saved. What is split off a record without number has none: so give one to
-    /// the unbounded face, too, from which all others come.
+    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it. To go on where a
+    /// structure was saved, save the [next number](crate::dcel::Dcel::next_id) with it, which is to be the `first` when it is loaded: those of
+    /// records that were dropped may be larger than all that are left.
+    ///
+    /// Of two merged faces the one that keeps its key keeps its number; by [`merge_larger`](Self::merge_larger) it is that of the larger one. The unbounded
+    /// face has no number, unless it is given one.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, Policy};
@@ -197,8 +217,9 @@ impl<K: Attributed> Policy<K, u64> {
     #[must_use]
     pub fn ids(self, first: u64) -> Self {
         let next = Arc::new(AtomicU64::new(first));
-        let [made, split] = [next.clone(), next].map(|next| move || next.fetch_add(1, Ordering::Relaxed));
-        self.make_with(made).split_with(move |id| Ok([id, split()])).identified_by(|id| u128::from(*id))
+        let counter = Some(next.clone());
+        let policy = self.make_with(move || next.fetch_add(1, Ordering::Relaxed));
+        Self { counter, ..policy }.split_make().identified_by(|id| u128::from(*id))
     }
 }
 
