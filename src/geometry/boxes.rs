@@ -18,18 +18,22 @@ const FAN: usize = 8;
 const MANY: usize = if cfg!(test) { 2 } else { 1 << 11 };
 
 /// Numbered boxes.
-pub(crate) struct Boxes<F> {
-    of: F,
+pub(crate) struct Boxes<'a> {
+    of: &'a (dyn Fn(u32) -> Bounds + Sync),
     /// The numbers, along the curve.
     order: Vec<u32>,
     /// The boxes around the groups of each level, from the lowest on.
     levels: Vec<Vec<Bounds>>,
 }
 
-impl<F: Fn(u32) -> Bounds + Sync> Boxes<F> {
+impl<'a> Boxes<'a> {
     /// The boxes with these numbers. O(n log n).
-    pub(crate) fn new(numbers: impl Iterator<Item = u32>, of: F) -> Self {
-        let mut places: Vec<(u32, u32)> = numbers.map(|number| (0, number)).collect();
+    pub(crate) fn new(numbers: impl Iterator<Item = u32>, of: &'a (dyn Fn(u32) -> Bounds + Sync)) -> Self {
+        Self::packed(numbers.map(|number| (0, number)).collect(), of)
+    }
+
+    /// Packs numbers, each beside its place on the curve, which is found here.
+    fn packed(mut places: Vec<(u32, u32)>, of: &'a (dyn Fn(u32) -> Bounds + Sync)) -> Self {
         let all = places.iter().map(|(_, number)| of(*number)).reduce(Bounds::joined);
         if let Some(curve) = all.map(Curve::through) {
             for (place, number) in &mut places {
@@ -79,6 +83,12 @@ impl<F: Fn(u32) -> Bounds + Sync> Boxes<F> {
             return merge(one, other);
         }
         let mut found = new();
+        self.visit(groups, by, &mut |number, others| each(&mut found, number, others));
+        found
+    }
+
+    /// Hands the numbers of these groups to `visit`, as `pairs` does.
+    fn visit(&self, groups: Range<usize>, by: f64, visit: &mut dyn FnMut(u32, &[u32])) {
         let (mut near, mut above) = (Vec::new(), Vec::new());
         let (mut members, mut others): (Vec<(u32, Bounds)>, Vec<u32>) = (Vec::new(), Vec::new());
         for group in groups {
@@ -97,10 +107,9 @@ impl<F: Fn(u32) -> Bounds + Sync> Boxes<F> {
                         others.extend(meeting.map(|(other, _)| *other));
                     }
                 }
-                each(&mut found, *number, &others);
+                visit(*number, &others);
             }
         }
-        found
     }
 
     /// The numbers of the boxes that meet another one. O(log n + k) for k of them, in practice.

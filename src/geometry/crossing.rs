@@ -178,7 +178,7 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
         }
         one
     };
-    let found = Boxes::new(0..things, bounds).pairs(0.0, &Clashes::default, &each, &merge);
+    let found = Boxes::new(0..things, &bounds).pairs(0.0, &Clashes::default, &each, &merge);
     total += found.total;
     first.extend(found.first.into_sorted_vec().into_iter().map(|(_, clash)| clash));
     Ok((first, total))

@@ -139,7 +139,7 @@ pub(crate) fn near_misses_beside<'a>(
         }
         one
     };
-    let pairs = Boxes::new(sides.all().map(|side| side as u32), bounds).pairs(width, &Pairs::new, &each, &merge);
+    let pairs = Boxes::new(sides.all().map(|side| side as u32), &bounds).pairs(width, &Pairs::new, &each, &merge);
     let mut findings = Vec::new();
     for (pair, near) in &pairs {
         for cluster in clusters(near, sides) {

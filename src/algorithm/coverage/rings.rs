@@ -85,7 +85,7 @@ impl Segments<'_> {
 pub(super) struct Rings<'a> {
     all: &'a [Ring],
     segments: &'a Segments<'a>,
-    boxes: Boxes<&'a (dyn Fn(u32) -> Bounds + Sync)>,
+    boxes: Boxes<'a>,
     /// The greatest first coordinate.
     right: f64,
 }
@@ -99,7 +99,7 @@ pub(super) fn with_index<T>(all: &[Ring], ask: impl FnOnce(&Rings<'_>) -> T) -> 
     }
     let segments = Segments { rings: all, first, ring };
     let bounds = |segment: u32| segments.bounds(segment);
-    let boxes = Boxes::new(0..segments.ring.len() as u32, &bounds as &(dyn Fn(u32) -> Bounds + Sync));
+    let boxes = Boxes::new(0..segments.ring.len() as u32, &bounds);
     let right = all.iter().flat_map(|ring| &ring.points).map(|p| p.x).fold(f64::NEG_INFINITY, f64::max);
     ask(&Rings { all, segments: &segments, boxes, right })
 }

@@ -5,7 +5,8 @@ use quickcheck::{Gen, QuickCheck};
 
 /// The pairs of numbers whose boxes meet, each both ways, with the first box grown.
 fn pairs(boxes: &[Bounds], by: f64) -> Vec<(u32, u32)> {
-    let tree = Boxes::new(0..boxes.len() as u32, |number| boxes[number as usize]);
+    let of = |number: u32| boxes[number as usize];
+    let tree = Boxes::new(0..boxes.len() as u32, &of);
     let each = |found: &mut Vec<(u32, u32)>, number: u32, others: &[u32]| {
         found.extend(others.iter().map(|other| (number, *other)));
     };

@@ -4,10 +4,10 @@ use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeatures};
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::boxes::Boxes;
 use crate::geometry::noding::{NodingError, NodingSummary, Snap, node_numbered};
 use crate::geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
-use rstar::primitives::GeomWithData;
-use rstar::{AABB, RTree};
 use rustc_hash::FxHashMap;
 
 /// The treatment of segments that meet elsewhere than at shared endpoints.
@@ -106,14 +106,14 @@ impl<'a> Numbers<'a> {
 }
 
 /// Cuts segments at the points that lie on them. O((n + k) log n) for k points in the bounding boxes of segments, in
-/// practice: an R-tree gives no guarantee.
+/// practice: a tree of boxes gives no guarantee.
 pub(super) fn exact(
     points: Vec<Point>,
     segments: &[[u32; 2]],
     features: &mut GatheredFeatures,
 ) -> Result<CutSegments, BuildError> {
-    let tree: RTree<GeomWithData<[f64; 2], u32>> =
-        RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
+    let at = |v: u32| Bounds::one(points[v as usize]);
+    let tree = Boxes::new(0..points.len() as u32, &at);
     let mut out = Vec::with_capacity(segments.len());
     let mut numbers: FxHashMap<[u32; 2], u32> = FxHashMap::default();
     let mut pieces = Pieces::new(segments.len());
@@ -121,9 +121,8 @@ pub(super) fn exact(
     let mut full = false;
     for [from, to] in segments {
         let (a, b) = (points[*from as usize], points[*to as usize]);
-        let near = tree.locate_in_envelope(AABB::from_corners(a.into(), b.into()));
-        let mut along: Vec<u32> =
-            near.map(|near| near.data).filter(|v| on_segment(points[*v as usize], a, b)).collect();
+        let mut along = tree.meeting(&Bounds::one(a).joined(Bounds::one(b)));
+        along.retain(|v| on_segment(points[*v as usize], a, b));
         let forth = compare_lexicographic(a, b);
         along.sort_unstable_by(|p, q| {
             let order = compare_lexicographic(points[*p as usize], points[*q as usize]);

@@ -107,7 +107,7 @@ impl Builder {
             one.append(&mut other);
             one
         };
-        let mut found = Boxes::new(segments, bounds).pairs(0.0, &Vec::new, &each, &merge);
+        let mut found = Boxes::new(segments, &bounds).pairs(0.0, &Vec::new, &each, &merge);
         found.sort_unstable();
         found
     }
