@@ -221,8 +221,9 @@ pub(crate) fn add(
     let is_number = ["share", "between"].contains(&split.name()) || merge.name() == "sum";
     Ok(match (of, ids) {
         ("faces", Some(first)) => {
-            let attribute = map.add_attribute(Policy::of_faces().ids(first + 1));
-            // New faces are split off this one.
+            let second =
+                first.checked_add(1).ok_or_else(|| PyValueError::new_err("no id is larger than the first one"))?;
+            let attribute = map.add_attribute(Policy::of_faces().ids(second));
             let unbounded = map.dcel().unbounded_face().key();
             map.set_value(attribute, unbounded, first).map_err(|error| PyValueError::new_err(error.to_string()))?;
             Box::new(attribute)

@@ -162,6 +162,8 @@ def test_misuse_is_told():
             twinedge.Editor().attribute("x", **rules)
     with pytest.raises(ValueError, match="before the first change"):
         city.attribute("late")
+    with pytest.raises(ValueError, match="no id is larger"):
+        twinedge.Editor().ids("parcel", first=2**64 - 1)
     with pytest.raises(ValueError, match="there is an attribute"):
         city.attribute("tax")
     with pytest.raises(KeyError, match="no attribute .rent."):
