@@ -306,7 +306,11 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
     let values = [large, middle, small].map(|f| (map.value(owner, f), map.value(tax, f), map.value(name, f)));
     let ada = Some(&"Ada");
     assert_eq!(values, [(ada, Some(&51.0), Some(&"home")), (ada, Some(&9.0), None), (ada, Some(&4.0), None)]);
-    assert_eq!([10, 11, 1].map(|number| map.find(id, &number)), [Some(large), None, Some(middle)]);
+    assert_eq!([10, 11].map(|number| map.find(id, &number)), [Some(large), None]);
+    // All parts get ids, also those of what was outside of the parcels.
+    for f in map.dcel().faces().filter(|f| !f.is_unbounded()).map(|f| f.key()) {
+        assert_eq!(map.value(id, f).and_then(|number| map.find(id, number)), Some(f));
+    }
     // Values of vertices are not carried, and not found.
     assert_eq!((map.find(of_vertices, &5), map.values(of_vertices).unwrap().len()), (None, 0));
     // The rest of the zone is larger than the part inside of the parcel.
