@@ -220,14 +220,7 @@ pub(crate) fn add(
     let (split, merge) = (Rule::new(split)?, Rule::new(merge)?);
     let is_number = ["share", "between"].contains(&split.name()) || merge.name() == "sum";
     Ok(match (of, ids) {
-        ("faces", Some(first)) => {
-            let second =
-                first.checked_add(1).ok_or_else(|| PyValueError::new_err("no id is larger than the first one"))?;
-            let attribute = map.add_attribute(Policy::of_faces().ids(second));
-            let unbounded = map.dcel().unbounded_face().key();
-            map.set_value(attribute, unbounded, first).map_err(|error| PyValueError::new_err(error.to_string()))?;
-            Box::new(attribute)
-        }
+        ("faces", Some(first)) => Box::new(map.add_attribute(Policy::of_faces().ids(first))),
         ("edges", Some(first)) => Box::new(map.add_attribute(Policy::of_edges().ids(first))),
         ("vertices", Some(first)) => Box::new(map.add_attribute(Policy::of_vertices().ids(first))),
         ("faces", None) if is_number && split.name() != "between" => {

@@ -1,7 +1,7 @@
 //! Boxes in a tree that is packed along a [curve](super::curve), and the pairs of them that meet.
 //!
-//! The boxes themselves are not kept: the tree has a number for each, and a box around every [`FAN`] of them, and around every `FAN` of these,
-//! which makes nine bytes for each.
+//! The boxes themselves are not kept. The tree has the number of each box, a box around every [`FAN`] of them, and so on for each level above: nine
+//! bytes for each box.
 
 use super::bounds::Bounds;
 use super::curve::Curve;

@@ -238,7 +238,8 @@ impl PlanarMap {
         for (_, parts) in &mut faces {
             largest_first(parts);
         }
-        let features: Vec<_> = other.features().map(|old| (old, feature(old))).collect();
+        let known = |new: FeatureId| self.feature(new.index());
+        let features: Vec<_> = other.features().map(|old| (old, feature(old).and_then(known))).collect();
         let cut = attributes.cut(&faces, &features).map_err(OperatorError::Refused)?;
         self.dcel.store_mut().kept_attributes().extend(cut);
         Ok(())

@@ -260,8 +260,8 @@ impl PlanarMap {
             return Err(LoadError::Certificate(*first));
         }
         for v in self.dcel.vertices().map(|v| v.index()) {
-            let [x, y] = drawing.points[v].map(|steps| scaled(steps, drawing.exponent));
-            if Point::new(x, y) != self.points[v] {
+            let at = drawing.points.get(v).map(|at| at.map(|steps| scaled(steps, drawing.exponent)));
+            if at.map(Point::from) != Some(self.points[v]) {
                 return Err(LoadError::OtherDrawing(v));
             }
             if !in_range(self.points[v]) {

@@ -474,3 +474,18 @@ fn of_merged_faces_the_larger_one_may_name_both() {
         }
     }
 }
+
+/// `carry_parts` is told a feature that the map has not: its value is dropped, and nothing stands beyond the features.
+#[test]
+fn a_feature_of_another_map_gets_no_value() {
+    let mut old = PlanarMap::new();
+    let note = old.add_attribute(Policy::of_features());
+    let features = [0, 1].map(|i| old.add_feature(Some(format!("feature {i}"))));
+    old.set_value(note, features[1], 5_u32).unwrap();
+    let mut new = PlanarMap::new();
+    new.add_feature(None);
+    new.carry_parts(&old, |_| None, Some).unwrap();
+    assert_eq!(new.values(note).map(SecondaryMap::len), Some(0));
+    let of_faces = new.add_attribute(Policy::of_faces());
+    assert_eq!(new.cover_values(note, of_faces), Ok(()));
+}

@@ -4,8 +4,8 @@ use super::error::Cause;
 use super::model::Geometry;
 use twinedge::geometry::Point;
 
-/// A box that a file has around a geometry, or around many. It says nothing if its corners are not in order, as that of nothing, or of something that
-/// passes the antimeridian.
+/// A box that a file has around one geometry, or around many. The place of what is in it is unknown if the corners are not in order: boxes of nothing
+/// are written so, and boxes across the antimeridian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
     pub(super) low: Point,

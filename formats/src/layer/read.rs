@@ -104,7 +104,7 @@ fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Res
     read(&mut head.as_slice().chain(file), Some(path), options, each)
 }
 
-/// The bytes by which the format is told.
+/// The first bytes, from which the format is recognised.
 pub(super) fn beginning(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> {
     let mut head = Vec::new();
     reader.take(HEAD).read_to_end(&mut head)?;

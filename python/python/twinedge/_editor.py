@@ -64,8 +64,8 @@ class Editor:
         """
         self._editor.attribute(name, of, split, merge, None)
 
-    def ids(self, name: str = "id", *, of: str = "faces", first: int = 0) -> None:
-        """Adds an attribute that numbers the records, each for good, before the first change. Of faces, the unbounded one is the first."""
+    def ids(self, name: str = "id", *, of: str = "faces", first: int = 1) -> None:
+        """Adds an attribute that numbers the records, each for good, before the first change. The unbounded face has no number."""
         self._editor.attribute(name, of, "keep", "keep", first)
 
     def change(self, name: str, change: Callable[[], _T]) -> _T:

@@ -67,17 +67,18 @@ pub(crate) struct Extent {
 }
 
 /// The area of a set of bounded faces, and the length of its border.
-pub(super) fn size(map: &PlanarMap, faces: &[Face<'_>]) -> (f64, f64) {
+pub(super) fn size(map: &PlanarMap, faces: &[Face<'_>], border: &[HalfEdge<'_>]) -> (f64, f64) {
     let area: Sum = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default()).collect();
-    let length: Sum = border(faces).iter().map(|h| length(map, *h)).collect();
+    let length: Sum = border.iter().map(|h| length(map, *h)).collect();
     (area.value(), length.value())
 }
 
 /// Measures a set of bounded faces. Its place is in the largest face; of those that are equally large, in the one whose place comes
 /// last from left to right.
 pub(crate) fn extent(map: &PlanarMap, faces: &[Face<'_>]) -> Extent {
-    let (area, length) = size(map, faces);
-    let corner = first_corner(border(faces).iter().map(|h| map.point(h.origin().index())));
+    let border = border(faces);
+    let (area, length) = size(map, faces, &border);
+    let corner = first_corner(border.iter().map(|h| map.point(h.origin().index())));
     let areas = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default());
     let place = |face: &Face<'_>| point_inside(map, *face).unwrap_or_default();
     let order = |a: &Face<'_>, b: &Face<'_>| compare_lexicographic(place(a), place(b));

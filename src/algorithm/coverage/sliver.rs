@@ -4,7 +4,7 @@
 //! [contour](crate::algorithm::contour). Overlaps and gaps that are slivers are found as overlaps and gaps.
 
 use super::finding::{CoverageRule, Finding, Limits};
-use super::region::{connected, finding, size};
+use super::region::{border, connected, finding, size};
 use crate::dcel::{Face, FaceKey};
 use crate::geometry::threads;
 use crate::map::PlanarMap;
@@ -21,7 +21,7 @@ pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) 
         let indices: FxHashSet<usize> = own.iter().map(|face| face.index()).collect();
         connected(own, |face| indices.contains(&face.index()).then_some(()))
     };
-    let size = |part: &Vec<Face<'_>>| size(map, part);
+    let size = |part: &Vec<Face<'_>>| size(map, part, &border(part));
     let sizes = threads::map(faces, |keys| parts_of(keys).iter().map(size).collect::<Vec<_>>());
     let limit =
         limits.sliver_area.unwrap_or_else(|| chosen_area(sizes.iter().flatten().map(|(area, _)| *area).collect()));

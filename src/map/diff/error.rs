@@ -7,15 +7,15 @@ use crate::map::edit::EditError;
 use std::fmt;
 use thiserror::Error;
 
-/// The error of a map whose records cannot be told by ids.
+/// The error of a map whose records cannot be identified.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DiffError {
     /// A map is not plane.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),
-    /// A map has not the attributes by which records are told and compared.
-    #[error("a map has not the attributes of the ids and values: `add_attributes_of` adds those of another map")]
+    /// A map lacks an attribute: the ids, or one whose values are compared.
+    #[error("a map lacks an attribute of the ids or of the values: `add_attributes_of` adds those of another map")]
     NoSuchAttribute,
     /// A vertex has no id.
     #[error("{0:?} has no id")]
@@ -35,7 +35,7 @@ pub enum DiffError {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ApplyError {
-    /// The records of the map cannot be told by ids.
+    /// The records of the map cannot be identified.
     #[error(transparent)]
     Diff(#[from] DiffError),
     /// The diff is one of another map: this record is not as it was there.
@@ -81,7 +81,7 @@ impl From<StaleKey> for ApplyError {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MergeError {
-    /// The records of a map cannot be told by ids.
+    /// The records of a map cannot be identified.
     #[error(transparent)]
     Diff(#[from] DiffError),
     /// The two diffs are not of the same map.

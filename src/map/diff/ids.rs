@@ -14,13 +14,13 @@ use std::fmt;
 type Get<V> = dyn Fn(&PlanarMap, KeyData) -> Option<V> + Send + Sync;
 type Put<V> = dyn Fn(&mut PlanarMap, KeyData, Option<V>) -> bool + Send + Sync;
 
-/// An attribute whose values are told as values of another type.
+/// An attribute whose values are converted to another type, and back.
 pub(super) struct Column<V> {
     pub(super) name: String,
     pub(super) kind: Kind,
     is_of: Box<dyn Fn(&PlanarMap) -> bool + Send + Sync>,
     pub(super) get: Box<Get<V>>,
-    /// False if the value cannot be told back, or the map has no such attribute.
+    /// False if the value cannot be converted back, or the map has no such attribute.
     pub(super) put: Box<Put<V>>,
 }
 

@@ -30,8 +30,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Vertices and faces are told by ids, edges by their ends, and a face also by its outline. That is all that a map with straight edges
-//! consists of. Ids of records that two sides make must differ: clones of a map share the counter of [`Policy::ids`](crate::dcel::Policy::ids), but copies that
+//! Vertices and faces are identified by ids, and edges by their ends. A diff has the outline of each face that was made or reshaped, by which applying
+//! finds it. Ids of records that two sides make must differ: clones of a map share the counter of [`Policy::ids`](crate::dcel::Policy::ids), but copies that
 //! were loaded apart begin each at the number that they are given. Give them ids that no two have, as UUIDs are:
 //! [`identified_by`](crate::dcel::Policy::identified_by) has an example.
 //!
