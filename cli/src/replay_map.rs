@@ -9,6 +9,7 @@ use twinedge::map::PlanarMap;
 use twinedge::map::edit::Edited;
 use twinedge::map::program::{EditFailure, EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::program::ParseError;
+use twinedge_report::words::counted;
 
 /// The journal as JSON has it: the output of `--format json`, of which only the edits are read.
 #[derive(Deserialize)]
@@ -153,6 +154,7 @@ impl fmt::Display for Outcome {
         } else {
             (BAD, format!("{failed} of {} edits were not done", self.steps.len()))
         };
-        writeln!(f, "{style}{verdict}{style:#}: {vertices} vertices, {edges} edges, {faces} faces, {features} features")
+        let counts = [(*vertices, "vertex"), (*edges, "edge"), (*faces, "face"), (*features, "feature")];
+        writeln!(f, "{style}{verdict}{style:#}: {}", counts.map(|(n, name)| counted(n, name)).join(", "))
     }
 }

@@ -27,7 +27,7 @@ fn a_journal_is_replayed_step_by_step_and_its_json_is_a_journal() {
         "   vertices made 2, edges made 1, edges split 2, faces split 1",
         "5. move_vertex v1 5,0: done",
         "   edges dropped 1, faces merged 1",
-        "each edit was done: 6 vertices, 6 edges, 2 faces, 1 features",
+        "each edit was done: 6 vertices, 6 edges, 2 faces, 1 feature",
     ] {
         assert!(text.lines().any(|shown| shown == line), "{line}\n{text}");
     }
@@ -46,7 +46,7 @@ fn an_edit_that_is_not_done_is_told_and_the_others_are_done() {
     assert_eq!(status, Some(1));
     assert!(text.contains("2. insert_segment 0,2 2,0: refused: it would cross the edge of "), "{text}");
     assert!(text.contains("3. remove_edge !h0: skipped: there is nothing to choose from"), "{text}");
-    assert!(text.ends_with("2 of 4 edits were not done: 1 vertices, 0 edges, 1 faces, 0 features\n"), "{text}");
+    assert!(text.ends_with("2 of 4 edits were not done: 1 vertex, 0 edges, 1 face, 0 features\n"), "{text}");
     let (status, json) = replay(journal, &["--format", "json"]);
     let replayed: Value = serde_json::from_str(&json).unwrap();
     assert_eq!((status, &replayed["ok"]), (Some(1), &false.into()));
