@@ -256,12 +256,11 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
                 numbers[unbounded] = 0;
                 self.columns.outer = vec![NIL; count - 1];
             }
-            None if self.outside == Outside::Border => {
+            None => {
                 number(count, RecordKind::Face)?;
                 numbers.iter_mut().filter(|n| **n != NIL).for_each(|n| *n += 1);
                 self.columns.outer = vec![NIL; count];
             }
-            None => return Err(ImportError::Inconsistent),
         }
         self.numbers.faces = numbers;
         Ok(())
@@ -284,7 +283,8 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         }
         for (h, n) in self.numbers.half_edges.iter().enumerate().filter(|(_, n)| **n != NIL) {
             match self.view.boundary(h) {
-                None if self.expectation.is_open() => {}
+                // It lies on a border.
+                None => {}
                 link => self.columns.boundary[*n as usize] = follow(link, &numbers)?,
             }
         }
