@@ -251,6 +251,25 @@ fn all_values_that_a_change_overwrote_come_back() {
     assert_eq!(values(&history), [Some(2), Some(3)]);
 }
 
+/// Faces that become one are merged by the policies also where each write is recorded.
+#[test]
+fn retaining_in_a_change_merges_the_values_of_faces() {
+    let (mut dcel, h) = triangle();
+    let third = dcel.half_edge(h).unwrap().prev().key();
+    let chord = dcel.connect(h, third, Split::default()).unwrap().half_edge;
+    let sides = [dcel.half_edge(chord).unwrap(), dcel.half_edge(chord).unwrap().twin()].map(|h| h.face().key());
+    let count = dcel.add_attribute(Policy::of_faces().merge_sum());
+    for side in sides {
+        assert_eq!(dcel.set_value(count, side, 1), Ok(None));
+    }
+    let mut history = History::new(dcel);
+    let without = |dcel: &mut Dcel<Recorded>| dcel.retain(|_| true, |h| h.key() != chord && h.twin().key() != chord);
+    let merged = history.change("retain", without).unwrap().faces[0];
+    assert_eq!(history.get().value(count, merged.kept), Some(&2));
+    assert!(history.undo());
+    assert_eq!(sides.map(|side| history.get().value(count, side)), [Some(&1); 2]);
+}
+
 #[test]
 fn each_ready_made_policy_does_what_it_says() {
     let (mut dcel, h) = triangle();
