@@ -161,10 +161,8 @@ impl<R: Recorder> Past<R> {
         self.last = [start; 2];
         match name {
             Some(name) if links > start[0] || !others.is_empty() => {
-                if self.others.len() > start[1] || !others.is_empty() {
-                    self.others.truncate(start[1]);
-                    self.others.append(&mut others);
-                }
+                self.others.truncate(start[1]);
+                self.others.append(&mut others);
                 let end = [links, self.others.len()];
                 self.timeline.add(name, end);
                 (self.kept_from, self.last) = (usize::MAX, [start, end]);

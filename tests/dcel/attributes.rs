@@ -222,6 +222,54 @@ fn triangle() -> (Dcel, HalfEdgeKey) {
     (dcel, h)
 }
 
+/// A change that gives values, applies an operator and gives values again loses none of those that it overwrote.
+#[test]
+fn all_values_that_a_change_overwrote_come_back() {
+    let (dcel, h) = triangle();
+    let [inside, outside] = [dcel.half_edge(h).unwrap().face().key(), dcel.unbounded_face().key()];
+    let mut history = History::new(dcel);
+    let add = |dcel: &mut Dcel<Recorded>| Ok::<_, OperatorError>(dcel.add_attribute(Policy::of_faces()));
+    let owner = history.change("attribute", add).unwrap();
+    let values = |history: &History| [inside, outside].map(|f| history.get().value(owner, f).copied());
+    history.change("value", |dcel| dcel.set_value(owner, inside, 1)).unwrap();
+    let several = |dcel: &mut Dcel<Recorded>| {
+        dcel.set_value(owner, inside, 2)?;
+        dcel.split_edge(h)?;
+        assert_eq!(dcel.value(owner, inside), Some(&2));
+        dcel.set_value(owner, outside, 3)
+    };
+    history.change("values", several).unwrap();
+    assert_eq!(values(&history), [Some(2), Some(3)]);
+    assert!(history.undo());
+    assert_eq!(values(&history), [Some(1), None]);
+    assert!(history.redo());
+    assert_eq!(values(&history), [Some(2), Some(3)]);
+    // The last change is undone as well where those before it are forgotten.
+    history.change("value", |dcel| dcel.set_value(owner, inside, 4)).unwrap();
+    history.forget(1);
+    assert!(history.undo() && !history.undo());
+    assert_eq!(values(&history), [Some(2), Some(3)]);
+}
+
+/// Faces that become one are merged by the policies also where each write is recorded.
+#[test]
+fn retaining_in_a_change_merges_the_values_of_faces() {
+    let (mut dcel, h) = triangle();
+    let third = dcel.half_edge(h).unwrap().prev().key();
+    let chord = dcel.connect(h, third, Split::default()).unwrap().half_edge;
+    let sides = [dcel.half_edge(chord).unwrap(), dcel.half_edge(chord).unwrap().twin()].map(|h| h.face().key());
+    let count = dcel.add_attribute(Policy::of_faces().merge_sum());
+    for side in sides {
+        assert_eq!(dcel.set_value(count, side, 1), Ok(None));
+    }
+    let mut history = History::new(dcel);
+    let without = |dcel: &mut Dcel<Recorded>| dcel.retain(|_| true, |h| h.key() != chord && h.twin().key() != chord);
+    let merged = history.change("retain", without).unwrap().faces[0];
+    assert_eq!(history.get().value(count, merged.kept), Some(&2));
+    assert!(history.undo());
+    assert_eq!(sides.map(|side| history.get().value(count, side)), [Some(&1); 2]);
+}
+
 #[test]
 fn each_ready_made_policy_does_what_it_says() {
     let (mut dcel, h) = triangle();

@@ -2,7 +2,9 @@
 
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
-use crate::support::tables::{TEXTBOOK, Without, face, half_edge, map, textbook_map, textbook_mesh, vertex};
+use crate::support::tables::{
+    TEXTBOOK, Without, face, half_edge, map, textbook_map, textbook_mesh, vertex, with_boundary_components,
+};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::cell::Cell;
 use std::collections::BTreeSet;
@@ -296,6 +298,38 @@ fn a_component_that_moves_into_itself_does_not_come_in() {
     assert!(broken.contains(&Rule::T2), "{broken:?}");
 }
 
+/// Once a structure has been validated, a face has lost its outer boundary component, the unbounded face has got one, or a closed mesh
+/// is open.
+#[test]
+fn what_is_missing_when_it_is_read_is_inconsistent() {
+    let parsed = |text: &str| text.parse::<Table>().unwrap();
+    let right = parsed("V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 0 h1 i0 F 2 - 1 1 0 0");
+    let without_outer = parsed("V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 0 h1 i0 F 2 - 1 1 - 0");
+    let without_unbounded = parsed("V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 0 h1 o F 2 1 0 0 0");
+    let closed = textbook_mesh(3, &[[0, 1, 2], [2, 1, 0]]);
+    let mut open = closed.clone();
+    for h in 0..open.half_edges.len() {
+        half_edge(&mut open, h).twin = None;
+    }
+    for (tables, expectation, outside) in [
+        ([&right, &without_outer], PLANE, Outside::Given),
+        ([&right, &without_unbounded], PLANE, Outside::Given),
+        ([&closed, &open], MESH, Outside::Border),
+    ] {
+        let mut inconsistent = 0;
+        for patience in 0..400 {
+            let view = Switched { tables, left: Cell::new(patience) };
+            match Dcel::from_view(&view, &expectation, outside) {
+                Ok((map, _)) => assert!(map.validate().is_valid() && outside == Outside::Given),
+                Err(ImportError::Inconsistent) => inconsistent += 1,
+                Err(ImportError::Invalid(_) | ImportError::NotPlane(_) | ImportError::NoBorder) => {}
+                Err(other) => panic!("{other}"),
+            }
+        }
+        assert!(inconsistent > 0);
+    }
+}
+
 fn refusal(view: &impl View, expectation: Expectation, outside: Outside) -> ImportError {
     Dcel::from_view(view, &expectation, outside).unwrap_err()
 }
@@ -342,6 +376,15 @@ fn an_open_mesh_comes_in_by_its_border() {
     assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (4, 5, 3));
     assert_eq!(map.unbounded_face().half_edges().count(), 4);
     assert_keys_fit(&table, &map, &keys);
+    // Records of boundary components, and half-edges of the border that name none.
+    let mut records = with_boundary_components(&textbook_mesh(3, &[[0, 1, 2], [2, 1, 0]]));
+    (records.boundaries[1], records.faces[1]) = (None, None);
+    for row in records.half_edges.iter_mut().flatten().filter(|row| row.boundary == Some(1)) {
+        row.boundary = None;
+    }
+    let (map, keys) = Dcel::from_view(&records, &OPEN, Outside::Border).unwrap();
+    assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (3, 3, 2));
+    assert_keys_fit(&records, &map, &keys);
     // A loose vertex and a second piece lie beside it.
     let mut more = bordered(textbook_mesh(8, &[[0, 1, 2], [2, 1, 3], [4, 5, 6]]));
     let (map, keys) = Dcel::from_view(&more, &OPEN, Outside::Border).unwrap();

@@ -1,12 +1,16 @@
 //! Edges with bends: judged as the same map with a vertex at each bend, and named by their bends.
 
 use crate::support::erased::validate_embedding;
+use crate::support::only_live::OnlyLive;
 use std::collections::BTreeMap;
 use twinedge::delegate_view;
-use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
+use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::{Builder, Noding, PlanarMap};
-use twinedge::validate::{Collect, Expectation, Link, Report, Rule, Start, Table, Unchecked, View, Violation};
+use twinedge::validate::{
+    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Report, Rule, Start, Table, Unchecked,
+    VertexRow, View, Violation,
+};
 use twinedge::validate::{Embedding, places};
 
 const PLANE: Expectation = Expectation::plane();
@@ -378,6 +382,94 @@ fn g4_names_the_segments_and_the_bends() {
     let Violation::VertexInSegment { half_edge, segment: 1, .. } = violation else { panic!("{violation}") };
     assert_eq!(at, [[2.0, 4.0]]);
     assert!(violation.to_string().contains(&format!("lies inside segment 1 of half-edge {half_edge}")), "{violation}");
+}
+
+#[test]
+fn g4_numbers_the_bends_of_each_edge_from_its_first() {
+    let drawn = two_edges(ENDS, [&[[1.0, 1.0], [5.0, 4.0]], &[[2.0, 7.0], [5.0, 4.0]]]);
+    let [first, second] = edges(&drawn.table);
+    let same = Violation::BendsAtSamePlace { first, first_bend: 1, second, second_bend: 1 };
+    assert_eq!(only(&drawn), (same, vec![[5.0, 4.0]]));
+    // The places of a crossing are the ends of the segments, not those of the edges.
+    let crossing = Violation::SegmentsCross { first, first_segment: 1, second, second_segment: 0 };
+    let at: Vec<[f64; 2]> = places(&drawn, &crossing).into_iter().map(Into::into).collect();
+    assert_eq!(at, [[1.0, 1.0], [5.0, 4.0], [0.0, 8.0], [2.0, 7.0]]);
+}
+
+/// The half-edge with the largest index is asked for bends where it has no twin.
+#[test]
+fn bends_of_the_last_half_edge_are_read_at_an_open_boundary() {
+    let row =
+        |h: usize| HalfEdgeRow { origin: Some(h), next: Some((h + 1) % 3), face: Some(0), ..HalfEdgeRow::default() };
+    let table = Table {
+        parts: Parts::NONE.with(Part::Faces),
+        vertices: vec![Some(VertexRow::default()); 3],
+        half_edges: (0..3).map(|h| Some(row(h))).collect(),
+        faces: vec![Some(FaceRow { outer_half_edge: Some(0), ..FaceRow::default() })],
+        ..Table::default()
+    };
+    let points = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(Into::into).to_vec();
+    let drawn = Drawn { table, points, bends: BTreeMap::from([(2, vec![Point::new(-1.0, f64::NAN)])]) };
+    let report = validate_embedding(&drawn, &PLANE.open(), Collect::All);
+    assert_eq!(report.violations(), [Violation::BendNotFinite { half_edge: 2, bend: 0 }]);
+}
+
+/// A drawing that panics where it is asked about a slot or a bend that is not there.
+struct Strict(Drawn);
+
+impl View for Strict {
+    delegate_view!(|this| &OnlyLive(&this.0));
+}
+
+impl Embedding for Strict {
+    fn point(&self, vertex: usize) -> Point {
+        assert!(self.is_vertex(vertex));
+        self.0.point(vertex)
+    }
+
+    fn bends(&self, half_edge: usize) -> usize {
+        assert!(self.is_half_edge(half_edge));
+        self.0.bends(half_edge)
+    }
+
+    fn bend(&self, half_edge: usize, bend: usize) -> Point {
+        assert!(bend < self.bends(half_edge));
+        self.0.bend(half_edge, bend)
+    }
+}
+
+/// Violations may be of another structure, or of this one before it shrank.
+#[test]
+fn what_is_not_there_has_no_place() {
+    let drawn = Strict(two_edges(ENDS, [&[[5.0, 1.0]], &[]]));
+    let [first, _] = edges(&drawn.0.table);
+    let at = |violation: Violation| places(&drawn, &violation).into_iter().map(Into::into).collect::<Vec<[f64; 2]>>();
+    let (vertex, half_edge) = (drawn.vertex_slots(), drawn.half_edge_slots());
+    let boundary = (0..drawn.boundary_slots()).find(|b| drawn.is_boundary(*b)).expect("each edge has one");
+    let start = at(Violation::ListedTwice { record: Record::Boundary(boundary), face: 0 });
+    assert!(ENDS.iter().any(|end| start == [*end]), "{start:?}");
+    assert!(at(Violation::ListedTwice { record: Record::Boundary(drawn.boundary_slots()), face: 0 }).is_empty());
+    assert!(at(Violation::NoOutside { vertex }).is_empty());
+    assert!(at(Violation::SegmentZeroLength { half_edge, segment: 0 }).is_empty());
+    assert!(at(Violation::BendNotFinite { half_edge, bend: 0 }).is_empty());
+    // Of an edge without such a bend the ends are shown.
+    assert_eq!(at(Violation::BendNotFinite { half_edge: first, bend: 0 }), [[5.0, 1.0]]);
+    assert_eq!(at(Violation::BendNotFinite { half_edge: first, bend: 1 }), [ENDS[0], ENDS[1]]);
+}
+
+#[test]
+fn points_out_of_range_are_shown_where_they_can_be_drawn() {
+    let far = 1.5 * MAX_COORDINATE;
+    let at = |x: f64| {
+        let mut drawn = two_edges(ENDS, [&[], &[]]);
+        let vertex = drawn.points.iter().position(|p| *p == ENDS[1].into()).expect("it is one of the ends");
+        drawn.points[vertex] = Point::new(x, 0.0);
+        let report = drawn.report();
+        let found = report.first().copied();
+        assert_eq!(found, Some(Violation::NotFinite { vertex }));
+        places(&drawn, &Violation::NotFinite { vertex }).len()
+    };
+    assert_eq!([far, f64::INFINITY].map(at), [1, 0]);
 }
 
 #[test]

@@ -248,20 +248,16 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
             Outside::Face(f) => Some(f),
             Outside::Border => None,
         };
-        match self.unbounded {
-            Some(unbounded) => {
-                let first = follow(Some(unbounded), &numbers)?;
-                // It goes to the front, those before it move on by one.
-                numbers.iter_mut().filter(|n| **n < first).for_each(|n| *n += 1);
-                numbers[unbounded] = 0;
-                self.columns.outer = vec![NIL; count - 1];
-            }
-            None if self.outside == Outside::Border => {
-                number(count, RecordKind::Face)?;
-                numbers.iter_mut().filter(|n| **n != NIL).for_each(|n| *n += 1);
-                self.columns.outer = vec![NIL; count];
-            }
-            None => return Err(ImportError::Inconsistent),
+        if let Some(unbounded) = self.unbounded {
+            let first = follow(Some(unbounded), &numbers)?;
+            // It goes to the front, those before it move on by one.
+            numbers.iter_mut().filter(|n| **n < first).for_each(|n| *n += 1);
+            numbers[unbounded] = 0;
+            self.columns.outer = vec![NIL; count - 1];
+        } else {
+            number(count, RecordKind::Face)?;
+            numbers.iter_mut().filter(|n| **n != NIL).for_each(|n| *n += 1);
+            self.columns.outer = vec![NIL; count];
         }
         self.numbers.faces = numbers;
         Ok(())
@@ -284,7 +280,8 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         }
         for (h, n) in self.numbers.half_edges.iter().enumerate().filter(|(_, n)| **n != NIL) {
             match self.view.boundary(h) {
-                None if self.expectation.is_open() => {}
+                // It lies on a border.
+                None => {}
                 link => self.columns.boundary[*n as usize] = follow(link, &numbers)?,
             }
         }

@@ -103,8 +103,7 @@ fn around<V: View>(view: &V, before: &[u32], start: usize, passed: &mut [bool]) 
         }
         match view.twin(arriving) {
             None => return Some(arriving),
-            Some(twin) if twin < before.len() => h = twin,
-            Some(_) => return None,
+            Some(twin) => h = twin,
         }
     }
 }

@@ -88,11 +88,10 @@ fn law<S: Store + Clone>(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u
     }
     assert_eq!(map.face_count() + retained.faces.len(), old.face_count());
     assert_eq!(map.unbounded_face().key(), old.unbounded_face().key());
-    // Of two faces the surrounding one is kept: where the operators have no choice, neither has this.
+    // Of several faces that is kept which lay to the left of the half-edge with the smallest index.
     for f in map.faces().filter(|f| !f.is_unbounded()) {
-        let outer = f.outer().unwrap().half_edges().map(|h| h.key());
-        let mut before = outer.map(|h| old.half_edge(h).unwrap().face().key());
-        assert!(before.any(|before| before == f.key()));
+        let first = f.outer().unwrap().half_edges().min_by_key(|h| h.index()).unwrap().key();
+        assert_eq!(old.half_edge(first).unwrap().face().key(), f.key());
     }
 
     // Boundary components go and come as is said, and stay with their starts.
@@ -105,6 +104,12 @@ fn law<S: Store + Clone>(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u
         let start = was.start().map(|h| map.half_edge(h.key()).unwrap().boundary().key());
         assert_eq!(start, b.start().map(|_| b.key()));
         assert_eq!(was.isolated_vertex().map(|v| v.key()), b.isolated_vertex().map(|v| v.key()));
+    }
+    // Of several starts on one cycle that of the boundary component with the smallest index stays.
+    for b in map.boundaries() {
+        let mut starts = old.boundaries().filter_map(|was| Some((was.key(), was.start()?.key())));
+        let first = starts.find(|(_, h)| map.half_edge(*h).is_ok_and(|h| h.boundary().key() == b.key()));
+        assert!(first.is_none_or(|(first, _)| first == b.key()));
     }
     let unchanged = usize::from(retained == Retained::default());
     if unchanged == 1 {

@@ -2,6 +2,7 @@
 
 mod borders;
 mod hostile;
+mod index;
 mod labels;
 mod links;
 
