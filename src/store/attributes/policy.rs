@@ -186,6 +186,18 @@ impl<K: Attributed, T> Policy<K, T> {
     pub(super) fn next_id(&self) -> Option<u64> {
         self.counter.as_ref().map(|next| next.load(Ordering::Relaxed))
     }
+
+    /// True if it numbers records.
+    pub(super) const fn counts(&self) -> bool {
+        self.counter.is_some()
+    }
+
+    /// Has records numbered from above this number, so that none gets it once more.
+    pub(super) fn count_on_from(&self, number: u128) {
+        if let (Some(next), Ok(number)) = (&self.counter, u64::try_from(number)) {
+            next.fetch_max(number.saturating_add(1), Ordering::Relaxed);
+        }
+    }
 }
 
 impl<K: Attributed> Policy<K, u64> {
