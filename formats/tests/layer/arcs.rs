@@ -177,7 +177,7 @@ fn indices(value: &Value, path: &str, places: &mut Vec<String>) {
     }
 }
 
-/// Each of the 61 indices of a real map, set to each of the other 73.
+/// Each of the 61 indices of a real map, set to every third of the others.
 #[test]
 fn every_wrong_index_is_found() {
     let file: Value = serde_json::from_str(SOUTH_AMERICA).unwrap();
@@ -202,7 +202,7 @@ fn every_wrong_index_is_found() {
     }
     // The other way around, the one ring of the Falkland Islands is the same ring.
     let same = ("/objects/countries/geometries/2/arcs/0/0".to_owned(), 12, -13);
-    assert_eq!((wrong, missed), (61 * 73, vec![same]));
+    assert_eq!((wrong, missed), (1505, vec![same]));
 }
 
 #[test]

@@ -245,8 +245,8 @@ fn boxes_that_lie_are_found_by_some_window() {
         let found = lies(&path, &layer);
         assert!(!found.is_empty() && found.iter().all(|place| *place == liar), "{message}: {found:?}");
     }
-    // Nobody knows where a row without a box is, so it is read whenever its row group is. The box of the row group is that of the other rows.
-    for extent in [None, Some([x1, y0, x0, y1]), Some([nan; 4])] {
+    // Nobody knows where a row is whose box says nothing, so it is read whenever its row group is. The box of the row group is that of the other rows.
+    for extent in [Some([x1, y0, x0, y1]), Some([nan; 4])] {
         let mut groups = rows_of_squares(80);
         groups[1].rows[7].1 = extent;
         write_groups(&path, &groups, false);
@@ -257,6 +257,24 @@ fn boxes_that_lie_are_found_by_some_window() {
         moved.features[47].geometry = Some(groups[1].rows[7].0.clone());
         write_groups(&path, &groups, false);
         assert!(lies(&path, &moved).contains(&liar), "{extent:?}");
+    }
+}
+
+#[test]
+fn how_far_a_layer_reaches_is_not_known_if_it_is_not_of_one_row() {
+    let (_folder, path) = scratch("squares.parquet");
+    // One without a box, and one across the antimeridian, beside others that say where they are.
+    for extent in [None, Some([178.0, 1.0, -178.0, 2.0])] {
+        let mut groups = rows_of_squares(80);
+        let moved = Group { rows: vec![(ring([178.0, 1.0, 182.0, 2.0]), extent), (ring(square(3)), Some(square(3)))] };
+        groups.push(moved);
+        write_groups(&path, &groups, false);
+        let mut file = open(&path);
+        assert_eq!(file.corners(), None, "{extent:?}");
+        let mut numbers = Vec::new();
+        let window = [Point::new(181.0, 1.0), Point::new(181.5, 2.0)];
+        file.read(window, &mut |_| true, &mut |number, _| numbers.push(number)).unwrap();
+        assert_eq!(numbers, [80], "{extent:?}");
     }
 }
 

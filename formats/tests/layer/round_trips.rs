@@ -3,8 +3,8 @@
 use crate::support::{from_text, through, to_geojson, world};
 use std::sync::Arc;
 use twinedge_formats::layer::{
-    Crs, Dimensions, Feature, Field, FieldKind, Format, Geometry, Id, Layer, Position, ReadError, Shape, Value, losses,
-    write,
+    Crs, Dimensions, Feature, Field, FieldKind, Format, Geometry, Id, Layer, Loss, Position, ReadError, Shape, Value,
+    losses, write,
 };
 use twinedge_formats::layer::{ReadOptions, read_path, write_path};
 
@@ -195,6 +195,45 @@ fn of_several_layers_one_must_be_chosen() {
     assert!(matches!(read(None), Err(ReadError::Layers { wanted: None, layers }) if layers == ["one", "two"]));
     assert!(matches!(read(Some("three")), Err(ReadError::Layers { wanted: Some(_), .. })));
     assert_eq!(read(Some("two")).unwrap().features.len(), 3);
+}
+
+#[test]
+fn a_view_without_a_key_is_read() {
+    let (_folder, path) = crate::support::scratch("view.gpkg");
+    let mut layer = attributes();
+    layer.header.name = Some("one".to_owned());
+    write_path(&layer, &path, Format::GeoPackage).unwrap();
+    let database = rusqlite::Connection::open(&path).unwrap();
+    database
+        .execute_batch(
+            "CREATE VIEW seen AS SELECT fid, geom, 2 * fid AS twice FROM one ORDER BY fid DESC;
+             INSERT INTO gpkg_contents (table_name, data_type, identifier, srs_id) VALUES ('seen', 'features', 'seen', 4326);
+             INSERT INTO gpkg_geometry_columns VALUES ('seen', 'geom', 'POLYGON', 4326, 0, 0);",
+        )
+        .unwrap();
+    drop(database);
+    let seen = read_path(&path, &ReadOptions { layer: Some("seen".to_owned()), ..ReadOptions::default() }).unwrap();
+    let twice: Vec<_> = seen.features.iter().map(|feature| feature.get("twice").cloned()).collect();
+    assert_eq!(twice, [6, 4, 2].map(|n| Some(Value::Integer(n))));
+    assert!(seen.features.iter().all(|feature| feature.id.is_none()));
+}
+
+#[test]
+fn ids_that_a_geopackage_would_change_are_lost_and_said_to_be() {
+    for ids in [&[None, Some(1)][..], &[Some(5), None, Some(3)], &[Some(5), Some(3)], &[Some(2), Some(2)]] {
+        let mut layer = Layer::default();
+        for (number, id) in (0..).zip(ids) {
+            let id = id.map(|id: i64| Id::Number(id.into()));
+            let attributes = vec![("number".into(), Value::Integer(number))];
+            layer.features.push(Feature { id, attributes, ..Feature::default() });
+        }
+        let given = ids.iter().flatten().count();
+        assert_eq!(losses(&layer, Format::GeoPackage), [Loss::Ids(given)], "{ids:?}");
+        let again = through(&layer, Format::GeoPackage);
+        let numbers: Vec<_> = again.features.iter().map(|feature| feature.get("number").cloned()).collect();
+        let expected: Vec<_> = (0..).take(ids.len()).map(|number| Some(Value::Integer(number))).collect();
+        assert_eq!(numbers, expected, "{ids:?}");
+    }
 }
 
 #[test]

@@ -18,7 +18,7 @@ impl From<rusqlite::Error> for ReadError {
     }
 }
 
-/// Reads the layer of this name, or the only one, in order of its primary key.
+/// Reads the layer of this name, or the only one, in order of its primary key; a view in its own order.
 pub(in crate::layer) fn read(path: &Path, layer: Option<&str>, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let database = Connection::open_with_flags(path, flags)?;
@@ -35,9 +35,14 @@ pub(in crate::layer) fn read(path: &Path, layer: Option<&str>, each: &mut Each<'
             ReadError::Content { format: Format::GeoPackage, place: Place::Header, cause }
         })?;
     let (key, fields) = columns(&database, &table, &geometry)?;
-    let mut selected = vec![key.as_deref().map_or_else(|| "rowid".to_owned(), quoted), quoted(&geometry)];
+    let (key, order) = match key {
+        Some(key) => (quoted(&key), " ORDER BY 1"),
+        None if has_row_ids(&database, &table)? => ("rowid".to_owned(), " ORDER BY 1"),
+        None => ("NULL".to_owned(), ""),
+    };
+    let mut selected = vec![key, quoted(&geometry)];
     selected.extend(fields.iter().map(|field| quoted(&field.name)));
-    let sql = format!("SELECT {} FROM {} ORDER BY 1", selected.join(", "), quoted(&table));
+    let sql = format!("SELECT {} FROM {}{order}", selected.join(", "), quoted(&table));
     let mut statement = database.prepare(&sql)?;
     let mut rows = statement.query([])?;
     let mut number = 0;
@@ -72,6 +77,12 @@ fn table(database: &Connection, wanted: Option<&str>) -> Result<String, ReadErro
         (Some(wanted), layers) => layers.iter().find(|layer| *layer == wanted),
     };
     found.cloned().ok_or_else(|| ReadError::Layers { wanted: wanted.map(str::to_owned), layers: layers.clone() })
+}
+
+/// Returns true if the rows have numbers of their own, which those of views and of tables `WITHOUT ROWID` have not.
+fn has_row_ids(database: &Connection, table: &str) -> Result<bool, ReadError> {
+    let sql = "SELECT 1 FROM pragma_table_list(?1) WHERE schema = 'main' AND (type = 'view' OR wr)";
+    Ok(database.query_row(sql, [table], |_| Ok(())).optional()?.is_none())
 }
 
 /// The primary key, and the columns besides it and the geometry.

@@ -49,10 +49,9 @@ UNIT[\"degree\",0.0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],AUTHORITY[\"EPS
 /// The number under which a reference system without one is kept.
 const OWN: i64 = 100_000;
 
-/// Returns true if the ids of all features can be primary keys: distinct whole numbers.
+/// Returns true if the ids can be primary keys, in whose order features are read: all features have one, and they are whole numbers that rise.
 pub(in crate::layer) fn holds_ids(layer: &Layer) -> bool {
-    let mut seen = HashSet::new();
-    layer.features.iter().all(|feature| feature.id.is_none() || key(feature).is_some_and(|key| seen.insert(key)))
+    layer.features.iter().all(|feature| key(feature).is_some()) && layer.features.is_sorted_by(|a, b| key(a) < key(b))
 }
 
 fn key(feature: &Feature) -> Option<i64> {

@@ -21,7 +21,10 @@ use std::path::Path;
 struct Group {
     first: u64,
     rows: u64,
+    /// That of nothing, if it is not known where all of them are.
     extent: Extent,
+    /// False if all geometries are null.
+    has_geometries: bool,
 }
 
 /// A file with boxes.
@@ -52,7 +55,8 @@ impl IndexedFile {
         for group in metadata.row_groups() {
             let rows = u64::try_from(group.num_rows()).unwrap_or_default();
             let Some(extent) = extent(group, &name, covering.as_ref()) else { return Ok(None) };
-            groups.push(Group { first, rows, extent });
+            let nulls = column_of(group, std::slice::from_ref(&name)).map_or(0, nulls);
+            groups.push(Group { first, rows, extent, has_geometries: nulls < rows });
             first += rows;
         }
         let schema = metadata.file_metadata().schema();
@@ -63,8 +67,11 @@ impl IndexedFile {
         Ok(Some(Self { reader, geometry: name, covering, wanted, groups, length, read: 0 }))
     }
 
+    /// The box around all geometries; that of nothing, if it is not known where some are.
     pub(in crate::layer) fn extent(&self) -> Extent {
-        self.groups.iter().fold(Extent::NOTHING, |all, group| all.with(group.extent))
+        let mut extents = self.groups.iter().filter(|group| group.has_geometries).map(|group| group.extent);
+        let around = |all: Extent, extent: Extent| extent.is_known().then(|| all.with(extent));
+        extents.try_fold(Extent::NOTHING, around).unwrap_or(Extent::NOTHING)
     }
 
     /// The number of features.
@@ -148,19 +155,31 @@ fn around(number: f32) -> [f64; 2] {
     [number.next_down(), number.next_up()].map(f64::from)
 }
 
-/// The box around the rows of a row group, that of nothing if no row has one; none, if it is not known.
+fn column_of<'a>(group: &'a RowGroupMetaData, path: &[String]) -> Option<&'a ColumnChunkMetaData> {
+    group.columns().iter().find(|column| column.column_path().parts() == path)
+}
+
+/// The number of nulls in a column. Some writers leave out 0.
+fn nulls(column: &ColumnChunkMetaData) -> u64 {
+    column.statistics().and_then(Statistics::null_count_opt).unwrap_or_default()
+}
+
+/// The box around the rows of a row group, that of nothing if it is not known of all of them; none, if the file does not say.
+///
+/// Statistics leave out rows without a box, and a box across the antimeridian is not seen in them if others reach farther to both sides. Then the geometry is refused
+/// where it is read, if it lies elsewhere.
 fn extent(group: &RowGroupMetaData, geometry: &str, covering: Option<&[Vec<String>; 4]>) -> Option<Extent> {
-    let column = |path: &[String]| group.columns().iter().find(|column| column.column_path().parts() == path);
+    let geometries = column_of(group, &[geometry.to_owned()]);
     let Some(paths) = covering else {
-        let found = column(&[geometry.to_owned()])?.geo_statistics()?.bounding_box()?;
+        let found = geometries?.geo_statistics()?.bounding_box()?;
         return Some(Extent::new([found.get_xmin(), found.get_ymin(), found.get_xmax(), found.get_ymax()]));
     };
-    let columns = paths.each_ref().map(|path| column(path));
+    let columns = paths.each_ref().map(|path| column_of(group, path));
     let [Some(x0), Some(y0), Some(x1), Some(y1)] = columns else { return None };
-    let is_null = |column: &ColumnChunkMetaData| {
-        column.statistics().and_then(Statistics::null_count_opt) == u64::try_from(group.num_rows()).ok()
-    };
-    if [x0, y0, x1, y1].into_iter().all(is_null) {
+    // A geometry that is null needs no box.
+    let without_box = geometries.map_or(0, nulls);
+    let all_null = u64::try_from(group.num_rows()).unwrap_or_default();
+    if [x0, y0, x1, y1].into_iter().any(|column| nulls(column) > without_box || nulls(column) == all_null) {
         return Some(Extent::NOTHING);
     }
     let least = |column: &ColumnChunkMetaData| match column.statistics()? {
@@ -173,5 +192,8 @@ fn extent(group: &RowGroupMetaData, geometry: &str, covering: Option<&[Vec<Strin
         Statistics::Float(found) => found.max_opt().map(|number| around(*number)[1]),
         _ => None,
     };
-    Some(Extent::new([least(x0)?, least(y0)?, greatest(x1)?, greatest(y1)?]))
+    let extent = Extent::new([least(x0)?, least(y0)?, greatest(x1)?, greatest(y1)?]);
+    // A side that is beyond the opposite one of all rows is that of a box whose corners are not in order.
+    let is_in_order = |low, high| least(low) <= least(high) && greatest(low) <= greatest(high);
+    Some(if is_in_order(x0, x1) && is_in_order(y0, y1) { extent } else { Extent::NOTHING })
 }
