@@ -13,6 +13,14 @@ pub(crate) struct CoverageArguments {
     #[arg(long)]
     coverage: bool,
 
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+/// The limits by which a coverage is judged.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Coverage (maps)")]
+pub(crate) struct LimitArguments {
     /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates, with --geodesic too. The width is the mean one: twice
     /// the area by the length of the border. Wider gaps are counted. Default: gaps of any width, and near misses up to a hundredth of
     /// the median length of the edges.
@@ -55,20 +63,29 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
 
 impl CoverageArguments {
     pub(crate) const fn is_any(&self) -> bool {
-        let AcceptedGaps { lake_width, accept_gap } = &self.accepted;
-        let is_limited = self.gap_width.is_some() || lake_width.is_some() || self.sliver.is_some();
-        self.coverage || is_limited || !accept_gap.is_empty()
+        self.coverage || self.limits.is_any()
     }
 
     /// The limits, and if findings make a map invalid.
     pub(crate) fn options(&self) -> CoverageOptions {
-        let limits = Limits {
+        CoverageOptions { is_rule: self.coverage, limits: self.limits.limits() }
+    }
+}
+
+impl LimitArguments {
+    const fn is_any(&self) -> bool {
+        let AcceptedGaps { lake_width, accept_gap } = &self.accepted;
+        self.gap_width.is_some() || lake_width.is_some() || self.sliver.is_some() || !accept_gap.is_empty()
+    }
+
+    /// The limits.
+    pub(crate) fn limits(&self) -> Limits {
+        Limits {
             gap_width: self.gap_width,
             lake_width: self.accepted.lake_width,
             accepted_gaps: self.accepted.accept_gap.clone(),
             sliver_area: self.sliver,
             ..Limits::default()
-        };
-        CoverageOptions { is_rule: self.coverage, limits }
+        }
     }
 }

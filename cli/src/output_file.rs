@@ -7,18 +7,22 @@ use std::fs;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use twinedge_formats::layer::{Format, files};
 
-/// Writes a file, and refuses to overwrite the input, by whatever path.
-pub(crate) fn write_file(path: &Path, input: Option<&Path>, contents: &[u8]) -> Result<(), Failure> {
+/// Writes a file, and refuses to overwrite an input, by whatever path.
+pub(crate) fn write_file<'a>(
+    path: &Path,
+    inputs: impl IntoIterator<Item = &'a Path>,
+    contents: &[u8],
+) -> Result<(), Failure> {
     let failed = |error: std::io::Error| Failure(format!("{}: {error}", path.display()));
-    write_files(path, &[path.to_owned()], input, |path| fs::write(path, contents).map_err(failed))
+    write_files(path, &[path.to_owned()], inputs, |path| fs::write(path, contents).map_err(failed))
 }
 
 /// Writes the files that belong to a path. `write` gets the path of the same name in a new folder beside them; what it has written
 /// there takes the place of what was there before. What is no plain file, such as `/dev/stdout`, is written to as it is.
-pub(crate) fn write_files(
+pub(crate) fn write_files<'a>(
     path: &Path,
     all: &[PathBuf],
-    input: Option<&Path>,
+    inputs: impl IntoIterator<Item = &'a Path>,
     write: impl FnOnce(&Path) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let failed = |error: std::io::Error| {
@@ -27,7 +31,7 @@ pub(crate) fn write_files(
         let cause = text.split_once(" at path ").map_or(text.as_str(), |(cause, _)| cause);
         Failure(format!("{}: {cause}", path.display()))
     };
-    if let Some(input) = input {
+    for input in inputs {
         // Each file of a Shapefile is a part of the input.
         let format = Format::of_path(input).unwrap_or(Format::GeoJson);
         let parts = files(input, format).into_iter().chain([input.to_owned()]);

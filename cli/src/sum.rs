@@ -6,9 +6,10 @@ use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use crate::tile::Saved;
 use serde_json::Value;
+use std::collections::HashMap;
 use std::path::PathBuf;
 use std::time::Instant;
-use twinedge_report::{Options, audit_summary, merged};
+use twinedge_report::{CoverageOptions, Options, audit_summary, merged};
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::lazy::LazyOutcome;
 use twinedge_trials::meshes::MeshesOutcome;
@@ -35,6 +36,7 @@ use twinedge_trials::{SumError, sum};
   twinedge sum part-*.json
   twinedge sum part-*.json --format json | jq .ok
   twinedge sum *.summary
+  twinedge sum *.summary --coverage
 
 Exit status: 0 all is well; 1 something is wrong in the whole work; 2 a file could not be read, or the files are not all parts \
 of one work.")]
@@ -46,6 +48,10 @@ pub(crate) struct Sum {
     /// Of summaries of tiles: write the summary of them together, of which there may be more to come, and print no report.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+
+    /// Of summaries of tiles: count what breaks C1 … C7 as violations, as `audit --coverage` does. Otherwise they are counted and shown.
+    #[arg(long, conflicts_with = "output")]
+    coverage: bool,
 
     /// Output format.
     #[arg(long, value_enum, default_value_t)]
@@ -67,6 +73,9 @@ impl Sum {
         }
         if self.output.is_some() {
             return Err(Failure("-o is for summaries of tiles".to_owned()));
+        }
+        if self.coverage {
+            return Err(Failure("--coverage is for summaries of tiles".to_owned()));
         }
         for key in ["command", "version", "work", "on"] {
             same(&parts, key)?;
@@ -93,8 +102,19 @@ impl Sum {
         for key in ["command", "version"] {
             same(&parts, key)?;
         }
+        let of_summaries = |part: &Part| Part { name: part.name.clone(), value: part.value["summary"].clone() };
+        let of_summaries: Vec<Part> = parts.iter().map(of_summaries).collect();
+        for key in ["grid", "limits"] {
+            same(&of_summaries, key)?;
+        }
+        let mut tiles = HashMap::new();
         let summary = |Part { name, value }: Part| {
             let saved: Saved = serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
+            for tile in saved.summary.tiles() {
+                if let Some(other) = tiles.insert(*tile, name.clone()) {
+                    return Err(Failure(format!("{name}: tile {tile} is in {other}, too")));
+                }
+            }
             Ok((saved.summary, saved.cut))
         };
         let summaries = parts.into_iter().map(summary).collect::<Result<Vec<_>, Failure>>()?;
@@ -102,10 +122,12 @@ impl Sum {
         let whole = merged(summaries)?.ok_or_else(|| Failure("there is no summary".to_owned()))?;
         let cut = merged(of_cut.into_iter().flatten().collect())?;
         if let Some(path) = &self.output {
-            write_file(path, None, &Saved::bytes(whole, cut)?)?;
+            let inputs = self.files.iter().map(PathBuf::as_path);
+            write_file(path, inputs, &Saved::bytes(whole, cut)?)?;
             return Ok(Verdict::Sound);
         }
-        let mut audited = audit_summary(whole, cut, &Options::default())?;
+        let coverage = CoverageOptions { is_rule: self.coverage, ..CoverageOptions::default() };
+        let mut audited = audit_summary(whole, cut, &Options { coverage, ..Options::default() })?;
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         match self.format {
             Format::Text => print(&audited.text()?)?,

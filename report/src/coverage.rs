@@ -3,7 +3,7 @@
 use crate::coverage_words::explanation;
 use crate::diagnosis_text::{size, write, write_explanations};
 use crate::imported::Imported;
-use crate::names::named;
+use crate::names::{named, numbered_name};
 use crate::trace::{of_finding, position};
 use crate::units::Units;
 use crate::words::style::{BAD, GOOD, QUIET};
@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
+use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 
 /// The number of findings of each rule that the text shows unless asked.
@@ -220,12 +220,11 @@ impl Coverage {
     }
 
     /// Returns true if one of these places is a vertex that is missing between two of these features. O(places · log n).
-    pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<FeatureId>) -> bool {
-        let has = |feature: usize| features.iter().any(|one| one.index() == feature);
+    pub(crate) fn lacks_any(&self, places: &[Point], features: &BTreeSet<usize>) -> bool {
         places.iter().map(|place| position(*place)).any(|place| {
             let first = self.missing.partition_point(|(at, _)| compare(at, &place).is_lt());
             let mut here = self.missing[first..].iter().take_while(|(at, _)| compare(at, &place).is_eq());
-            here.any(|(_, pair)| pair.iter().all(|feature| has(*feature)))
+            here.any(|(_, pair)| pair.iter().all(|feature| features.contains(feature)))
         })
     }
 
@@ -581,7 +580,7 @@ fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects
     let at = defects.first().map(|defect| defect.at);
     Diagnosis {
         message: reasons.join(", "),
-        features: Some(imported.map.feature(feature).map(|id| named(imported, id)).into_iter().collect()),
+        features: Some(vec![numbered_name(imported, feature)]),
         trace: Trace { points, ..Trace::default() },
         defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
         ..of_rule(CoverageRule::Validity, asked, at)

@@ -70,7 +70,8 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
         // A crossing of two edges has no vertex.
         let may_be =
             clash(violation) && !matches!(violation, Violation::Cross { .. } | Violation::SegmentsCross { .. });
-        may_be && coverage.lacks_any(&places(map, violation), &features(map, violation))
+        let around = || features(map, violation).into_iter().map(FeatureId::index).collect();
+        may_be && coverage.lacks_any(&places(map, violation), &around())
     };
     let of_mismatches = report.violations().iter().filter(|violation| is_mismatch(violation)).count() as u64;
     let diagnosis = |violation: &Violation| {

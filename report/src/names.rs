@@ -8,22 +8,30 @@ use twinedge_formats::diagnosis::FeatureName;
 /// The name of a feature, fit for a terminal, or its number, counted from 0.
 #[must_use]
 pub fn label(map: &PlanarMap, feature: FeatureId) -> String {
-    map.name(feature).map_or_else(|| format!("feature {}", feature.index()), plain)
+    words(map.name(feature), feature.index())
+}
+
+fn words(name: Option<&str>, number: usize) -> String {
+    name.map_or_else(|| format!("feature {number}"), plain)
 }
 
 /// The name, the id and the number of a feature.
 #[must_use]
 pub fn named(imported: &Imported, feature: FeatureId) -> FeatureName {
+    numbered_name(imported, feature.index())
+}
+
+/// The name and the id, if they are known, of the feature with this number.
+pub(crate) fn numbered_name(imported: &Imported, number: usize) -> FeatureName {
     let map: &PlanarMap = &imported.map;
-    let id = imported.noted.ids.get(feature.index()).cloned().flatten();
-    let label = match &id {
-        Some(id) if map.name(feature).is_some_and(|name| name != id) => {
-            format!("{} (id {})", label(map, feature), plain(id))
-        }
-        Some(id) if map.name(feature).is_none() => format!("id {}", plain(id)),
-        _ => label(map, feature),
+    let id = imported.noted.ids.get(number).cloned().flatten();
+    let name = map.feature(number).and_then(|feature| map.name(feature));
+    let label = match (&id, name) {
+        (Some(id), Some(name)) if name != id => format!("{} (id {})", plain(name), plain(id)),
+        (Some(id), None) => format!("id {}", plain(id)),
+        _ => words(name, number),
     };
-    FeatureName { number: feature.index(), id, name: map.name(feature).map(str::to_owned), label }
+    FeatureName { number, id, name: name.map(str::to_owned), label }
 }
 
 /// The names, ids and numbers of features.

@@ -8,7 +8,7 @@ use crate::left_out::{reason, refuse_missing, without_cuts};
 use crate::map::following;
 use crate::map_json::extra;
 use crate::map_notes::notes;
-use crate::names::named;
+use crate::names::numbered_name;
 use crate::noted::{Keep, Noted};
 use crate::options::Options;
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
@@ -94,8 +94,8 @@ fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
     defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
 }
 
-/// The coarsest grid of 1, 2, 4 … columns and rows of which no tile is given more than fits into so many bytes; if there is none, the one whose
-/// largest tile is smallest.
+/// The coarsest grid of 1, 2, 4 … columns and rows of which no tile is given more than fits into so many bytes; if there is none, the coarsest one whose
+/// largest tile is at most a quarter larger than that of any other: more tiles take memory, too.
 fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
     let mut sizes = Vec::new();
     for power in 0..=FINEST {
@@ -116,7 +116,10 @@ fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Re
     let largest = |given: &[u64]| given.iter().copied().max().unwrap_or_default();
     let fits = |given: &[u64]| largest(given).saturating_mul(BYTES * AT_ONCE) <= bytes;
     let fitting = sizes.iter().find(|(_, given)| fits(given));
-    let smallest = || sizes.iter().min_by_key(|(_, given)| largest(given));
+    let smallest = || {
+        let least = sizes.iter().map(|(_, given)| largest(given)).min()?;
+        sizes.iter().find(|(_, given)| largest(given) - least <= least / 4)
+    };
     fitting.or_else(smallest).map(|(grid, _)| *grid).ok_or(Error::Grid(GridError::Lines))
 }
 
@@ -142,14 +145,6 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
         }
         None => (outcome, (!without.is_empty()).then(|| made_without(&without))),
     };
-    let findings = outcome.coverage.iter().flat_map(|found| &found.findings);
-    let named = findings.flat_map(|finding| &finding.features).map(|feature| feature.index());
-    let others = outcome
-        .crossings
-        .iter()
-        .flat_map(|one| &one.features)
-        .chain(outcome.defects.iter().map(|(feature, _)| feature));
-    let most = named.chain(others.map(|feature| *feature as usize)).max();
     let mut noted = Noted::new(None);
     noted.defects = numbered(&outcome.defects);
     let [columns, rows] = grid.size();
@@ -158,7 +153,7 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
     let imported = Imported {
         name: counted(columns as usize * rows as usize, "tile"),
         read,
-        map: names((0..most.map_or(0, |most| most + 1)).map(|_| None))?,
+        map: names(std::iter::empty())?,
         summary: BuildSummary::default(),
         noted,
         builder: None,
@@ -244,7 +239,7 @@ fn report(
     };
     let coverage = Coverage::of_tiles(imported, asked, units, list, outcome.coverage.take().ok_or(why));
     let mismatched = |one: &Crossing| {
-        let features = one.features.iter().filter_map(|number| imported.map.feature(*number as usize)).collect();
+        let features = one.features.iter().map(|number| *number as usize).collect();
         one.kind != CrossingKind::Cross && coverage.lacks_any(&[one.first, one.second].concat(), &features)
     };
     let of_mismatches = outcome.crossings.iter().filter(|one| mismatched(one)).count();
@@ -334,7 +329,7 @@ fn crossing(imported: &Imported, one: &Crossing) -> Diagnosis {
         CrossingKind::Touch => [&one.first[..1], &one.second].concat(),
         _ => [one.first, one.second].concat(),
     };
-    let features = one.features.iter().filter_map(|number| imported.map.feature(*number as usize));
+    let features = one.features.iter().map(|number| numbered_name(imported, *number as usize));
     let found = violation(Rule::G4.id(), kind, message, &places);
     let positions: Vec<_> = places.iter().copied().map(position).collect();
     let of_whole = match one.kind {
@@ -344,7 +339,7 @@ fn crossing(imported: &Imported, one: &Crossing) -> Diagnosis {
     };
     Diagnosis {
         cause: Some(of_whole.cause()),
-        features: Some(features.map(|feature| named(imported, feature)).collect()),
+        features: Some(features.collect()),
         look: if one.kind == CrossingKind::Touch { found.look } else { middle(&positions) },
         ..found
     }

@@ -43,20 +43,41 @@ impl OnDisk {
     }
 }
 
-/// Writes what was collected for each tile, and notes where.
-fn append(
-    collected: &mut [Vec<u8>],
-    file: &mut File,
-    end: &mut u64,
-    stretches: &mut [Vec<(u64, usize)>],
-) -> io::Result<()> {
-    for (bytes, stretches) in collected.iter_mut().zip(stretches).filter(|(bytes, _)| !bytes.is_empty()) {
-        file.write_all(bytes)?;
-        stretches.push((*end, bytes.len()));
-        *end += bytes.len() as u64;
-        *bytes = Vec::new();
+/// The features of each tile that are not written yet, and the file to which they are.
+struct Collected {
+    tiles: Vec<Vec<u8>>,
+    size: usize,
+    file: File,
+    end: u64,
+    stretches: Vec<Vec<(u64, usize)>>,
+}
+
+impl Collected {
+    fn new(tiles: usize) -> io::Result<Self> {
+        let (tiles, stretches) = (vec![Vec::new(); tiles], vec![Vec::new(); tiles]);
+        Ok(Self { tiles, size: 0, file: tempfile::tempfile()?, end: 0, stretches })
     }
-    Ok(())
+
+    /// Adds a feature to a tile, and writes all that was collected if it is too much.
+    fn add(&mut self, tile: usize, number: u32, bytes: &[u8]) -> io::Result<()> {
+        self.tiles[tile].extend(number.to_le_bytes());
+        self.tiles[tile].extend(bytes);
+        self.size += bytes.len();
+        if self.size > COLLECTED { self.write() } else { Ok(()) }
+    }
+
+    /// Writes what was collected for each tile, and notes where.
+    fn write(&mut self) -> io::Result<()> {
+        self.size = 0;
+        for (bytes, stretches) in self.tiles.iter_mut().zip(&mut self.stretches).filter(|(bytes, _)| !bytes.is_empty())
+        {
+            self.file.write_all(bytes)?;
+            stretches.push((self.end, bytes.len()));
+            self.end += bytes.len() as u64;
+            *bytes = Vec::new();
+        }
+        Ok(())
+    }
 }
 
 impl Shelf for OnDisk {
@@ -72,24 +93,15 @@ impl Shelf for OnDisk {
     }
 
     fn file(&mut self, tiles: usize, tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        let (mut file, mut end) = (tempfile::tempfile()?, 0);
-        let mut stretches = vec![Vec::new(); tiles];
-        let mut collected: Vec<Vec<u8>> = vec![Vec::new(); tiles];
-        let (mut size, mut number) = (0, 0_u32);
+        let mut collected = Collected::new(tiles)?;
+        let mut number = 0_u32;
         self.read_all(&mut |feature, bytes| {
-            for tile in tiles_of(feature) {
-                collected[tile].extend(number.to_le_bytes());
-                collected[tile].extend(bytes);
-                size += bytes.len();
-            }
+            tiles_of(feature).into_iter().try_for_each(|tile| collected.add(tile, number, bytes))?;
             number += 1;
-            if size > COLLECTED {
-                size = 0;
-                append(&mut collected, &mut file, &mut end, &mut stretches)?;
-            }
             Ok(())
         })?;
-        append(&mut collected, &mut file, &mut end, &mut stretches)?;
+        collected.write()?;
+        let Collected { file, stretches, .. } = collected;
         // The room of the file before is free again.
         *self = Self { by_tiles: Mutex::new(file), stretches, ..Self::new()? };
         Ok(())
@@ -192,7 +204,7 @@ fn read_number(reader: &mut impl Read) -> io::Result<u32> {
 
 #[cfg(test)]
 mod tests {
-    use super::{OnDisk, Shelf as _};
+    use super::{COLLECTED, Collected, OnDisk, Shelf as _};
     use twinedge::geometry::Point;
     use twinedge::map::{Feature, Shape};
 
@@ -226,5 +238,16 @@ mod tests {
             of_tile.iter().map(|(number, _)| *number).collect::<Vec<_>>()
         };
         assert_eq!([0, 1, 2].map(numbers), [vec![0], vec![], vec![0, 2]]);
+    }
+
+    #[test]
+    fn a_large_feature_is_not_held_once_for_each_of_its_tiles() {
+        let mut collected = Collected::new(5).expect("there is room");
+        let large = vec![0; COLLECTED / 4 * 3];
+        for tile in 0..5 {
+            collected.add(tile, 0, &large).expect("there is room");
+            let held: usize = collected.tiles.iter().map(Vec::len).sum();
+            assert!(held <= COLLECTED, "{held}");
+        }
     }
 }

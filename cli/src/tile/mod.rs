@@ -2,7 +2,7 @@
 
 mod made;
 
-use crate::coverage_arguments::CoverageArguments;
+use crate::coverage_arguments::LimitArguments;
 use crate::input::MapFile;
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict, named};
@@ -49,7 +49,7 @@ pub(crate) struct Tile {
     corners: Option<[Point; 2]>,
 
     #[command(flatten)]
-    coverage: CoverageArguments,
+    limits: LimitArguments,
 
     /// Say on standard error how much of the file was read.
     #[arg(short, long)]
@@ -97,7 +97,10 @@ fn place(text: &str) -> Result<Place, String> {
 fn corners(text: &str) -> Result<[Point; 2], String> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|x| x.trim().parse().ok()).collect();
     match numbers.as_deref() {
-        Some(&[x0, y0, x1, y1]) => Ok([Point::new(x0, y0), Point::new(x1, y1)]),
+        Some(&[x0, y0, x1, y1]) if x0 < x1 && y0 < y1 && [x0, y0, x1, y1].iter().all(|x| x.is_finite()) => {
+            Ok([Point::new(x0, y0), Point::new(x1, y1)])
+        }
+        Some(&[_, _, _, _]) => Err("not the lower left corner and then the upper right one, finite".to_owned()),
         _ => Err("not four numbers with commas between".to_owned()),
     }
 }
@@ -111,10 +114,12 @@ impl Tile {
         }
         let options = input.options();
         input.map_format().map_err(named(&name))?;
-        let indexed = input.path.as_deref().map(|path| Indexed::open(path, &options)).transpose();
-        let indexed = indexed.map_err(named(&name))?.flatten();
-        let limits = self.coverage.options().limits;
-        let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits };
+        // What can be read but once is not opened a second time.
+        let path = input.path.as_deref().filter(|path| path.is_file());
+        let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
+        // Cuts depend on how far the map reaches.
+        let indexed = indexed.filter(|file| file.corners().is_some());
+        let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits: self.limits.limits() };
         let (made, amount) = if let Some(mut file) = indexed {
             (by_windows(&mut file, &asked).map_err(named(&name))?, Some(file.amount()))
         } else {
@@ -134,7 +139,7 @@ impl Tile {
 
 fn told(amount: Option<Amount>) -> String {
     let Some(Amount { features, of_features, bytes, of_bytes, .. }) = amount else {
-        return "the whole file was read, as it has no boxes that say where its features are".to_owned();
+        return "the whole file was read, as it has no boxes that say where all its features are".to_owned();
     };
     let [features, of_features, bytes, of_bytes] = [features, of_features, bytes, of_bytes].map(grouped);
     format!("{features} of {of_features} features were read, and {bytes} bytes; the file has {of_bytes}")

@@ -152,7 +152,8 @@ fn the_sum_of_all_tiles_is_the_audit() {
     let missing = twinedge(&[&["sum"], &files[4..]].concat());
     assert!(complaint(&missing).contains("4 tiles are missing: (0,0), (1,0), (0,1) and (2,1)"));
     let twice = twinedge(&["sum", files[0], files[0]]);
-    assert!(complaint(&twice).contains("both summaries have tile 1,0"));
+    let told = complaint(&twice);
+    assert!(told.contains(&format!("{0}: tile 1,0 is in {0}, too", files[0])), "{told}");
 }
 
 #[test]
@@ -209,10 +210,110 @@ fn what_tiles_do_not_take_is_refused() {
         (&["audit", "--memory", "2G", "--geodesic"], "--geodesic and --memory do not go together"),
         (&["tile", "--grid", "2x2", "--tile", "2,0", "-o", "x"], "the grid has no tile 2,0"),
         (&["tile", "--grid", "2x2", "--tile", "1,0", "-o", "x", "--snap", "auto"], "a tile takes edges as they are"),
+        (&["sum", "--coverage", "-o", "x"], "'--coverage' cannot be used with '--output"),
+        (&["tile", "--grid", "2x2", "--tile", "1,0", "-o", "x", "--coverage"], "unexpected argument '--coverage'"),
     ] {
         let output = twinedge(&[arguments, &[&file]].concat());
         assert_eq!(output.status.code(), Some(2));
-        let text = complaint(&output);
+        let text = String::from_utf8(output.stderr).unwrap();
         assert!(text.contains(expected), "{text}");
     }
+}
+
+/// The summary of the only tile of a grid.
+fn only_tile(file: &str, summary: &std::path::Path, more: &[&str]) -> String {
+    let name = summary.to_str().unwrap().to_owned();
+    let output = twinedge(&[&["tile", file, "--grid", "1x1", "--tile", "0,0", "-o", &name], more].concat());
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+    name
+}
+
+#[test]
+fn a_sum_with_findings_fails_if_they_are_to_count() {
+    let (folder, file) = parcels("tiles-coverage");
+    let summary = only_tile(&file, &folder.join("0-0.summary"), &[]);
+    assert_eq!(twinedge(&["sum", &summary]).status.code(), Some(0));
+    let (status, sum) = json(&["sum", "--coverage", "--format", "json", &summary]);
+    let (of_whole, whole) = json(&["audit", "--coverage", "--format", "json", &file]);
+    assert_eq!((status, of_whole), (Some(1), Some(1)));
+    assert_eq!(sum["violation_count"], whole["violation_count"]);
+    assert_eq!(sum["first"]["rule"], whole["first"]["rule"]);
+}
+
+#[test]
+fn a_sum_does_not_overwrite_a_summary() {
+    let (folder, file) = parcels("tiles-overwrite");
+    let summary = only_tile(&file, &folder.join("0-0.summary"), &[]);
+    let before = std::fs::read(&summary).unwrap();
+    let by_another_path = folder.join("..").join("tiles-overwrite").join("0-0.summary");
+    let output = twinedge(&["sum", &summary, "-o", by_another_path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("this is the input, and is not overwritten"));
+    assert!(std::fs::read(&summary).unwrap() == before);
+}
+
+#[test]
+fn a_box_that_is_none_is_refused() {
+    let (folder, file) = parcels("tiles-box");
+    let summary = folder.join("x").to_str().unwrap().to_owned();
+    for corners in ["nan,0,inf,3", "0,0,inf,3", "4,0,0,3", "0,3,4,3"] {
+        let output = twinedge(&["tile", &file, "--grid", "1x1", "--tile", "0,0", "--box", corners, "-o", &summary]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(output.status.code() == Some(2) && told.contains("the lower left corner"), "{corners}: {told}");
+    }
+}
+
+#[test]
+fn summaries_that_do_not_go_together_are_named() {
+    let (folder, file) = parcels("tiles-apart");
+    let first = only_tile(&file, &folder.join("first"), &[]);
+    for (more, key) in [(["--sliver", "2"], "sliver_area is 2.0, but null"), (["--box", "0,0,9,9"], "is [")] {
+        let second = only_tile(&file, &folder.join("second"), &more);
+        let told = complaint(&twinedge(&["sum", &first, &second]));
+        let in_words = [format!("{second}: "), key.to_owned(), format!("in {first}")];
+        assert!(in_words.iter().all(|words| told.contains(words)), "{told}");
+    }
+}
+
+#[test]
+fn a_sum_does_not_take_longer_for_large_numbers_of_features() {
+    let (folder, file) = parcels("tiles-numbers");
+    let summary = only_tile(&file, &folder.join("0-0.summary"), &[]);
+    let mut saved: Value = serde_json::from_slice(&std::fs::read(&summary).unwrap()).unwrap();
+    let defects = &mut saved["summary"]["defects"];
+    assert_eq!(defects[0][0], 7);
+    defects[0][0] = 4_000_000_000_u32.into();
+    std::fs::write(&summary, saved.to_string()).unwrap();
+    let (status, sum) = json(&["sum", "--format", "json", &summary]);
+    let findings = sum["coverage"]["findings"].as_array().unwrap();
+    let invalid = findings.iter().find(|one| one["rule"] == "C6").unwrap();
+    assert_eq!((status, &invalid["features"][0]["number"]), (Some(0), &4_000_000_000_u32.into()), "{invalid}");
+}
+
+#[test]
+fn a_large_feature_is_not_given_to_many_tiles_for_nothing() {
+    // An outline of 800 vertices around 256 squares: no grid has tiles with less than the outline.
+    let corner = |i: u32| f64::from(i % 200) / 10.0 - 2.0;
+    let outline: Vec<[f64; 2]> = (0..800)
+        .map(|i| match i / 200 {
+            0 => [corner(i), -2.0],
+            1 => [18.0, corner(i)],
+            2 => [16.0 - corner(i), 18.0],
+            _ => [-2.0, 16.0 - corner(i)],
+        })
+        .chain([[-2.0, -2.0]])
+        .collect();
+    let squares = (0..256).map(|i| {
+        let [x, y] = [i % 16, i / 16].map(f64::from);
+        vec![[x, y], [x + 0.9, y], [x + 0.9, y + 0.9], [x, y + 0.9], [x, y]]
+    });
+    let polygon = |ring| serde_json::json!({"type": "Polygon", "coordinates": [ring]});
+    let shapes: Vec<Value> = squares.chain([outline]).map(polygon).collect();
+    let file = scratch_folder("tiles-outline").join("outline.geojson");
+    let feature = |geometry| serde_json::json!({"type": "Feature", "properties": {}, "geometry": geometry});
+    let features: Vec<Value> = shapes.into_iter().map(feature).collect();
+    let text = serde_json::json!({"type": "FeatureCollection", "features": features}).to_string();
+    std::fs::write(&file, text).unwrap();
+    let (_, value) = json(&["audit", file.to_str().unwrap(), "--format", "json", "--memory", "1"]);
+    assert_eq!(value["tiles"]["columns"], 4);
 }

@@ -1,6 +1,6 @@
 //! `twinedge tile` of files with boxes: the same bytes as from the whole file, less that is read, boxes that lie, and tiles that are left out.
 
-use crate::support::{complaint, data, json, scratch_folder, twinedge};
+use crate::support::{complaint, data, json, scratch_folder, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -117,6 +117,21 @@ fn a_box_that_is_smaller_than_its_feature_is_an_error_in_the_tile_where_it_shows
     let error = made[0].as_ref().unwrap_err();
     assert!(error.contains("FlatGeobuf: feature 12: it reaches out of the box"), "{error}");
     assert!(made[1].is_ok() && made[2].is_ok(), "{made:?}");
+}
+
+#[test]
+#[cfg(unix)]
+fn a_tile_of_a_pipe_is_that_of_the_file() {
+    let folder = scratch_folder("tile-windows-pipe");
+    let text = folder.join("squares.geojsonl").to_str().unwrap().to_owned();
+    std::fs::write(&text, squares()).unwrap();
+    let [of_file, of_pipe] = ["file", "pipe"].map(|name| folder.join(name).to_str().unwrap().to_owned());
+    let arguments = ["--grid", "1x1", "--tile", "0,0", "-o"];
+    assert!(twinedge(&[&["tile", &text], &arguments[..], &[&of_file]].concat()).status.success());
+    let arguments = [&["tile", "/dev/stdin"], &arguments[..], &[&of_pipe]].concat();
+    let output = twinedge_reading(&arguments, squares().as_bytes());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(std::fs::read(of_pipe).unwrap() == std::fs::read(of_file).unwrap());
 }
 
 #[test]

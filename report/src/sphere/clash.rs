@@ -8,7 +8,6 @@ use crate::trace::position;
 use std::collections::BTreeSet;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::geometry::Point;
-use twinedge::map::FeatureId;
 use twinedge::validate::Rule;
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records, Trace};
 use twinedge_sphere::{Clash, Drawing, Undrawn};
@@ -48,9 +47,8 @@ pub(super) fn clashing(imported: &Imported, drawing: &Drawing, clash: &Clash, co
         _ => Vec::new(),
     };
     let features: BTreeSet<u32> = of_arcs.chain(of_place).collect();
-    let ids: BTreeSet<FeatureId> =
-        features.iter().filter_map(|feature| imported.map.feature(*feature as usize)).collect();
-    let is_mismatch = !matches!(clash, Clash::Cross { .. }) && coverage.lacks_any(&[clash.at(drawing)], &ids);
+    let numbers = features.iter().map(|feature| *feature as usize).collect();
+    let is_mismatch = !matches!(clash, Clash::Cross { .. }) && coverage.lacks_any(&[clash.at(drawing)], &numbers);
     let (cause, remedy) = if is_mismatch {
         ("borders have different vertices", "add the vertices that are missing (C7), from which it follows")
     } else {
