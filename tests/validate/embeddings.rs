@@ -185,6 +185,14 @@ fn crossings_are_counted_beyond_those_that_are_kept() {
 }
 
 #[test]
+fn each_rule_of_coordinates_says_how_much_it_checked() {
+    let report = Redrawn::of(&map(&square(0.0, 0.0, 2.0))).report();
+    for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
+        assert!(report.outcome(rule).is_some_and(|outcome| outcome.checked > 0), "{rule}");
+    }
+}
+
+#[test]
 fn topology_that_is_broken_leaves_geometry_unchecked() {
     struct Tables(Table, fn(usize) -> Link);
     impl Embedding for Tables {
