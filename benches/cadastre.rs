@@ -5,8 +5,8 @@
 //! ```
 //!
 //! The arguments are the number of parcels, that of the vertices of each (a multiple of 4, from 12 on), and how often each fault is planted. Standard error
-//! has the numbers of vertices and of what an audit must find. With a fourth argument `plane`, no faults are planted by which borders cross or lack
-//! vertices (C7, G4). Coordinates are small multiples of a power of two, so that midpoints lie on their edges exactly.
+//! has the numbers of vertices and of what an audit must find. After these, `plane` plants no faults by which borders cross or lack
+//! vertices (C7, G4), and `shifted` moves all by half a parcel, for a second layer over the first. Coordinates are small multiples of a power of two, so that midpoints lie on their edges exactly.
 
 use std::io::{self, BufWriter, Write};
 
@@ -142,7 +142,9 @@ fn main() -> io::Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let number = |i: usize, default: i64| arguments.get(i).and_then(|text| text.parse().ok()).unwrap_or(default);
     let (parcels, vertices, times) = (number(0, 10_000), number(1, 12), number(2, 10));
-    let is_plane = arguments.get(3).is_some_and(|word| word == "plane");
+    let has = |word: &str| arguments.iter().skip(3).any(|other| other == word);
+    let is_plane = has("plane");
+    let shift = if has("shifted") { PITCH / 2 } else { 0 };
     let columns = (1..=parcels).find(|side| side * side >= parcels).unwrap_or(1);
     let cadastre = Cadastre { edges: (vertices / 4).max(3) };
     let kinds: Vec<Fault> = OF_PARCELS
@@ -156,7 +158,7 @@ fn main() -> io::Result<()> {
         return Err(io::Error::other("there are too few parcels for so many faults"));
     }
     let fault_at = |i: i64, j: i64| {
-        if i % 3 != 1 || j % 3 != 1 || i / 3 >= across || j / 3 >= rows {
+        if wanted == 0 || i % 3 != 1 || j % 3 != 1 || i / 3 >= across || j / 3 >= rows {
             return None;
         }
         let (place, every) = (j / 3 * across + i / 3, places / wanted);
@@ -171,10 +173,10 @@ fn main() -> io::Result<()> {
             r#"{{"type":"Feature","id":"{id}","properties":null,"geometry":{{"type":"Polygon","coordinates":[["#
         )?;
         for [x, y] in ring {
-            write!(out, "[{},{}],", *x as f64 * UNIT, *y as f64 * UNIT)?;
+            write!(out, "[{},{}],", (x + shift) as f64 * UNIT, (y + shift) as f64 * UNIT)?;
         }
         let [x, y] = ring[0];
-        writeln!(out, "[{},{}]]]}}}}", x as f64 * UNIT, y as f64 * UNIT)?;
+        writeln!(out, "[{},{}]]]}}}}", (x + shift) as f64 * UNIT, (y + shift) as f64 * UNIT)?;
         id += 1;
         points += ring.len();
         Ok(())

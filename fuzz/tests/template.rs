@@ -69,9 +69,9 @@ fn the_project_is_built_and_finds_planted_bugs_and_panics() {
     template(&folder, "mesh::Planted::<false>::default()");
     let fuzz = folder.join("fuzz");
     let run = |corpus: &Path| {
-        let built = cargo(&fuzz, target).args(["build", "--release", "--offline"]).output().expect("cargo runs");
+        let built = cargo(&fuzz, target).args(["build", "--offline"]).output().expect("cargo runs");
         assert!(built.status.success(), "{}", said(&built));
-        let mut binary = Command::new(target.join("release/conforms"));
+        let mut binary = Command::new(target.join("debug/conforms"));
         let options = ["-runs=5000", "-seed=1", "-len_control=0", "-max_len=400", "-artifact_prefix=artifact-"];
         binary.current_dir(&fuzz).args(options).arg(corpus).output().expect("it runs")
     };

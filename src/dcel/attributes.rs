@@ -176,6 +176,10 @@ impl<S: AttributeStore> Dcel<S> {
             #[cfg(feature = "map")]
             Kind::Feature => feature(old),
         });
-        self.store.kept_attributes().extend(all);
+        let attributes = self.store.kept_attributes();
+        attributes.extend(all);
+        if !S::RECORDS {
+            attributes.clear_log();
+        }
     }
 }

@@ -171,7 +171,9 @@ impl PlanarMap {
             }
         }
         let values = self.values(from).ok_or(OperatorError::NoSuchAttribute)?.iter();
-        let mut pieces: Vec<_> = values.map(|(k, value)| (value.clone(), mem::take(&mut parts[k.index()]))).collect();
+        let of_feature = |parts: Option<&mut Vec<_>>| parts.map(mem::take).unwrap_or_default();
+        let mut pieces: Vec<_> =
+            values.map(|(k, value)| (value.clone(), of_feature(parts.get_mut(k.index())))).collect();
         for (_, parts) in &mut pieces {
             largest_first(parts);
         }
@@ -187,7 +189,12 @@ impl PlanarMap {
     pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
         let count = self.names.len();
         let feature = |old: KeyData| (FeatureId::from(old).index() < count).then_some(old);
-        self.dcel.carry(&other.dcel, keys, feature);
+        match &mut self.notes {
+            Notes { journal: Some(journal), .. } => {
+                self.dcel.watched(&mut journal.links, |dcel| dcel.carry(&other.dcel, keys, feature));
+            }
+            Notes { journal: None, .. } => self.dcel.carry(&other.dcel, keys, feature),
+        }
     }
 
     /// Takes over the attributes of another map, and the values of its features and faces. Each face was cut into faces of this one:
@@ -241,7 +248,12 @@ impl PlanarMap {
         let known = |new: FeatureId| self.feature(new.index());
         let features: Vec<_> = other.features().map(|old| (old, feature(old).and_then(known))).collect();
         let cut = attributes.cut(&faces, &features).map_err(OperatorError::Refused)?;
-        self.dcel.store_mut().kept_attributes().extend(cut);
+        let is_recorded = self.notes.journal.is_some();
+        let attributes = self.dcel.store_mut().kept_attributes();
+        attributes.extend(cut);
+        if !is_recorded {
+            attributes.clear_log();
+        }
         Ok(())
     }
 

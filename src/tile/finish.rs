@@ -158,7 +158,9 @@ impl Summary {
             genus: genus.map(number),
         };
         let not_given: Vec<u32> = self.claimed.iter().filter(|one| one.seen != one.of).map(|one| one.feature).collect();
-        let is_known = self.is_plane && self.seams.is_empty() && not_given.is_empty();
+        let mut seams = [&self.seams[..], &self.plane_seams].concat();
+        seams.sort_by(SeamFault::compare);
+        let is_known = self.is_plane && seams.is_empty() && not_given.is_empty();
         Ok(Outcome {
             counts,
             coverage: is_known.then(|| coverage(&self)),
@@ -167,7 +169,7 @@ impl Summary {
             defects: self.defects,
             crossings: self.crossings,
             uneven: self.uneven,
-            seams: self.seams,
+            seams,
             adds_up,
         })
     }

@@ -87,6 +87,7 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
     one.crossings.append(&mut other.crossings);
     one.uneven.append(&mut other.uneven);
     one.seams.append(&mut other.seams);
+    one.plane_seams.append(&mut other.plane_seams);
     one.totals.add(&other.totals);
     one.is_plane &= other.is_plane;
     one
@@ -135,7 +136,7 @@ impl Summary {
         }
         let mut pairs = here.contacts.iter().zip(&there.contacts);
         if let Some((a, _)) = pairs.find(|(a, b)| !is_same(a, b)) {
-            self.seams.push(fault(SeamRule::Order, here, Some(&a)));
+            self.plane_seams.push(fault(SeamRule::Order, here, Some(&a)));
             return;
         }
         let before = [None].into_iter().chain(here.contacts.iter().map(Some));
@@ -147,7 +148,7 @@ impl Summary {
                     joins.regions.join(*region, *same);
                 }
             } else {
-                self.seams.push(fault(SeamRule::Features, here, contact.as_ref()));
+                self.plane_seams.push(fault(SeamRule::Features, here, contact.as_ref()));
             }
         }
     }

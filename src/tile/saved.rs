@@ -35,6 +35,7 @@ pub(super) struct Saved {
     crossings: Vec<Crossing>,
     uneven: Vec<Uneven>,
     seams: Vec<SeamFault>,
+    plane_seams: Vec<SeamFault>,
 }
 
 /// The error of reading a summary.
@@ -53,8 +54,8 @@ impl TryFrom<Saved> for Summary {
 
     fn try_from(saved: Saved) -> Result<Self, SavedError> {
         let Saved { grid, limits, tiles, totals, borders, faces, components, cycles, regions, closed, .. } = saved;
-        let Saved { slivers, lengths, areas, claimed, defects, unmatched, is_plane, crossings, uneven, seams, .. } =
-            saved;
+        let Saved { slivers, lengths, areas, claimed, defects, unmatched, .. } = saved;
+        let Saved { is_plane, crossings, uneven, seams, plane_seams, .. } = saved;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
         if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
             return Err(SavedError::Tiles);
@@ -128,6 +129,7 @@ impl TryFrom<Saved> for Summary {
             crossings,
             uneven,
             seams,
+            plane_seams,
         })
     }
 }

@@ -52,6 +52,8 @@ pub struct Summary {
     pub(super) crossings: Vec<Crossing>,
     pub(super) uneven: Vec<Uneven>,
     pub(super) seams: Vec<SeamFault>,
+    /// Those of faces and of the order of contacts, which only planes have.
+    pub(super) plane_seams: Vec<SeamFault>,
 }
 
 /// The numbers of what is known to the end.
@@ -220,6 +222,7 @@ impl Summary {
             crossings: Vec::new(),
             uneven: Vec::new(),
             seams: Vec::new(),
+            plane_seams: Vec::new(),
         }
     }
 
@@ -314,6 +317,7 @@ impl Summary {
         self.crossings.dedup();
         self.uneven.sort_by(Uneven::compare);
         self.seams.sort_by(SeamFault::compare);
+        self.plane_seams.sort_by(SeamFault::compare);
         self
     }
 
@@ -371,6 +375,7 @@ impl Summary {
         self.regions.clear();
         self.closed.clear();
         self.slivers.clear();
+        self.plane_seams.clear();
         self.lengths.clear();
         self.areas.clear();
         self.claimed.iter_mut().for_each(|one| one.with = None);

@@ -5,9 +5,11 @@ use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{
-    Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Policy, Quantity, Recorded, Split, VertexKey,
+    Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Outside, Policy, Quantity, Recorded, Split,
+    VertexKey, Vertices,
 };
 use twinedge::program::{Program, Refusal, Runner, StepOutcome};
+use twinedge::validate::Expectation;
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -392,4 +394,52 @@ fn faces_get_ids_although_the_unbounded_one_has_none() {
     let drawn = loop_at(&mut dcel).unwrap();
     assert_eq!(dcel.value(id, drawn.new_face().unwrap()), Some(&6));
     assert_eq!((dcel.next_id(id), dcel.values(id).unwrap().len()), (Some(7), 1));
+}
+
+/// Vertices with the numbers 1 and 2.
+fn two_numbered() -> (Dcel, Attribute<Vertices, u64>, [VertexKey; 2]) {
+    let mut dcel = Dcel::new();
+    let id = dcel.add_attribute(Policy::of_vertices().ids(1));
+    let outside = dcel.unbounded_face().key();
+    let keys = [(); 2].map(|()| dcel.add_isolated_vertex(outside).unwrap().vertex);
+    (dcel, id, keys)
+}
+
+#[test]
+fn a_number_that_was_set_by_hand_is_not_given_again() {
+    let (mut dcel, id, [a, _]) = two_numbered();
+    dcel.set_value(id, a, 7).unwrap();
+    assert_eq!(dcel.next_id(id), Some(8));
+    let outside = dcel.unbounded_face().key();
+    let next = dcel.add_isolated_vertex(outside).unwrap().vertex;
+    assert_eq!(dcel.value(id, next), Some(&8));
+    dcel.set_value(id, a, u64::MAX).unwrap();
+    assert_eq!(dcel.next_id(id), Some(u64::MAX));
+}
+
+#[test]
+fn a_record_is_found_again_once_no_other_has_its_number() {
+    let (mut dcel, id, [a, b]) = two_numbered();
+    dcel.set_value(id, a, 2).unwrap();
+    assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (None, Some(a)));
+    dcel.set_value(id, a, 1).unwrap();
+    assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(a), Some(b)));
+    // They change numbers.
+    dcel.set_value(id, a, 2).unwrap();
+    dcel.set_value(id, b, 1).unwrap();
+    assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(b), Some(a)));
+    dcel.set_value(id, a, None).unwrap();
+    assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(b), None));
+}
+
+#[test]
+fn a_number_that_a_record_has_is_not_taken_over_for_another() {
+    let (dcel, id, [a, b]) = two_numbered();
+    let (mut new, keys) = Dcel::from_view(&dcel, &Expectation::plane(), Outside::Given).unwrap();
+    let [a, b] = [a, b].map(|v| keys.vertex(dcel.vertex(v).unwrap().index()).unwrap());
+    new.add_attributes_of(&dcel);
+    new.set_value(id, b, 1).unwrap();
+    new.carry_values(&dcel, &keys);
+    assert_eq!([a, b].map(|v| new.value(id, v)), [Some(&3), Some(&1)]);
+    assert_eq!((new.find(id, &1), new.find(id, &3)), (Some(b), Some(a)));
 }

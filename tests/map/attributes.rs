@@ -5,7 +5,7 @@ use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::algorithm::area::face_area;
-use twinedge::dcel::{FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap};
+use twinedge::dcel::{FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap, VertexKey};
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
@@ -488,4 +488,51 @@ fn a_feature_of_another_map_gets_no_value() {
     assert_eq!(new.values(note).map(SecondaryMap::len), Some(0));
     let of_faces = new.add_attribute(Policy::of_faces());
     assert_eq!(new.cover_values(note, of_faces), Ok(()));
+}
+
+#[test]
+fn values_that_are_carried_over_in_a_change_are_taken_back_with_it() {
+    let (old, owner, _) = four_cells();
+    let history = || {
+        let mut map = PlanarMap::new();
+        map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]).unwrap();
+        History::new(map)
+    };
+    let carry = |map: &mut PlanarMap| {
+        let cell = old.values(owner).unwrap().keys().next();
+        map.carry_parts(&old, |face| cell.filter(|_| !face.is_unbounded()), |_| None)
+    };
+    let values = |history: &History| history.get().values(owner).map_or(0, SecondaryMap::len);
+    let mut failed = history();
+    let refused: Result<(), EditError> = failed.change("carry", |map| {
+        carry(map)?;
+        map.remove_vertex(VertexKey::default()).map(drop)
+    });
+    assert!(refused.is_err());
+    assert_eq!((values(&failed), failed.undo()), (0, false));
+    let mut history = history();
+    history.change("carry", carry).unwrap();
+    assert_eq!(values(&history), 1);
+    assert!(history.undo());
+    assert_eq!(values(&history), 0);
+    assert!(history.redo());
+    assert_eq!(values(&history), 1);
+}
+
+#[test]
+fn values_of_a_feature_that_was_taken_back_do_not_keep_others_from_being_given_to_faces() {
+    let (mut old, (map, owner, _)) = (PlanarMap::new(), four_cells());
+    let of_feature = old.add_attribute(Policy::of_features());
+    let feature = old.add_feature(None);
+    old.set_value(of_feature, feature, 5).unwrap();
+    let mut history = History::new(map);
+    history
+        .change("carry", |map| {
+            let new = map.add_feature(None);
+            map.carry_parts(&old, |_| None, |_| Some(new))
+        })
+        .unwrap();
+    assert!(history.undo());
+    history.change("cover", |map| map.cover_values(of_feature, owner)).unwrap();
+    assert!(history.get().values(of_feature).unwrap().is_empty());
 }

@@ -232,7 +232,7 @@ fn any_segments_snapped_are_a_valid_map() {
         let map = segments(&drawn).build_with(Noding::Snap(snap)).expect("in reach");
         map.is_plane() && map.validate().is_valid()
     }
-    QuickCheck::new().tests(300).quickcheck(law as fn(_, _) -> _);
+    QuickCheck::new().tests(100).quickcheck(law as fn(_, _) -> _);
 }
 
 #[test]

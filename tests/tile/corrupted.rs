@@ -216,6 +216,30 @@ fn any_order_of_merging_gives_the_same_bytes() {
 }
 
 #[test]
+fn an_early_merge_finds_no_more_at_a_seam_than_a_late_one_where_another_tile_has_crossings() {
+    let mut features = parcels();
+    features.push(feature([line(&[[6.5, 6.6], [7.5, 6.9]]), line(&[[6.5, 6.9], [7.5, 6.6]])]));
+    let all = summaries(&features, &lines(), &Limits::default());
+    let mut contradictions = 0;
+    let changes = changes(&to_value(&all[0]).expect("it can be saved"));
+    for (what, changed) in changes
+        .into_iter()
+        .filter(|(what, _)| what.contains("feature") || what.contains("swapped") || what.contains("/faces/"))
+    {
+        let Ok(changed) = serde_json::from_value::<Summary>(changed) else { continue };
+        let mut early = all.clone();
+        early[0] = changed;
+        let mut late = early.clone();
+        late.rotate_left(1);
+        late.reverse();
+        let [early, late] = [early, late].map(finished);
+        assert_eq!(early, late, "{what}");
+        contradictions += usize::from(!early.seams.is_empty());
+    }
+    assert!(contradictions > 5, "{contradictions}");
+}
+
+#[test]
 fn what_cannot_be_merged_is_refused() {
     let (features, grid) = (parcels(), lines());
     let limits = Limits::default();

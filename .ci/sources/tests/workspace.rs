@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use twinedge_sources::{Crate, Imports, crates, imports, let_chains, missing_paths, questions, upward};
 
@@ -10,7 +11,7 @@ fn root() -> PathBuf {
 }
 
 /// Of the workspace, of the library for C, of the fuzz targets, of the Python module, of that for JavaScript and of the audit of other structures, with paths from the root.
-fn all_imports() -> Imports {
+static IMPORTS: LazyLock<Imports> = LazyLock::new(|| {
     let root = root();
     let mut all: Vec<Crate> = Vec::new();
     for manifest in [
@@ -28,11 +29,11 @@ fn all_imports() -> Imports {
     }
     assert!(all.iter().any(|each| each.name == "twinedge" && each.is_library), "{all:?}");
     imports(&all, |path| std::fs::read_to_string(root.join(path)).ok()).expect("every source is Rust")
-}
+});
 
 #[test]
 fn no_files_import_each_other_in_a_loop() {
-    let loops = all_imports().loops();
+    let loops = IMPORTS.loops();
     let report = loops.iter().fold(String::new(), |mut report, each| {
         let _ = write!(report, "{each}");
         report
@@ -42,10 +43,9 @@ fn no_files_import_each_other_in_a_loop() {
 
 #[test]
 fn no_import_runs_against_the_layers() {
-    let imports = all_imports();
-    let from_library = imports.iter().filter(|import| import.from.starts_with("src")).count();
+    let from_library = IMPORTS.iter().filter(|import| import.from.starts_with("src")).count();
     assert!(from_library > 300, "only {from_library} imports were found in the library");
-    let upward = upward(&imports, Path::new("src"));
+    let upward = upward(&IMPORTS, Path::new("src"));
     let report = upward.iter().fold(String::new(), |mut report, each| {
         let _ = writeln!(report, "{each}");
         report

@@ -6,13 +6,14 @@ use super::error::{Conflict, MergeError};
 use super::ids::Ids;
 use super::record::{Change, Record};
 use crate::map::PlanarMap;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Merges what two sides did to a map: `base`, with the changes of both.
 ///
 /// Values are merged record by record, and no policy is asked: where one side splits a face, and the other gives it another value, the part that
 /// keeps its id has that value, and the other parts have those that their side gave them. A fence that both draw by themselves is two, with ids of their
-/// own, which do not fit.
+/// own, which do not fit. Values of features, half-edges and corners are not compared: those of `base` stay. A feature without a name that
+/// one side removes is taken for one that is there, and nothing has it.
 ///
 /// The merged map has the keys of `base` where it has its records. New features of `theirs` come after those of `ours`. O(n log n).
 ///
@@ -74,6 +75,21 @@ impl Diff {
         conflicts.extend(our_loose.map(|(ours, theirs)| Conflict { ours, theirs }));
         let their_loose = loose(&theirs_changes, &ours).into_iter();
         conflicts.extend(their_loose.map(|(theirs, ours)| Conflict { ours, theirs }));
+        // Edges that both drop, one side for good, and the other to draw another way between the same ends.
+        let drawn = [Ways::new(&self.changes), Ways::new(&theirs.changes)];
+        for (record, change) in self.changes.iter().filter(|(_, change)| *change == Change::Dropped) {
+            let is_dropped = others.get(record).is_some_and(|all| all.contains(change));
+            let Record::Edge(a, b) = *record else { continue };
+            match [0, 1].map(|side| drawn[side].first_edge(a, b).filter(|_| is_dropped)) {
+                [Some(edge), None] => {
+                    conflicts.push(Conflict { ours: (edge, Change::Drawn), theirs: (*record, Change::Dropped) });
+                }
+                [None, Some(edge)] => {
+                    conflicts.push(Conflict { ours: (*record, Change::Dropped), theirs: (edge, Change::Drawn) });
+                }
+                _ => {}
+            }
+        }
         if !conflicts.is_empty() {
             return Err(MergeError::Conflicts(conflicts));
         }
@@ -85,5 +101,51 @@ impl Diff {
         );
         let names = self.names.iter().chain(&theirs.names).cloned().collect();
         Ok(Self { features: self.features, names, changes }.in_order())
+    }
+}
+
+/// The lines that one side draws through vertices that it adds.
+struct Ways {
+    /// For each vertex where such a line ends, the piece of the lines, and its first edge.
+    ends: BTreeMap<u128, BTreeMap<usize, Record>>,
+}
+
+impl Ways {
+    fn new(changes: &[(Record, Change)]) -> Self {
+        let mut beside: BTreeMap<u128, Vec<u128>> = BTreeMap::new();
+        for (record, change) in changes {
+            match (*record, change) {
+                (Record::Vertex(v), Change::Added(_)) => drop(beside.entry(v).or_default()),
+                (Record::Edge(a, b), Change::Drawn) => {
+                    beside.entry(a).or_default().push(b);
+                    beside.entry(b).or_default().push(a);
+                }
+                _ => {}
+            }
+        }
+        let added = changes.iter().filter(|(_, change)| matches!(change, Change::Added(_)));
+        let mut waiting: BTreeSet<Record> = added.map(|(record, _)| *record).collect();
+        let mut ends: BTreeMap<u128, BTreeMap<usize, Record>> = BTreeMap::new();
+        let mut pieces = 0;
+        while let Some(Record::Vertex(first)) = waiting.pop_first() {
+            let mut reached = vec![first];
+            while let Some(v) = reached.pop() {
+                for next in beside.get(&v).into_iter().flatten() {
+                    if waiting.remove(&Record::Vertex(*next)) {
+                        reached.push(*next);
+                    }
+                    let edge = Record::Edge(v.min(*next), v.max(*next));
+                    ends.entry(*next).or_default().entry(pieces).or_insert(edge);
+                }
+            }
+            pieces += 1;
+        }
+        Self { ends }
+    }
+
+    /// The first edge of a line between two vertices.
+    fn first_edge(&self, a: u128, b: u128) -> Option<Record> {
+        let (from, to) = (self.ends.get(&a)?, self.ends.get(&b)?);
+        from.iter().find(|(piece, _)| to.contains_key(piece)).map(|(_, edge)| *edge)
     }
 }

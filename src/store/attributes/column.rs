@@ -3,7 +3,7 @@
 use super::kind::{Attributed, Kind};
 use super::policy::{Merging, Policy, Reason, Splitting};
 use alloc::boxed::Box;
-use alloc::collections::VecDeque;
+use alloc::collections::{BTreeSet, VecDeque};
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::any::Any;
@@ -50,7 +50,7 @@ pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     /// Gives the values of some records to others, or drops them.
     fn transfer(&mut self, moves: &mut dyn Iterator<Item = (KeyData, Option<KeyData>)>, log: &mut Vec<Saved>);
     /// Gives the values of the same attribute of another structure to records that have none.
-    fn absorb(&mut self, other: &dyn AnyColumn);
+    fn absorb(&mut self, other: &dyn AnyColumn, log: &mut Vec<Saved>);
     /// Gives other keys to all values; those that get none are dropped.
     fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>);
     fn copied(&self) -> Box<dyn AnyColumn>;
@@ -121,14 +121,16 @@ pub(super) struct Column<K: Attributed, T> {
     pub(super) values: SecondaryMap<K::Key, T>,
     /// By number of the value its record, if records are found by it.
     index: HashMap<u128, K::Key>,
+    /// The other records with such a number, until each has one of its own again.
+    others: HashMap<u128, BTreeSet<K::Key>>,
     /// The values of records that will be made.
     announced: VecDeque<Option<T>>,
 }
 
 impl<K: Attributed, T: Value> Column<K, T> {
     pub(super) fn new(id: u32, policy: Policy<K, T>) -> Self {
-        let (values, index, announced) = (SecondaryMap::new(), HashMap::new(), VecDeque::new());
-        Self { id, policy: Arc::new(policy), values, index, announced }
+        let (index, others) = (HashMap::new(), HashMap::new());
+        Self { id, policy: Arc::new(policy), values: SecondaryMap::new(), index, others, announced: VecDeque::new() }
     }
 
     /// The record with this value.
@@ -144,15 +146,36 @@ impl<K: Attributed, T: Value> Column<K, T> {
     fn replace(&mut self, key: K::Key, value: Option<T>) -> Option<T> {
         let had = self.values.remove(key);
         if let Some(number) = self.policy.number {
-            if let Some(had) = had.as_ref().map(number).filter(|had| self.index.get(had) == Some(&key)) {
-                self.index.remove(&had);
-            }
-            self.index.extend(value.as_ref().map(|value| (number(value), key)));
+            had.as_ref().into_iter().for_each(|had| self.unlist(number(had), key));
+            value.as_ref().into_iter().for_each(|value| self.list(number(value), key));
         }
         if let Some(value) = value {
             self.values.insert(key, value);
         }
         had
+    }
+
+    /// Has a record found by this number.
+    fn list(&mut self, number: u128, key: K::Key) {
+        self.policy.count_on_from(number);
+        if let Some(other) = self.index.insert(number, key) {
+            self.others.entry(number).or_default().insert(other);
+        }
+    }
+
+    /// Has another record with this number found by it, if there is one.
+    fn unlist(&mut self, number: u128, key: K::Key) {
+        let mut others = self.others.remove(&number).unwrap_or_default();
+        if self.index.get(&number) != Some(&key) {
+            others.remove(&key);
+        } else if let Some(other) = others.pop_last() {
+            self.index.insert(number, other);
+        } else {
+            self.index.remove(&number);
+        }
+        if !others.is_empty() {
+            self.others.insert(number, others);
+        }
     }
 
     /// Writes a value, or takes it away. Returns the one that was there.
@@ -323,6 +346,7 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
 
     fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>) {
         self.index.clear();
+        self.others.clear();
         for (old, value) in mem::take(&mut self.values) {
             if let Some(new) = key(old.data()) {
                 self.replace(new.into(), Some(value));
@@ -330,17 +354,22 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
         }
     }
 
-    fn absorb(&mut self, other: &dyn AnyColumn) {
+    fn absorb(&mut self, other: &dyn AnyColumn, log: &mut Vec<Saved>) {
+        let policy = self.policy.clone();
         for (key, value) in other.as_any().downcast_ref::<Self>().into_iter().flat_map(|other| &other.values) {
+            let is_given =
+                policy.counts() && policy.number.is_some_and(|number| self.index.contains_key(&number(value)));
             if !self.values.contains_key(key) {
-                self.replace(key, Some(value.clone()));
+                let value = if is_given { self.made() } else { Some(value.clone()) };
+                self.put(key, value, log);
             }
         }
     }
 
     fn copied(&self) -> Box<dyn AnyColumn> {
-        let (policy, values, index) = (self.policy.clone(), self.values.clone(), self.index.clone());
-        Box::new(Self { id: self.id, policy, values, index, announced: VecDeque::new() })
+        let (policy, values) = (self.policy.clone(), self.values.clone());
+        let (index, others) = (self.index.clone(), self.others.clone());
+        Box::new(Self { id: self.id, policy, values, index, others, announced: VecDeque::new() })
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -34,7 +34,7 @@ use slotmap::{KeyData, SecondaryMap};
 
 /// The name of an attribute of a structure: of values of type `T` that records of one kind have.
 ///
-/// Clones of the structure accept it, and so does no other structure.
+/// Clones of the structure accept it, and so do those that took over its attributes; other structures do not.
 pub struct Attribute<K, T> {
     id: u32,
     of: PhantomData<fn() -> (K, T)>,
@@ -138,12 +138,17 @@ impl Attributes {
         }
     }
 
-    /// Takes over the attributes of another structure. Where both have the same one, a record that has a value of its own keeps it.
+    /// Takes over the attributes of another structure. Where both have the same one, a record that has a value of its own keeps it,
+    /// and a number that a record has is not given to another one.
     pub(crate) fn extend(&mut self, other: Self) {
         for new in other.columns {
-            match self.columns.iter_mut().find(|column| column.id() == new.id()) {
-                Some(column) => column.absorb(&*new),
-                None => self.columns.push(new),
+            if !self.columns.iter().any(|column| column.id() == new.id()) {
+                let mut column = new.copied();
+                column.rename(&|_| None);
+                self.columns.push(column);
+            }
+            for column in self.columns.iter_mut().filter(|column| column.id() == new.id()) {
+                column.absorb(&*new, &mut self.log);
             }
         }
     }
@@ -274,7 +279,7 @@ impl Attributes {
                 let largest = parts[0].0;
                 all.announce(&[(Kind::Face, Step::Split(largest))])?;
                 all.settle(&[(Kind::Face, *part)]);
-                all.share(Kind::Face, [largest, *part], (area / rest).clamp(0.0, 1.0));
+                all.share(Kind::Face, [largest, *part], if rest > 0.0 { (area / rest).clamp(0.0, 1.0) } else { 0.0 });
                 rest -= area;
             }
             all.log.clear();

@@ -186,13 +186,25 @@ impl<K: Attributed, T> Policy<K, T> {
     pub(super) fn next_id(&self) -> Option<u64> {
         self.counter.as_ref().map(|next| next.load(Ordering::Relaxed))
     }
+
+    /// True if it numbers records.
+    pub(super) const fn counts(&self) -> bool {
+        self.counter.is_some()
+    }
+
+    /// Has records numbered from above this number, so that none gets it once more.
+    pub(super) fn count_on_from(&self, number: u128) {
+        if let (Some(next), Ok(number)) = (&self.counter, u64::try_from(number)) {
+            next.fetch_max(number.saturating_add(1), Ordering::Relaxed);
+        }
+    }
 }
 
 impl<K: Attributed> Policy<K, u64> {
     /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
     /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it. To go on where a
+    /// No number is given twice, not after undoing either, nor by clones, and none that was set by hand, so that the next one is larger. Records are [found](Self::identified_by) by it. To go on where a
     /// structure was saved, save the [next number](crate::dcel::Dcel::next_id) with it, which is to be the `first` when it is loaded: those of
     /// records that were dropped may be larger than all that are left.
     ///

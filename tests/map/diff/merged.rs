@@ -164,6 +164,27 @@ fn an_edge_that_one_side_draws_to_a_vertex_that_the_other_drops_is_a_conflict() 
 }
 
 #[test]
+fn an_edge_that_one_side_erases_does_not_come_back_with_the_vertex_that_the_other_puts_on_it() {
+    let (mut base, by) = two_squares();
+    base.insert_point([20.0, 0.0]).unwrap();
+    draw(&mut base, by, 5, 7);
+    let (mut erased, mut divided, mut both) = (base.clone(), base.clone(), base.clone());
+    erase(&mut erased, by, 5, 7);
+    divided.insert_point([12.0, 0.0]).unwrap();
+    let text = |ours, theirs| merge(&base, ours, theirs, &by.ids()).unwrap_err().to_string();
+    assert_eq!(text(&erased, &divided), "conflicts: ours: edge 5-7 dropped, theirs: edge 5-8 drawn");
+    assert_eq!(text(&divided, &erased), "conflicts: ours: edge 5-8 drawn, theirs: edge 5-7 dropped");
+    // Lines that end elsewhere are no way between its ends.
+    erase(&mut both, by, 5, 7);
+    let end = both.insert_point([20.0, 4.0]).unwrap().vertices[0];
+    both.insert_segment(by.v(&both, 7), end).unwrap();
+    assert!(!merge(&base, &erased, &both, &by.ids()).unwrap().dcel().edges().any(|h| {
+        let ends = [h.origin().key(), h.target().key()].map(|v| base.value(by.corner, v));
+        ends.contains(&Some(&5)) && ends.contains(&Some(&7))
+    }));
+}
+
+#[test]
 fn edges_and_faces_that_one_side_drops_are_conflicts_with_what_the_other_does_to_them() {
     let erased = |map: &mut PlanarMap, by: Named| erase(map, by, 2, 3);
     let fenced = |map: &mut PlanarMap, by: Named| {
