@@ -243,7 +243,7 @@ fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
     refused("/claimed/0/seen", json!(99), "out of range");
     refused("/claimed/0/between/1/column", json!(3), "out of range");
     refused("/claimed/0/between/0/row", json!(2), "out of range");
-    // What is not refused is added up without overflow.
+    // Sums of the rest do not overflow.
     let mut most = all.iter().map(|one| to_value(one).expect("it can be saved")).collect::<Vec<_>>();
     for one in &mut most {
         for at in totals.iter().chain(&of_component) {
