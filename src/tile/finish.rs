@@ -28,7 +28,7 @@ pub struct Outcome {
     pub uncut: Option<BuildError>,
     /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
-    /// The features that not every tile was given that the box around them meets, by number.
+    /// The features that not every tile was given that the box around them meets, or that have another box in another of these tiles, by number.
     pub not_given: Vec<u32>,
     /// False if `V − E + F = 1 + C` does not hold of the sums, or there is not one unbounded face (T3); none if faces are not known.
     pub adds_up: Option<bool>,
@@ -63,22 +63,26 @@ impl Outcome {
     /// when it was.
     pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
         let Counts { vertices, half_edges, edges, faces, outer_boundaries, inner_boundaries, .. } = self.counts;
-        let (isolated, boundaries) = (self.counts.isolated_vertices, outer_boundaries + inner_boundaries);
+        let isolated = self.counts.isolated_vertices;
+        // Tiles may have more records together than the numbers of a small machine count.
+        let sum = |numbers: &[usize]| numbers.iter().fold(0, |sum: usize, n| sum.saturating_add(*n));
+        let boundaries = sum(&[outer_boundaries, inner_boundaries]);
+        let links = sum(&[half_edges.saturating_mul(5), vertices, boundaries, boundaries, faces, inner_boundaries]);
         let (uneven, crossings) = (self.uneven.len(), self.crossings.len());
         let broken = [(uneven, Rule::T3), (crossings, Rule::G4)].into_iter().find(|(count, _)| *count > 0);
         let simple = vertices >= 3;
         Rule::ALL.iter().copied().filter_map(move |rule| {
             let (checked, violations) = match rule {
-                Rule::R1 => (5 * half_edges + vertices + 2 * boundaries + faces + inner_boundaries, 0),
+                Rule::R1 => (links, 0),
                 Rule::L1 | Rule::L2 | Rule::L3 | Rule::B1 => (half_edges, 0),
-                Rule::V1 | Rule::V2 | Rule::G2 => (vertices - isolated, 0),
+                Rule::V1 | Rule::V2 | Rule::G2 => (vertices.saturating_sub(isolated), 0),
                 Rule::B2 | Rule::G1 => (vertices, 0),
                 Rule::F1 => (faces, 0),
                 Rule::F2 => (boundaries, 0),
                 Rule::T1 | Rule::T2 | Rule::G5 => (inner_boundaries, 0),
                 Rule::T3 => (inner_boundaries, uneven),
                 Rule::T4 => (usize::from(simple), 0),
-                Rule::G3 => (boundaries - isolated, 0),
+                Rule::G3 => (boundaries.saturating_sub(isolated), 0),
                 Rule::G4 => (edges, crossings),
                 _ => return None,
             };
@@ -96,7 +100,8 @@ impl Outcome {
     #[must_use]
     pub fn bounds(&self) -> Option<Bounds> {
         let vertices = self.counts.vertices;
-        (vertices >= 3).then(|| Bounds { most_edges: 3 * vertices - 6, most_faces: 2 * vertices - 4 })
+        let most = |times: usize| vertices.saturating_mul(times) - 2 * times;
+        (vertices >= 3).then(|| Bounds { most_edges: most(3), most_faces: most(2) })
     }
 }
 
@@ -157,7 +162,9 @@ impl Summary {
             borders: Some(0),
             genus: genus.map(number),
         };
-        let not_given: Vec<u32> = self.claimed.iter().filter(|one| one.seen != one.of).map(|one| one.feature).collect();
+        let incomplete = self.claimed.iter().filter(|one| one.seen != one.of());
+        let mut not_given: Vec<u32> = incomplete.map(|one| one.feature).collect();
+        not_given.dedup();
         let mut seams = [&self.seams[..], &self.plane_seams].concat();
         seams.sort_by(SeamFault::compare);
         let is_known = self.is_plane && seams.is_empty() && not_given.is_empty();

@@ -19,7 +19,6 @@ use super::side::Side;
 use super::summary::Face;
 use crate::geometry::Point;
 use crate::geometry::sweep::sweep;
-use crate::map::Located;
 use crate::slots::{NIL, Sets};
 use crate::validate::Embedding as _;
 use core::ops::Range;
@@ -116,6 +115,7 @@ impl Pieces {
         let segments: Vec<[u32; 2]> = local.parts.iter().map(|part| part.ends.map(number)).collect();
         let queries: Vec<u32> = least.iter().map(|(p, _)| number(*p)).collect();
         let below = sweep(&points, &segments, &queries).map(|swept| swept.below).unwrap_or_default();
+        let at_bottom = local.contacts.partition_point(|contact| contact.0 == Side::Bottom);
         // From left to right, so the piece of what lies below is known.
         for ((p, start), below) in least.into_iter().zip(below) {
             let part = below.map(|part| &local.parts[part as usize]);
@@ -124,10 +124,9 @@ impl Pieces {
             let piece = if let Some(part) = inside {
                 self.of[part.half_edges[0]]
             } else {
-                let along = local.contacts.iter().take_while(|(side, ..)| *side == Side::Bottom);
                 let is_passed =
                     |part: u32| bottom.is_some_and(|y| is_left_of_ray(local.parts[part as usize].ends, p.x, y));
-                self.before(along.take_while(|(_, part, _)| is_passed(*part)).count())
+                self.before(local.contacts[..at_bottom].partition_point(|(_, part, _)| is_passed(*part)))
             };
             self.mark(local, start, piece);
         }
@@ -146,16 +145,8 @@ impl Pieces {
         }
         if !is_known[0] {
             // There is no edge in the tile. An isolated vertex says which face it is, or a point where there is none.
-            let p = local.bounds.any_point();
-            let face = match local.map.locate(p) {
-                Ok(Located::Face(face)) => Some(face),
-                Ok(Located::Vertex(vertex)) => {
-                    let vertex = local.map.dcel().vertex(vertex).ok();
-                    vertex.and_then(|v| v.isolated()).map(|boundary| boundary.face().key())
-                }
-                _ => None,
-            };
-            self.faces[0].features = local.covering(face);
+            let face = local.map.face_at(local.bounds.any_point());
+            self.faces[0].features = local.covering(face.map(|face| face.key()));
         }
     }
 

@@ -6,7 +6,7 @@ use super::fault::{Crossing, SeamFault, Uneven};
 use super::grid::{Grid, Tile};
 use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
-use super::summary::{Border, Component, Face, Summary, Totals};
+use super::summary::{Border, Component, Face, MOST, Summary, Totals};
 use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::predicates::in_range;
 use crate::map::UnmatchedVertex;
@@ -47,6 +47,8 @@ pub(super) enum SavedError {
     Names,
     #[error("edges or features are out of order, or out of range")]
     Order,
+    #[error("a number is larger than any map has")]
+    Number,
 }
 
 impl TryFrom<Saved> for Summary {
@@ -104,9 +106,14 @@ impl TryFrom<Saved> for Summary {
         };
         let is_in_order = all().all(are_sorted)
             && contacts().all(|contact| is_exact(&contact.edge))
-            && claimed.windows(2).all(|pair| pair[0].feature < pair[1].feature);
+            && claimed.windows(2).all(|pair| pair[0].key() < pair[1].key())
+            && claimed.iter().all(|one| one.is_in(&grid));
         if !is_in_order {
             return Err(SavedError::Order);
+        }
+        let is_small = |one: &Component| one.vertices.max(one.edges).max(one.cycles) <= MOST;
+        if !totals.is_in_range() || !components.iter().all(is_small) {
+            return Err(SavedError::Number);
         }
         Ok(Self {
             grid,

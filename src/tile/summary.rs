@@ -69,13 +69,25 @@ pub(super) struct Totals {
     pub(super) unbounded_faces: u64,
 }
 
+/// The largest sum. No map comes near it; sums that a file made up stay there.
+pub(super) const MOST: u64 = 1 << 53;
+
+fn sum(a: u64, b: u64) -> u64 {
+    a.saturating_add(b).min(MOST)
+}
+
 impl Totals {
     const NOTHING: Self =
         Self { vertices: 0, edges: 0, cycles: 0, components: 0, isolated_vertices: 0, faces: 0, unbounded_faces: 0 };
 
-    /// Adds others. Sums that a file made up are too large stay at the largest number.
+    /// Returns true if no number is larger than sums are.
+    #[cfg(feature = "serde")]
+    pub(super) fn is_in_range(&self) -> bool {
+        let Self { vertices, edges, cycles, components, isolated_vertices, faces, unbounded_faces } = *self;
+        [vertices, edges, cycles, components, isolated_vertices, faces, unbounded_faces].iter().all(|n| *n <= MOST)
+    }
+
     pub(super) fn add(&mut self, other: &Self) {
-        let sum = |a: u64, b: u64| a.saturating_add(b);
         *self = Self {
             vertices: sum(self.vertices, other.vertices),
             edges: sum(self.edges, other.edges),
@@ -136,9 +148,9 @@ pub(super) struct Component {
 
 impl Component {
     pub(super) fn add(&mut self, other: &Self) {
-        self.vertices = self.vertices.saturating_add(other.vertices);
-        self.edges = self.edges.saturating_add(other.edges);
-        self.cycles = self.cycles.saturating_add(other.cycles);
+        self.vertices = sum(self.vertices, other.vertices);
+        self.edges = sum(self.edges, other.edges);
+        self.cycles = sum(self.cycles, other.cycles);
         self.least = match (self.least, other.least) {
             (Some(a), Some(b)) => Some(if compare_points(a, b).is_le() { a } else { b }),
             (a, b) => a.or(b),
@@ -275,7 +287,8 @@ impl Summary {
         }
         for (i, component) in (0..).zip(&self.cycles) {
             if joins.cycles.find(i) == i && !cycles.is_open(i) {
-                whole[joins.components.find(*component) as usize].cycles += 1;
+                let cycles = &mut whole[joins.components.find(*component) as usize].cycles;
+                *cycles = sum(*cycles, 1);
             }
         }
         for i in 0..all.len() as u32 {
@@ -354,11 +367,7 @@ impl Summary {
         let is_isolated = edges == 0;
         let isolated_vertices = u64::from(is_isolated);
         self.totals.add(&Totals { vertices, edges, cycles, components: 1, isolated_vertices, ..Totals::NOTHING });
-        let is_even = if is_isolated {
-            (vertices, cycles) == (1, 0)
-        } else {
-            vertices.saturating_add(cycles) == edges.saturating_add(2)
-        };
+        let is_even = if is_isolated { (vertices, cycles) == (1, 0) } else { vertices + cycles == edges + 2 };
         if !is_even {
             self.uneven.push(Uneven { vertices, edges, cycles, at: least });
         }

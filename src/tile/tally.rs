@@ -118,10 +118,10 @@ impl Summary {
     /// Nothing is known of a tile, but which features it was given.
     fn of_tile(grid: Grid, tile: Tile, limits: &Limits, features: &[(u32, &Feature)]) -> Self {
         let claimed = |(number, feature): &(u32, &Feature)| {
-            let of = grid.tiles_of(feature).count() as u64;
-            Claimed { feature: *number, with: None, seen: 1, of }
+            let (low, high) = corners(feature)?;
+            Some(Claimed { feature: *number, with: None, between: [low, high].map(|p| grid.tile_of(p)), seen: 1 })
         };
-        let claimed = features.iter().map(claimed).collect();
+        let claimed = features.iter().filter_map(claimed).collect();
         Self { tiles: vec![tile], claimed, ..Self::empty(grid, limits.clone()) }
     }
 

@@ -449,6 +449,20 @@ fn polygons_are_invalid_for_the_reason_that_geos_gives() {
     }
 }
 
+/// Three rings that touch at one point leave the inside in one piece.
+#[test]
+fn rings_that_touch_at_minus_zero_touch_at_zero() {
+    let shell = [[0.0, 0.0], [10.0, -10.0], [10.0, 10.0]];
+    let holes = |zero: f64| [[[zero, 0.0], [6.0, 3.0], [6.0, 1.0]], [[0.0, 0.0], [6.0, -1.0], [6.0, -3.0]]];
+    let bow_tie = |zero: f64| [[zero, 0.0], [2.0, 1.0], [2.0, -1.0], [0.0, 0.0], [-2.0, -1.0], [-2.0, 1.0]];
+    for zero in [0.0, -0.0] {
+        let [one, other] = holes(zero);
+        assert_eq!(defects(&[Shape::polygon(shell).hole(one).hole(other)]), []);
+        let [defect] = defects(&[Shape::polygon(bow_tie(zero))])[..] else { panic!("a place is reported once") };
+        assert_eq!((defect.kind, defect.at), (DefectKind::RingSelfIntersection, Point::new(0.0, 0.0)));
+    }
+}
+
 #[test]
 fn a_ring_all_points_of_which_lie_on_another_is_located() {
     // A diamond with its points on the middles of the sides of a square, as a hole and as a second shell.

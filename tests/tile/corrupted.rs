@@ -6,6 +6,7 @@ use serde_json::{Value, json, to_value};
 use twinedge::algorithm::coverage::Limits;
 use twinedge::map::{Feature, Shape};
 use twinedge::tile::{FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError};
+use twinedge::validate::Rule;
 
 /// A cross of four parcels with an enclave, an island and a path, cut by both lines of the grid.
 fn parcels() -> Vec<Feature> {
@@ -188,6 +189,75 @@ fn a_feature_that_a_tile_was_not_given_is_found() {
             }
         }
     }
+}
+
+/// The parts of one feature on a row of three tiles, from each place 3 long, as each tile was given them.
+#[test]
+fn a_feature_whose_box_differs_between_tiles_is_found_in_any_order_of_merging() {
+    let grid = grid(&[4.0, 8.0], &[]);
+    let given: [[&[f64]; 3]; 4] = [
+        // Two tiles agree on less than the first was given.
+        [&[0.5, 4.5, 8.5], &[0.5, 4.5], &[0.5, 4.5]],
+        [&[0.5], &[0.5, 4.5], &[]],
+        // As many tiles as each box meets, but not the tiles of one box.
+        [&[0.5, 4.5], &[], &[4.5, 8.5]],
+        [&[0.5, 4.5], &[0.5, 4.5], &[4.5, 8.5]],
+    ];
+    for given in given {
+        let summary = |(tile, parts): (Tile, &[f64])| {
+            let parts: Vec<Shape> = parts.iter().map(|x| area([*x, 0.0], [x + 3.0, 1.0])).collect();
+            Summary::new(&grid, tile, [(7, &feature(parts))], &Limits::default()).expect("in range")
+        };
+        let all: Vec<Summary> = grid.tiles().zip(given).map(summary).collect();
+        let mut outcomes = Vec::new();
+        for [i, j, k] in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let outcome = finished(vec![all[i].clone(), all[j].clone(), all[k].clone()]);
+            assert_eq!(outcome.not_given, [7], "{given:?} {i} {j} {k}");
+            outcomes.push(outcome);
+        }
+        assert!(outcomes.windows(2).all(|pair| pair[0] == pair[1]), "{given:?}");
+    }
+}
+
+#[test]
+fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
+    const MOST: u64 = 1 << 53;
+    let all = summaries(&parcels(), &lines(), &Limits::default());
+    let saved = to_value(&all[4]).expect("it can be saved");
+    let changed = |of: &Value, at: &str, to: Value| {
+        let mut changed = of.clone();
+        *changed.pointer_mut(at).unwrap_or_else(|| panic!("{at} in {of}")) = to;
+        changed
+    };
+    let refused = |at: &str, to: Value, why: &str| {
+        let error = serde_json::from_value::<Summary>(changed(&saved, at, to)).expect_err(at).to_string();
+        assert!(error.contains(why), "{at}: {error}");
+    };
+    let totals = ["vertices", "edges", "cycles", "components", "isolated_vertices", "faces", "unbounded_faces"];
+    let totals = totals.map(|key| format!("/totals/{key}"));
+    let of_component = ["vertices", "edges", "cycles"].map(|key| format!("/components/0/{key}"));
+    for at in totals.iter().chain(&of_component) {
+        refused(at, json!(MOST + 1), "larger than any map has");
+        refused(at, json!(u64::MAX), "larger than any map has");
+    }
+    refused("/claimed/0/seen", json!(99), "out of range");
+    refused("/claimed/0/between/1/column", json!(3), "out of range");
+    refused("/claimed/0/between/0/row", json!(2), "out of range");
+    // Sums of the rest do not overflow.
+    let mut most = all.iter().map(|one| to_value(one).expect("it can be saved")).collect::<Vec<_>>();
+    for one in &mut most {
+        for at in totals.iter().chain(&of_component) {
+            if one.pointer(at).is_some() {
+                *one = changed(one, at, json!(MOST));
+            }
+        }
+    }
+    let outcome = finished(most.into_iter().map(|one| serde_json::from_value(one).expect("in range")).collect());
+    assert!(!outcome.is_valid());
+    assert_eq!((outcome.counts.vertices, outcome.counts.half_edges), (1 << 53, 1 << 54));
+    assert_eq!(outcome.bounds().map(|bounds| bounds.most_edges), Some((3 << 53) - 6));
+    let checked = |rule| outcome.rules().find(|(other, _)| *other == rule).map(|(_, outcome)| outcome.checked);
+    assert_eq!((checked(Rule::L1), checked(Rule::V1)), (Some(1 << 54), Some(0)));
 }
 
 #[test]

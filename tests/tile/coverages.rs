@@ -1,9 +1,9 @@
 //! The findings of C1 … C6.
 
 use crate::maps::{Random, area, feature, line, point};
-use crate::whole::{compare, grid, whole};
+use crate::whole::{by_tiles, compare, grid, whole};
 use std::collections::BTreeSet;
-use twinedge::algorithm::coverage::{Limits, check};
+use twinedge::algorithm::coverage::{Coverage, Finding, Limits, check};
 use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
 
@@ -116,4 +116,49 @@ fn islands_above_corners_on_lines_are_placed_beside_them() {
             }
         }
     }
+}
+
+#[test]
+fn a_gap_is_accepted_where_a_vertex_lies_alone_in_it() {
+    let land = area([0.0, 0.0], [8.0, 8.0]).hole([[2.0, 2.0], [2.0, 6.0], [6.0, 6.0], [6.0, 2.0]]);
+    let features = [feature([land]), feature([point(3.0, 3.0)])];
+    let limits = Limits { accepted_gaps: vec![Point::new(3.0, 3.0)], ..Limits::default() };
+    let found = check(&whole(&features), &limits).expect("it is plane");
+    assert_eq!((found.findings.len(), found.accepted_gaps.len()), (0, 1));
+    compare(&features, &grid(&[4.0], &[3.0]), &limits, &mut Random::new(14));
+}
+
+/// Every area is a multiple of a quarter, and exact.
+#[test]
+fn findings_of_equal_area_are_in_the_same_order_by_tiles() {
+    let mut random = Random::new(15);
+    let mut ties = 0;
+    for _ in 0..40 {
+        let features = parcels(&mut random);
+        let (upright, level) = (random.lines(0, 4.0), random.lines(0, 4.0));
+        for limits in limits() {
+            let of_whole = check(&whole(&features), &limits).expect("it is plane");
+            let by_tiles = by_tiles(&features, &grid(&upright, &level), &limits, &mut random).coverage;
+            let lists = |of: &Coverage| [&of.findings, &of.wider_gaps, &of.accepted_gaps].map(Clone::clone).concat();
+            let key = |one: &Finding| (one.rule, one.area, one.corner, one.features.clone(), one.at);
+            let [these, those] = [lists(&by_tiles.expect("it is plane")), lists(&of_whole)]
+                .map(|findings| findings.iter().map(key).collect::<Vec<_>>());
+            assert_eq!(these, those, "{upright:?} {level:?} {limits:?} {features:?}");
+            ties += those.windows(2).filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)).count();
+        }
+    }
+    assert!(ties > 100, "{ties}");
+}
+
+/// Islands with nothing below them in their tile, between edges that pass its lower side and in the strips that these bound.
+#[test]
+fn islands_are_placed_between_the_edges_at_the_lower_side() {
+    let mut features = Vec::new();
+    for x in 0..30 {
+        let x = f64::from(x);
+        features.push(feature([area([x, -1.0], [x + 0.5, 2.0])]));
+        features.push(feature([area([x + 0.25, 0.5], [x + 0.375, 1.0])]));
+        features.push(feature([area([x + 0.625, 0.5], [x + 0.75, 1.0])]));
+    }
+    compare(&features, &grid(&[10.3, 20.7], &[0.0]), &Limits::default(), &mut Random::new(16));
 }

@@ -185,8 +185,16 @@ fn crossings_are_counted_beyond_those_that_are_kept() {
 }
 
 #[test]
+fn each_rule_of_coordinates_says_how_much_it_checked() {
+    let report = Redrawn::of(&map(&square(0.0, 0.0, 2.0))).report();
+    for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
+        assert!(report.outcome(rule).is_some_and(|outcome| outcome.checked > 0), "{rule}");
+    }
+}
+
+#[test]
 fn topology_that_is_broken_leaves_geometry_unchecked() {
-    struct Tables(Table);
+    struct Tables(Table, fn(usize) -> Link);
     impl Embedding for Tables {
         fn point(&self, _: usize) -> Point {
             Point::default()
@@ -194,13 +202,19 @@ fn topology_that_is_broken_leaves_geometry_unchecked() {
     }
     impl View for Tables {
         delegate_view!(|this| &this.0; except twin);
-        fn twin(&self, _: usize) -> Link {
-            None
+        fn twin(&self, half_edge: usize) -> Link {
+            (self.1)(half_edge)
         }
     }
     let table = Table { parts: Parts::NONE, ..Table::copy_of(star().dcel()).expect("a star fits") };
-    let report = validate_embedding(&Tables(table), &Expectation::plane(), Collect::All);
-    for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
-        assert_eq!(report.outcome(rule).and_then(|o| o.unchecked), Some(Unchecked::Broken(Rule::R1)), "{rule}");
+    let twins: [fn(usize) -> Link; 2] = [|_| None, Some];
+    for (twin, broken) in twins.into_iter().zip([Rule::R1, Rule::L1]) {
+        let tables = Tables(table.clone(), twin);
+        for (collect, why) in [(Collect::All, Unchecked::Broken(broken)), (Collect::First, Unchecked::Stopped)] {
+            let report = validate_embedding(&tables, &Expectation::plane(), collect);
+            for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
+                assert_eq!(report.outcome(rule).and_then(|o| o.unchecked), Some(why), "{rule}");
+            }
+        }
     }
 }

@@ -226,6 +226,7 @@ fn m2_an_edge_is_a_loop_or_parallel_to_another() {
     only(Rule::M2, &one_loop, plane, &[Violation::LoopEdge { half_edge: 0, vertex: 0 }]);
     let digon = map(2, &[(0, 2), (1, 3), (1, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
     let parallel = |first, second| Violation::ParallelEdges { first, second, vertices: [0, 1] };
+    assert!(parallel(0, 2).message().contains("that both join vertices 0 and 1: "));
     only(Rule::M2, &digon, plane, &[parallel(0, 2)]);
     only(Rule::M2, &digon.without(Part::Prev), plane, &[parallel(0, 2)]);
     // Two triangles that are not joined along the edge that they share.

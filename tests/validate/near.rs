@@ -253,6 +253,8 @@ fn where_there_is_no_local_validation() {
     for part in [Part::BoundaryComponents, Part::Places, Part::UnboundedFace] {
         assert!(matches!(of(PLANE, Parts::ALL.without(part)), Err(BaselineError::Lacks(lacks)) if lacks == part));
     }
+    let told = BaselineError::OpenBoundaries.to_string();
+    assert_eq!(told, "open boundaries are not validated locally: use `validate`");
     let mut broken = table;
     broken.half_edges.iter_mut().flatten().next().unwrap().next = Some(0);
     let Err(BaselineError::Invalid(report)) = Baseline::new(&broken, &PLANE) else { panic!() };

@@ -1,11 +1,15 @@
 //! By several threads the report is the same, whatever is wrong and however many threads there are.
 
 use crate::support::erased::validate;
+use crate::support::tables::{half_edge, vertex};
 use quickcheck::{Gen, QuickCheck};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::{Collect, Expectation, Part, Parts, Table, View, validate_parallel};
+use twinedge::validate::{
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow, View,
+    validate_parallel,
+};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{forms, projections};
@@ -88,4 +92,44 @@ fn programs_and_a_wrong_link() {
         assert_same(&pools, &table, &Expectation::plane());
     }
     QuickCheck::new().rng(Gen::from_size_and_seed(300, 2026)).tests(100).quickcheck(law as fn(Program, usize, usize));
+}
+
+/// A ring of edges without vacant slots, so that each part has as many records of each kind. What only the scan reads, and what only the
+/// walks around the vertices read, is wrong in each part by turns.
+#[test]
+fn a_wrong_link_in_each_part_of_a_ring() {
+    let (pools, count) = (pools(), 8);
+    let row = |h: usize| {
+        let (ahead, back) = ((h + 2) % (2 * count), (h + 2 * count - 2) % (2 * count));
+        let [next, prev] = if h % 2 == 0 { [ahead, back] } else { [back, ahead] };
+        let [origin, twin, next, prev, boundary] = [h.div_ceil(2) % count, h ^ 1, next, prev, h % 2].map(Some);
+        Some(HalfEdgeRow { origin, twin, next, prev, boundary, ..HalfEdgeRow::default() })
+    };
+    let boundary =
+        |face, h, place| Some(BoundaryRow { face: Some(face), start: Some(Start::HalfEdge(h)), place: Some(place) });
+    let ring = Table {
+        vertices: (0..count).map(|v| Some(VertexRow { leaving: Some(2 * v), ..VertexRow::default() })).collect(),
+        half_edges: (0..2 * count).map(row).collect(),
+        boundaries: vec![boundary(1, 0, BoundaryPlace::Outer), boundary(0, 1, BoundaryPlace::Inner(0))],
+        faces: vec![
+            Some(FaceRow { inner: vec![Some(1)], ..FaceRow::default() }),
+            Some(FaceRow { outer: Some(0), ..FaceRow::default() }),
+        ],
+        ..Table::default()
+    };
+    let judge = |table: &Table, is_valid| {
+        assert_eq!(validate(table, &Expectation::plane(), Collect::First).is_valid(), is_valid);
+        assert_same(&pools, table, &Expectation::plane());
+    };
+    judge(&ring, true);
+    for i in 0..count {
+        let mut table = ring.clone();
+        vertex(&mut table, i).leaving = Some((2 * i + 2) % (2 * count));
+        judge(&table, false);
+        for h in [2 * i, 2 * i + 1] {
+            let mut table = ring.clone();
+            half_edge(&mut table, h).prev = None;
+            judge(&table, false);
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
-use crate::support::tables::half_edge;
+use crate::support::tables::{half_edge, textbook_mesh, torus};
 use serde_json::{Value, from_value, json, to_value};
 use twinedge::map::PlanarMap;
 use twinedge::validate::{Collect, Expectation, Figures, Part, Parts, Report, Rule, Table, Violation};
@@ -26,6 +26,13 @@ fn the_report_of_every_corruption_is_read_as_it_was_written() {
         });
     }
     assert!(kinds.len() > 15, "{kinds:?}");
+}
+
+#[test]
+fn the_report_of_a_torus_is_read_as_it_was_written() {
+    let report = validate(&textbook_mesh(12, &torus([3, 4])), &Expectation::surface(), Collect::All);
+    assert_eq!(report.counts().genus, Some(1));
+    assert_eq!(read_again(&report), report);
 }
 
 #[test]

@@ -34,7 +34,7 @@ class Editor:
 
     Each edit is one change, or a part of one (:meth:`change`); all of it is done or, if an exception is raised, none. After each change, and
     after :meth:`undo` and :meth:`redo`, what was written is validated. Vertices, half-edges and faces are named by keys, which
-    are integers: after :meth:`undo` and :meth:`redo` they are the same, and that of a dropped record names nothing, so it is a ``KeyError``. Edits that
+    are integers: after :meth:`undo` and :meth:`redo` they are the same, and that of a dropped record names nothing: it has no value, and an edit of it is a ``KeyError``. Edits that
     the map or an attribute refuses are a ``ValueError``. Places are points ``(x, y)`` or keys of vertices.
     """
 

@@ -318,15 +318,18 @@ def _box(given: Any) -> tuple[float, ...]:
 
 
 def _by_tile(batches: Any) -> Iterator[tuple[int, pa.Table]]:
-    """The rows of each tile that has some, in order."""
+    """The rows of each tile that has some, in order. O(n log n)."""
     import pyarrow as pa
-    import pyarrow.compute as pc
 
-    given = [*_batches(batches)]
-    if given:
-        whole = pa.Table.from_batches(given)
-        for tile in sorted(pc.unique(whole["tile"]).to_pylist()):
-            yield tile, whole.filter(pc.equal(whole["tile"], tile))
+    parts: dict[int, list[pa.RecordBatch]] = {}
+    for batch in _batches(batches):
+        tiles = batch["tile"].to_numpy(zero_copy_only=False)
+        order = np.argsort(tiles, kind="stable")
+        found, starts = np.unique(tiles[order], return_index=True)
+        for tile, rows in zip(found.tolist(), np.split(order, starts[1:])):
+            parts.setdefault(tile, []).append(batch.take(pa.array(rows)))
+    for tile in sorted(parts):
+        yield tile, pa.Table.from_batches(parts.pop(tile))
 
 
 def _batches(given: Any) -> Iterator[pa.RecordBatch]:

@@ -15,7 +15,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Coverage {
-    /// In order of the rules; those of one rule by falling area.
+    /// In order of the rules; those of one rule by falling area, and equal ones by their corner, features, and place.
     pub findings: Vec<Finding>,
     /// The gaps that are wider than the limit, if there is one, by falling area. They are not among the findings.
     pub wider_gaps: Vec<Finding>,
@@ -102,11 +102,11 @@ impl Found {
         let Self { overlaps, gaps, near_misses, slivers, duplicates, gap_width, sliver_area } = self;
         let Gaps { findings: narrow, mut wider, mut accepted, .. } = gaps;
         for kept in [&mut wider, &mut accepted] {
-            kept.sort_by(|a, b| b.area.total_cmp(&a.area));
+            kept.sort_by(Finding::compare);
         }
         let mut findings = Vec::new();
         for mut found in [overlaps, narrow, near_misses, slivers, duplicates] {
-            found.sort_by(|a, b| b.area.total_cmp(&a.area));
+            found.sort_by(Finding::compare);
             findings.append(&mut found);
         }
         Coverage { findings, wider_gaps: wider, accepted_gaps: accepted, gap_width, sliver_area }

@@ -2,7 +2,9 @@
 
 use crate::dcel::FaceKey;
 use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
 use crate::map::FeatureId;
+use core::cmp::Ordering;
 use core::fmt;
 
 /// A rule of a coverage. Its features lie side by side, which breaks none.
@@ -94,6 +96,16 @@ pub struct Finding {
     pub stretches: Vec<[Point; 2]>,
     /// The missing vertices of a mismatch, in order of their coordinates; none for the other rules.
     pub missing: Vec<MissingVertex>,
+}
+
+impl Finding {
+    /// The order among findings of one rule, which does not depend on the numbers of faces.
+    pub(super) fn compare(&self, other: &Self) -> Ordering {
+        (other.area.total_cmp(&self.area))
+            .then_with(|| compare_lexicographic(self.corner, other.corner))
+            .then_with(|| self.features.cmp(&other.features))
+            .then_with(|| compare_lexicographic(self.at, other.at))
+    }
 }
 
 /// A vertex that the border of a feature lacks.

@@ -8,7 +8,7 @@ use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding};
 use crate::dcel::Face;
 use crate::geometry::Point;
-use crate::map::{FeatureId, Located, PlanarMap};
+use crate::map::{FeatureId, PlanarMap};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The gaps, and the unclaimed faces that are none.
@@ -58,13 +58,9 @@ pub(super) fn gaps(map: &PlanarMap, limits: &Limits, near_miss_width: f64) -> Ga
     found
 }
 
-/// The faces in which these points lie, by index. O(n log n) if there are points.
+/// The faces in which these points lie, also as isolated vertices, by index. O(n log n) if there are points.
 pub(crate) fn accepted_faces(map: &PlanarMap, points: &[Point]) -> FxHashSet<usize> {
-    let face = |p: &Point| match map.locate(*p) {
-        Ok(Located::Face(face)) => map.dcel().face(face).ok().map(Face::index),
-        _ => None,
-    };
-    points.iter().filter_map(face).collect()
+    points.iter().filter_map(|p| map.face_at(*p)).map(Face::index).collect()
 }
 
 /// The features around a set of faces.

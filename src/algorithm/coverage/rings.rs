@@ -120,10 +120,10 @@ impl Rings<'_> {
         };
         let mut found = self.boxes.pairs(0.0, &Vec::new, &each, &merge);
         found.sort_unstable_by_key(|(segments, ..)| *segments);
-        let mut known: FxHashSet<(u64, u64, usize, usize, Contact)> = FxHashSet::default();
+        let mut known: FxHashSet<((u64, u64), [usize; 2], Contact)> = FxHashSet::default();
         let meets = found.into_iter().filter_map(|(segments, contact, at)| {
             let rings = segments.map(|segment| self.segments.place(segment).0);
-            let is_new = known.insert((at.x.to_bits(), at.y.to_bits(), rings[0], rings[1], contact));
+            let is_new = known.insert((at.hash_key(), rings, contact));
             is_new.then_some(Meet { contact, at, rings })
         });
         meets.collect()

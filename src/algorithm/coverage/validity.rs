@@ -198,7 +198,7 @@ fn nesting(rings: &[Ring], containers: &[Vec<usize>]) -> Vec<Defect> {
 fn disconnected(rings: &[Ring], meets: &[Meet]) -> Vec<Defect> {
     // Rings first, then points of a polygon.
     let mut parent: Vec<usize> = (0..rings.len()).collect();
-    let mut points: FxHashMap<(u64, u64, usize), usize> = FxHashMap::default();
+    let mut points: FxHashMap<((u64, u64), usize), usize> = FxHashMap::default();
     let mut joined: FxHashSet<(usize, usize)> = FxHashSet::default();
     let mut reported = FxHashSet::default();
     let mut found = Vec::new();
@@ -207,7 +207,7 @@ fn disconnected(rings: &[Ring], meets: &[Meet]) -> Vec<Defect> {
         if polygon != rings[meet.rings[1]].polygon {
             continue;
         }
-        let point = *points.entry((meet.at.x.to_bits(), meet.at.y.to_bits(), polygon)).or_insert_with(|| {
+        let point = *points.entry((meet.at.hash_key(), polygon)).or_insert_with(|| {
             parent.push(parent.len());
             parent.len() - 1
         });

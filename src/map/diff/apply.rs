@@ -21,8 +21,9 @@ impl Diff {
     /// Makes the first map the second one, up to keys: records that stay keep theirs, but for vertices that cannot move straight to where
     /// they go, and faces that were both split and merged.
     ///
-    /// [Policies](crate::dcel::Policy) are not asked: values that are compared become those of the second map, others stay with
-    /// their records, and new records have none. In a [`History`](crate::map::History) it is a change as any other. O(n) for the map, beside the edits.
+    /// [Policies](crate::dcel::Policy) of vertices, half-edges, edges, corners and faces are not asked: values that are compared become those of the second map, others stay with
+    /// their records, and new records have none. Features come and go as by [`add_feature`](PlanarMap::add_feature) and
+    /// [`remove_feature`](PlanarMap::remove_feature). In a [`History`](crate::map::History) it is a change as any other. O(n log n) for the map, beside the edits.
     ///
     /// # Errors
     /// [`ApplyError`]; the map is unchanged then.

@@ -12,7 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// Values are merged record by record, and no policy is asked: where one side splits a face, and the other gives it another value, the part that
 /// keeps its id has that value, and the other parts have those that their side gave them. A fence that both draw by themselves is two, with ids of their
-/// own, which do not fit.
+/// own, which do not fit. Values of features, half-edges and corners are not compared: those of `base` stay. A feature without a name that
+/// one side removes is taken for one that is there, and nothing has it.
 ///
 /// The merged map has the keys of `base` where it has its records. New features of `theirs` come after those of `ours`. O(n log n).
 ///

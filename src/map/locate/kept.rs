@@ -4,7 +4,7 @@
 //! is decided exactly, whatever is near.
 
 use super::located::{LocateError, Located, check_range};
-use crate::dcel::HalfEdge;
+use crate::dcel::{Face, HalfEdge};
 use crate::geometry::Point;
 use crate::geometry::predicates::{compare_lexicographic, in_range};
 use crate::map::edit::trace::Towards;
@@ -55,6 +55,15 @@ impl PlanarMap {
             across.and_then(|q| self.first_met(p, q)).or_else(|| self.first_met(p, end))
         };
         found.ok_or_else(|| NotPlane::default().into())
+    }
+
+    /// The face in which a point lies, also if it is an isolated vertex there.
+    pub(crate) fn face_at(&self, p: Point) -> Option<Face<'_>> {
+        match self.locate(p).ok()? {
+            Located::Face(face) => self.dcel().face(face).ok(),
+            Located::Vertex(vertex) => Some(self.dcel().vertex(vertex).ok()?.isolated()?.face()),
+            Located::Edge(_) => None,
+        }
     }
 
     /// The end of a record that is at a point.

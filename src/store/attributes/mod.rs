@@ -34,7 +34,7 @@ use slotmap::{KeyData, SecondaryMap};
 
 /// The name of an attribute of a structure: of values of type `T` that records of one kind have.
 ///
-/// Clones of the structure accept it, and so does no other structure.
+/// Clones of the structure accept it, and so do those that took over its attributes; other structures do not.
 pub struct Attribute<K, T> {
     id: u32,
     of: PhantomData<fn() -> (K, T)>,

@@ -204,7 +204,7 @@ impl<K: Attributed> Policy<K, u64> {
     /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
     /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice, not after undoing either, nor by clones. Records are [found](Self::identified_by) by it. To go on where a
+    /// No number is given twice, not after undoing either, nor by clones, and none that was set by hand, so that the next one is larger. Records are [found](Self::identified_by) by it. To go on where a
     /// structure was saved, save the [next number](crate::dcel::Dcel::next_id) with it, which is to be the `first` when it is loaded: those of
     /// records that were dropped may be larger than all that are left.
     ///

@@ -2,7 +2,6 @@
 
 mod borders;
 mod hostile;
-mod index;
 mod labels;
 mod links;
 
