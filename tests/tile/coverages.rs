@@ -134,7 +134,10 @@ fn findings_of_equal_area_are_in_the_same_order_by_tiles() {
     let mut random = Random::new(15);
     let mut ties = 0;
     for _ in 0..40 {
-        let features = parcels(&mut random);
+        let mut features = parcels(&mut random);
+        for i in 0..features.len() {
+            features.swap(i, random.below(i + 1));
+        }
         let (upright, level) = (random.lines(0, 4.0), random.lines(0, 4.0));
         for limits in limits() {
             let of_whole = check(&whole(&features), &limits).expect("it is plane");
