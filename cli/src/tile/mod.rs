@@ -114,7 +114,7 @@ impl Tile {
         }
         let options = input.options();
         input.map_format().map_err(named(&name))?;
-        // What can be read but once is not opened a second time.
+        // A pipe is not opened a second time: it can be read but once.
         let path = input.path.as_deref().filter(|path| path.is_file());
         let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
         // Cuts depend on how far the map reaches.
