@@ -99,13 +99,8 @@ impl Sum {
 impl Sum {
     /// Merges summaries of tiles, and says what all of them say, or writes the summary of those that are there.
     fn sum_tiles(&self, parts: Vec<Part>, start: Instant) -> Result<Verdict, Failure> {
-        for key in ["command", "version"] {
-            same(&parts, key)?;
-        }
-        let of_summaries = |part: &Part| Part { name: part.name.clone(), value: part.value["summary"].clone() };
-        let of_summaries: Vec<Part> = parts.iter().map(of_summaries).collect();
-        for key in ["grid", "limits"] {
-            same(&of_summaries, key)?;
+        for path in ["command", "version", "summary/grid", "summary/limits"] {
+            same(&parts, path)?;
         }
         let mut tiles = HashMap::new();
         let summary = |Part { name, value }: Part| {
@@ -148,11 +143,13 @@ impl Part {
     }
 }
 
-/// Refuses parts that differ in a key that identifies the work. Keys below it are named one by one.
-fn same(parts: &[Part], key: &str) -> Result<(), Failure> {
-    let first = &parts[0];
+/// Refuses parts that differ in a value that identifies the work, by the path of its keys. Keys below it are named one by one.
+fn same(parts: &[Part], path: &str) -> Result<(), Failure> {
+    let (first, key) = (&parts[0], path.rsplit('/').next().unwrap_or(path));
+    let at_path = |part: &Part| part.value.pointer(&format!("/{path}")).cloned().unwrap_or_default();
+    let expected = &at_path(first);
     for part in &parts[1..] {
-        let (value, expected) = (&part.value[key], &first.value[key]);
+        let value = &at_path(part);
         if value == expected {
             continue;
         }

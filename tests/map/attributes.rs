@@ -475,7 +475,7 @@ fn of_merged_faces_the_larger_one_may_name_both() {
     }
 }
 
-/// `carry_parts` is told a feature that the map has not: its value is dropped, and nothing stands beyond the features.
+/// The value of a feature that the map does not have is dropped, and is not kept under a number beyond those of its features.
 #[test]
 fn a_feature_of_another_map_gets_no_value() {
     let mut old = PlanarMap::new();

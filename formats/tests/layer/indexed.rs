@@ -245,7 +245,7 @@ fn boxes_that_lie_are_found_by_some_window() {
         let found = lies(&path, &layer);
         assert!(!found.is_empty() && found.iter().all(|place| *place == liar), "{message}: {found:?}");
     }
-    // Nobody knows where a row is whose box says nothing, so it is read whenever its row group is. The box of the row group is that of the other rows.
+    // The place of a row is unknown if its box says nothing. The row is read with its row group, whose box is that of the other rows.
     for extent in [Some([x1, y0, x0, y1]), Some([nan; 4])] {
         let mut groups = rows_of_squares(80);
         groups[1].rows[7].1 = extent;

@@ -78,9 +78,9 @@ impl Diff {
         // Edges that both drop, one side for good, and the other to draw another way between the same ends.
         let drawn = [Ways::new(&self.changes), Ways::new(&theirs.changes)];
         for (record, change) in self.changes.iter().filter(|(_, change)| *change == Change::Dropped) {
-            let is_dropped = others.get(record).is_some_and(|all| all.contains(change));
-            let Record::Edge(a, b) = *record else { continue };
-            match [0, 1].map(|side| drawn[side].first_edge(a, b).filter(|_| is_dropped)) {
+            let by_both = others.get(record).is_some_and(|all| all.contains(change));
+            let (Record::Edge(a, b), true) = (*record, by_both) else { continue };
+            match drawn.each_ref().map(|ways| ways.first_edge(a, b)) {
                 [Some(edge), None] => {
                     conflicts.push(Conflict { ours: (edge, Change::Drawn), theirs: (*record, Change::Dropped) });
                 }

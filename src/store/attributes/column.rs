@@ -355,11 +355,10 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
     }
 
     fn absorb(&mut self, other: &dyn AnyColumn, log: &mut Vec<Saved>) {
-        let policy = self.policy.clone();
+        let number = self.policy.number.filter(|_| self.policy.counts());
         for (key, value) in other.as_any().downcast_ref::<Self>().into_iter().flat_map(|other| &other.values) {
-            let is_given =
-                policy.counts() && policy.number.is_some_and(|number| self.index.contains_key(&number(value)));
             if !self.values.contains_key(key) {
+                let is_given = number.is_some_and(|number| self.index.contains_key(&number(value)));
                 let value = if is_given { self.made() } else { Some(value.clone()) };
                 self.put(key, value, log);
             }

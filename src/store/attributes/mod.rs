@@ -279,7 +279,7 @@ impl Attributes {
                 let largest = parts[0].0;
                 all.announce(&[(Kind::Face, Step::Split(largest))])?;
                 all.settle(&[(Kind::Face, *part)]);
-                all.share(Kind::Face, [largest, *part], if rest > 0.0 { (area / rest).clamp(0.0, 1.0) } else { 0.0 });
+                all.share(Kind::Face, [largest, *part], (area / rest).clamp(0.0, 1.0));
                 rest -= area;
             }
             all.log.clear();

@@ -204,8 +204,8 @@ impl<K: Attributed> Policy<K, u64> {
     /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
     /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice, not after undoing either, nor by clones, and none that was set by hand, so that the next one is larger. Records are [found](Self::identified_by) by it. To go on where a
-    /// structure was saved, save the [next number](crate::dcel::Dcel::next_id) with it, which is to be the `first` when it is loaded: those of
+    /// No number is given twice: not after undoing, not by clones, and not if it was set by hand, after which the next one is larger. Records are
+    /// [found](Self::identified_by) by it. To go on where a structure was saved, save the [next number](crate::dcel::Dcel::next_id) with it, which is to be the `first` when it is loaded: those of
     /// records that were dropped may be larger than all that are left.
     ///
     /// Of two merged faces the one that keeps its key keeps its number; by [`merge_larger`](Self::merge_larger) it is that of the larger one. The unbounded

@@ -166,8 +166,8 @@ fn nulls(column: &ColumnChunkMetaData) -> u64 {
 
 /// The box around the rows of a row group, that of nothing if it is not known of all of them; none, if the file does not say.
 ///
-/// Statistics leave out rows without a box, and a box across the antimeridian is not seen in them if others reach farther to both sides. Then the geometry is refused
-/// where it is read, if it lies elsewhere.
+/// Statistics leave out rows without a box. They do not show a box across the antimeridian if other boxes reach farther to both sides: a geometry
+/// that lies outside of the box of its row group is refused when it is read.
 fn extent(group: &RowGroupMetaData, geometry: &str, covering: Option<&[Vec<String>; 4]>) -> Option<Extent> {
     let geometries = column_of(group, &[geometry.to_owned()]);
     let Some(paths) = covering else {
