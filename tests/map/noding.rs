@@ -1,6 +1,6 @@
 //! Maps of segments that cross, touch and overlap: cut exactly, or snapped to a grid, with features that follow.
 
-use quickcheck::{QuickCheck, TestResult};
+use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
 use twinedge::geometry::Point;
@@ -278,5 +278,6 @@ fn the_faces_of_overlapping_triangles_add_up() {
             (exact - found).abs() < 1e-6
         })
     }
-    QuickCheck::new().tests(300).quickcheck(law as fn(_, _) -> _);
+    // A hundred triangles, as the generator has them unless told, cross in thousands of places.
+    QuickCheck::new().rng(Gen::new(40)).tests(300).quickcheck(law as fn(_, _) -> _);
 }
