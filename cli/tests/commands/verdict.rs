@@ -104,3 +104,22 @@ fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide
     let (status, found) = audited(&["--coverage"], "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOINT(1e17 0)\n");
     assert_eq!((status, found["coverage"].get("not_checked")), (Some(0), None));
 }
+
+/// It was the vertex that the file names first.
+#[test]
+fn a_component_with_handles_is_named_by_its_least_vertex_whatever_the_order_of_features() {
+    let text = std::fs::read_to_string(data("world-110m-crossing.geojson")).unwrap();
+    let mut map: Value = serde_json::from_str(&text).unwrap();
+    let genus = |map: &Value| {
+        let (_, found) = audited(&[], &map.to_string());
+        let all = found["violations"].as_array().unwrap().clone();
+        all.into_iter()
+            .filter(|one| one["rule"] == "T3")
+            .map(|one| (one["at"].clone(), one["id"].clone()))
+            .collect::<Vec<_>>()
+    };
+    let before = genus(&map);
+    assert_eq!(before.len(), 1);
+    map["features"].as_array_mut().unwrap().reverse();
+    assert_eq!(genus(&map), before);
+}
