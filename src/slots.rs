@@ -1,6 +1,8 @@
 //! Numbers of slots in 32 bits, as all layers keep them in columns: nil, disjoint sets, the cycles of a permutation.
 
 use alloc::vec::Vec;
+#[cfg(feature = "dcel")]
+use core::mem;
 
 /// Nil in a column.
 pub(crate) const NIL: u32 = u32::MAX;
@@ -12,6 +14,10 @@ pub(crate) fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     column.resize(n, value);
     Some(column)
 }
+
+/// Marks the number of a set, in place of a member.
+#[cfg(feature = "dcel")]
+const NUMBERED: u32 = 1 << 31;
 
 /// Disjoint sets of the numbers below some number. Numbers beyond are in no set. n calls take O(n α(n)), where α is the inverse of
 /// Ackermann's function.
@@ -59,6 +65,36 @@ impl Sets {
         self.rank[high as usize] += u8::from(rank_i == rank_j && i != j);
         self.count -= usize::from(low != high);
         self.towards[low as usize] = high;
+    }
+
+    /// The number of the set of `i`: sets are counted in the order in which they are asked for, by `count`. Once one has a number nothing can be
+    /// found or joined. Numbers are below 2^31.
+    #[cfg(feature = "dcel")]
+    pub(crate) fn number(&mut self, i: u32, count: &mut u32) -> u32 {
+        let mut at = i as usize;
+        let numbered = loop {
+            let next = self.towards[at];
+            if next & NUMBERED != 0 {
+                break next;
+            }
+            if next as usize == at {
+                self.towards[at] = *count | NUMBERED;
+                *count += 1;
+            } else {
+                at = next as usize;
+            }
+        };
+        at = i as usize;
+        while self.towards[at] & NUMBERED == 0 {
+            at = mem::replace(&mut self.towards[at], numbered) as usize;
+        }
+        numbered ^ NUMBERED
+    }
+
+    /// The number of the set of `i`, which has been asked for. O(1).
+    #[cfg(feature = "dcel")]
+    pub(crate) fn known_number(&self, i: u32) -> u32 {
+        self.towards[i as usize] ^ NUMBERED
     }
 
     /// For each number that of its set, counted in the order of the first members, if there is memory for them.

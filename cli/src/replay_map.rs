@@ -71,7 +71,10 @@ pub(crate) fn run(text: &str, format: Format) -> Result<Verdict, Failure> {
     let mut runner = EditRunner::audited(PlanarMap::new())?;
     let mut steps = Vec::new();
     for op in &program.0 {
-        let step = Step::new(op, runner.step_checked(op));
+        let step = match runner.check_numbers(op) {
+            Ok(()) => Step::new(op, runner.step_checked(op)),
+            Err(past) => Step { error: Some(past.to_string()), ..Step::new(op, Ok(EditOutcome::Skipped)) },
+        };
         let is_valid = step.outcome != NOT_VALID;
         steps.push(step);
         if !is_valid {

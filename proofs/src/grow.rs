@@ -139,8 +139,8 @@ pub(crate) fn choose_turn(source: &mut impl Choose) -> Turn {
 /// The pick of a corner by its place in [`Runner::corners`].
 fn nth_corner<K: Subject>(runner: &Runner<K>, index: usize) -> CornerPick {
     match index.checked_sub(runner.half_edges().len()) {
-        None => Corner::At(HalfEdgePick::Live(index as u16)),
-        Some(isolated) => Corner::Isolated(VertexPick::Isolated(isolated as u16)),
+        None => Corner::At(HalfEdgePick::Live(index as u32)),
+        Some(isolated) => Corner::Isolated(VertexPick::Isolated(isolated as u32)),
     }
 }
 
@@ -156,8 +156,8 @@ fn choose_half_edge<K: Subject>(
     }
     let k = source.choose(live + stale);
     Some(match k.checked_sub(live) {
-        None => HalfEdgePick::Live(k as u16),
-        Some(k) => HalfEdgePick::Retired(k as u16),
+        None => HalfEdgePick::Live(k as u32),
+        Some(k) => HalfEdgePick::Retired(k as u32),
     })
 }
 
@@ -172,9 +172,9 @@ fn choose_vertex<K: Subject>(runner: &Runner<K>, arguments: Arguments, source: &
     }
     let k = source.choose(isolated + others + stale);
     Some(match (k.checked_sub(isolated), k.checked_sub(isolated + others)) {
-        (None, _) => VertexPick::Isolated(k as u16),
-        (Some(k), None) => VertexPick::OriginOf(k as u16),
-        (_, Some(k)) => VertexPick::Retired(k as u16),
+        (None, _) => VertexPick::Isolated(k as u32),
+        (Some(k), None) => VertexPick::OriginOf(k as u32),
+        (_, Some(k)) => VertexPick::Retired(k as u32),
     })
 }
 
@@ -206,8 +206,8 @@ fn choose_face<K: Subject>(runner: &Runner<K>, arguments: Arguments, source: &mu
     let stale = if arguments == Arguments::Any { runner.retired_faces().len() } else { 0 };
     let k = source.choose(live + stale);
     if let Some(k) = k.checked_sub(live) {
-        return FacePick::Retired(k as u16);
+        return FacePick::Retired(k as u32);
     }
     let named = k.checked_sub(1).and_then(|k| bounded().nth(k));
-    named.map_or(FacePick::Unbounded, |i| FacePick::Of(Corner::At(HalfEdgePick::Live(i as u16))))
+    named.map_or(FacePick::Unbounded, |i| FacePick::Of(Corner::At(HalfEdgePick::Live(i as u32))))
 }

@@ -137,8 +137,9 @@ fn of_objects<K: Attributed>(
             let raised = raised.clone();
             policy.split_with(move |value: Object| {
                 Python::attach(|py| {
-                    let (kept, other): (Py<PyAny>, Py<PyAny>) = call(py, &function, (value.0.clone_ref(py),), &raised)?;
-                    Ok([kept, other].map(|part| Object(Arc::new(part))))
+                    let (kept, other): (Option<Py<PyAny>>, Option<Py<PyAny>>) =
+                        call(py, &function, (value.0.clone_ref(py),), &raised)?;
+                    Ok([kept, other].map(|part| part.map(|part| Object(Arc::new(part)))))
                 })
             })
         }

@@ -109,6 +109,19 @@ def test_policies_by_name_and_function():
     assert city.values("owner") == {}
 
 
+def test_none_is_no_value_wherever_a_policy_returns_it():
+    parts = {(None, "b"): [None, "b"], ("a", None): ["a", None], (None, None): [None, None]}
+    for returned, expected in parts.items():
+        city, inside = square(owner={"split": lambda value, returned=returned: returned, "merge": lambda kept, dropped: None})
+        city.set("owner", inside, "Ada")
+        fence = city.insert_segment((1, 0), (1, 4))
+        faces = fence.faces_split[0]
+        assert [city.get("owner", face) for face in faces] == expected
+        assert city.values("owner") == {face: value for face, value in zip(faces, expected) if value is not None}
+        city.remove_edge(fence.way[0])
+        assert city.values("owner") == {}
+
+
 def test_a_function_that_raises_refuses_the_edit_and_its_exception_is_seen():
     def refuse(*values):
         raise LookupError(f"no {values}")

@@ -432,6 +432,8 @@ enum NotChecked {
     Build(#[from] BuildError),
     #[error(transparent)]
     Coverage(#[from] CoverageError),
+    #[error("{0}")]
+    TooFar(String),
 }
 
 /// The findings of all rules but C6.
@@ -467,6 +469,9 @@ fn judged(
         let findings = found.findings.into_iter().map(converted).collect();
         return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
     };
+    if let Some(why) = imported.noted.too_far_to_cut() {
+        return Err(NotChecked::TooFar(why));
+    }
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let mut found = check(&of_input, limits)?;
     found.findings.extend(mismatches(&of_input, &imported.unmatched)?);

@@ -13,7 +13,8 @@ use crate::trace::placed;
 use crate::units::Units;
 use crate::words::counted;
 use serde_json::to_value;
-use std::collections::BTreeSet;
+use std::cmp::Ordering;
+use std::collections::{BTreeSet, HashSet};
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
@@ -85,7 +86,40 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
         let features = features(map, violation).into_iter().map(|feature| named(imported, feature)).collect();
         following(Diagnosis { features: Some(features), ..placed(map, violation) }, violation.rule(), follows_from)
     };
-    report.violations().iter().map(diagnosis).collect()
+    by_place(map, report.violations()).iter().map(diagnosis).collect()
+}
+
+/// The violations, of which those of T3 name the least vertex of their component, and are sorted, so that the order of features makes no
+/// difference. O(n log n).
+fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
+    let mut found = violations.to_vec();
+    for violation in &mut found {
+        if let Violation::Genus { vertex, .. } = violation {
+            *vertex = least_vertex(map, *vertex).unwrap_or(*vertex);
+        }
+    }
+    let place = |vertex: usize| map.dcel().vertex_at(vertex).map(|v| map[v.key()]);
+    let size = |violation: &Violation| match *violation {
+        Violation::Genus { vertex, vertices, edges, cycles, .. } => Some(([vertices, edges, cycles], place(vertex))),
+        _ => None,
+    };
+    for of_rule in found.chunk_by_mut(|a, b| a.rule() == b.rule()) {
+        of_rule.sort_by(|a, b| size(a).partial_cmp(&size(b)).unwrap_or(Ordering::Equal));
+    }
+    found
+}
+
+/// The vertex of the same component with the least coordinates: x first, then y. O(size of the component).
+fn least_vertex(map: &PlanarMap, vertex: usize) -> Option<usize> {
+    let first = map.dcel().vertex_at(vertex)?;
+    let (mut seen, mut ahead, mut least) = (HashSet::from([vertex]), vec![first], first);
+    while let Some(v) = ahead.pop() {
+        if map[v.key()] < map[least.key()] {
+            least = v;
+        }
+        ahead.extend(v.rotation().map(|h| h.target()).filter(|other| seen.insert(other.index())));
+    }
+    Some(least.index())
 }
 
 /// The violation with what it follows from, and what mends it by the commands of this program.

@@ -1,7 +1,7 @@
 //! Notes on features, taken while they are read, since a map does not keep them: ids, conditions met, defects, places.
 
 use crate::error::Error;
-use crate::words::{counted, decimals, plain};
+use crate::words::{counted, decimals, measure, plain};
 use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
@@ -24,6 +24,16 @@ const LATITUDE: f64 = 90.0 + 1e-6;
 
 /// The latitude from which on an edge counts as one along a pole.
 const POLE: f64 = 89.0;
+
+/// The bits of a double below its exponent, and the number of exponents.
+const MANTISSA: u32 = 52;
+const EXPONENTS: usize = 1 << 11;
+
+/// The part of the largest coordinate that a cell of the grid is on which borders are cut, at least: it is a power of two.
+const CELL: f64 = 1.0 / (1_u64 << 50) as f64;
+
+/// The least number of such cells that most edges are to be long.
+const RESOLVED: f64 = 1024.0;
 
 /// A value that a column of a feature is to have.
 #[derive(Clone, Debug)]
@@ -85,6 +95,8 @@ pub struct Noted {
     /// Least and greatest coordinates.
     low: Point,
     high: Point,
+    /// By exponent of their length in x or y, the number of edges of polygons.
+    edges: Vec<u64>,
     columns: BTreeSet<String>,
     has_name: bool,
     has_condition: bool,
@@ -108,6 +120,7 @@ impl Noted {
             unique: None,
             low: Point::new(far, far),
             high: Point::new(-far, -far),
+            edges: vec![0; EXPONENTS],
             columns: BTreeSet::new(),
             has_name: false,
             has_condition: false,
@@ -158,12 +171,19 @@ impl Noted {
         }
         self.note_unique(number, feature, read);
         let mut crosses = false;
-        for chain in feature.shapes.iter().flat_map(chains) {
-            for p in chain {
-                self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
-                self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
+        for shape in &feature.shapes {
+            let is_polygon = matches!(shape, Shape::Polygon(_));
+            for chain in chains(shape) {
+                for p in chain {
+                    self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
+                    self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
+                }
+                crosses |= chain.windows(2).any(|pair| goes_around(pair[0], pair[1]));
+                for pair in chain.windows(2).filter(|_| is_polygon) {
+                    let length = (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs());
+                    self.edges[(length.to_bits() >> MANTISSA) as usize % EXPONENTS] += 1;
+                }
             }
-            crosses |= chain.windows(2).any(|pair| goes_around(pair[0], pair[1]));
         }
         self.across_antimeridian += usize::from(crosses);
     }
@@ -209,8 +229,33 @@ impl Noted {
     /// With how many decimal places a place is shown in text.
     #[must_use]
     pub fn decimals(&self) -> usize {
+        decimals(self.largest())
+    }
+
+    /// The largest coordinate.
+    fn largest(&self) -> f64 {
         let all = [self.low.x, self.low.y, self.high.x, self.high.y];
-        decimals(all.into_iter().filter(|x| x.is_finite()).fold(0.0, |greatest, x| x.abs().max(greatest)))
+        all.into_iter().filter(|x| x.is_finite()).fold(0.0, |greatest, x| x.abs().max(greatest))
+    }
+
+    /// The reason why borders cannot be cut where they cross, if the coordinates reach so far that the edges of most polygons are lost on
+    /// the grid on which they would be.
+    pub(crate) fn too_far_to_cut(&self) -> Option<String> {
+        let (all, mut shorter) = (self.edges.iter().sum::<u64>(), 0);
+        let median = self.edges.iter().position(|count| {
+            shorter += count;
+            2 * shorter >= all
+        })?;
+        let (largest, length) = (self.largest(), f64::from_bits((median as u64 + 1) << MANTISSA));
+        let cell = largest * CELL;
+        (all > 0 && length < cell * RESOLVED).then(|| {
+            format!(
+                "half of the edges are shorter than {}, and borders that cross are cut on a grid for coordinates up to {}, of cells of {}",
+                measure(length),
+                measure(largest),
+                measure(cell)
+            )
+        })
     }
 
     /// Refuses a column that no feature has.

@@ -237,7 +237,9 @@ fn report(
         (None, Some(why)) => format!("borders cross, and {why}"),
         (None, None) => "borders cross, and it is not known how to cut them".to_owned(),
     };
-    let coverage = Coverage::of_tiles(imported, asked, units, list, outcome.coverage.take().ok_or(why));
+    let too_far = imported.noted.too_far_to_cut().filter(|_| !is_plane);
+    let found = too_far.map_or_else(|| outcome.coverage.take().ok_or(why), Err);
+    let coverage = Coverage::of_tiles(imported, asked, units, list, found);
     let mismatched = |one: &Crossing| {
         let features = one.features.iter().map(|number| *number as usize).collect();
         one.kind != CrossingKind::Cross && coverage.lacks_any(&[one.first, one.second].concat(), &features)

@@ -279,7 +279,7 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
         Ok(())
     }));
     let name = left.add_attribute(Policy::of_faces());
-    let zone = right.add_attribute(Policy::of_faces().split_with(|zone: u32| Ok([zone, zone + 1])));
+    let zone = right.add_attribute(Policy::of_faces().split_with(|zone: u32| Ok([Some(zone), Some(zone + 1)])));
     let parcel = left.insert_ring(ring(0.0, 0.0, 8.0)).unwrap().faces_split[0].1;
     let sliver = left.insert_ring(ring(20.0, 20.0, 0.25)).unwrap().faces_split[0].1;
     let inside = right.insert_ring(ring(-2.0, -2.0, 4.0)).unwrap().faces_split[0].1;

@@ -10,6 +10,7 @@ mod audited;
 mod certificate;
 mod diff;
 mod edit;
+mod edit_numbers;
 mod edit_programs;
 mod edited_maps;
 mod equality;

@@ -36,7 +36,7 @@ impl Mint {
             .split_with(move |mut tokens| {
                 refuse(&tokens)?;
                 let other = tokens.split_off(tokens.len() / 2);
-                Ok([tokens, other])
+                Ok([Some(tokens), Some(other)])
             })
             .merge_with(move |kept, dropped| {
                 let all = kept.into_iter().chain(dropped).flatten().collect();

@@ -53,6 +53,18 @@ fn an_edit_that_is_not_done_is_told_and_the_others_are_done() {
     assert_eq!(replayed["steps"][1]["outcome"], "refused");
 }
 
+/// It was taken modulo the number of vertices, and numbers from 65,536 on were no vertices.
+#[test]
+fn a_number_past_the_last_is_told_and_does_not_begin_again() {
+    let journal =
+        "twinedge edits 1\ninsert_segment 0,0 2,2\nmove_vertex v2 5,5\nremove_vertex v70000\nremove_vertex v1\n";
+    let (status, text) = replay(journal, &[]);
+    assert_eq!(status, Some(1));
+    assert!(text.contains("2. move_vertex v2 5,5: skipped: there is no v2: 2 are there\n"), "{text}");
+    assert!(text.contains("3. remove_vertex v70000: skipped: there is no v70000: 2 are there\n"), "{text}");
+    assert!(text.ends_with("2 of 4 edits were not done: 1 vertex, 0 edges, 1 face, 0 features\n"), "{text}");
+}
+
 #[test]
 fn what_is_no_journal_is_refused_with_its_place() {
     for (journal, place) in [

@@ -82,3 +82,44 @@ fn ids_are_the_same_in_any_order_of_the_features() {
     layer["features"].as_array_mut().unwrap().rotate_left(50);
     assert_eq!(in_order(&layer), before);
 }
+
+/// On the finest grid for a coordinate of 10^17 a cell is 128 wide: the squares and their overlap were lost, and C1 was "ok".
+#[test]
+fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide() {
+    let squares = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((5 5,15 5,15 15,5 15,5 5))\n";
+    let far = format!("{squares}POINT(1e17 0)\n");
+    for tiles in [&[][..], &["--tiles", "2"]] {
+        let (status, near) = audited(tiles, squares);
+        assert_eq!((status, &near["coverage"]["overlaps"]), (Some(1), &json!(1)), "{tiles:?}");
+        assert_eq!(near["coverage"].get("not_checked"), None);
+        let (status, found) = audited(tiles, &far);
+        assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")), "{tiles:?}");
+        assert_eq!(
+            found["coverage"]["not_checked"],
+            "half of the edges are shorter than 16.0000, and borders that cross are cut on a grid for coordinates up to 1.000e17, of cells of \
+             88.8178"
+        );
+    }
+    // A map that is plane is not cut.
+    let (status, found) = audited(&["--coverage"], "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOINT(1e17 0)\n");
+    assert_eq!((status, found["coverage"].get("not_checked")), (Some(0), None));
+}
+
+/// It was the vertex that the file names first.
+#[test]
+fn a_component_with_handles_is_named_by_its_least_vertex_whatever_the_order_of_features() {
+    let text = std::fs::read_to_string(data("world-110m-crossing.geojson")).unwrap();
+    let mut map: Value = serde_json::from_str(&text).unwrap();
+    let genus = |map: &Value| {
+        let (_, found) = audited(&[], &map.to_string());
+        let all = found["violations"].as_array().unwrap().clone();
+        all.into_iter()
+            .filter(|one| one["rule"] == "T3")
+            .map(|one| (one["at"].clone(), one["id"].clone()))
+            .collect::<Vec<_>>()
+    };
+    let before = genus(&map);
+    assert_eq!(before.len(), 1);
+    map["features"].as_array_mut().unwrap().reverse();
+    assert_eq!(genus(&map), before);
+}

@@ -55,10 +55,10 @@ class Editor:
         ----------
         split
             The value of the other part of a record that is split: ``"keep"`` (it has none), ``"copy"``, ``"share"`` (numbers of faces by area, of edges by
-            length), ``"between"`` (numbers of vertices on an edge, by those of its ends), or a function of the value that returns both.
+            length), ``"between"`` (numbers of vertices on an edge, by those of its ends), or a function of the value that returns both; ``None`` is no value.
         merge
             The value of a merged record: ``"keep"`` (that of the one that stays), ``"equal"`` (others are not merged), ``"sum"`` (of numbers), or a
-            function of both values, each of which may be ``None``.
+            function of both values; ``None`` is no value, also where it is returned.
 
         A function that raises refuses the edit. It must not use the editor. Values are any objects; do not change them in place, as undoing cannot bring that back.
         """

@@ -1,28 +1,51 @@
 //! The groups of faces that become one when edges are removed, and the outer boundary component of each group.
 //!
+//! An edge between two faces of different groups joins these, and two boundary components become one; each other edge parts
+//! one in two. So the numbers of faces and edges give the number of cycles of each group, without a walk. If there is one, it is the
+//! outer one. Of several that is the outer one beyond which the unbounded face lies:
+//!
 //! ```text
-//!   a group with one cycle: it is the outer one            ┐ and so on, of the cycles
-//!   a component with one cycle: it is its outside, inner   ┘ that are left; the unbounded group has no outer one
+//!   the group ──► cycle ──► what lies beyond ──► ends: the cycle is inner
+//!             ──► cycle ──► what lies beyond ──► ends: the cycle is inner
+//!             ──► cycle ──► what lies beyond ──► …     the one that is left is outer
 //! ```
 //!
-//! Each cycle is of one group and of one component. Groups and components are a tree in this way, rooted at the unbounded group. A
-//! cycle is outer if the component is the parent of the group, and inner if it is the other way round. The tree is taken apart from
-//! its leaves, each of which has one cycle left: that to its parent.
+//! All are searched in step, from group to group over the edges. Beyond an inner cycle the outer cycle of each group is that through
+//! which it is reached. No such group is searched again, so all searches that end take linear time together, and those that do not take
+//! no more.
 
 use crate::slots::{NIL, Sets};
 use crate::store::Store;
 use crate::store::links::BoundaryStart;
 use alloc::vec;
 use alloc::vec::Vec;
+use core::mem;
 
 /// The group of the unbounded face.
 pub(super) const UNBOUNDED: usize = 0;
 
 /// The faces in groups that become one face each.
 pub(super) struct Groups {
-    /// By face its group.
-    of: Vec<u32>,
-    pub(super) count: usize,
+    /// The faces, with a number for each group.
+    faces: Sets,
+    pub(super) all: Vec<Group>,
+}
+
+/// A group of faces.
+#[derive(Clone, Copy)]
+pub(super) struct Group {
+    /// The number of cycles that it has in the end, once those are taken off of which isolated vertices are left.
+    pub(super) cycles: u32,
+    /// True if it loses an edge or a vertex. What belongs to the others stays as it is.
+    pub(super) changes: bool,
+}
+
+/// A cycle of a group in which something changes.
+pub(super) struct Cycle<S: Store> {
+    pub(super) boundary: S::Boundary,
+    pub(super) group: u32,
+    /// The face to the left of the half-edge with the smallest index, as it was, once it is known.
+    pub(super) face: Option<S::Face>,
 }
 
 impl Groups {
@@ -30,79 +53,177 @@ impl Groups {
     /// where α is the inverse of Ackermann's function.
     pub(super) fn without<S: Store>(store: &S, edges: &[S::HalfEdge]) -> Self {
         let index = |h: S::HalfEdge| store.face_index(store.face(store.boundary(h))) as u32;
-        let mut sets = Sets::new(store.face_slots());
+        let mut faces = Sets::new(store.face_slots());
+        let mut parted = Vec::new();
         for h in edges {
-            sets.join(index(*h), index(store.twin(*h)));
-        }
-        let mut of = vec![NIL; store.face_slots()];
-        // By number that stands for a set, the group.
-        let mut groups = vec![NIL; of.len()];
-        let mut count = 0;
-        let faces = (0..of.len()).filter_map(|i| store.face_at(i));
-        for f in core::iter::once(store.unbounded()).chain(faces) {
-            let f = store.face_index(f);
-            let group = &mut groups[sets.find(f as u32) as usize];
-            if *group == NIL {
-                *group = count;
-                count += 1;
+            let (face, before) = (index(*h), faces.count);
+            faces.join(face, index(store.twin(*h)));
+            if faces.count == before {
+                parted.push(face);
             }
-            of[f] = *group;
         }
-        Self { of, count: count as usize }
+        let mut all: Vec<Group> = Vec::with_capacity(store.face_count().saturating_sub(edges.len() - parted.len()));
+        let mut count = 0;
+        let unbounded = store.unbounded();
+        let others = (0..store.face_slots()).filter_map(|i| store.face_at(i)).filter(|f| *f != unbounded);
+        for f in core::iter::once(unbounded).chain(others) {
+            let inner = (0..store.inner_count(f)).filter_map(|place| store.inner(f, place));
+            let cycles = inner.filter(|b| matches!(store.start(*b), BoundaryStart::HalfEdge(_))).count() as u32;
+            let cycles = cycles + u32::from(f != unbounded);
+            let group = faces.number(store.face_index(f) as u32, &mut count) as usize;
+            if group == all.len() {
+                all.push(Group { cycles, changes: false });
+            } else {
+                all[group] = Group { cycles: all[group].cycles + cycles - 1, changes: true };
+            }
+        }
+        for face in parted {
+            let group = &mut all[faces.known_number(face) as usize];
+            *group = Group { cycles: group.cycles + 1, changes: true };
+        }
+        Self { faces, all }
+    }
+
+    /// Notes that the group of a boundary component changes.
+    pub(super) fn change<S: Store>(&mut self, store: &S, b: S::Boundary) {
+        let group = self.of_boundary(store, b);
+        self.all[group].changes = true;
     }
 
     pub(super) fn of_face<S: Store>(&self, store: &S, f: S::Face) -> usize {
-        self.of[store.face_index(f)] as usize
+        self.faces.known_number(store.face_index(f) as u32) as usize
     }
 
     pub(super) fn of_boundary<S: Store>(&self, store: &S, b: S::Boundary) -> usize {
         self.of_face(store, store.face(b))
     }
 
-    /// By group the index of the boundary component that is its outer one, or nil, once each cycle has a boundary component, which
-    /// still names a face of its group. O(slots α(slots)).
-    pub(super) fn outer<S: Store>(&self, store: &S) -> Vec<u32> {
-        let index = |h: S::HalfEdge| store.boundary_index(store.boundary(h)) as u32;
-        // The components, as sets of boundary components.
-        let mut components = Sets::new(store.boundary_slots());
-        for h in (0..store.half_edge_slots()).filter_map(|i| store.half_edge_at(i)) {
-            let twin = store.twin(h);
-            if store.half_edge_index(h) < store.half_edge_index(twin) {
-                components.join(index(h), index(twin));
+    /// By group that changes the index of the boundary component that is its outer one, or nil. These are all cycles of such groups, each
+    /// with a boundary component, which still names a face of its group. O(slots).
+    pub(super) fn outer<S: Store>(&self, store: &S, cycles: &[Cycle<S>]) -> Vec<u32> {
+        let index = |cycle: &Cycle<S>| store.boundary_index(cycle.boundary) as u32;
+        let mut nest =
+            Nest { groups: self, outer: vec![NIL; self.all.len()], cycles, first: Vec::new(), next: Vec::new() };
+        let mut several = Vec::new();
+        for (i, cycle) in cycles.iter().enumerate() {
+            let group = cycle.group as usize;
+            if group == UNBOUNDED {
+                continue;
+            }
+            if self.all[group].cycles == 1 {
+                nest.outer[group] = index(cycle);
+                continue;
+            }
+            if several.is_empty() {
+                nest.first = vec![NIL; self.all.len()];
+                nest.next = vec![NIL; cycles.len()];
+            }
+            nest.next[i] = mem::replace(&mut nest.first[group], i as u32);
+            several.push(group);
+        }
+        let mut seen = vec![0; if several.is_empty() { 0 } else { self.all.len() }];
+        for (round, group) in (1..).zip(several) {
+            if nest.outer[group] == NIL {
+                nest.search(store, group, round, &mut seen);
             }
         }
-        // The nodes of the tree: the groups, then the components, by the number that stands for each. Of each, how many cycles are left,
-        // and the exclusive or of their numbers: if one is left, that is its number.
-        let mut left = vec![(0_u32, 0_u32); self.count + store.boundary_slots()];
-        let mut take = |left: &mut [(u32, u32)], b: S::Boundary, by: u32| {
-            let cycle = store.boundary_index(b) as u32;
-            let ends = [self.of_boundary(store, b), self.count + components.find(cycle) as usize];
-            for node in ends {
-                left[node].0 = left[node].0.wrapping_add(by);
-                left[node].1 ^= cycle;
-            }
-            ends
+        nest.outer
+    }
+}
+
+/// Stands for the round of a group all of whose ways have been searched.
+const DONE: u32 = NIL;
+
+/// The cycles of groups with several, and what is known of them.
+struct Nest<'a, S: Store> {
+    groups: &'a Groups,
+    outer: Vec<u32>,
+    cycles: &'a [Cycle<S>],
+    /// By group its first cycle, then by cycle the next one of its group.
+    first: Vec<u32>,
+    next: Vec<u32>,
+}
+
+/// A search for what lies beyond a cycle.
+struct Search<S: Store> {
+    /// The boundary component with which it began.
+    from: u32,
+    /// Boundary components still to be walked around.
+    ahead: Vec<S::Boundary>,
+    /// The half-edge to be crossed next, and that with which the walk ends.
+    walk: Option<[S::HalfEdge; 2]>,
+    /// The groups that it reached, and the boundary components by which.
+    reached: Vec<(usize, u32)>,
+    /// True if it reached the unbounded face, from which it does not go on.
+    is_outer: bool,
+}
+
+impl<S: Store> Nest<'_, S> {
+    /// Finds out which cycle of a group is outer, and the same for all groups beyond the others.
+    fn search(&mut self, store: &S, group: usize, round: u32, seen: &mut [u32]) {
+        seen[group] = round;
+        let mut ahead = Vec::new();
+        self.push_cycles(store, group, self.cycles[self.first[group] as usize].boundary, &mut ahead);
+        let begin = |b: S::Boundary| {
+            let from = store.boundary_index(b) as u32;
+            Search { from, ahead: vec![b], walk: None, reached: Vec::new(), is_outer: false }
         };
-        for b in (0..store.boundary_slots()).filter_map(|i| store.boundary_at(i)) {
-            if matches!(store.start(b), BoundaryStart::HalfEdge(_)) {
-                take(&mut left, b, 1);
-            }
-        }
-        let mut outer = vec![NIL; self.count];
-        for first in 1..left.len() {
-            let mut node = first;
-            while node != 0 && left[node].0 == 1 {
-                let cycle = left[node].1;
-                let Some(b) = store.boundary_at(cycle as usize) else { break };
-                let [group, component] = take(&mut left, b, u32::MAX);
-                if node == group {
-                    outer[group] = cycle;
-                    node = component;
-                } else {
-                    node = group;
+        let mut searches: Vec<Search<S>> = ahead.into_iter().map(begin).collect();
+        while searches.len() > 1 {
+            searches.retain_mut(|search| {
+                let goes_on = search.is_outer || self.step(store, search, round, seen);
+                if !goes_on {
+                    for (group, by) in search.reached.drain(..) {
+                        seen[group] = DONE;
+                        self.outer[group] = by;
+                    }
                 }
+                goes_on
+            });
+        }
+        self.outer[group] = searches.first().map_or(NIL, |search| search.from);
+    }
+
+    /// Crosses one half-edge. False if there was none left.
+    fn step(&self, store: &S, search: &mut Search<S>, round: u32, seen: &mut [u32]) -> bool {
+        let Some([h, last]) = search.walk.take() else {
+            let Some(b) = search.ahead.pop() else { return false };
+            if let BoundaryStart::HalfEdge(h) = store.start(b) {
+                search.walk = Some([h, store.prev(h)]);
+            }
+            return true;
+        };
+        if h != last {
+            search.walk = Some([store.next(h), last]);
+        }
+        let b = store.boundary(store.twin(h));
+        let group = self.groups.of_boundary(store, b);
+        if group == UNBOUNDED {
+            search.is_outer = true;
+        } else if seen[group] != round && seen[group] != DONE {
+            seen[group] = round;
+            search.reached.push((group, store.boundary_index(b) as u32));
+            if self.outer[group] == NIL {
+                self.push_cycles(store, group, b, &mut search.ahead);
+            } else {
+                search.ahead.push(b);
             }
         }
-        outer
+        true
+    }
+
+    /// Pushes the boundary components of a group, of which this is one.
+    fn push_cycles(&self, store: &S, group: usize, b: S::Boundary, all: &mut Vec<S::Boundary>) {
+        if self.groups.all[group].changes {
+            let mut cycle = self.first[group];
+            while let Some(Cycle { boundary, .. }) = self.cycles.get(cycle as usize) {
+                all.push(*boundary);
+                cycle = self.next[cycle as usize];
+            }
+        } else {
+            let f = store.face(b);
+            all.extend(store.outer(f));
+            all.extend((0..store.inner_count(f)).filter_map(|place| store.inner(f, place)));
+        }
     }
 }

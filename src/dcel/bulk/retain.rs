@@ -1,11 +1,12 @@
 //! Keeping some vertices and edges and removing all others.
 
-use super::nest::{Groups, UNBOUNDED};
+use super::nest::{Cycle, Group, Groups};
 use crate::dcel::elements::{HalfEdge, Vertex};
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::place::OUTER;
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -51,7 +52,7 @@ impl<S: Store> Dcel<S> {
     /// The order of the inner boundary components of a face that lost an edge changes.
     ///
     /// O(slots α(slots)) time and O(slots) memory, however much goes; α is the inverse of Ackermann's function, at most 4. So a few edges
-    /// are better removed one by one, and so are edges that separate short cycles, one place after the other.
+    /// are better removed one by one.
     ///
     /// # Errors
     /// [`OperatorError::Full`] if more boundary components are made than dropped, and there is no room for them.
@@ -97,14 +98,14 @@ impl<S: Store> Dcel<S> {
         let groups = Groups::without(store, &removed);
         // Euler's formula gives the number of components, hence that of boundary components.
         let [vertices, edges] = [self.vertex_count() - retained.vertices.len(), self.edge_count() - removed.len()];
-        let boundaries = (vertices + 2 * groups.count - 2 - edges).saturating_sub(self.boundary_count());
+        let boundaries = (vertices + 2 * groups.all.len() - 2 - edges).saturating_sub(self.boundary_count());
         self.room_for(Need { boundaries, ..Need::NONE })?;
         #[cfg(feature = "near")]
         if self.has_attributes() {
             let merged = self.would_merge(&vertex_goes, &goes)?;
             self.announce_retained(&vertex_goes, &goes, &merged)?;
         }
-        let mut work = Work { changes: vec![false; groups.count], groups, goes, vertex_goes, retained };
+        let mut work = Work { groups, goes, vertex_goes, retained };
         work.apply(self, &removed);
         Ok(work.retained)
     }
@@ -121,19 +122,15 @@ impl<S: Store> Dcel<S> {
     }
 }
 
-/// A cycle of a group in which something changes.
-struct Cycle<S: Store> {
-    boundary: S::Boundary,
-    group: usize,
-    /// The face to the left of the half-edge with the smallest index, as it was.
-    face: S::Face,
-}
+/// Stand for the number of a cycle: of a group that has several, of one on whose cycle no boundary component starts, once that is known, and of
+/// one that stays as it is.
+const SEVERAL: u32 = NIL - 1;
+const FRESH: u32 = NIL - 2;
+const UNCHANGED: u32 = NIL - 3;
 
 /// The work in progress, once there is known to be room for it.
 struct Work {
     groups: Groups,
-    /// By group, whether it loses an edge or a vertex. What belongs to the others stays as it is.
-    changes: Vec<bool>,
     /// By half-edge, whether it goes, or has its boundary component.
     goes: Vec<bool>,
     vertex_goes: Vec<bool>,
@@ -145,15 +142,13 @@ impl Work {
         let isolated = self.splice(dcel, removed);
         let store = &mut dcel.store;
         let mut islands = Vec::new();
-        let mut cycles = self.keep_boundaries(store, &mut islands);
-        let fresh = self.other_cycles(store);
+        let (mut cycles, numbers) = self.keep_boundaries(store, &mut islands);
+        let fresh = self.relabel_others(store, &mut cycles, numbers);
         for h in removed {
             store.remove_edge(*h);
         }
-        for index in 0..self.vertex_goes.len() {
-            if self.vertex_goes[index] {
-                store.vertex_at(index).into_iter().for_each(|v| store.remove_vertex(v));
-            }
+        for key in &self.retained.vertices {
+            store.find_vertex(*key).into_iter().for_each(|v| store.remove_vertex(v));
         }
         for key in &self.retained.dropped {
             store.find_boundary(*key).into_iter().for_each(|b| store.remove_boundary(b));
@@ -169,21 +164,20 @@ impl Work {
                     break;
                 }
             }
-            cycles.push(Cycle { boundary, group, face });
+            cycles.push(Cycle { boundary, group: group as u32, face: Some(face) });
         }
-        let outer = self.outer(store, &cycles);
-        let mut kept = vec![store.unbounded(); self.groups.count];
-        let is_outer = |store: &S, b: S::Boundary, group: usize| outer[group] as usize == store.boundary_index(b);
+        let outer = self.groups.outer(store, &cycles);
+        let mut kept = vec![store.unbounded(); self.groups.all.len()];
         for Cycle { boundary, group, face } in &cycles {
-            if is_outer(store, *boundary, *group) {
-                kept[*group] = *face;
+            if outer[*group as usize] as usize == store.boundary_index(*boundary) {
+                let kept = &mut kept[*group as usize];
+                *kept = face.unwrap_or(*kept);
+                store.list_outer(*kept, *boundary);
             }
         }
         for Cycle { boundary, group, .. } in cycles {
-            if is_outer(store, boundary, group) {
-                store.list_outer(kept[group], boundary);
-            } else {
-                store.list_inner(kept[group], boundary);
+            if outer[group as usize] as usize != store.boundary_index(boundary) {
+                store.list_inner(kept[group as usize], boundary);
             }
         }
         for (v, group) in isolated {
@@ -198,58 +192,71 @@ impl Work {
         self.merge_faces(store, &kept);
     }
 
-    /// By group that changes the index of the boundary component that is its outer one, or nil.
-    fn outer<S: Store>(&self, store: &S, cycles: &[Cycle<S>]) -> Vec<u32> {
-        let mut outer = vec![NIL; self.groups.count];
-        for Cycle { boundary, group, .. } in cycles.iter().filter(|cycle| cycle.group != UNBOUNDED) {
-            if outer[*group] != NIL {
-                // Only what surrounds the others tells which of several it is.
-                return self.groups.outer(store);
-            }
-            outer[*group] = store.boundary_index(*boundary) as u32;
-        }
-        outer
-    }
-
-    /// Takes the edges out of the links, and finds out which groups change. Gives the vertices that become isolated, with their groups.
+    /// Takes the edges out of the links. Gives the vertices that become isolated and stay, with their groups.
     fn splice<S: Store>(&mut self, dcel: &mut Dcel<S>, removed: &[S::HalfEdge]) -> Vec<(S::Vertex, usize)> {
         let mut last = Vec::new();
         for h in removed {
-            let group = self.groups.of_boundary(&dcel.store, dcel.store.boundary(*h));
-            self.changes[group] = true;
             dcel.splice_out(*h, &mut last);
         }
         let store = &dcel.store;
         for v in self.retained.vertices.iter().filter_map(|key| store.find_vertex(*key)) {
             if let VertexLink::Isolated(b) = store.vertex_link(v) {
-                self.changes[self.groups.of_boundary(store, b)] = true;
+                self.groups.change(store, b);
             }
         }
-        let ends = last.into_iter().map(|h| (store.origin(h), self.groups.of_boundary(store, store.boundary(h))));
-        ends.filter(|(v, _)| !self.vertex_goes[store.vertex_index(*v)]).collect()
+        let mut isolated = Vec::new();
+        for h in last {
+            let (v, group) = (store.origin(h), self.groups.of_boundary(store, store.boundary(h)));
+            self.groups.all[group].cycles -= 1;
+            if !self.vertex_goes[store.vertex_index(v)] {
+                isolated.push((v, group));
+            }
+        }
+        isolated
     }
 
-    /// Takes all boundary components of groups that change from the lists. Gives those that are cycles now, and puts those that stay
-    /// isolated vertices in `islands`, with their groups.
-    fn keep_boundaries<S: Store>(&mut self, store: &mut S, islands: &mut Vec<(S::Boundary, usize)>) -> Vec<Cycle<S>> {
+    /// Takes all boundary components of groups that change from the lists. Gives those that are cycles now, and by group the number of
+    /// its only one, nil if none is known, or what stands for that; those that stay isolated vertices are put in `islands`, with their groups.
+    fn keep_boundaries<S: Store>(
+        &mut self,
+        store: &mut S,
+        islands: &mut Vec<(S::Boundary, usize)>,
+    ) -> (Vec<Cycle<S>>, Vec<u32>) {
+        let number = |group: &Group| match group {
+            Group { changes: false, .. } => UNCHANGED,
+            Group { cycles: 1, .. } => NIL,
+            _ => SEVERAL,
+        };
+        let mut numbers: Vec<u32> = self.groups.all.iter().map(number).collect();
         let mut cycles = Vec::new();
         for index in 0..store.boundary_slots() {
             let Some(boundary) = store.boundary_at(index) else { continue };
             let group = self.groups.of_boundary(store, boundary);
-            if !self.changes[group] {
+            let number = &mut numbers[group];
+            if *number == UNCHANGED {
                 continue;
             }
-            store.unlist(boundary);
+            // An outer one goes with the face, or another one has its place.
+            if store.place(boundary) != OUTER {
+                store.unlist(boundary);
+            }
             match store.start(boundary) {
-                BoundaryStart::HalfEdge(h) if !self.goes[store.half_edge_index(h)] => {
-                    let face = self.relabel(store, h, boundary);
-                    cycles.push(Cycle { boundary, group, face });
+                BoundaryStart::HalfEdge(h)
+                    if (*number == NIL || *number == SEVERAL) && !self.goes[store.half_edge_index(h)] =>
+                {
+                    let face = if *number == SEVERAL {
+                        Some(self.relabel(store, h, boundary))
+                    } else {
+                        *number = cycles.len() as u32;
+                        None
+                    };
+                    cycles.push(Cycle { boundary, group: group as u32, face });
                 }
                 BoundaryStart::Vertex(v) if !self.vertex_goes[store.vertex_index(v)] => islands.push((boundary, group)),
                 _ => self.retained.dropped.push(store.boundary_key(boundary)),
             }
         }
-        cycles
+        (cycles, numbers)
     }
 
     /// Gives a cycle a boundary component. Gives the face that was to the left of the half-edge with the smallest index.
@@ -272,18 +279,38 @@ impl Work {
         }
     }
 
-    /// The cycles on which no boundary component starts: of each the half-edge with the smallest index, the group, and the face that
-    /// was to its left.
-    fn other_cycles<S: Store>(&mut self, store: &S) -> Vec<(S::HalfEdge, usize, S::Face)> {
-        let mut cycles = Vec::new();
+    /// Gives the half-edges of each group with one cycle its boundary component, without a walk. Gives the cycles on which no boundary
+    /// component starts: of each the half-edge with the smallest index, the group, and the face that was to its left.
+    fn relabel_others<S: Store>(
+        &mut self,
+        store: &mut S,
+        cycles: &mut [Cycle<S>],
+        mut numbers: Vec<u32>,
+    ) -> Vec<(S::HalfEdge, usize, S::Face)> {
+        let mut fresh = Vec::new();
         for index in 0..self.goes.len() {
             if self.goes[index] {
                 continue;
             }
             let Some(start) = store.half_edge_at(index) else { continue };
-            let face = store.face(store.boundary(start));
+            let before = store.boundary(start);
+            let face = store.face(before);
             let group = self.groups.of_face(store, face);
-            if !self.changes[group] {
+            let number = &mut numbers[group];
+            if let Some(Cycle { boundary, face: of_first, .. }) = cycles.get_mut(*number as usize) {
+                of_first.get_or_insert(face);
+                if before != *boundary {
+                    store.set_boundary(start, *boundary);
+                }
+                continue;
+            }
+            match *number {
+                SEVERAL => {}
+                NIL => *number = FRESH,
+                _ => continue,
+            }
+            fresh.push((start, group, face));
+            if *number == FRESH {
                 continue;
             }
             let mut h = start;
@@ -294,9 +321,8 @@ impl Work {
                     break;
                 }
             }
-            cycles.push((start, group, face));
         }
-        cycles
+        fresh
     }
 
     /// Removes the faces that are part of another one now.
@@ -304,7 +330,7 @@ impl Work {
         for index in 0..store.face_slots() {
             let Some(f) = store.face_at(index) else { continue };
             let group = self.groups.of_face(store, f);
-            if self.changes[group] && kept[group] != f {
+            if self.groups.all[group].changes && kept[group] != f {
                 self.retained.faces.push(MergedFace { dropped: store.face_key(f), kept: store.face_key(kept[group]) });
                 store.remove_face(f);
             }

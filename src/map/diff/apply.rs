@@ -4,7 +4,7 @@ use super::Diff;
 use super::error::ApplyError;
 use super::ids::{Column, Ids, Index};
 use super::record::{Change, Record};
-use crate::dcel::{FaceKey, HalfEdge, HalfEdgeKey, VertexKey};
+use crate::dcel::{HalfEdge, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::map::PlanarMap;
 use crate::map::edit::EditError;
@@ -12,7 +12,6 @@ use crate::map::feature_tries::SetId;
 use crate::store::FeatureId;
 use crate::store::attributes::Kind;
 use crate::store::links::Links;
-use rustc_hash::FxHashMap;
 use slotmap::{Key, KeyData};
 use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
@@ -30,11 +29,12 @@ impl Diff {
     pub fn apply(&self, map: &mut PlanarMap, ids: &Ids) -> Result<(), ApplyError> {
         let base = Index::new(map, ids)?;
         self.is_of(map, &base, ids)?;
+        let contents = self.contents(map, &base, ids);
         map.rewinding(|map| {
             // While lines come and go nobody owns what lies between.
             let attributes = map.dcel.store_mut().take_attributes();
             let mut drawing = Drawing::new(map, base);
-            let drawn = drawing.draw(self);
+            let drawn = drawing.draw(self).and_then(|()| drawing.name_faces(self, &contents));
             let Drawing { index, moved, .. } = drawing;
             map.dcel.store_mut().set_attributes(attributes);
             drawn?;
@@ -122,17 +122,17 @@ struct Sides {
 }
 
 /// A map without attributes on which is drawn.
-struct Drawing<'a> {
-    map: &'a mut PlanarMap,
-    index: Index,
+pub(super) struct Drawing<'a> {
+    pub(super) map: &'a mut PlanarMap,
+    pub(super) index: Index,
     /// By face: a half-edge on its outer boundary by its ends, and its features.
-    faces: BTreeMap<u128, (u128, u128, SetId)>,
+    pub(super) faces: BTreeMap<u128, (u128, u128, SetId)>,
     /// The features of the unbounded face.
-    unbounded: SetId,
+    pub(super) unbounded: SetId,
     /// Edges that make way for a vertex, by their ends, with their features.
     lifted: Vec<(u128, u128, Sides, SetId)>,
     /// The keys of records that were dropped, or that have others.
-    moved: Vec<(Kind, KeyData, Option<KeyData>)>,
+    pub(super) moved: Vec<(Kind, KeyData, Option<KeyData>)>,
 }
 
 impl<'a> Drawing<'a> {
@@ -185,7 +185,7 @@ impl<'a> Drawing<'a> {
         for (a, b) in drawn {
             self.connect(a, b)?;
         }
-        self.name_faces(diff)
+        Ok(())
     }
 
     fn vertex(&self, id: u128) -> Result<VertexKey, ApplyError> {
@@ -279,62 +279,6 @@ impl<'a> Drawing<'a> {
                 self.moved.push((kind, old.half_edges[side].data(), to));
             }
         }
-    }
-
-    /// Finds the face of each id, and gives the features to it that the id had.
-    fn name_faces(&mut self, diff: &Diff) -> Result<(), ApplyError> {
-        let mut outlines: BTreeMap<u128, Vec<(u128, u128)>> = BTreeMap::new();
-        outlines.extend(self.faces.iter().map(|(id, (from, to, _))| (*id, vec![(*from, *to)])));
-        let mut shaped = BTreeSet::new();
-        for (record, change) in &diff.changes {
-            match (*record, change) {
-                (Record::Face(id), Change::Dropped) => drop(outlines.remove(&id)),
-                (Record::Face(id), Change::Made(outline) | Change::Reshaped(outline)) => {
-                    // Of a part of the outline one side knows that it is there.
-                    let pairs = outline.iter().copied().zip(outline.iter().copied().cycle().skip(1));
-                    let there =
-                        pairs.into_iter().find(|(from, to)| self.index.half_edge(self.map, *from, *to).is_some());
-                    let known = outlines.entry(id).or_default();
-                    if shaped.insert(id) {
-                        known.clear();
-                    }
-                    known.extend(there);
-                }
-                _ => {}
-            }
-        }
-        let unbounded = self.map.dcel.unbounded_face();
-        let mut named = FxHashMap::from_iter([(unbounded.key(), Record::Unbounded)]);
-        let mut sets = vec![(unbounded.index(), self.unbounded)];
-        let mut faces = BTreeMap::new();
-        for (id, beside) in outlines {
-            let record = Record::Face(id);
-            let mut keys =
-                beside.iter().filter_map(|(from, to)| self.index.half_edge(self.map, *from, *to)).map(|h| h.face());
-            let face = keys.next().ok_or(ApplyError::NotOneFace(record))?;
-            if keys.any(|other| other != face) {
-                return Err(ApplyError::NotOneFace(record));
-            }
-            if let Some(other) = named.insert(face.key(), record) {
-                return Err(ApplyError::OneFace(other, record));
-            }
-            faces.insert(id, face.key());
-            sets.push((face.index(), self.faces.get(&id).map(|(_, _, set)| *set).unwrap_or_default()));
-        }
-        if let Some(face) = self.map.dcel.faces().find(|face| !named.contains_key(&face.key())) {
-            let edge = face.outer_half_edge().map_or(Record::Unbounded, |h| self.index.edge(h));
-            return Err(ApplyError::Unnamed(edge));
-        }
-        for (face, set) in sets {
-            if self.map.features.of_face(face) != set {
-                self.map.cover_face(face, set);
-            }
-        }
-        let old = mem::replace(&mut self.index.faces, faces);
-        let data = |id| self.index.faces.get(id).map(|face: &FaceKey| face.data());
-        let moved = old.iter().map(|(id, key)| (Kind::Face, key.data(), data(id)));
-        self.moved.extend(moved.filter(|(_, from, to)| Some(*from) != *to));
-        Ok(())
     }
 }
 

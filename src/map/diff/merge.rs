@@ -11,7 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Merges what two sides did to a map: `base`, with the changes of both.
 ///
 /// Values are merged record by record, and no policy is asked: where one side splits a face, and the other gives it another value, the part that
-/// keeps its id has that value, and the other parts have those that their side gave them. A fence that both draw by themselves is two, with ids of their
+/// keeps its id has that value, and the other parts have those that their side gave them. Where both split a face, each part has an id that a side
+/// gave to it or to a part around it. A fence that both draw by themselves is two, with ids of their
 /// own, which do not fit. Values of features, half-edges and corners are not compared: those of `base` stay. A feature without a name that
 /// one side removes is taken for one that is there, and nothing has it.
 ///
@@ -19,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// # Errors
 /// [`MergeError::Conflicts`] names what both sides changed, and [`MergeError::Together`] what does not fit although no record is the same: lines of
-/// one side that cross those of the other, faces that both cut.
+/// one side that cross those of the other, a face that both cut so that each gives away what the other one keeps, with other values or features.
 pub fn merge(base: &PlanarMap, ours: &PlanarMap, theirs: &PlanarMap, ids: &Ids) -> Result<PlanarMap, MergeError> {
     let both = diff(base, ours, ids)?.merge(&diff(base, theirs, ids)?)?;
     let mut merged = base.clone();

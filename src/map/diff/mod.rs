@@ -41,6 +41,7 @@
 mod apply;
 mod compare;
 mod error;
+mod faces;
 mod ids;
 mod merge;
 mod record;

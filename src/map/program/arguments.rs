@@ -41,8 +41,8 @@ numbered! { List;
     Retired "!f" RetiredFaces;
 }
 
-fn live_or_retired<P>(source: &mut impl Choose, live: fn(u16) -> P, retired: fn(u16) -> P) -> P {
-    let k = source.choose(256) as u16;
+fn live_or_retired<P>(source: &mut impl Choose, live: fn(u32) -> P, retired: fn(u32) -> P) -> P {
+    let k = source.choose(256) as u32;
     if source.choose(16) == 15 { retired(k) } else { live(k) }
 }
 
@@ -150,7 +150,7 @@ impl Argument for AtPick {
         }
     }
 
-    fn renumber(&self, (): (), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u32) -> u32) -> Self {
         match *self {
             Self::Point(spot) => Self::Point(spot),
             Self::Near(spot, hint) => Self::Near(spot, hint.renumber((), number)),
@@ -198,7 +198,7 @@ impl Argument for RingPick {
         all
     }
 
-    fn renumber(&self, (): (), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u32) -> u32) -> Self {
         self.iter().map(|at| at.renumber((), number)).collect()
     }
 }

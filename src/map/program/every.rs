@@ -16,15 +16,14 @@ use super::runner::EditRunner;
 /// With p points and n records these are O(p³ + p · n).
 #[must_use]
 pub fn every_edit(map: &EditRunner, points: &[Spot]) -> Vec<EditOp> {
-    let live = |count: usize| (0..count).map_while(|k| u16::try_from(k).ok());
+    let live = |count: usize| (0..count).map_while(|k| u32::try_from(k).ok());
     let first = |list: usize| (list > 0).then_some(0);
     let stale_vertex = first(map.vertices.retired.len()).map(MapVertexPick::Retired);
     let stale_half_edge = first(map.half_edges.retired.len()).map(MapHalfEdgePick::Retired);
     let stale_face = first(map.faces.retired.len()).map(MapFacePick::Retired);
-    let vertices: Vec<_> = live(map.vertices.live.len()).map(MapVertexPick::Live).chain(stale_vertex).collect();
-    let half_edges: Vec<_> =
-        live(map.half_edges.live.len()).map(MapHalfEdgePick::Live).chain(stale_half_edge).collect();
-    let faces: Vec<_> = live(map.faces.live.len()).map(MapFacePick::Live).chain(stale_face).collect();
+    let vertices: Vec<_> = live(map.vertices.len()).map(MapVertexPick::Live).chain(stale_vertex).collect();
+    let half_edges: Vec<_> = live(map.half_edges.len()).map(MapHalfEdgePick::Live).chain(stale_half_edge).collect();
+    let faces: Vec<_> = live(map.faces.len()).map(MapFacePick::Live).chain(stale_face).collect();
 
     let mut ops = vec![EditOp::AddFeature {}];
     let known = vertices.first().copied().into_iter().chain(stale_vertex).map(AtPick::Vertex);

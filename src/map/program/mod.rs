@@ -45,6 +45,7 @@
 mod arguments;
 mod edits;
 mod every;
+mod keys;
 mod named;
 mod numbers;
 #[cfg(feature = "proptest")]
@@ -55,4 +56,4 @@ pub use arguments::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick
 pub use edits::{EditKind, EditOp, EditProgram};
 pub use every::every_edit;
 pub use numbers::{Number, Spot};
-pub use runner::{EditFailure, EditOutcome, EditRunner};
+pub use runner::{EditFailure, EditOutcome, EditRunner, PastLast};

@@ -2,9 +2,11 @@
 
 use super::arguments::List;
 use super::edits::{EditOp, EditProgram};
-use super::runner::{EditRunner, Keys};
+use super::keys::Keys;
+use super::runner::EditRunner;
 use crate::map::PlanarMap;
 use crate::program::language::script::{Name, Scripted, Stage, extend, follow};
+use slotmap::Key;
 
 impl Scripted for EditProgram {
     type Start = ();
@@ -26,8 +28,8 @@ struct Names {
 }
 
 impl Names {
-    fn follow<K: PartialEq>(&mut self, before: &[K], keys: &Keys<K>, place: usize) {
-        follow(&mut self.live, before, &keys.live, place);
+    fn follow<K: Key>(&mut self, before: &[K], keys: &Keys<K>, place: usize) {
+        follow(&mut self.live, before, &keys.live(), place);
         extend(&mut self.retired, keys.retired.len(), place);
     }
 }
@@ -40,11 +42,11 @@ impl Stage for NamedEditRunner {
         let runner = EditRunner::new(PlanarMap::new());
         let mut faces = Names::default();
         // The unbounded face, which no edit made.
-        extend(&mut faces.live, runner.faces.live.len(), usize::MAX);
+        extend(&mut faces.live, runner.faces.len(), usize::MAX);
         Self { runner, vertices: Names::default(), half_edges: Names::default(), faces }
     }
 
-    fn rewrite(&self, op: &EditOp, number: &mut impl FnMut(&[Name], u16) -> u16) -> EditOp {
+    fn rewrite(&self, op: &EditOp, number: &mut impl FnMut(&[Name], u32) -> u32) -> EditOp {
         op.renumber(&mut |list, k| {
             let names = match list {
                 List::Vertices => &self.vertices.live,
@@ -59,9 +61,9 @@ impl Stage for NamedEditRunner {
     }
 
     fn step(&mut self, op: &EditOp, place: usize) {
-        let vertices = self.runner.vertices.live.clone();
-        let half_edges = self.runner.half_edges.live.clone();
-        let faces = self.runner.faces.live.clone();
+        let vertices = self.runner.vertices.live();
+        let half_edges = self.runner.half_edges.live();
+        let faces = self.runner.faces.live();
         self.runner.step(op);
         self.vertices.follow(&vertices, &self.runner.vertices, place);
         self.half_edges.follow(&half_edges, &self.runner.half_edges, place);

@@ -1,13 +1,13 @@
 //! The interpreter of edits: it chooses arguments as a program says, edits, and checks the outcome if asked to.
 
-use super::arguments::{AtPick, FeaturesPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::arguments::{AtPick, FeaturesPick, List, MapFacePick, MapHalfEdgePick, MapVertexPick};
 use super::edits::{EditOp, EditProgram};
+use super::keys::Keys;
 use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use crate::map::edit::{At, EditError, Edited};
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::near::{BaselineError, EmbeddingBaseline, WriteSet, validate_embedding_near};
 use crate::validate::{Expectation, Report};
-use std::collections::BTreeSet;
 use thiserror::Error;
 
 /// The outcome of one edit of a program.
@@ -48,32 +48,22 @@ pub enum EditFailure {
     },
 }
 
-/// The keys of one kind that a map gave out, in order of creation.
-#[derive(Clone, Debug)]
-pub(super) struct Keys<K> {
-    pub(super) live: Vec<K>,
-    pub(super) retired: Vec<K>,
-}
-
-impl<K: Copy + Ord> Keys<K> {
-    fn new(live: impl Iterator<Item = K>) -> Self {
-        Self { live: live.collect(), retired: Vec::new() }
-    }
-
-    /// Those that are gone are retired, and those that are new come last, in the order in which they are given.
-    fn update(&mut self, now: impl Iterator<Item = K>) {
-        let now: Vec<K> = now.collect();
-        let there: BTreeSet<K> = now.iter().copied().collect();
-        let known: BTreeSet<K> = self.live.iter().copied().collect();
-        self.retired.extend(self.live.iter().filter(|key| !there.contains(key)));
-        self.live.retain(|key| there.contains(key));
-        self.live.extend(now.into_iter().filter(|key| !known.contains(key)));
-    }
+/// The error of an edit that chooses by a number past the last, which [`EditRunner`] takes modulo their number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("there is no {prefix}{number}: {} are there", .count)]
+#[non_exhaustive]
+pub struct PastLast {
+    /// The letter of the list: `v`, `h`, `f`, after `!` for keys that were removed.
+    pub prefix: &'static str,
+    /// The number.
+    pub number: u32,
+    /// The length of the list.
+    pub count: usize,
 }
 
 /// The `k`-th of a list that starts again where it ends.
-fn nth<K: Copy>(list: &[K], k: u16) -> Option<K> {
-    usize::from(k).checked_rem(list.len()).map(|place| list[place])
+fn nth<K: Copy>(list: &[K], k: u32) -> Option<K> {
+    (k as usize).checked_rem(list.len()).map(|place| list[place])
 }
 
 /// A map, and all keys that it gave out, in order of creation. It runs programs of edits.
@@ -190,20 +180,42 @@ impl EditRunner {
         program.0.iter().map(|op| self.step_checked(op)).collect()
     }
 
-    /// Runs one edit. O(n log n) beside what the edit itself costs, to see which keys came and went.
+    /// Runs one edit. O(log n) for each key that came or went, beside what the edit itself costs.
     pub fn step(&mut self, op: &EditOp) -> EditOutcome {
         self.steps += 1;
         match self.edit(op) {
             None => EditOutcome::Skipped,
             Some(Err(error)) => EditOutcome::Refused(error),
             Some(Ok(edited)) => {
-                let dcel = self.map.dcel();
-                self.vertices.update(dcel.vertices().map(Vertex::key));
-                self.half_edges.update(dcel.half_edges().map(HalfEdge::key));
-                self.faces.update(dcel.faces().map(Face::key));
+                self.follow(&edited);
                 EditOutcome::Applied(edited)
             }
         }
+    }
+
+    /// Notes which keys came and went.
+    fn follow(&mut self, edited: &Edited) {
+        let dcel = self.map.dcel();
+        let vertices = edited.vertices_made.iter().chain(&edited.vertices_dropped);
+        self.vertices.update(
+            vertices.copied().collect(),
+            |v| dcel.vertex(v).is_ok(),
+            |v| dcel.vertex(v).map_or(0, Vertex::index),
+        );
+        let split = edited.edges_split.iter().map(|(_, new)| new);
+        let edges = edited.edges_made.iter().chain(&edited.edges_dropped).chain(split);
+        let half_edges = edges.flat_map(|h| {
+            let twin = dcel.half_edge(*h).map_or_else(|_| self.half_edges.beside(*h), |h| Some(h.twin().key()));
+            [Some(*h), twin]
+        });
+        let half_edges: Vec<_> = half_edges.flatten().collect();
+        self.half_edges.update(
+            half_edges,
+            |h| dcel.half_edge(h).is_ok(),
+            |h| dcel.half_edge(h).map_or(0, HalfEdge::index),
+        );
+        let faces = edited.faces_split.iter().chain(&edited.faces_merged).map(|(_, face)| *face);
+        self.faces.update(faces.collect(), |f| dcel.face(f).is_ok(), |f| dcel.face(f).map_or(0, Face::index));
     }
 
     /// Runs one edit, and checks that the map keeps every rule, from R1 to T4 and from G1 to G5, or, if the edit is refused, that
@@ -240,6 +252,41 @@ impl EditRunner {
         validate_embedding_near(baseline, &self.map, notes)?;
         self.map.notes.written.as_deref_mut().into_iter().for_each(WriteSet::clear);
         Ok(())
+    }
+
+    /// Checks that no number of an edit is past the last, for journals that somebody wrote: there it is a mistake. Empty lists are let
+    /// pass, since [`step`](Self::step) skips such edits. O(arguments).
+    ///
+    /// # Errors
+    /// [`PastLast`], of the first such number.
+    ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    /// use twinedge::map::program::{EditOp, EditRunner};
+    ///
+    /// let mut runner = EditRunner::new(PlanarMap::new());
+    /// runner.step(&"insert_segment 0,0 1,1".parse()?);
+    /// let past: EditOp = "remove_vertex v7".parse()?;
+    /// assert_eq!(runner.check_numbers(&past).unwrap_err().to_string(), "there is no v7: 2 are there");
+    /// # Ok::<(), twinedge::program::ParseError>(())
+    /// ```
+    pub fn check_numbers(&self, op: &EditOp) -> Result<(), PastLast> {
+        let mut checked = Ok(());
+        op.renumber(&mut |list, number| {
+            let (prefix, count) = match list {
+                List::Vertices => ("v", self.vertices.len()),
+                List::HalfEdges => ("h", self.half_edges.len()),
+                List::Faces => ("f", self.faces.len()),
+                List::RetiredVertices => ("!v", self.vertices.retired.len()),
+                List::RetiredHalfEdges => ("!h", self.half_edges.retired.len()),
+                List::RetiredFaces => ("!f", self.faces.retired.len()),
+            };
+            if checked.is_ok() && count > 0 && number as usize >= count {
+                checked = Err(PastLast { prefix, number, count });
+            }
+            number
+        });
+        checked
     }
 
     /// Edits; none if there is nothing to choose from.
@@ -291,21 +338,21 @@ impl EditRunner {
 
     fn vertex(&self, pick: MapVertexPick) -> Option<VertexKey> {
         match pick {
-            MapVertexPick::Live(k) => nth(&self.vertices.live, k),
+            MapVertexPick::Live(k) => self.vertices.nth(k),
             MapVertexPick::Retired(k) => nth(&self.vertices.retired, k),
         }
     }
 
     fn half_edge(&self, pick: MapHalfEdgePick) -> Option<HalfEdgeKey> {
         match pick {
-            MapHalfEdgePick::Live(k) => nth(&self.half_edges.live, k),
+            MapHalfEdgePick::Live(k) => self.half_edges.nth(k),
             MapHalfEdgePick::Retired(k) => nth(&self.half_edges.retired, k),
         }
     }
 
     fn face(&self, pick: MapFacePick) -> Option<FaceKey> {
         match pick {
-            MapFacePick::Live(k) => nth(&self.faces.live, k),
+            MapFacePick::Live(k) => self.faces.nth(k),
             MapFacePick::Retired(k) => nth(&self.faces.retired, k),
         }
     }

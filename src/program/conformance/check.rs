@@ -166,7 +166,7 @@ fn triangle_for<K: Subject>(left: &[Op], on: &Runner<K>) -> Vec<Op> {
     if on.subject().unbounded_face().is_none() || !left.iter().any(is_of_mesh) {
         return Vec::new();
     }
-    let place = |list: usize, more: u16| u16::try_from(list).unwrap_or(0).saturating_add(more);
+    let place = |list: usize, more: u32| u32::try_from(list).unwrap_or(0).saturating_add(more);
     let half_edge = |more| HalfEdgePick::Live(place(on.half_edges().len(), more));
     let vertex = Corner::Isolated(VertexPick::Isolated(place(on.isolated().len(), 0)));
     vec![

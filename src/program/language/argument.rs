@@ -26,7 +26,7 @@ pub(crate) trait Argument: Clone {
     fn simpler(&self) -> Vec<Self>;
 
     /// The argument with other numbers. One without numbers stays as it is.
-    fn renumber(&self, context: Self::Context, number: &mut impl FnMut(Self::List, u16) -> u16) -> Self {
+    fn renumber(&self, context: Self::Context, number: &mut impl FnMut(Self::List, u32) -> u32) -> Self {
         let _ = (context, number);
         self.clone()
     }
@@ -61,8 +61,8 @@ macro_rules! numbered {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $name {
             $(#[$first_doc])*
-            $first(u16),
-            $($(#[$variant_doc])* $variant(u16),)*
+            $first(u32),
+            $($(#[$variant_doc])* $variant(u32),)*
         }
 
         impl core::fmt::Display for $name {
@@ -101,7 +101,7 @@ macro_rules! numbered {
                 }
             }
 
-            fn renumber(&self, (): (), number: &mut impl FnMut($lists, u16) -> u16) -> Self {
+            fn renumber(&self, (): (), number: &mut impl FnMut($lists, u32) -> u32) -> Self {
                 match *self {
                     Self::$first(k) => Self::$first(number($lists::$first_list, k)),
                     $(Self::$variant(k) => Self::$variant(number($lists::$list, k)),)*
@@ -113,7 +113,7 @@ macro_rules! numbered {
 pub(crate) use numbered;
 
 /// Smaller numbers, the smallest first. Two less keeps the side of an edge, which one less and the half may not.
-pub(crate) fn smaller(k: u16) -> impl Iterator<Item = u16> {
+pub(crate) fn smaller(k: u32) -> impl Iterator<Item = u32> {
     let mut all = vec![0, 1, k / 2, k.saturating_sub(2), k.saturating_sub(1)];
     all.sort_unstable();
     all.dedup();

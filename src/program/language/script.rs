@@ -69,7 +69,7 @@ pub trait Stage {
     fn new(start: &Self::Start) -> Self;
 
     /// The operator with other numbers. `number` is given the names in the list in which each number counts.
-    fn rewrite(&self, op: &Self::Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Self::Op;
+    fn rewrite(&self, op: &Self::Op, number: &mut impl FnMut(&[Name], u32) -> u32) -> Self::Op;
 
     /// Runs an operator.
     fn step(&mut self, op: &Self::Op, place: usize);
@@ -96,7 +96,7 @@ impl<P: Scripted> Script<P> {
         let line = |(place, op): (usize, &P::Op)| {
             let mut chosen = Vec::new();
             stage.rewrite(op, &mut |names, k| {
-                chosen.push(usize::from(k).checked_rem(names.len()).map(|position| names[position]));
+                chosen.push((k as usize).checked_rem(names.len()).map(|position| names[position]));
                 k
             });
             stage.step(op, place);
@@ -127,8 +127,8 @@ impl<P: Scripted> Script<P> {
                 let name = chosen.next().flatten();
                 let position = name.and_then(|name| names.iter().position(|other| *other == name));
                 // A record that is gone has no number: any number that there is will do.
-                let position = position.or_else(|| usize::from(k).checked_rem(names.len()));
-                position.and_then(|position| u16::try_from(position).ok()).unwrap_or(k)
+                let position = position.or_else(|| (k as usize).checked_rem(names.len()));
+                position.and_then(|position| u32::try_from(position).ok()).unwrap_or(k)
             });
             stage.step(&op, line.place);
             op

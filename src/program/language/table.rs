@@ -84,7 +84,7 @@ macro_rules! language {
             }
 
             /// The same with other numbers.
-            pub(in $crate) fn renumber(&self, number: &mut impl FnMut($list, u16) -> u16) -> Self {
+            pub(in $crate) fn renumber(&self, number: &mut impl FnMut($list, u32) -> u32) -> Self {
                 use $crate::program::language::argument::Argument;
                 match self.clone() {
                     $(Self::$variant { $($arg),* } => {

@@ -120,7 +120,7 @@ impl<'a> Words<'a> {
 }
 
 /// The number after a prefix: digits only.
-pub(crate) fn number(word: &str, prefix: &str) -> Option<u16> {
+pub(crate) fn number(word: &str, prefix: &str) -> Option<u32> {
     let digits = word.strip_prefix(prefix)?;
     digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
 }

@@ -64,7 +64,7 @@ pub type CornerPick = Corner<HalfEdgePick, VertexPick>;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SecondPick {
     /// Of the corners that fit the first one, itself among them: those in the same face, or those at the same vertex.
-    Fitting(u16),
+    Fitting(u32),
     /// Any.
     Any(CornerPick),
 }
@@ -78,7 +78,7 @@ pub enum FacePick {
     /// The one in which this corner lies.
     Of(CornerPick),
     /// Of those that were removed: a stale handle, on purpose.
-    Retired(u16),
+    Retired(u32),
 }
 
 /// Chooses the boundary components that go to the new face when a face is split.
@@ -97,10 +97,10 @@ fn byte(source: &mut impl Choose) -> u8 {
 }
 
 /// Draws a number: one byte for those below 240, two for those below 4,096.
-fn count(source: &mut impl Choose) -> u16 {
+fn count(source: &mut impl Choose) -> u32 {
     match byte(source) {
         low @ 0..=0xEF => low.into(),
-        high => u16::from(high & 0x0F) << 8 | u16::from(byte(source)),
+        high => u32::from(high & 0x0F) << 8 | u32::from(byte(source)),
     }
 }
 
@@ -127,7 +127,7 @@ impl Argument for CornerPick {
         }
     }
 
-    fn renumber(&self, (): (), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u32) -> u32) -> Self {
         match self {
             Self::At(pick) => Self::At(pick.renumber((), number)),
             Self::Isolated(pick) => Self::Isolated(pick.renumber((), number)),
@@ -171,7 +171,7 @@ impl Argument for SecondPick {
         }
     }
 
-    fn renumber(&self, (from, fit): (CornerPick, Fit), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+    fn renumber(&self, (from, fit): (CornerPick, Fit), number: &mut impl FnMut(List, u32) -> u32) -> Self {
         match self {
             Self::Any(pick) => Self::Any(pick.renumber((), number)),
             Self::Fitting(k) => Self::Fitting(number(List::Fitting(from, fit), *k)),
@@ -215,7 +215,7 @@ impl Argument for FacePick {
         }
     }
 
-    fn renumber(&self, (): (), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u32) -> u32) -> Self {
         match self {
             Self::Unbounded => Self::Unbounded,
             Self::Of(pick) => Self::Of(pick.renumber((), number)),
@@ -282,7 +282,7 @@ impl Argument for InnerPick {
         all
     }
 
-    fn renumber(&self, _: CornerPick, number: &mut impl FnMut(List, u16) -> u16) -> Self {
+    fn renumber(&self, _: CornerPick, number: &mut impl FnMut(List, u32) -> u32) -> Self {
         Self { also: self.also.map(|pick| pick.renumber((), number)), ..*self }
     }
 }

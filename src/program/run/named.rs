@@ -69,7 +69,7 @@ impl Stage for NamedRunner {
         }
     }
 
-    fn rewrite(&self, op: &Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {
+    fn rewrite(&self, op: &Op, number: &mut impl FnMut(&[Name], u32) -> u32) -> Op {
         op.renumber(&mut |list, k| match list {
             List::HalfEdges => number(&self.half_edges, k),
             List::Isolated => number(&self.isolated, k),

@@ -22,8 +22,8 @@ pub(in crate::program) trait Resolve: Copy {
 }
 
 /// The `k`-th of a list that starts again where it ends.
-fn nth<T: Copy>(list: &[T], k: u16) -> Result<T, StepOutcome> {
-    let position = usize::from(k).checked_rem(list.len()).ok_or(StepOutcome::Skipped)?;
+fn nth<T: Copy>(list: &[T], k: u32) -> Result<T, StepOutcome> {
+    let position = (k as usize).checked_rem(list.len()).ok_or(StepOutcome::Skipped)?;
     list.get(position).copied().ok_or(StepOutcome::Skipped)
 }
 

@@ -206,8 +206,8 @@ impl<K: Attributed, T: Value> Column<K, T> {
             Splitting::Share(share) => Some(share(value, 0.0)[1].clone()),
             Splitting::Call(split) => {
                 let [kept, other] = split(value.clone())?;
-                self.put(key, Some(kept), log);
-                Some(other)
+                self.put(key, kept, log);
+                other
             }
         })
     }
@@ -230,26 +230,27 @@ impl<K: Attributed, T: Value> Column<K, T> {
     /// Gives a value to several records, as if they had been one that was split: each with its measure, the largest first.
     pub(super) fn spread(&mut self, value: T, parts: &[(KeyData, f64)], log: &mut Vec<Saved>) -> Result<(), Reason> {
         let policy = self.policy.clone();
-        let (mut value, mut rest) = (value, parts.iter().map(|(_, measure)| measure).sum::<f64>());
+        let (mut left, mut rest) = (Some(value), parts.iter().map(|(_, measure)| measure).sum::<f64>());
         for (part, measure) in parts.iter().skip(1) {
+            let Some(value) = left else { break };
             let [kept, given] = match &policy.splitting {
-                Splitting::Keep => break,
-                Splitting::Make => match &policy.making {
-                    Some(make) => [value, make()],
-                    None => break,
-                },
-                Splitting::Copy => [value.clone(), value],
-                Splitting::Share(share) => share(&value, if rest > 0.0 { (measure / rest).min(1.0) } else { 0.0 }),
+                Splitting::Keep => [Some(value), None],
+                Splitting::Make => [Some(value), self.made()],
+                Splitting::Copy => [Some(value.clone()), Some(value)],
+                Splitting::Share(share) => {
+                    share(&value, if rest > 0.0 { (measure / rest).min(1.0) } else { 0.0 }).map(Some)
+                }
                 Splitting::Call(split) => split(value)?,
             };
-            (value, rest) = (kept, rest - measure);
+            (left, rest) = (kept, rest - measure);
             self.give((*part).into(), given, log)?;
         }
-        parts.first().map_or(Ok(()), |(largest, _)| self.give((*largest).into(), value, log))
+        parts.first().map_or(Ok(()), |(largest, _)| self.give((*largest).into(), left, log))
     }
 
-    /// Gives a value to a record. If it has one, they are merged.
-    fn give(&mut self, key: K::Key, given: T, log: &mut Vec<Saved>) -> Result<(), Reason> {
+    /// Gives a value to a record, if there is one. If it has one, they are merged.
+    fn give(&mut self, key: K::Key, given: Option<T>, log: &mut Vec<Saved>) -> Result<(), Reason> {
+        let Some(given) = given else { return Ok(()) };
         let value = match (self.values.get(key).cloned(), &self.policy.merging) {
             (Some(had), Merging::Call(merge)) => merge(Some(had), Some(given))?,
             (had, _) => Some(had.unwrap_or(given)),

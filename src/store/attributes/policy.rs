@@ -22,7 +22,7 @@ pub(super) enum Splitting<T> {
     Share(fn(&T, f64) -> [T; 2]),
     /// As for a record that is made, also if the other part has no value.
     Make,
-    Call(Arc<dyn Fn(T) -> Result<[T; 2], Reason> + Send + Sync>),
+    Call(Arc<dyn Fn(T) -> Result<[Option<T>; 2], Reason> + Send + Sync>),
 }
 
 pub(super) enum Merging<T> {
@@ -80,9 +80,13 @@ impl<K: Attributed, T> Policy<K, T> {
         self
     }
 
-    /// Gives to the parts of a record that is split what a function makes of its value: first that of the part that keeps the key. It may refuse.
+    /// Gives to the parts of a record that is split what a function makes of its value, if anything: first that of the part that keeps the
+    /// key. It may refuse.
     #[must_use]
-    pub fn split_with(mut self, split: impl Fn(T) -> Result<[T; 2], &'static str> + Send + Sync + 'static) -> Self {
+    pub fn split_with(
+        mut self,
+        split: impl Fn(T) -> Result<[Option<T>; 2], &'static str> + Send + Sync + 'static,
+    ) -> Self {
         self.splitting = Splitting::Call(Arc::new(split));
         self
     }

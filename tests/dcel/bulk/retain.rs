@@ -7,8 +7,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::{
     BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, RecordKind, RemovedEdge, Retained, VertexKey,
 };
-use twinedge::program::Program;
 use twinedge::program::canonical::isomorphic;
+use twinedge::program::choose::{Choose, Random};
+use twinedge::program::{OpKind, Program};
 use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 use twinedge::validate::Table;
 
@@ -126,6 +127,25 @@ fn what_is_left_is_what_the_operators_leave() {
     check(1500, 100, law::<SlotStore> as fn(Program, Vec<u8>, Vec<u8>, bool));
     check(200, 100, law::<PointerStore> as fn(Program, Vec<u8>, Vec<u8>, bool));
     assert!(SEEN.iter().all(|seen| seen.load(Ordering::Relaxed) > 10), "{SEEN:?}");
+}
+
+/// Loops and edges beside and inside each other, of which those that join them go: faces come to have several cycles, and what lies in them,
+/// too.
+#[test]
+fn of_several_cycles_the_outer_one_is_found_whatever_lies_inside_the_others() {
+    let kinds = [OpKind::AddIsolatedVertex, OpKind::Connect, OpKind::SplitVertex, OpKind::SplitEdge];
+    let programs = Program::generator().only(&kinds).weight(OpKind::Connect, 12).length(60..=120);
+    let mut source = Random::seeded(28);
+    let mut with_holes = 0;
+    for _ in 0..300 {
+        let program = programs.generate(&mut source);
+        let [vertices, edges] = [5, 31].map(|count| (0..count).map(|_| source.choose(256) as u8).collect::<Vec<_>>());
+        let map: Dcel = built(&program);
+        with_holes += map.faces().filter(|f| !f.is_unbounded() && f.inner_count() > 1).count();
+        law::<SlotStore>(program.clone(), vec![], edges.clone(), false);
+        law::<SlotStore>(program, vertices, edges, true);
+    }
+    assert!(with_holes > 100, "{with_holes}");
 }
 
 /// Two edges in a row: without the first, there are an edge and an isolated vertex, with one boundary component more.

@@ -1,5 +1,6 @@
 //! Differences of maps by ids: applied, merged, saved.
 
+mod apart;
 mod applied;
 mod merged;
 
