@@ -35,7 +35,7 @@ def test_every_example_runs(code, capsys):
     exec(compile(code, "README.md", "exec"), {"__name__": "readme"})
     out = capsys.readouterr().out
     # The comments quote the printed text.
-    for said in ["C1 overlap ('north', 'south')", "First(rule='G4', id='G4-", "[(0, 1, 2.0), (0, 2, 2.0)]", "C1 (6, 10) (2.125, 2.5)"]:
+    for said in ["C1 overlap ('north', 'south')", "First(rule='G4', id='G4-", "[(0, 1, 2.0), (0, 2, 2.0)]", "C1 (2.125, 2.5) 0.25"]:
         assert said in out or f"# {said}" not in code, said
 
 

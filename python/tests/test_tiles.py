@@ -76,6 +76,14 @@ def test_a_table_of_findings_has_a_row_for_each_with_its_place(features):
     assert shapely.Point(6, 4).distance(shapely.Point(gap["x"], gap["y"])) < 0.5 and gap["area"] == 0.5 and gap["id"].startswith("C2-")
 
 
+def test_findings_are_a_layer_of_their_places(whole, features):
+    pytest.importorskip("geopandas", reason="geopandas is not installed")
+    parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
+    frame = tiles.finish(parts, coverage=True, crs="EPSG:2056").to_geodataframe()
+    places = sorted((rule, (point.x, point.y)) for rule, point in zip(frame["rule"], frame.geometry))
+    assert frame.crs == "EPSG:2056" and places == sorted((finding.rule, finding.at) for finding in whole.findings)
+
+
 def test_processes_and_a_tile_that_is_made_again(whole, features):
     given = [(part, tile) for tile, part in tiles.assigned(features, GRID).items()]
     with multiprocessing.get_context("spawn").Pool(2) as pool:
@@ -392,6 +400,40 @@ def test_tables_that_are_wrong_are_refused(features):
         [*tiles.assign(features, tiles.Grid((0, 0, 0, 1), 3, 2))]
     with pytest.raises(ValueError, match="rows: 70000 is more than 65,536"):
         tiles.Grid((0, 0, 1, 1), 2, 70_000)
+
+
+def test_rows_that_do_not_fit_into_one_batch_are_several(features, monkeypatch):
+    name, columns = ragged(LAYER, 3)
+    texts = pa.array(["a" * (number % 7) for number in range(len(LAYER))])
+    keys = texts.dictionary_encode()
+    for table in (features, *(with_column(name, column) for column in columns)):
+        table = table.append_column("text", texts).append_column("key", keys)
+        table = table.append_column("pairs", pa.array([[("k", number)] for number in range(len(LAYER))], pa.map_(pa.string(), pa.int32())))
+        (whole,) = tiles.assign(table.slice(3), GRID)
+        # As if offsets reached no farther than some features, and than no feature.
+        for most in (2000, 1):
+            monkeypatch.setattr(tiles, "_MOST", most)
+            parts = [*tiles.assign(table.slice(3), GRID)]
+            assert pa.Table.from_batches(parts) == pa.Table.from_batches([whole]) and all(part.schema == whole.schema for part in parts)
+            assert len(parts) > 4 and max(map(len, parts)) > 1 if most > 1 else len(parts) == len(whole)
+            assert all(part.nbytes <= most or len(part) == 1 for part in parts)
+        monkeypatch.undo()
+    (empty,) = tiles.assign(features.slice(0, 0).to_batches() or pa.RecordBatch.from_pylist([], features.schema), GRID)
+    assert empty.column_names[0] == "tile" and len(empty) == 0
+
+
+def test_edges_that_are_not_straight_are_refused(features):
+    column = features.schema.field("geometry")
+    said = {"ARROW:extension:name": "geoarrow.wkb", "ARROW:extension:metadata": '{"edges": "spherical"}'}
+    in_field = pa.table(features.columns, schema=pa.schema([features.schema.field(0), column.with_metadata(said)]))
+    geo = {"primary_column": "geometry", "columns": {"geometry": {"encoding": "WKB", "edges": "spherical"}}}
+    in_file = features.replace_schema_metadata({"geo": json.dumps(geo)})
+    for table in (in_field, in_file):
+        for use in (tiles.bounds, lambda table: [*tiles.assign(table, GRID)], lambda table: tiles.audit_tile(table, GRID, 0)):
+            with pytest.raises(ValueError, match="geometry: the metadata say that edges are spherical; tiles take edges as straight"):
+                use(table)
+    planar = features.replace_schema_metadata({"geo": json.dumps(geo).replace("spherical", "planar")})
+    assert tiles.bounds(planar) == tiles.bounds(features)
 
 
 def test_boxes_and_missing_geometries():

@@ -5,10 +5,14 @@ use crate::map::{Feature, Shape};
 
 /// The corners of the box around a feature.
 pub(super) fn corners(feature: &Feature) -> Option<(Point, Point)> {
-    let mut points = feature.shapes.iter().flat_map(points);
+    around(feature.shapes.iter().flat_map(points)).map(|[low, high]| (low, high))
+}
+
+/// The corners of the box around some points.
+pub(super) fn around(mut points: impl Iterator<Item = Point>) -> Option<[Point; 2]> {
     let first = points.next()?;
-    Some(points.fold((first, first), |(low, high), p| {
-        (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+    Some(points.fold([first; 2], |[low, high], p| {
+        [Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]
     }))
 }
 

@@ -12,6 +12,7 @@ use crate::algorithm::coverage::sliver::chosen_area;
 use crate::algorithm::coverage::{Coverage, CoverageRule, Finding};
 use crate::map::FeatureId;
 use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
 
 /// The findings of a plane map whose tiles are all merged.
 pub(super) fn coverage(summary: &Summary) -> Coverage {
@@ -101,22 +102,25 @@ fn overlaps(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Finding>
 }
 
 fn duplicates(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Finding> {
-    let mut sets: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
+    // By their first features, with the overlaps of these.
+    let mut sets: BTreeMap<u32, (Vec<u32>, Vec<&Region>)> = BTreeMap::new();
     for (feature, first) in first_like {
-        sets.entry(*first).or_default().push(*feature);
+        sets.entry(*first).or_default().0.push(*feature);
     }
-    let mut sets: Vec<Vec<u32>> = sets.into_values().filter(|set| set.len() > 1).collect();
-    for set in &mut sets {
+    for region in closed {
+        let Claim::Overlap(features) = &region.claim else { continue };
+        for feature in features {
+            if let Some((_, regions)) = sets.get_mut(feature) {
+                regions.push(region);
+            }
+        }
+    }
+    let of = |(mut set, regions): (Vec<u32>, Vec<&Region>)| {
         set.sort_unstable();
-    }
-    sets.sort_unstable();
-    let of = |set: Vec<u32>| {
         let is_of = |features: &[u32]| features.binary_search(&set[0]).is_ok();
-        let is_theirs = |region: &&Region| matches!(&region.claim, Claim::Overlap(features) if is_of(features));
-        let mut edges: Vec<Edge> =
-            closed.iter().filter(is_theirs).flat_map(|region| region.edges.iter().cloned()).collect();
+        let mut edges: Vec<Edge> = regions.into_iter().flat_map(|region| region.edges.iter().cloned()).collect();
         sort_edges(&mut edges);
         Some(Drawing::new(&edges)?.finding(CoverageRule::Duplicate, &set, &is_of))
     };
-    sets.into_iter().filter_map(of).collect()
+    sets.into_values().filter(|(set, _)| set.len() > 1).filter_map(of).collect()
 }

@@ -6,6 +6,7 @@ use super::findings::coverage;
 use super::grid::Tile;
 use super::summary::Summary;
 use crate::algorithm::coverage::{Coverage, Defect};
+use crate::geometry::Point;
 use crate::map::BuildError;
 use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
 
@@ -15,6 +16,8 @@ use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
 pub struct Outcome {
     /// The numbers of records.
     pub counts: Counts,
+    /// The least and the greatest corner of the box around the features; none, if there are none.
+    pub corners: Option<[Point; 2]>,
     /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
     pub crossings: Vec<Crossing>,
     /// The components for which `V − E + cycles` is not 2 (T3).
@@ -170,6 +173,7 @@ impl Summary {
         let is_known = self.is_plane && seams.is_empty() && not_given.is_empty();
         Ok(Outcome {
             counts,
+            corners: self.corners,
             coverage: is_known.then(|| coverage(&self)),
             uncut: None,
             not_given,

@@ -2,6 +2,7 @@
 
 use super::ends::compare_edges;
 use super::error::MergeError;
+use super::extent::around;
 use super::fault::{SeamFault, SeamRule};
 use super::grid::Tile;
 use super::side::Side;
@@ -60,8 +61,9 @@ impl Summary {
 
 /// Both, with what the second lists numbered after what the first does.
 fn beside(mut one: Summary, mut other: Summary) -> Summary {
-    let [faces, components, cycles, regions] =
-        [one.faces.len(), one.components.len(), one.cycles.len(), one.regions.len()].map(|count| count as u32);
+    let [faces, components, cycles, regions, claimed] =
+        [one.faces.len(), one.components.len(), one.cycles.len(), one.regions.len(), one.claimed.len()]
+            .map(|count| count as u32);
     for border in &mut other.borders {
         border.faces.iter_mut().for_each(|face| *face += faces);
         for contact in &mut border.contacts {
@@ -70,8 +72,10 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
         }
     }
     other.cycles.iter_mut().for_each(|component| *component += components);
+    other.claimed.iter_mut().filter_map(|one| one.like.as_mut()).for_each(|like| *like += claimed);
     other.faces.iter_mut().flat_map(|face| &mut face.regions).for_each(|region| *region += regions);
     one.tiles.append(&mut other.tiles);
+    one.corners = around([one.corners, other.corners].into_iter().flatten().flatten());
     one.borders.append(&mut other.borders);
     one.faces.append(&mut other.faces);
     one.components.append(&mut other.components);

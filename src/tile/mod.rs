@@ -50,7 +50,7 @@
 //! | --- | --- | --- |
 //! | the edges of unclaimed faces, and of faces that two features claim | they are gaps, overlaps and duplicates, or the spaces between near misses | never |
 //! | the edges of a part of a feature that a border cuts | it may be a sliver | as soon as a tile has more of it than twice the area of slivers, if that was given |
-//! | features that a border cuts, and what is claimed with them | they may be duplicates | when all their tiles are merged |
+//! | features that a border cuts, and those that claim the same | they may be duplicates | when all their tiles are merged |
 //! | vertices that borders lack, if edges are cut | those of two features are one mismatch, in whatever tiles they are | never |
 //! | the lengths of all edges; the areas of all parts of features | [`Limits`] that are not given are medians of these | never; not listed if `gap_width` and `sliver_area` are given |
 //!

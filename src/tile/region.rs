@@ -32,11 +32,20 @@ pub(super) enum Claim {
 }
 
 impl Claim {
-    /// The claims of a face that these features cover, always in the same order.
+    /// The claims of a face that these features cover, in order.
     pub(super) fn all(features: &[u32]) -> Vec<Self> {
         let overlap = (features.len() > 1).then(|| Self::Overlap(features.to_vec()));
         let unclaimed = features.is_empty().then_some(Self::Unclaimed);
         features.iter().copied().map(Self::Part).chain(overlap).chain(unclaimed).collect()
+    }
+
+    /// Those of the features beside an edge by which it is seen whether the faces there are claimed so; of all but parts, findings name the others, too.
+    pub(super) fn kept_of(&self, features: &[u32]) -> Vec<u32> {
+        match self {
+            Self::Part(feature) if self.is_of(features) => vec![*feature],
+            Self::Part(_) => Vec::new(),
+            _ => features.to_vec(),
+        }
     }
 
     /// Returns true if a face that these features cover is claimed so.
@@ -49,7 +58,7 @@ impl Claim {
     }
 }
 
-/// An edge, and the features that cover the faces on its left and right, as it leaves its smaller end.
+/// An edge, and the features that cover the faces on its left and right, as it leaves its smaller end; [of a part](Claim::kept_of), no others.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Edge {

@@ -8,6 +8,7 @@ use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
 use super::summary::{Border, Component, Face, MOST, Summary, Totals};
 use crate::algorithm::coverage::{Defect, Limits};
+use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::map::UnmatchedVertex;
 use thiserror::Error;
@@ -18,6 +19,7 @@ pub(super) struct Saved {
     grid: Grid,
     limits: Limits,
     tiles: Vec<Tile>,
+    corners: Option<[Point; 2]>,
     totals: Totals,
     borders: Vec<Border>,
     faces: Vec<Face>,
@@ -55,7 +57,8 @@ impl TryFrom<Saved> for Summary {
     type Error = SavedError;
 
     fn try_from(saved: Saved) -> Result<Self, SavedError> {
-        let Saved { grid, limits, tiles, totals, borders, faces, components, cycles, regions, closed, .. } = saved;
+        let Saved { grid, limits, tiles, corners, totals, borders, faces, components, cycles, regions, closed, .. } =
+            saved;
         let Saved { slivers, lengths, areas, claimed, defects, unmatched, .. } = saved;
         let Saved { is_plane, crossings, uneven, seams, plane_seams, .. } = saved;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
@@ -104,10 +107,13 @@ impl TryFrom<Saved> for Summary {
             edges.windows(2).all(|pair| compare_edges(&pair[0].ends, &pair[1].ends).is_lt())
                 && edges.iter().all(|edge| is_exact(&edge.ends))
         };
+        let is_first = |place: u32| claimed.get(place as usize).is_some_and(|one| one.like == Some(place));
         let is_in_order = all().all(are_sorted)
             && contacts().all(|contact| is_exact(&contact.edge))
+            && corners.is_none_or(|[low, high]| is_exact(&[low, high]) && low.x <= high.x && low.y <= high.y)
             && claimed.windows(2).all(|pair| pair[0].key() < pair[1].key())
-            && claimed.iter().all(|one| one.is_in(&grid));
+            && claimed.iter().all(|one| one.is_in(&grid))
+            && (0..).zip(&claimed).all(|(place, one)| one.like.is_none_or(|like| like <= place && is_first(like)));
         if !is_in_order {
             return Err(SavedError::Order);
         }
@@ -119,6 +125,7 @@ impl TryFrom<Saved> for Summary {
             grid,
             limits,
             tiles,
+            corners,
             totals,
             borders,
             faces,

@@ -24,6 +24,8 @@ pub struct Summary {
     pub(super) limits: Limits,
     /// Sorted.
     pub(super) tiles: Vec<Tile>,
+    /// The corners of the box around the features that meet its tiles.
+    pub(super) corners: Option<[Point; 2]>,
     pub(super) totals: Totals,
     /// The sides beyond which nothing is known, by tile and side.
     pub(super) borders: Vec<Border>,
@@ -217,6 +219,7 @@ impl Summary {
             grid,
             limits,
             tiles: Vec::new(),
+            corners: None,
             totals: Totals::NOTHING,
             borders: Vec::new(),
             faces: Vec::new(),
@@ -387,7 +390,7 @@ impl Summary {
         self.plane_seams.clear();
         self.lengths.clear();
         self.areas.clear();
-        self.claimed.iter_mut().for_each(|one| one.with = None);
+        self.claimed.iter_mut().for_each(|one| one.like = None);
         (self.totals.faces, self.totals.unbounded_faces) = (0, 0);
         for border in &mut self.borders {
             border.faces.clear();

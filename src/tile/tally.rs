@@ -1,10 +1,10 @@
 //! The summary of one tile, from the map of the features that meet it.
 
-use super::claimed::Claimed;
+use super::claimed::{Claimed, compare};
 use super::clip::Bounds;
 use super::cuts::Cuts;
 use super::error::TileError;
-use super::extent::{corners, points};
+use super::extent::{around, corners, points};
 use super::grid::{Grid, Tile};
 use super::large::areas;
 use super::local::Local;
@@ -119,10 +119,11 @@ impl Summary {
     fn of_tile(grid: Grid, tile: Tile, limits: &Limits, features: &[(u32, &Feature)]) -> Self {
         let claimed = |(number, feature): &(u32, &Feature)| {
             let (low, high) = corners(feature)?;
-            Some(Claimed { feature: *number, with: None, between: [low, high].map(|p| grid.tile_of(p)), seen: 1 })
+            Some(Claimed { feature: *number, like: None, between: [low, high].map(|p| grid.tile_of(p)), seen: 1 })
         };
         let claimed = features.iter().filter_map(claimed).collect();
-        Self { tiles: vec![tile], claimed, ..Self::empty(grid, limits.clone()) }
+        let corners = around(features.iter().flat_map(|(_, feature)| &feature.shapes).flat_map(points));
+        Self { tiles: vec![tile], corners, claimed, ..Self::empty(grid, limits.clone()) }
     }
 
     /// Notes what is wrong with the shapes of the features that begin in the tile.
@@ -234,25 +235,28 @@ impl Local<'_> {
     fn claim(&self, pieces: &Pieces, summary: &mut Summary) -> Joins {
         let mut regions = Vec::new();
         let mut faces = pieces.faces.clone();
-        for face in &mut faces {
+        let mut covered = vec![Vec::new(); summary.claimed.len()];
+        for (number, face) in (0..).zip(&mut faces) {
             for claim in Claim::all(&face.features) {
                 face.regions.push(regions.len() as u32);
                 regions.push(Region { is_unbounded: face.is_unbounded, ..Region::new(claim) });
             }
             for feature in &face.features {
                 if let Ok(place) = summary.claimed.binary_search_by_key(feature, |one| one.feature) {
-                    summary.claimed[place].meet(&face.features);
+                    covered[place].push(number);
                 }
             }
         }
+        compare(&mut summary.claimed, covered);
         for part in &self.parts {
             if !self.bounds.contains(part.ends[0]) {
                 continue;
             }
             let [left, right] = pieces.beside(part).map(|piece| &faces[piece as usize]);
-            let edge = Edge { ends: part.ends, sides: [left, right].map(|face| face.features.clone()) };
             for region in left.regions.iter().chain(&right.regions) {
-                regions[*region as usize].edges.push(edge.clone());
+                let region = &mut regions[*region as usize];
+                let sides = [left, right].map(|face| region.claim.kept_of(&face.features));
+                region.edges.push(Edge { ends: part.ends, sides });
             }
             if summary.limits.gap_width.is_none() {
                 let [a, b] = part.ends;
@@ -273,12 +277,16 @@ impl Local<'_> {
         let mut joins = Joins::new(summary);
         for part in &self.parts {
             let [left, right] = pieces.beside(part).map(|piece| &summary.faces[piece as usize]);
-            for one in &left.regions {
-                let claim = &summary.regions[*one as usize].claim;
-                let is_same = |other: &&u32| summary.regions[**other as usize].claim == *claim;
-                if let Some(other) = right.regions.iter().find(is_same) {
+            let claim = |region: u32| &summary.regions[region as usize].claim;
+            let (mut left, mut right) = (&left.regions[..], &right.regions[..]);
+            // Both are in order of their claims.
+            while let ([one, rest @ ..], [other, others @ ..]) = (left, right) {
+                let order = claim(*one).cmp(claim(*other));
+                if order.is_eq() {
                     joins.regions.join(*one, *other);
                 }
+                left = if order.is_le() { rest } else { left };
+                right = if order.is_ge() { others } else { right };
             }
         }
         joins

@@ -8,4 +8,5 @@ mod geojson;
 mod history;
 mod pointer_model;
 mod stores;
+mod tiles;
 mod validator;

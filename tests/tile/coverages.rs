@@ -165,3 +165,30 @@ fn islands_are_placed_between_the_edges_at_the_lower_side() {
     }
     compare(&features, &grid(&[10.3, 20.7], &[0.0]), &Limits::default(), &mut Random::new(16));
 }
+
+/// Features that cover the same, of which some have more that covers nothing, and so another box.
+#[test]
+fn features_that_are_alike_are_found_in_any_order_of_merging() {
+    let mut random = Random::new(17);
+    let mut duplicates = 0;
+    for _ in 0..200 {
+        let mut features = Vec::new();
+        for _ in 0..random.below(12) + 2 {
+            let [x, y] = [0; 2].map(|_| 3.0 * random.below(3) as f64);
+            let mut shapes = vec![area([x, y], [x + 2.0, y + 2.0])];
+            match random.below(5) {
+                0 => shapes.push(area([x + 9.0, y], [x + 11.0, y + 2.0])),
+                1 => shapes.push(point(x - 3.0, y + 5.0)),
+                2 => shapes.push(line(&[[x, y], [x + 2.0, y + 2.0]])),
+                3 => shapes = vec![line(&[[x, y], [x + 2.0, y]])],
+                _ => {}
+            }
+            features.push(feature(shapes));
+        }
+        let (upright, level) = (random.lines(-1, 4.0), random.lines(-1, 4.0));
+        compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
+        let found = check(&whole(&features), &Limits::default()).expect("it is plane");
+        duplicates += found.of(twinedge::algorithm::coverage::CoverageRule::Duplicate).count();
+    }
+    assert!(duplicates > 200, "{duplicates}");
+}

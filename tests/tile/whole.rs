@@ -2,6 +2,7 @@
 
 use crate::maps::Random;
 use twinedge::algorithm::coverage::{Coverage, Finding, Limits, check, defects, mismatches};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::tile::{Crossing, CrossingKind, Cuts, Grid, Outcome, Summary, Uneven};
@@ -36,15 +37,27 @@ pub(crate) fn rounds(features: &[Feature]) -> usize {
     map.noding().map_or(0, |summary| summary.rounds)
 }
 
-/// The largest magnitude of a coordinate.
-pub(crate) fn largest(features: &[Feature]) -> f64 {
+fn points(features: &[Feature]) -> impl Iterator<Item = Point> + Clone {
     let points = |shape: &Shape| match shape {
         Shape::Polygon(rings) => rings.concat(),
         Shape::Line(points) => points.clone(),
         Shape::Point(point) => vec![*point],
     };
-    let all = features.iter().flat_map(|feature| &feature.shapes).flat_map(points);
-    all.fold(0.0, |most, p| most.max(p.x.abs()).max(p.y.abs()))
+    features.iter().flat_map(|feature| &feature.shapes).flat_map(points)
+}
+
+/// The largest magnitude of a coordinate.
+pub(crate) fn largest(features: &[Feature]) -> f64 {
+    points(features).fold(0.0, |most, p| most.max(p.x.abs()).max(p.y.abs()))
+}
+
+/// The corners of the box around all features.
+fn corners(features: &[Feature]) -> Option<[Point; 2]> {
+    points(features).next()?;
+    let corner = |of: fn(f64, f64) -> f64, from: f64| {
+        points(features).fold(Point::new(from, from), |to, p| Point::new(of(to.x, p.x), of(to.y, p.y)))
+    };
+    Some([corner(f64::min, f64::INFINITY), corner(f64::max, f64::NEG_INFINITY)])
 }
 
 /// The findings by tiles that cut edges. Each tile has only those features that it is to be given.
@@ -107,6 +120,7 @@ pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random
     let outcome = by_tiles(features, grid, limits, random);
     assert_eq!(outcome.is_valid(), report.is_valid(), "{grid:?} {features:?}\n{outcome:?}");
     assert_eq!(outcome.counts, *report.counts(), "{grid:?} {features:?}");
+    assert_eq!(outcome.corners, corners(features));
     for (of_tiles, of_whole) in outcome.rules().zip(report.outcomes()) {
         assert_eq!(of_tiles, of_whole, "{:?}", report.counts());
     }

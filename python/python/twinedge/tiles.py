@@ -53,6 +53,9 @@ __all__ = ["Cuts", "Grid", "assign", "assigned", "audit_tile", "audit_tiles", "b
 #: The types of GeoArrow that are read without copying, and the lists around their coordinates.
 _DEPTHS = {"point": 0, "linestring": 1, "multipoint": 1, "polygon": 2, "multilinestring": 2, "multipolygon": 3}
 
+#: The most bytes that go into one batch: offsets of 32 bits reach no farther.
+_MOST = 2**31 - 1
+
 
 @dataclass(frozen=True)
 class Grid:
@@ -175,8 +178,9 @@ def bounds(batches: Any, *, geometry: str = "geometry") -> tuple[float, float, f
 def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> Iterator[pa.RecordBatch]:
     """The rows of a table, each as often as it meets tiles, with the number of the tile in a column ``tile`` before the others, whose types and metadata stay.
 
-    It is a generator of batches, one for each batch that comes, so ``mapInArrow`` of Spark takes it. With cuts, of any round, a feature goes to
-    tiles that it comes very near, too, as edges are bent a little where they are cut. O(points + tiles that meet).
+    It is a generator of batches, one or more for each batch that comes, so ``mapInArrow`` of Spark takes it. None has more than 2 GiB, the most that
+    offsets of 32 bits reach, unless a row alone has more. With cuts, of any round, a feature goes to tiles that it comes very near, too, as edges are
+    bent a little where they are cut. O(points + tiles that meet).
     """
     import pyarrow as pa
 
@@ -184,10 +188,11 @@ def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str 
     margin = None if cuts is None else Cuts(cuts.box).state
     for batch in _batches(batches):
         rows, found = _twinedge.tiles_of(grid._native(), _geometries(batch, geometry), margin)
-        taken = batch.take(pa.array(rows))
-        columns = [pa.array(found.astype(np.int64)), *taken.columns]
         schema = pa.schema([pa.field("tile", pa.int64()), *batch.schema], batch.schema.metadata)
-        yield pa.RecordBatch.from_arrays(columns, schema=schema)
+        for part in _parts(batch, rows):
+            taken = batch.take(pa.array(rows[part]))
+            columns = [pa.array(found[part].astype(np.int64)), *taken.columns]
+            yield pa.RecordBatch.from_arrays(columns, schema=schema)
 
 
 def assigned(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> dict[int, pa.Table]:
@@ -266,12 +271,14 @@ def finish(
     coverage: bool = False,
     accept: Any = None,
     list: int | None = None,
+    crs: Any = None,
     **limits: Any,
 ) -> Report:
     """The report on the layer, of the summaries of all tiles.
 
     It says what :func:`twinedge.audit` of the whole says: the verdict, the counts, and each violation and finding once, with its place;
-    ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it. Where edges meet elsewhere than
+    ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it, and
+    :meth:`Report.to_geodataframe` a layer of the places, which are points. Where edges meet elsewhere than
     at vertices, C1 to C5 and C7 are checked if tiles were made with :class:`Cuts`; if one was left out of a round of cuts, the report says which.
 
     Parameters
@@ -282,6 +289,8 @@ def finish(
         Tiles that have no summary are made here, as those of nothing. Without it, every tile must be there.
     coverage, accept, list
         As for :func:`twinedge.audit`.
+    crs
+        The reference system of that layer.
     limits
         Those of the tiles, for the empty ones. These need no cuts.
 
@@ -307,7 +316,7 @@ def finish(
         "accept": _accepted(accept),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
     }
-    return Report._told(_twinedge.finish(summaries, cuts, asked))
+    return Report._told(_twinedge.finish(summaries, cuts, asked), crs=crs)
 
 
 def _box(given: Any) -> tuple[float, ...]:
@@ -315,6 +324,38 @@ def _box(given: Any) -> tuple[float, ...]:
     if len(box) != 4:
         raise ValueError(f"box: expected (x0, y0, x1, y1), not {given!r}")
     return box
+
+
+def _parts(batch: pa.RecordBatch, rows: Any) -> Iterator[slice]:
+    """The stretches of some rows of a batch, in order, each of which fits into one batch. O(rows + values of the batch)."""
+    ends = np.cumsum(sum(map(_sizes, batch.columns), np.zeros(len(batch), np.int64))[rows])
+    start = 0
+    while start < len(rows) or start == 0:
+        before = ends[start - 1] if start else 0
+        end = max(int(np.searchsorted(ends, before + _MOST, "right")), start + 1)
+        yield slice(start, end)
+        start = end
+
+
+def _sizes(column: pa.Array) -> Any:
+    """The number of bytes of each value, or more."""
+    import pyarrow as pa
+    import pyarrow.compute as pc
+
+    kind, count = column.type, len(column)
+    if isinstance(kind, pa.BaseExtensionType):
+        return _sizes(column.storage)
+    if pa.types.is_struct(kind):
+        return sum((_sizes(column.field(place)) for place in range(kind.num_fields)), np.ones(count, np.int64))
+    if pa.types.is_fixed_size_list(kind):
+        step = kind.list_size
+        return 1 + _sizes(column.values.slice(column.offset * step, count * step)).reshape(count, step).sum(axis=1)
+    if pa.types.is_list(kind) or pa.types.is_large_list(kind) or pa.types.is_map(kind):
+        before = np.concatenate([[0], np.cumsum(_sizes(column.values))])
+        return 8 + np.diff(before[column.offsets.to_numpy()])
+    if any(is_of(kind) for is_of in (pa.types.is_binary, pa.types.is_large_binary, pa.types.is_string, pa.types.is_large_string)):
+        return 8 + pc.binary_length(column).fill_null(0).to_numpy(zero_copy_only=False).astype(np.int64)
+    return np.full(count, 16)
 
 
 def _by_tile(batches: Any) -> Iterator[tuple[int, pa.Table]]:
@@ -357,8 +398,15 @@ def _geometries(batch: pa.RecordBatch, name: str) -> list[bytes | None] | dict[s
     """The geometries: well-known binary, or the arrays of GeoArrow, which are not copied."""
     column, field = _column(batch, name), batch.schema.field(name)
     extension: str | None = getattr(field.type, "extension_name", None)
+    about = field.type.__arrow_ext_serialize__() if extension is not None else b""
     if extension is None and field.metadata:
         extension = field.metadata.get(b"ARROW:extension:name", b"").decode()
+        about = field.metadata.get(b"ARROW:extension:metadata", b"")
+    of_file = (batch.schema.metadata or {}).get(b"geo", b"")
+    said = [_said(about), _said(of_file).get("columns", {}).get(name, {})]
+    edges = next((one["edges"] for one in said if one.get("edges") not in (None, "planar")), None)
+    if edges is not None:
+        raise ValueError(f"{name}: the metadata say that edges are {edges}; tiles take edges as straight, also of this column if it is given without these metadata")
     kind = (extension or "").removeprefix("geoarrow.")
     if kind not in _DEPTHS:
         return _wkb(batch, name)
@@ -372,6 +420,15 @@ def _geometries(batch: pa.RecordBatch, name: str) -> list[bytes | None] | dict[s
         inner = inner.values
     x, y = _coordinates(inner, kind == "point", f"{name}: expected the coordinates of {extension}, not {inner.type}")
     return {"kind": kind, "offsets": offsets, "x": x, "y": y, "length": length, "missing": missing}
+
+
+def _said(metadata: bytes) -> dict[str, Any]:
+    """The members of metadata, if they are JSON."""
+    try:
+        found = json.loads(metadata or b"{}")
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}
 
 
 def _coordinates(points: pa.Array, may_lack: bool, wrong: str) -> tuple[Any, Any]:
