@@ -3,7 +3,6 @@
 mod arguments;
 mod destination;
 mod mesh_options;
-mod on_disk;
 mod options;
 mod timeout;
 mod write;
@@ -11,12 +10,12 @@ mod write;
 pub(crate) use arguments::Audit;
 
 use crate::input::open;
+use crate::on_disk::OnDisk;
 use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use destination::ReportFormat;
-use on_disk::OnDisk;
 use std::fs::{File, Metadata};
 use std::io::BufReader;
 use std::path::Path;

@@ -14,16 +14,19 @@ impl Cleaning<'_> {
     /// # Errors
     /// None that happens: writing to a string does not fail.
     pub fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
-        let Self { name, report, layer, .. } = self;
+        let Self { name, report, decimals, .. } = self;
+        let decimals = *decimals;
         let mut out = String::new();
         writeln!(out, "{}", plain(name))?;
-        let all = counted(layer.features.len(), "feature");
+        let all = counted(self.features, "feature");
         writeln!(out, "{QUIET}{all}, {} with polygons{QUIET:#}", grouped(report.polygons))?;
         if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
-        let decimals = self.decimals();
         let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
+        if let Some(tiles) = self.tiles {
+            writeln!(out, "{QUIET}{}{QUIET:#}", tiles.line())?;
+        }
         out.push('\n');
         for (kind, what, beside) in [
             (ChangeKind::Overlap, "overlaps resolved", String::new()),
@@ -84,6 +87,14 @@ impl Cleaning<'_> {
         let more = report.remaining.len().saturating_sub(list);
         if more > 0 {
             writeln!(out, "… and {} more are left; see --list", grouped(more))?;
+        }
+        for one in self.tiles.iter().flat_map(|tiles| &tiles.too_large).take(list) {
+            let [low, high] = one.window.map(|p| place([p.x, p.y], decimals));
+            let (features, vertices) = (counted(one.features.len(), "feature"), grouped(one.vertices as usize));
+            writeln!(
+                out,
+                "{BAD}not cleaned{BAD:#}: {features} between {low} and {high}: the neighbourhood has {vertices} vertices"
+            )?;
         }
         for one in report.wider_gaps.iter().take(list) {
             writeln!(out, "left as it is: {}", self.remaining(one, decimals))?;
