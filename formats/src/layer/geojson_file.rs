@@ -65,7 +65,7 @@ pub enum FileError {
         "this is {0}, and only files of GeoJSON and newline-delimited GeoJSON are read feature by feature, and written so"
     )]
     Format(Format),
-    /// A feature is not where it was: the file has changed, or an object that is no collection has a member `features`.
+    /// A feature is not where it was: the file has changed, or the name of its member `features` is written with escapes.
     #[error("feature {0} is not found where it should be: did the file change?")]
     Moved(usize),
     /// It could not be cleaned.

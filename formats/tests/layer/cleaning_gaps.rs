@@ -2,6 +2,7 @@
 
 use crate::support::{from_text, to_geojson};
 use twinedge::algorithm::clean::{ChangeKind, Options};
+use twinedge::geometry::Point;
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, GapsToError, clean};
 use twinedge_formats::layer::{Dimensions, Layer, Shape, Value};
 

@@ -219,7 +219,7 @@ impl Cleaning<'_> {
         };
         let at = place([at.x, at.y], decimals);
         match rule {
-            CoverageRule::Validity => format!("{what}, at {at}"),
+            CoverageRule::Validity | CoverageRule::Mismatch => format!("{what}, at {at}"),
             _ => format!("{what}, area {}, width {}, at {at}", measure(*area), measure(*width)),
         }
     }

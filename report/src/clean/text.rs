@@ -108,7 +108,12 @@ impl Cleaning<'_> {
         if let Some(patch) = self.patch {
             writeln!(out, "what takes it back is in {}", plain(patch))?;
         }
+        let too_large = self.tiles.map_or(0, |tiles| tiles.too_large.len());
         match &report.left {
+            Some(_) if too_large > 0 => {
+                let all = counted(too_large, "neighbourhood");
+                writeln!(out, "{BAD}not clean{BAD:#}: {all} took more than --memory ({:.0} ms)", self.elapsed_ms)
+            }
             None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed_ms),
         }?;

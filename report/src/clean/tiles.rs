@@ -19,8 +19,8 @@ use twinedge_formats::layer::clean::{
 };
 use twinedge_formats::layer::{Feature, FileError, GeoJsonFile, to_map};
 
-/// The bytes that cleaning takes for each vertex of a neighbourhood.
-const BYTES: u64 = 1_600;
+/// The bytes that cleaning takes for each vertex of a neighbourhood: twice those that were measured.
+const BYTES: u64 = 800;
 
 /// A measured number is this much more, to be safe from rounding.
 const ROUNDING: f64 = 1.0 + 1e-6;

@@ -48,7 +48,9 @@ impl CleanReport {
         self.changes.extend(other.changes);
         self.added.extend(other.added);
         self.features.extend(other.features);
-        self.noding = match (self.noding, other.noding) {
+        // What was not rounded is no news.
+        let rounded = |noding: Option<NodingSummary>| noding.filter(|noding| noding.cell > 0.0);
+        self.noding = match (rounded(self.noding), rounded(other.noding)) {
             (Some(mut all), Some(more)) => {
                 all.cell = all.cell.max(more.cell);
                 all.crossings += more.crossings;
