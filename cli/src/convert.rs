@@ -7,6 +7,7 @@ use crate::output_file::{write_file, write_files};
 use crate::status::{Failure, Verdict, named};
 use same_file::is_same_file;
 use std::borrow::Cow;
+use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use twinedge_formats::layer::osm::{self, TagFilter};
@@ -168,6 +169,37 @@ impl LayerOutput {
         match self.path() {
             Some(path) => write_file(path, input, text.as_bytes())?,
             None => print_bytes(text.as_bytes())?,
+        }
+        Ok(Some(Written { name: path.display().to_string(), format }))
+    }
+
+    /// Refuses to write another format than this one.
+    pub(crate) fn refuse_other(&self, format: Format) -> Result<(), Failure> {
+        let of_path = self.path().and_then(Format::of_path);
+        match self.to.map(Format::from).or(of_path).filter(|asked| *asked != format) {
+            Some(asked) => {
+                let what = "--memory, --tiles: the output is in the format of the input";
+                Err(Failure(format!("{what}, which is {format}, and not {asked}")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Writes what is written bit by bit, in this format. None if no file was asked for.
+    pub(crate) fn write_with(
+        &self,
+        format: Format,
+        input: &Path,
+        write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+    ) -> Result<Option<Written>, Failure> {
+        let Some(path) = self.output.as_deref() else { return Ok(None) };
+        match self.path() {
+            Some(path) => write_files(path, &[path.to_owned()], [input], |path| {
+                let mut out = BufWriter::new(File::create(path)?);
+                write(&mut out)?;
+                Ok(out.flush()?)
+            })?,
+            None => write(&mut BufWriter::new(std::io::stdout().lock()))?,
         }
         Ok(Some(Written { name: path.display().to_string(), format }))
     }

@@ -108,6 +108,12 @@ impl LayerFile {
         Some(self.file.as_path()).filter(|path| *path != Path::new("-"))
     }
 
+    /// The format of the file, if it is that of a layer and no archive.
+    pub(crate) fn format(&self) -> Result<Option<Format>, Failure> {
+        let mut input = open_as_it_is(Some(&self.file), self.layer.as_deref())?;
+        input.map_format().map_err(named(&input.name.clone()))
+    }
+
     /// Reads all of it: the name of the input, and the layer.
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
         read_file(&self.file, self.layer.as_deref())

@@ -17,6 +17,7 @@ mod extension;
 mod fuzz_template;
 mod input;
 mod measured;
+mod on_disk;
 mod output;
 mod output_file;
 mod overlay;

@@ -35,6 +35,12 @@ pub enum Error {
         /// The number of all.
         count: u64,
     },
+    /// The tiles do not say what features cover.
+    #[error("the tiles do not say what features cover: {0}")]
+    Unjudged(String),
+    /// A file could not be read or written feature by feature.
+    #[error(transparent)]
+    File(#[from] layer::FileError),
     /// Some tiles were made with their edges cut, and others without.
     #[error("{}, and others with cuts", made_without(tiles))]
     WithoutCuts {

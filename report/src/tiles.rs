@@ -96,7 +96,7 @@ fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
 
 /// The coarsest grid of 1, 2, 4 … columns and rows of which no tile is given more than fits into so many bytes; if there is none, the coarsest one whose
 /// largest tile is at most a quarter larger than that of any other: more tiles take memory, too.
-fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
+pub(crate) fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes: u64) -> Result<Grid, Error> {
     let mut sizes = Vec::new();
     for power in 0..=FINEST {
         // Lines that are not distinct divide nothing.
@@ -186,7 +186,8 @@ pub(crate) fn audit_summary(
     })
 }
 
-fn size(grid: &Grid) -> Value {
+/// The numbers of columns and rows.
+pub(crate) fn size(grid: &Grid) -> Value {
     let [columns, rows] = grid.size();
     json!({ "columns": columns, "rows": rows })
 }

@@ -1,6 +1,7 @@
 //! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
 
 mod patch;
+mod tiles;
 
 use crate::convert::LayerOutput;
 use crate::coverage_arguments::AcceptedGaps;
@@ -36,6 +37,7 @@ use twinedge_report::clean::{Cleaning, Names, Repair};
   twinedge clean parcels.geojson -o parcels.gpkg --snap 0.001 --gap-width 0.05
   twinedge clean zones.gpkg -o zones.gpkg.new --to geopackage --overlap first --sliver 25
   twinedge clean lots.geojson -o clean.geojson --gap-width auto --gaps-to use=road --patch clean.patch.json
+  twinedge clean cadastre.geojsonl -o clean.geojsonl --memory 2G     of any size
   twinedge clean --undo clean.patch.json clean.geojson -o lots.geojson.old --to geojson
 
 Exit status: 0 the output is a coverage, `twinedge audit --coverage` finds nothing; 1 something is left, and the report says \
@@ -95,6 +97,16 @@ pub(crate) struct Clean {
     ])]
     undo: Option<PathBuf>,
 
+    /// Clean a file of GeoJSON or newline-delimited GeoJSON that is larger than memory: it is judged by tiles in the folder for temporary files (TMPDIR), as many as
+    /// it takes to judge each within SIZE, as 800M or 2G, and only the neighbourhoods of what is wrong are read and cleaned. One that does not fit into SIZE stays as it is, and
+    /// the report says so. The output is in the format of the input.
+    #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with_all = ["tiles", "snap", "gaps_to", "patch", "undo"])]
+    memory: Option<u64>,
+
+    /// The same with N by N tiles, in memory, and neighbourhoods of any size.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024), conflicts_with_all = ["snap", "gaps_to", "patch", "undo"])]
+    tiles: Option<u32>,
+
     /// Output format of the report.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -151,6 +163,9 @@ impl Clean {
         if !self.dry_run && !self.output.is_given() {
             return Err(Failure("neither a file to write (-o FILE) nor --dry-run was given".to_owned()));
         }
+        if self.memory.is_some() || self.tiles.is_some() {
+            return self.in_tiles(start);
+        }
         let WithText { name, mut layer, text } = self.input.read_with_text()?;
         self.output.refuse(&layer)?;
         let repair = self.repair();
@@ -162,6 +177,12 @@ impl Clean {
         let mut cleaned = Cleaning::new(&name, &repair, &layer, &report);
         cleaned.written = written.as_ref();
         cleaned.patch = patch.as_deref();
+        self.say(cleaned, start)?;
+        Ok(if report.left.is_none() { Verdict::Sound } else { Verdict::Wrong })
+    }
+
+    /// Prints the report.
+    fn say(&self, mut cleaned: Cleaning<'_>, start: Instant) -> Result<(), Failure> {
         cleaned.elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
             // Standard output has the layer.
@@ -170,7 +191,7 @@ impl Clean {
             Format::Text => print(&cleaned.text(self.list)?)?,
             Format::Json => print_json(&cleaned.json())?,
         }
-        Ok(if report.left.is_none() { Verdict::Sound } else { Verdict::Wrong })
+        Ok(())
     }
 
     fn repair(&self) -> Repair<'_> {

@@ -6,6 +6,7 @@ mod audit;
 mod between;
 mod boundaries;
 mod certificate;
+mod clean_tiles;
 mod cleaning;
 mod conveniences;
 mod corrupt;

@@ -67,7 +67,7 @@ pub fn edits(text: &str, format: Format, count: usize, after: &Layer, changed: &
             let Members { bbox, features, .. } = serde_json::from_str(document.get()).ok()?;
             let bbox = bbox
                 .zip(after.header.members.get("bbox"))
-                .filter(|(raw, bbox)| features.is_some() && !is_box(raw, bbox));
+                .filter(|(raw, bbox)| features.is_some() && !is_box(raw.get(), bbox));
             if let Some((raw, bbox)) = bbox {
                 edits.push(Edit { feature: None, place: text_of(raw), after: bbox.to_string() });
             }
@@ -91,7 +91,7 @@ pub fn edits(text: &str, format: Format, count: usize, after: &Layer, changed: &
         match members.geometry {
             Some(geometry) if members.bbox.is_some() == bbox.is_some() => {
                 put(text_of(geometry), geometry_text(feature)?);
-                if let Some((raw, bbox)) = members.bbox.zip(bbox).filter(|(raw, bbox)| !is_box(raw, bbox)) {
+                if let Some((raw, bbox)) = members.bbox.zip(bbox).filter(|(raw, bbox)| !is_box(raw.get(), bbox)) {
                     put(text_of(raw), bbox.to_string());
                 }
             }
@@ -108,10 +108,18 @@ pub fn edits(text: &str, format: Format, count: usize, after: &Layer, changed: &
     Some(edits)
 }
 
+/// The text of one feature with another geometry; all of it is new, if it has no place for the change. O(bytes).
+pub(super) fn edited_feature(text: &str, after: &Layer) -> Option<String> {
+    match edits(text, Format::GeoJson, 1, after, &[0]) {
+        Some(edits) => Some(edited(text, &edits)),
+        None => after.features.first().and_then(|feature| written(|out| write_feature(feature, out))),
+    }
+}
+
 /// Returns true if a text says the same box, whatever the digits.
-fn is_box(raw: &RawValue, bbox: &serde_json::Value) -> bool {
+pub(super) fn is_box(text: &str, bbox: &serde_json::Value) -> bool {
     let numbers = Vec::<f64>::deserialize(bbox);
-    numbers.is_ok_and(|numbers| serde_json::from_str::<Vec<f64>>(raw.get()).is_ok_and(|before| before == numbers))
+    numbers.is_ok_and(|numbers| serde_json::from_str::<Vec<f64>>(text).is_ok_and(|before| before == numbers))
 }
 
 /// The character before each text of a sequence of RFC 8142.

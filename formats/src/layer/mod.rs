@@ -43,6 +43,10 @@ mod flatgeobuf;
 mod geojson;
 #[cfg(feature = "geojson")]
 mod geojson_edit;
+#[cfg(feature = "geojson")]
+mod geojson_file;
+#[cfg(feature = "geojson")]
+mod geojson_places;
 #[cfg(feature = "geopackage")]
 mod geopackage;
 #[cfg(feature = "geoparquet")]
@@ -82,6 +86,8 @@ pub use error::{ArchiveError, Cause, Place, ReadError, WriteError};
 pub use files::Files;
 #[cfg(feature = "geojson")]
 pub use geojson_edit::{Edit, edited, edits};
+#[cfg(feature = "geojson")]
+pub use geojson_file::{FileError, GeoJsonFile};
 #[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
 pub use indexed::{Amount, Indexed};
 pub use loss::Loss;

@@ -2,6 +2,7 @@
 
 use crate::support::{from_text, to_geojson};
 use twinedge::algorithm::clean::{ChangeKind, Options};
+use twinedge::geometry::Point;
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, GapsToError, clean};
 use twinedge_formats::layer::{Dimensions, Layer, Shape, Value};
 
@@ -105,4 +106,29 @@ fn the_width_is_that_of_the_widest_gap_below_a_step_of_ten() {
     // There is no step any more, and what is left is said.
     let (_, again) = cleaned(&after, None);
     assert_eq!((again.chosen, again.gap_width, again.left.map(|left| left.gaps)), (None, None, Some(1)));
+}
+
+/// A parcel with three holes of 1 × 1 in a row, and beside it three slivers that belong to another one.
+#[test]
+fn gaps_and_slivers_that_reach_out_of_the_window_stay() {
+    let hole = |x: u8| format!("({x} 4, {x} 5, {r} 5, {r} 4, {x} 4)", r = x + 1);
+    let sliver = |x: u8| format!("(({x} 9, {r} 9, {r} 9.01, {x} 9.01, {x} 9))", r = x + 1);
+    let [holes, slivers] = [[2, 5, 8].map(hole).join(","), [2, 5, 8].map(sliver).join(",")];
+    let text = format!(
+        "POLYGON((0 0, 11 0, 11 9, 9 9, 8 9, 6 9, 5 9, 3 9, 2 9, 0 9, 0 0), {holes})\nMULTIPOLYGON(((30 0, 40 0, 40 9, 30 9, 30 0)), {slivers})\n"
+    );
+    let taken = |window: Option<[Point; 2]>| {
+        let mut layer = from_text(&text);
+        let assign = Options { sliver_area: Some(2.0), window, ..Options::default() };
+        let report = clean(&mut layer, &CleanOptions { assign, ..CleanOptions::default() }).unwrap();
+        let mut places: Vec<(ChangeKind, f64)> = report.changes.iter().map(|one| (one.kind, one.at.x)).collect();
+        places.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        places
+    };
+    let all = [ChangeKind::Gap, ChangeKind::Sliver].map(|kind| [2.5, 5.5, 8.5].map(|x| (kind, x))).concat();
+    assert_eq!(taken(None), all);
+    // The window is closed: what touches it from inside is in it.
+    let window = [Point::new(5.0, 4.0), Point::new(8.5, 9.01)];
+    assert_eq!(taken(Some(window)), [(ChangeKind::Gap, 5.5), (ChangeKind::Sliver, 5.5)]);
+    assert_eq!(taken(Some([Point::new(5.0, 4.5), Point::new(8.5, 9.0)])), []);
 }

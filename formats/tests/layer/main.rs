@@ -8,6 +8,7 @@ mod cleaning_gaps;
 mod detection;
 mod flatgeobuf;
 mod geojson_edit;
+mod geojson_file;
 mod geoparquet;
 mod hostile;
 mod indexed;

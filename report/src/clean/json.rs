@@ -1,6 +1,6 @@
 //! The report as JSON.
 
-use super::Cleaning;
+use super::{Called, Cleaning};
 use serde_json::json;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures};
 use twinedge_formats::layer::clean::{AddedVertex, FeatureChange, LayerChange, Remaining};
@@ -9,23 +9,17 @@ impl Cleaning<'_> {
     /// The report as JSON.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        let decimals = self.decimals();
-        let Self { name, names, report, layer, written, elapsed_ms, .. } = self;
+        let Self { name, decimals, report, written, elapsed_ms, .. } = self;
         let named = |number: &usize| {
-            let feature = layer.features.get(*number);
-            FeatureName {
-                number: *number,
-                id: feature.and_then(|feature| feature.id.as_ref()).map(ToString::to_string),
-                name: feature.and_then(|feature| names.of(feature)),
-                label: self.label(*number),
-            }
+            let Called { id, name } = self.called.get(number).cloned().unwrap_or_default();
+            FeatureName { number: *number, id, name, label: self.label(*number) }
         };
         let remaining = |one: &Remaining| {
             let measures = Measures { area: Some(one.area), width: Some(one.width), length: None };
             Diagnosis {
                 rule: Some(one.rule.id()),
                 kind: Kind::Named { kind: one.rule.name() },
-                message: self.remaining(one, decimals),
+                message: self.remaining(one, *decimals),
                 features: Some(one.features.iter().map(named).collect()),
                 measures,
                 look: Some(one.at.into()),
@@ -73,7 +67,7 @@ impl Cleaning<'_> {
             "output": written.map(|written| &*written.name),
             "patch": self.patch,
             "clean": report.left.is_none(),
-            "features": layer.features.len(),
+            "features": self.features,
             "with_polygons": report.polygons,
             "cell": report.noding.map(|noding| noding.cell).filter(|cell| *cell > 0.0),
             "sliver_area": report.sliver_area,
@@ -87,6 +81,7 @@ impl Cleaning<'_> {
             // Gaps that are wider than `--lake-width`, or `--gap-width`.
             "wider_gaps": all(&report.wider_gaps),
             "accepted_gaps": all(&report.accepted_gaps),
+            "tiles": self.tiles.map(|tiles| tiles.json(named)),
             "warnings": self.warnings(),
             "elapsed_ms": elapsed_ms,
         }))

@@ -5,24 +5,30 @@ mod names;
 mod patch;
 mod repair;
 mod text;
+mod tiles;
 
 use crate::words::{decimals, measure, place, plain};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge_formats::layer::clean::{CleanReport, FeatureChange, LayerChange, Remaining};
-use twinedge_formats::layer::{Format, Layer};
+use twinedge_formats::layer::{Feature, Format, Layer};
 
 pub use names::Names;
 pub use patch::{Changes, GeometryChange, Patch, PatchError, TextChange};
 pub use repair::Repair;
+pub use tiles::{CleanedTiles, clean_in_tiles};
 
 /// A layer, cleaned.
 #[derive(Debug)]
 pub struct Cleaning<'a> {
     name: &'a str,
-    names: Names<'a>,
-    layer: &'a Layer,
+    /// The number of features.
+    features: usize,
+    /// The names of the features that the report is about.
+    called: BTreeMap<usize, Called>,
+    /// The number of decimal places with which a place is shown.
+    decimals: usize,
     report: &'a CleanReport,
     /// The file that was written.
     pub written: Option<&'a Written>,
@@ -30,12 +36,27 @@ pub struct Cleaning<'a> {
     greatest_gap: Option<f64>,
     /// True if the width of gaps was to be chosen.
     chooses_width: bool,
+    /// The tiles, if it was cleaned by these.
+    tiles: Option<&'a CleanedTiles>,
     /// The file that takes it back.
     pub patch: Option<&'a str>,
     /// The changes that each feature has a part in.
     changes: BTreeMap<usize, Vec<&'a LayerChange>>,
     /// The time that it took, in milliseconds.
     pub elapsed_ms: f64,
+}
+
+/// The id and the name of a feature.
+#[derive(Clone, Debug, Default)]
+struct Called {
+    id: Option<String>,
+    name: Option<String>,
+}
+
+impl Called {
+    fn new(names: Names<'_>, feature: &Feature) -> Self {
+        Self { id: feature.id.as_ref().map(ToString::to_string), name: names.of(feature) }
+    }
 }
 
 /// A file that was written.
@@ -47,23 +68,32 @@ pub struct Written {
     pub format: Format,
 }
 
-/// The name for a feature.
-fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
-    let feature = layer.features.get(number);
-    let name = feature.and_then(|feature| names.of(feature));
-    let id = feature.and_then(|feature| feature.id.as_ref()).map(ToString::to_string);
-    plain(&match (name, id) {
-        (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
-        (Some(name), _) => name,
-        (None, Some(id)) => id,
-        (None, None) => format!("feature {number}"),
-    })
-}
-
 impl<'a> Cleaning<'a> {
     /// A layer after it was cleaned as it was asked, and the report of that.
     #[must_use]
-    pub fn new(name: &'a str, repair: &Repair<'a>, layer: &'a Layer, report: &'a CleanReport) -> Self {
+    pub fn new(name: &'a str, repair: &Repair<'a>, layer: &Layer, report: &'a CleanReport) -> Self {
+        let called = |number: usize| Some((number, Called::new(repair.names, layer.features.get(number)?)));
+        let mut largest: f64 = 0.0;
+        for geometry in layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
+            geometry.shape.visit(&mut |position| largest = largest.max(position.x.abs()).max(position.y.abs()));
+        }
+        let called = mentioned(report).into_iter().filter_map(called).collect();
+        Self { features: layer.features.len(), called, decimals: decimals(largest), ..Self::of(name, repair, report) }
+    }
+
+    /// The same of a layer that was cleaned by its tiles.
+    #[must_use]
+    pub fn of_tiles(name: &'a str, repair: &Repair<'a>, tiles: &'a CleanedTiles) -> Self {
+        Self {
+            features: tiles.features,
+            called: tiles.called.clone(),
+            decimals: decimals(tiles.largest),
+            tiles: Some(tiles),
+            ..Self::of(name, repair, &tiles.report)
+        }
+    }
+
+    fn of(name: &'a str, repair: &Repair<'a>, report: &'a CleanReport) -> Self {
         let mut changes: BTreeMap<usize, Vec<&LayerChange>> = BTreeMap::new();
         for change in &report.changes {
             let won = change.to.filter(|to| !change.from.contains(to));
@@ -73,12 +103,14 @@ impl<'a> Cleaning<'a> {
         }
         Self {
             name,
-            names: repair.names,
-            layer,
+            features: 0,
+            called: BTreeMap::new(),
+            decimals: 0,
             report,
             written: None,
             greatest_gap: repair.options.assign.lake_width.or(report.gap_width),
             chooses_width: repair.options.chooses_width,
+            tiles: None,
             patch: None,
             changes,
             elapsed_ms: 0.0,
@@ -86,9 +118,26 @@ impl<'a> Cleaning<'a> {
     }
 }
 
+/// The features that a report is about.
+fn mentioned(report: &CleanReport) -> BTreeSet<usize> {
+    let changes = report.changes.iter().flat_map(|change| change.from.iter().copied().chain(change.to));
+    let left = [&report.remaining, &report.wider_gaps, &report.accepted_gaps];
+    let left = left.into_iter().flatten().flat_map(|one| one.features.iter().copied());
+    let added = report.added.iter().flat_map(|vertex| [vertex.to, vertex.of]);
+    let features = report.features.iter().map(|change| change.feature);
+    changes.chain(left).chain(added).chain(features).chain(report.made).collect()
+}
+
 impl Cleaning<'_> {
+    /// The name for a feature.
     fn label(&self, number: usize) -> String {
-        label(self.names, self.layer, number)
+        let Called { id, name } = self.called.get(&number).cloned().unwrap_or_default();
+        plain(&match (name, id) {
+            (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
+            (Some(name), _) => name,
+            (None, Some(id)) => id,
+            (None, None) => format!("feature {number}"),
+        })
     }
 
     fn labels(&self, numbers: &[usize]) -> String {
@@ -170,18 +219,9 @@ impl Cleaning<'_> {
         };
         let at = place([at.x, at.y], decimals);
         match rule {
-            CoverageRule::Validity => format!("{what}, at {at}"),
+            CoverageRule::Validity | CoverageRule::Mismatch => format!("{what}, at {at}"),
             _ => format!("{what}, area {}, width {}, at {at}", measure(*area), measure(*width)),
         }
-    }
-
-    /// With how many decimal places a place is shown.
-    fn decimals(&self) -> usize {
-        let mut greatest: f64 = 0.0;
-        for geometry in self.layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
-            geometry.shape.visit(&mut |position| greatest = greatest.max(position.x.abs()).max(position.y.abs()));
-        }
-        decimals(greatest)
     }
 }
 

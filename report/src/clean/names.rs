@@ -32,8 +32,18 @@ impl Names<'_> {
         if layer.features.iter().any(|feature| self.of(feature).is_some()) {
             return Ok(());
         }
-        let columns: BTreeSet<String> =
-            layer.features.iter().flat_map(|feature| &feature.attributes).map(|(name, _)| plain(name)).collect();
-        Err(Error::NoColumn { column: column.to_owned(), known: columns.into_iter().take(COLUMNS).collect() })
+        let mut known = BTreeSet::new();
+        layer.features.iter().for_each(|feature| self.columns(feature, &mut known));
+        Err(Error::NoColumn { column: column.to_owned(), known: known.into_iter().collect() })
+    }
+
+    /// Notes the columns of a feature for an error, of all the first.
+    pub(super) fn columns(self, feature: &Feature, known: &mut BTreeSet<String>) {
+        if self.from.is_some() {
+            known.extend(feature.attributes.iter().map(|(name, _)| plain(name)));
+            while known.len() > COLUMNS {
+                known.pop_last();
+            }
+        }
     }
 }

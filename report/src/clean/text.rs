@@ -14,16 +14,19 @@ impl Cleaning<'_> {
     /// # Errors
     /// None that happens: writing to a string does not fail.
     pub fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
-        let Self { name, report, layer, .. } = self;
+        let Self { name, report, decimals, .. } = self;
+        let decimals = *decimals;
         let mut out = String::new();
         writeln!(out, "{}", plain(name))?;
-        let all = counted(layer.features.len(), "feature");
+        let all = counted(self.features, "feature");
         writeln!(out, "{QUIET}{all}, {} with polygons{QUIET:#}", grouped(report.polygons))?;
         if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
-        let decimals = self.decimals();
         let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
+        if let Some(tiles) = self.tiles {
+            writeln!(out, "{QUIET}{}{QUIET:#}", tiles.line())?;
+        }
         out.push('\n');
         for (kind, what, beside) in [
             (ChangeKind::Overlap, "overlaps resolved", String::new()),
@@ -85,6 +88,14 @@ impl Cleaning<'_> {
         if more > 0 {
             writeln!(out, "… and {} more are left; see --list", grouped(more))?;
         }
+        for one in self.tiles.iter().flat_map(|tiles| &tiles.too_large).take(list) {
+            let [low, high] = one.window.map(|p| place([p.x, p.y], decimals));
+            let (features, vertices) = (counted(one.features.len(), "feature"), grouped(one.vertices as usize));
+            writeln!(
+                out,
+                "{BAD}not cleaned{BAD:#}: {features} between {low} and {high}: the neighbourhood has {vertices} vertices"
+            )?;
+        }
         for one in report.wider_gaps.iter().take(list) {
             writeln!(out, "left as it is: {}", self.remaining(one, decimals))?;
         }
@@ -97,7 +108,12 @@ impl Cleaning<'_> {
         if let Some(patch) = self.patch {
             writeln!(out, "what takes it back is in {}", plain(patch))?;
         }
+        let too_large = self.tiles.map_or(0, |tiles| tiles.too_large.len());
         match &report.left {
+            Some(_) if too_large > 0 => {
+                let all = counted(too_large, "neighbourhood");
+                writeln!(out, "{BAD}not clean{BAD:#}: {all} took more than --memory ({:.0} ms)", self.elapsed_ms)
+            }
             None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed_ms),
         }?;

@@ -59,6 +59,9 @@ pub struct Options {
     /// The features, by number, one of which gets each gap that is filled: the neighbour among them with the longest common border,
     /// or else the first. Their parts are no slivers. Without any, the neighbours are all.
     pub gaps_to: Vec<usize>,
+    /// The closed box in which gaps are filled and slivers given away, by its lower left and upper right corner: what reaches out of it stays.
+    /// Default: everywhere. Overlaps are resolved wherever they are.
+    pub window: Option<[Point; 2]>,
 }
 
 impl Default for Options {
@@ -71,6 +74,7 @@ impl Default for Options {
             sliver_area: None,
             thinness: 0.2,
             gaps_to: Vec::new(),
+            window: None,
         }
     }
 }

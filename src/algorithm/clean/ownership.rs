@@ -3,7 +3,9 @@
 use crate::algorithm::area::{Sum, face_area};
 use crate::algorithm::coverage::region::{border, connected, length};
 use crate::dcel::Face;
+use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
 use std::collections::BTreeMap;
 
 /// The feature that has each face, by index of face.
@@ -11,6 +13,7 @@ pub(super) struct Ownership<'m> {
     pub(super) map: &'m PlanarMap,
     owners: Vec<Option<FeatureId>>,
     areas: Vec<f64>,
+    window: Option<[Point; 2]>,
 }
 
 /// A connected set of faces that one feature has, or none.
@@ -20,12 +23,12 @@ pub(super) struct Region<'m> {
     pub(super) area: f64,
     /// The length of the border.
     pub(super) length: f64,
-    /// True if the unbounded face is among them.
+    /// True if the unbounded face is among them, or they reach out of the window.
     pub(super) is_outside: bool,
 }
 
 impl Region<'_> {
-    /// Returns true if it belongs to nobody and is bounded.
+    /// Returns true if it belongs to nobody, is bounded, and lies in the window.
     pub(super) fn is_gap(&self) -> bool {
         self.owner.is_none() && !self.is_outside
     }
@@ -33,13 +36,13 @@ impl Region<'_> {
 
 impl<'m> Ownership<'m> {
     /// Nobody has anything. O(half-edges).
-    pub(super) fn new(map: &'m PlanarMap) -> Self {
+    pub(super) fn new(map: &'m PlanarMap, window: Option<[Point; 2]>) -> Self {
         let faces = map.dcel().faces().map(|face| face.index() + 1).max().unwrap_or_default();
         let mut areas = vec![0.0; faces];
         for face in map.dcel().faces().filter(|face| !face.is_unbounded()) {
             areas[face.index()] = face_area(map, face.key()).unwrap_or_default();
         }
-        Self { map, owners: vec![None; faces], areas }
+        Self { map, owners: vec![None; faces], areas, window }
     }
 
     pub(super) fn owner(&self, face: Face<'_>) -> Option<FeatureId> {
@@ -66,12 +69,17 @@ impl<'m> Ownership<'m> {
 
     /// A connected set of faces of one owner.
     pub(super) fn region(&self, faces: Vec<Face<'m>>) -> Region<'m> {
-        let around: Sum = border(&faces).into_iter().map(|h| length(self.map, h)).collect();
+        let border = border(&faces);
+        let around: Sum = border.iter().map(|h| length(self.map, *h)).collect();
+        let is_out = |[low, high]: [Point; 2]| {
+            let mut points = border.iter().map(|h| self.map.point(h.origin().index()));
+            points.any(|p| p.x < low.x || p.y < low.y || high.x < p.x || high.y < p.y)
+        };
         Region {
             owner: faces.first().and_then(|face| self.owner(*face)),
             area: self.area(&faces),
             length: around.value(),
-            is_outside: faces.iter().any(|face| face.is_unbounded()),
+            is_outside: faces.iter().any(|face| face.is_unbounded()) || self.window.is_some_and(is_out),
             faces,
         }
     }

@@ -81,7 +81,7 @@ pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageErro
 /// As for [`clean`].
 pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) -> Result<Cleaned, CoverageError> {
     map.plane()?;
-    let mut ownership = Ownership::new(map);
+    let mut ownership = Ownership::new(map, options.window);
     let mut changes = overlaps(map, &mut ownership, options.winner, fillers);
     let heirs = Heirs::new(map, &options.gaps_to);
     fill(&mut ownership, fillers, &heirs, &mut changes);
@@ -106,7 +106,10 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
         if changes.len() == before {
             let is_sliver = |region: &Region<'_>| {
                 let is_thin = 4.0 * PI * region.area < options.thinness * region.length * region.length;
-                region.area < limit && is_thin && region.owner.is_some_and(|owner| !heirs.has(owner))
+                !region.is_outside
+                    && region.area < limit
+                    && is_thin
+                    && region.owner.is_some_and(|owner| !heirs.has(owner))
             };
             give_slivers(&mut ownership, &regions, is_sliver, &mut changes);
         }

@@ -54,7 +54,7 @@ pub struct ChosenWidth {
 /// [`CoverageError::NotPlane`].
 pub fn choose_gap_width(map: &PlanarMap, options: &Options) -> Result<Option<ChosenWidth>, CoverageError> {
     map.plane()?;
-    let mut ownership = Ownership::new(map);
+    let mut ownership = Ownership::new(map, options.window);
     drop(overlaps(map, &mut ownership, options.winner, map.features().count()));
     let accepted = accepted_faces(map, &options.accepted_gaps);
     let width = |region: &Region<'_>| mean_width(region.area, region.length);

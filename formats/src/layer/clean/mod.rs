@@ -21,6 +21,7 @@ mod dimensions;
 mod fillers;
 mod gaps_to;
 mod missing;
+mod neighbourhoods;
 mod rebuild;
 mod report;
 mod restored;
@@ -35,11 +36,16 @@ use std::borrow::Cow;
 use twinedge::algorithm::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
 use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
 pub use gaps_to::{GapsTo, GapsToError};
+pub use neighbourhoods::{Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods};
+#[cfg(feature = "geojson")]
+pub(super) use rebuild::Bounds;
+pub use rebuild::is_tidy;
 pub use report::{AddedVertex, CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
 /// The way in which a layer is cleaned.
@@ -97,10 +103,17 @@ pub enum CleanError {
 /// # Errors
 /// [`CleanError`]; the layer is then unchanged.
 pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, CleanError> {
+    clean_part(layer, options, None)
+}
+
+/// As [`clean`], of a part of a layer with this largest coordinate, so that the finest grid is that of the whole.
+fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -> Result<CleanReport, CleanError> {
+    // A point outside of everything.
+    let anchor: Vec<map::Shape> = largest.map(|most| map::Shape::Point(Point::new(most, most))).into_iter().collect();
     let mut options = options.clone();
     let mut features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
     options.assign.gaps_to = options.gaps_to.take().map(|to| receiving(&mut features, to)).unwrap_or_default();
-    let mut done = pass(&features, &[], &options)?;
+    let mut done = pass(&features, &anchor, &options)?;
     let chosen = done.chosen;
     if std::mem::take(&mut options.chooses_width) {
         options.assign.gap_width = chosen.map(|chosen| chosen.width);
@@ -108,10 +121,10 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
     let options = &options;
     // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
     if let Some(width) = options.assign.gap_width {
-        let mut near_misses = done.near_misses();
+        let mut near_misses = done.near_misses(options.assign.window);
         while !near_misses.is_empty() {
-            let next = pass(&done.features, &fillers(&near_misses, width), options)?;
-            let left = next.near_misses();
+            let next = pass(&done.features, &[fillers(&near_misses, width), anchor.clone()].concat(), options)?;
+            let left = next.near_misses(options.assign.window);
             if left.len() >= near_misses.len() || !next.is_plane() {
                 break;
             }
@@ -205,9 +218,11 @@ impl Pass<'_> {
         self.judged.left.is_none_or(|left| left.is_plane)
     }
 
-    fn near_misses(&self) -> Vec<Finding> {
-        let all = self.judged.remaining.iter();
-        all.filter(|finding| finding.rule == CoverageRule::NearMiss).cloned().collect()
+    fn near_misses(&self, window: Option<[Point; 2]>) -> Vec<Finding> {
+        let all = self.judged.remaining.iter().filter(|finding| finding.rule == CoverageRule::NearMiss);
+        let is_in =
+            |p: &Point| window.is_none_or(|[low, high]| low.x <= p.x && low.y <= p.y && p.x <= high.x && p.y <= high.y);
+        all.filter(|finding| finding.stretches.iter().flatten().all(is_in)).cloned().collect()
     }
 }
 

@@ -39,6 +39,12 @@ pub(super) fn is_same(before: &[Rings], after: &[Polygon]) -> bool {
     canonical(before.to_vec()).is_some_and(|before| canonical(after.collect()).as_ref() == Some(&before))
 }
 
+/// Returns true if all rings of polygons are closed and repeat no point, as those that cleaning makes. O(n log n).
+#[must_use]
+pub fn is_tidy(feature: &Feature) -> bool {
+    feature.geometry.as_ref().is_none_or(|geometry| canonical(polygons_of(geometry)).is_some())
+}
+
 /// Polygons in a form that is the same for the same polygons; none if rings are open or repeat points.
 fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
     for rings in &mut polygons {
@@ -116,16 +122,28 @@ fn without_polygons(part: &Geometry) -> Option<Geometry> {
     }
 }
 
-/// The box around geometries, as the member `bbox` has it.
-fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_json::Value> {
-    let mut bounds: Option<[f64; 4]> = None;
-    for geometry in geometries {
+/// The box around geometries, taken one by one.
+#[derive(Default)]
+pub(in crate::layer) struct Bounds(Option<[f64; 4]>);
+
+impl Bounds {
+    pub(in crate::layer) fn take(&mut self, geometry: &Geometry) {
         geometry.shape.visit(&mut |p: &Position| {
-            let [x0, y0, x1, y1] = bounds.unwrap_or([p.x, p.y, p.x, p.y]);
-            bounds = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
+            let [x0, y0, x1, y1] = self.0.unwrap_or([p.x, p.y, p.x, p.y]);
+            self.0 = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
         });
     }
-    bounds.map(|bounds| bounds.into_iter().map(json_number).collect())
+
+    /// The box, as the member `bbox` has it.
+    pub(in crate::layer) fn json(self) -> Option<serde_json::Value> {
+        self.0.map(|bounds| bounds.into_iter().map(json_number).collect())
+    }
+}
+
+fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_json::Value> {
+    let mut bounds = Bounds::default();
+    geometries.for_each(|geometry| bounds.take(geometry));
+    bounds.json()
 }
 
 /// Brings the member `bbox` of a feature up to date, if it has one.

@@ -6,10 +6,12 @@ use twinedge::algorithm::clean::{Change, ChangeKind, ChosenWidth};
 use twinedge::algorithm::coverage::{CoverageRule, Defect, DefectKind, Finding, defects, faces_of};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
+use twinedge::geometry::predicates::compare_lexicographic;
 use twinedge::map::{self, Builder, FeatureId, Noding, Shape};
+use twinedge::tile::Outcome;
 
 /// The report of cleaning. Areas and widths are in the units of the coordinates.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CleanReport {
     /// The number of features that have polygons.
@@ -38,6 +40,63 @@ pub struct CleanReport {
     pub wider_gaps: Vec<Remaining>,
     /// The gaps that were accepted by a point inside. They are left as they are, and break nothing.
     pub accepted_gaps: Vec<Remaining>,
+}
+
+impl CleanReport {
+    /// Takes what the report of another part of the same layer says of changes.
+    pub(super) fn append(&mut self, other: Self) {
+        self.changes.extend(other.changes);
+        self.added.extend(other.added);
+        self.features.extend(other.features);
+        // What was not rounded is no news.
+        let rounded = |noding: Option<NodingSummary>| noding.filter(|noding| noding.cell > 0.0);
+        self.noding = match (rounded(self.noding), rounded(other.noding)) {
+            (Some(mut all), Some(more)) => {
+                all.cell = all.cell.max(more.cell);
+                all.crossings += more.crossings;
+                all.split += more.split;
+                all.duplicates += more.duplicates;
+                all.collapsed += more.collapsed;
+                all.merged += more.merged;
+                all.rounds = all.rounds.max(more.rounds);
+                all.largest_move = [0, 1].map(|axis| all.largest_move[axis].max(more.largest_move[axis]));
+                Some(all)
+            }
+            (one, other) => one.or(other),
+        };
+    }
+
+    /// Puts changes in order of their kinds and places, vertices and features as always.
+    pub(super) fn sort(&mut self) {
+        self.changes.sort_by(|a, b| a.kind.cmp(&b.kind).then_with(|| compare_lexicographic(a.at, b.at)));
+        let pair = |vertex: &AddedVertex| [vertex.to.min(vertex.of), vertex.to.max(vertex.of)];
+        self.added.sort_by(|a, b| pair(a).cmp(&pair(b)).then_with(|| compare_lexicographic(a.at, b.at)));
+        self.features.sort_by_key(|change| change.feature);
+    }
+
+    /// Takes what is left from an audit of the result by its tiles. If all neighbourhoods of the layer [were cleaned](super::clean_neighbourhoods), that
+    /// is what the report of cleaning the whole says; otherwise findings of all rules may be left. O(findings).
+    pub fn judge(&mut self, outcome: &Outcome) {
+        let found = outcome.coverage.as_ref();
+        let count = |rule| found.map_or(0, |found| found.of(rule).count());
+        let left = Left {
+            is_plane: outcome.crossings.is_empty(),
+            overlaps: count(CoverageRule::Overlap),
+            gaps: count(CoverageRule::Gap),
+            near_misses: count(CoverageRule::NearMiss),
+            slivers: count(CoverageRule::Sliver),
+            invalid: outcome.defects.len(),
+        };
+        let all = |findings: &[Finding]| findings.iter().map(Remaining::from).collect::<Vec<_>>();
+        self.remaining = found.map(|found| all(&found.findings)).unwrap_or_default();
+        self.wider_gaps = found.map(|found| all(&found.wider_gaps)).unwrap_or_default();
+        self.accepted_gaps = found.map(|found| all(&found.accepted_gaps)).unwrap_or_default();
+        let first =
+            |(feature, defects): &(u32, Vec<Defect>)| Some(Remaining::invalid(*feature as usize, defects.first()?));
+        self.remaining.extend(outcome.defects.iter().filter_map(first));
+        let is_sound = left.is_plane && found.is_some() && self.remaining.is_empty();
+        self.left = (!is_sound).then_some(left);
+    }
 }
 
 /// An area that changed hands. Features are named by their numbers, counted from 0.

@@ -16,7 +16,7 @@ const LINE: u8 = 1;
 const POINT: u8 = 2;
 
 /// Features in files without name, which go with the program however it ends: first one after the other, then those of each tile in stretches.
-pub(super) struct OnDisk {
+pub(crate) struct OnDisk {
     all: BufWriter<File>,
     by_tiles: Mutex<File>,
     /// Of each tile the stretches of the file: where they start, and how long they are.
@@ -25,7 +25,7 @@ pub(super) struct OnDisk {
 
 impl OnDisk {
     /// Nothing yet, in the folder for temporary files.
-    pub(super) fn new() -> io::Result<Self> {
+    pub(crate) fn new() -> io::Result<Self> {
         let all = BufWriter::new(tempfile::tempfile()?);
         Ok(Self { all, by_tiles: Mutex::new(tempfile::tempfile()?), stretches: Vec::new() })
     }

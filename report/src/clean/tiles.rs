@@ -1,0 +1,226 @@
+//! Cleaning a file that is larger than memory: its tiles are judged, the neighbourhoods of what is wrong are cleaned, and the result is judged by its tiles again.
+
+use super::{Called, Names, Repair, mentioned};
+use crate::error::Error;
+use crate::shelf::Shelf;
+use crate::tiles::{Division, fitting, grid_of, no_cuts, size};
+use crate::words::{counted, grouped};
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits};
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map;
+use twinedge::tile::{self, Grid, Outcome, Tile};
+use twinedge_formats::diagnosis::FeatureName;
+use twinedge_formats::layer::clean::{
+    CleanError, CleanOptions, CleanReport, Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods, is_tidy,
+};
+use twinedge_formats::layer::{Feature, FileError, GeoJsonFile, to_map};
+
+/// The bytes that cleaning takes for each vertex of a neighbourhood: twice those that were measured.
+const BYTES: u64 = 800;
+
+/// A measured number is this much more, to be safe from rounding.
+const ROUNDING: f64 = 1.0 + 1e-6;
+
+/// A layer that was cleaned by its tiles.
+#[derive(Clone, Debug)]
+pub struct CleanedTiles {
+    /// The report.
+    pub report: CleanReport,
+    /// The neighbourhoods that were left as they are, because they have more vertices than there was memory for.
+    pub too_large: Vec<TooLarge>,
+    pub(super) features: usize,
+    pub(super) called: BTreeMap<usize, Called>,
+    /// The largest coordinate.
+    pub(super) largest: f64,
+    grid: Grid,
+    neighbourhoods: usize,
+    /// The number of vertices of the largest neighbourhood.
+    vertices: u64,
+}
+
+impl CleanedTiles {
+    /// The line of the text.
+    pub(super) fn line(&self) -> String {
+        let [columns, rows] = self.grid.size();
+        let neighbourhoods = counted(self.neighbourhoods, "neighbourhood");
+        let largest = grouped(self.vertices as usize);
+        format!("{columns} × {rows} tiles judged, {neighbourhoods} cleaned, the largest with {largest} vertices")
+    }
+
+    pub(super) fn json(&self, named: impl Fn(&usize) -> FeatureName) -> Value {
+        let too_large = |one: &TooLarge| {
+            json!({
+                "window": one.window.map(|p| [p.x, p.y]),
+                "features": one.features.iter().map(&named).collect::<Vec<_>>(),
+                "vertices": one.vertices,
+            })
+        };
+        let mut tiles = size(&self.grid);
+        tiles["neighbourhoods"] = self.neighbourhoods.into();
+        tiles["largest_vertices"] = self.vertices.into();
+        tiles["not_cleaned"] = self.too_large.iter().map(too_large).collect();
+        tiles
+    }
+}
+
+/// Cleans a file by its tiles: `file` opens it, and hands over its features; `shelves` makes empty shelves. The file then has the features as they are
+/// now, and is to be written. Gaps go to neighbours, the width of gaps is not chosen, and no grid is asked for.
+///
+/// Costs what two audits by tiles cost and what cleaning the neighbourhoods does. Memory is that of the audit, 64 bytes for each feature, and that of the
+/// largest neighbourhood, which is bounded as tiles are.
+///
+/// # Errors
+/// [`Error`].
+pub fn clean_in_tiles<S: Shelf>(
+    open: impl FnOnce(&mut dyn FnMut(Feature)) -> Result<GeoJsonFile, FileError>,
+    repair: &Repair<'_>,
+    division: Division,
+    mut shelves: impl FnMut() -> io::Result<S>,
+    stage: &mut dyn FnMut(&'static str),
+) -> Result<(GeoJsonFile, CleanedTiles), Error> {
+    let mut shelf = shelves()?;
+    let mut read = FirstReading::new(repair.names);
+    let mut full = Ok(());
+    let mut file = open(&mut |feature| {
+        if full.is_ok() {
+            full = read.take(&feature, &mut shelf);
+        }
+    })?;
+    full?;
+    let FirstReading { corners, mut untidy, .. } = read.checked()?;
+    let Some(corners) = corners else { return Err(CleanError::NoPolygons.into()) };
+    let limits = limits(&repair.options);
+    stage("dividing the map");
+    let (grid, most) = match division {
+        Division::Across(across) => (grid_of(Some(corners), [across; 2])?, u64::MAX),
+        Division::Within(bytes) => (fitting(Some(corners), &mut shelf, bytes)?, bytes / BYTES),
+    };
+    stage("judging the tiles");
+    let before = judged(&grid, corners, &limits, shelf)?;
+    let sliver_area = before.coverage.as_ref().map(|found| found.sliver_area).ok_or_else(|| unknown(&before))?;
+    let mut options = repair.options.clone();
+    options.assign.sliver_area.get_or_insert(sliver_area);
+    untidy.extend(concerned(&before, &options));
+    stage("cleaning the neighbourhoods");
+    let done = clean_neighbourhoods(&mut file, &untidy, &options, most)?;
+    let Neighbourhoods { mut report, cleaned, largest: vertices, too_large, .. } = done;
+    let after = if report.features.is_empty() {
+        before
+    } else {
+        let mut shelf = shelves()?;
+        file.each(|feature| Ok::<_, Error>(shelf.put(polygons(&feature))?))?;
+        stage("judging the result");
+        judged(&grid, corners, &limits, shelf)?
+    };
+    report.judge(&after);
+    let mut called = BTreeMap::new();
+    let left = too_large.iter().flat_map(|one| one.features.iter().copied());
+    for number in mentioned(&report).into_iter().chain(left) {
+        called.insert(number, Called::new(repair.names, &file.read(number)?));
+    }
+    let largest = corners.iter().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
+    let features = file.extents().len();
+    let tiles = CleanedTiles { report, too_large, features, called, largest, grid, neighbourhoods: cleaned, vertices };
+    Ok((file, tiles))
+}
+
+/// The notes of the first reading of a file.
+struct FirstReading<'a> {
+    names: Names<'a>,
+    features: u32,
+    is_named: bool,
+    columns: BTreeSet<String>,
+    corners: Option<[Point; 2]>,
+    /// The features whose rings are open or repeat points, which breaks no rule, each by itself.
+    untidy: Vec<Vec<usize>>,
+}
+
+impl<'a> FirstReading<'a> {
+    fn new(names: Names<'a>) -> Self {
+        Self { names, features: 0, is_named: false, columns: BTreeSet::new(), corners: None, untidy: Vec::new() }
+    }
+
+    fn take(&mut self, feature: &Feature, shelf: &mut impl Shelf) -> io::Result<()> {
+        let number = self.features;
+        self.features = number.checked_add(1).ok_or_else(|| io::Error::other("there are 2^32 features or more"))?;
+        self.is_named |= self.names.of(feature).is_some();
+        self.names.columns(feature, &mut self.columns);
+        if let Some([low, high]) = Extent::of(feature).corners {
+            let [a, b] = self.corners.unwrap_or([low, high]);
+            self.corners =
+                Some([Point::new(a.x.min(low.x), a.y.min(low.y)), Point::new(b.x.max(high.x), b.y.max(high.y))]);
+        }
+        if !is_tidy(feature) {
+            self.untidy.push(vec![number as usize]);
+        }
+        shelf.put(polygons(feature))
+    }
+
+    /// Refuses a column that no feature has.
+    fn checked(self) -> Result<Self, Error> {
+        match self.names.from {
+            Some(column) if !self.is_named => {
+                Err(Error::NoColumn { column: column.to_owned(), known: self.columns.into_iter().collect() })
+            }
+            _ => Ok(self),
+        }
+    }
+}
+
+/// The polygons of a feature, as a map has them.
+fn polygons(feature: &Feature) -> map::Feature {
+    let mut shapes = to_map(feature, &mut ReadSummary::default()).shapes;
+    shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    map::Feature { shapes, ..map::Feature::default() }
+}
+
+/// The limits by which the layer is judged, as cleaning the whole does.
+fn limits(options: &CleanOptions) -> Limits {
+    let assign = options.assign.clone();
+    Limits {
+        gap_width: assign.gap_width,
+        lake_width: assign.lake_width,
+        accepted_gaps: assign.accepted_gaps,
+        sliver_area: assign.sliver_area,
+        thinness: assign.thinness,
+    }
+}
+
+fn judged(grid: &Grid, corners: [Point; 2], limits: &Limits, mut shelf: impl Shelf) -> Result<Outcome, Error> {
+    let cuts = no_cuts(Some(corners))?;
+    let columns = grid.size()[0] as usize;
+    let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
+    shelf.file(columns * grid.size()[1] as usize, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
+    Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
+}
+
+fn unknown(outcome: &Outcome) -> Error {
+    let why = outcome.uncut.as_ref().map_or_else(|| "tiles contradict each other".to_owned(), ToString::to_string);
+    Error::Unjudged(why)
+}
+
+/// The sets of features with something wrong between them that cleaning mends.
+fn concerned(outcome: &Outcome, options: &CleanOptions) -> Vec<Vec<usize>> {
+    let assign = &options.assign;
+    let is_filled = |gap: &Finding| {
+        assign.sliver_area.is_some_and(|limit| gap.area < limit * ROUNDING)
+            || assign.gap_width.is_some_and(|limit| gap.width <= limit * ROUNDING)
+    };
+    let is_mended = |finding: &&Finding| match finding.rule {
+        CoverageRule::Gap => is_filled(finding),
+        CoverageRule::NearMiss => assign.gap_width.is_some(),
+        _ => true,
+    };
+    let found = outcome.coverage.iter().flat_map(|found| found.findings.iter().chain(&found.wider_gaps));
+    let of_coverage = found.filter(is_mended).map(|one| one.features.iter().map(|feature| feature.index()).collect());
+    let crossings = outcome.crossings.iter().map(|one| one.features.iter().map(|number| *number as usize).collect());
+    let invalid = outcome.defects.iter().map(|(feature, _)| vec![*feature as usize]);
+    of_coverage.chain(crossings).chain(invalid).collect()
+}
+
+#[cfg(test)]
+mod tests;

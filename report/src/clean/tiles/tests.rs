@@ -1,0 +1,246 @@
+//! Cleaning by tiles says and writes what cleaning the whole does, whatever the grid.
+
+use super::{CleanedTiles, clean_in_tiles};
+use crate::clean::Repair;
+use crate::shelf::InMemory;
+use crate::tiles::Division;
+use quickcheck::{Arbitrary, Gen, QuickCheck};
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::Path;
+use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
+use twinedge::geometry::Point;
+use twinedge_formats::layer::clean::{CleanOptions, CleanReport};
+use twinedge_formats::layer::{Feature, GeoJsonFile, ReadOptions, read_layer};
+
+type Ring = Vec<[f64; 2]>;
+
+/// Parcels that share borders, in rows, with faults.
+#[derive(Clone, Debug)]
+struct Parcels {
+    size: [u8; 2],
+    /// The parcel, the fault, and a number that says more about it.
+    faults: Vec<(u8, u8, u8)>,
+    /// Numbers by which corners are moved.
+    noise: Vec<u8>,
+    tiles: u32,
+    winner: u8,
+    gap_width: bool,
+    far: bool,
+}
+
+impl Arbitrary for Parcels {
+    fn arbitrary(g: &mut Gen) -> Self {
+        let small = |g: &mut Gen, most: u8| 1 + u8::arbitrary(g) % most;
+        let count = usize::from(small(g, 5));
+        Self {
+            size: [small(g, 9), small(g, 9)],
+            faults: (0..count).map(|_| Arbitrary::arbitrary(g)).collect(),
+            noise: (0..16).map(|_| u8::arbitrary(g)).collect(),
+            tiles: u32::from(small(g, 5)),
+            winner: u8::arbitrary(g),
+            gap_width: bool::arbitrary(g),
+            far: bool::arbitrary(g),
+        }
+    }
+
+    fn shrink(&self) -> Box<dyn Iterator<Item = Self>> {
+        let (all, again) = (self.clone(), self.clone());
+        let fewer = self.faults.shrink().map(move |faults| Self { faults, ..all.clone() });
+        let nearer = self.noise.shrink().filter(|noise| !noise.is_empty());
+        Box::new(fewer.chain(nearer.map(move |noise| Self { noise, ..again.clone() })))
+    }
+}
+
+impl Parcels {
+    /// A corner of the parcels, moved a little.
+    fn corner(&self, i: u8, j: u8) -> [f64; 2] {
+        let noise = |k: u8| f64::from(self.noise[usize::from(k) % self.noise.len()] % 16) / 8.0;
+        let away = if self.far { 1000.0 } else { 0.0 };
+        [f64::from(i) * 10.0 + noise(3 * i + 7 * j) - away, f64::from(j) * 10.0 + noise(5 * i + 2 * j + 1)]
+    }
+
+    /// The middles of sides are vertices, too.
+    fn parcel(&self, i: u8, j: u8) -> Ring {
+        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| self.corner(i, j));
+        let sides = corners.into_iter().zip([corners[1], corners[2], corners[3], corners[0]]);
+        sides.flat_map(|(a, b)| [a, [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]]).collect()
+    }
+
+    fn features(&self) -> Vec<Vec<Ring>> {
+        let [columns, rows] = self.size;
+        let mut all: Vec<Vec<Ring>> =
+            (0..rows).flat_map(|j| (0..columns).map(move |i| (i, j))).map(|(i, j)| vec![self.parcel(i, j)]).collect();
+        let count = all.len();
+        for (parcel, fault, more) in &self.faults {
+            let number = usize::from(*parcel) % count;
+            let by = f64::from(more % 8) / 4.0 - 1.0;
+            let k = usize::from(more / 8) % 8;
+            let Some(ring) = all[number].first_mut().filter(|ring| k < ring.len()) else { continue };
+            let (p, q) = (ring[k], ring[(k + 1) % ring.len()]);
+            match fault % 11 {
+                0 => ring[k][0] += by,
+                1 => ring[k][1] += by,
+                // Borders cross where there is no point.
+                2 => {
+                    ring[k][0] += by / 3.0;
+                    let next = (k + 1) % ring.len();
+                    ring[next][0] -= by / 3.0;
+                }
+                3 => ring.insert(k + 1, [f64::midpoint(p[0], q[0]), f64::midpoint(p[1], q[1])]),
+                4 => drop(ring.remove(k)),
+                5 => {
+                    let same = all[number].clone();
+                    all.push(same);
+                }
+                // A sliver is a part of another one.
+                6 => all[usize::from(*more) % count].push(vec![p, q, [p[0] + 0.125, p[1] + 0.25]]),
+                7 => all[number].clear(),
+                8 => ring.splice(k..k, [p, [p[0] + 3.0, p[1] + 4.0], p]).for_each(drop),
+                9 => ring.insert(k, p),
+                // A house over corners.
+                _ => all.push(vec![vec![p, [p[0] + 4.0, p[1] - 1.0], [p[0] + 5.0, p[1] + 13.0]]]),
+            }
+        }
+        all
+    }
+
+    /// The text, with an id, a name, and numbers as no program writes them.
+    fn text(&self) -> String {
+        let mut text = String::new();
+        for (number, parts) in self.features().iter().enumerate() {
+            let ring = |ring: &Ring| {
+                let points: Vec<String> =
+                    ring.iter().chain(ring.first()).map(|[x, y]| format!("[{x:?}, {y:e}]")).collect();
+                format!("[[{}]]", points.join(","))
+            };
+            let geometry = match &parts[..] {
+                [] => "null".to_owned(),
+                [one] => format!(r#"{{"type":"Polygon","coordinates":{}}}"#, ring(one)),
+                parts => {
+                    let parts: Vec<String> = parts.iter().map(ring).collect();
+                    format!(r#"{{"type": "MultiPolygon","coordinates":[{}]}}"#, parts.join(", "))
+                }
+            };
+            let _ = writeln!(
+                text,
+                r#"{{"type": "Feature", "id":{number}, "properties":{{"name":"p{number}"}},"geometry":{geometry}}}"#
+            );
+        }
+        text
+    }
+
+    fn repair(&self) -> Repair<'static> {
+        let winners = [Winner::Inner, Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
+        let assign = Options {
+            winner: winners[usize::from(self.winner) % 5],
+            sliver_area: Some(0.75),
+            gap_width: self.gap_width.then_some(0.5),
+            ..Options::default()
+        };
+        Repair { options: CleanOptions { assign, ..CleanOptions::default() }, ..Repair::default() }
+    }
+}
+
+fn by_tiles(path: &Path, repair: &Repair<'_>, division: Division) -> (Vec<Feature>, String, CleanedTiles) {
+    let open = |each: &mut dyn FnMut(Feature)| {
+        let mut take = |feature| {
+            each(feature);
+            Ok(())
+        };
+        GeoJsonFile::open(path, tempfile::tempfile()?, &mut take)
+    };
+    let shelves = || Ok::<_, io::Error>(InMemory::default());
+    let (mut file, tiles) = clean_in_tiles(open, repair, division, shelves, &mut |_| {}).unwrap();
+    let mut written = Vec::new();
+    file.write(&mut written).unwrap();
+    let layer = read_layer(&mut &*written, Some(Path::new("x.geojsonl")), &ReadOptions::default()).unwrap();
+    (layer.features, String::from_utf8(written).unwrap(), tiles)
+}
+
+/// A change without its measures, which are equal up to rounding.
+fn change_keys(report: &CleanReport) -> Vec<(ChangeKind, Vec<usize>, Option<usize>, [i64; 4])> {
+    let rounded = |x: f64| (x * 1e6).round() as i64;
+    let mut keys: Vec<_> = report
+        .changes
+        .iter()
+        .map(|one| {
+            let Point { x, y } = one.at;
+            (one.kind, one.from.clone(), one.to, [one.area, one.width, x, y].map(rounded))
+        })
+        .collect();
+    keys.sort();
+    keys
+}
+
+fn added_keys(report: &CleanReport) -> Vec<(usize, usize, [u64; 2])> {
+    let mut keys: Vec<_> =
+        report.added.iter().map(|one| (one.to, one.of, [one.at.x, one.at.y].map(f64::to_bits))).collect();
+    keys.sort_unstable();
+    keys
+}
+
+fn left_keys(report: &CleanReport) -> Vec<(&'static str, Vec<usize>, [i64; 2])> {
+    let all = [&report.remaining, &report.wider_gaps, &report.accepted_gaps];
+    let rounded = |x: f64| (x * 1e6).round() as i64;
+    let mut keys: Vec<_> = all
+        .into_iter()
+        .flatten()
+        .map(|one| (one.rule.id(), one.features.clone(), [one.area, one.width].map(rounded)))
+        .collect();
+    keys.sort();
+    keys
+}
+
+fn is_the_same(parcels: &Parcels) -> Result<(), String> {
+    let (folder, repair) = (tempfile::tempdir().unwrap(), parcels.repair());
+    let path = folder.path().join("parcels.geojsonl");
+    let text = parcels.text();
+    fs::write(&path, &text).unwrap();
+    let before = read_layer(&mut text.as_bytes(), Some(&path), &ReadOptions::default()).unwrap();
+    let mut whole = before.clone();
+    // All parcels may be gone.
+    let Ok(report) = repair.clean(&mut whole) else { return Ok(()) };
+    let (features, written, tiles) = by_tiles(&path, &repair, Division::Across(parcels.tiles));
+    for (number, (one, other)) in features.iter().zip(&whole.features).enumerate() {
+        if one != other {
+            return Err(format!("feature {number}: {:?} and {:?}", one.geometry, other.geometry));
+        }
+        let is_changed = report.features.iter().any(|change| change.feature == number);
+        if !is_changed && written.lines().nth(number) != text.lines().nth(number) {
+            return Err(format!("the text of feature {number} changed"));
+        }
+    }
+    let differ = |what: &str, one: String, other: String| {
+        if one == other { Ok(()) } else { Err(format!("{what}: {one}\nof the whole: {other}")) }
+    };
+    let pair = [&tiles.report, &report];
+    let of = |key: &dyn Fn(&CleanReport) -> String| pair.map(key);
+    let [one, other] = of(&|it| format!("{:?}", change_keys(it)));
+    differ("changes", one, other)?;
+    let [one, other] = of(&|it| format!("{:?}", added_keys(it)));
+    differ("vertices", one, other)?;
+    let [one, other] = of(&|it| {
+        format!(
+            "{:?}",
+            it.features.iter().map(|one| (one.feature, one.points_before, one.points_after)).collect::<Vec<_>>()
+        )
+    });
+    differ("features", one, other)?;
+    let [one, other] = of(&|it| format!("{:?} {:?} {}", it.left, left_keys(it), it.polygons));
+    differ("left", one, other)?;
+    // By its tiles again: nothing changes, and the same is left.
+    fs::write(&path, &written).unwrap();
+    let (_, again, twice) = by_tiles(&path, &repair, Division::Across(parcels.tiles));
+    differ("twice", again, written)?;
+    differ("left of twice", format!("{:?}", left_keys(&twice.report)), format!("{:?}", left_keys(&tiles.report)))
+}
+
+#[test]
+fn tiles_clean_as_the_whole_does() {
+    fn law(parcels: Parcels) -> bool {
+        is_the_same(&parcels).inspect_err(|why| eprintln!("{why}\n{}", parcels.text())).is_ok()
+    }
+    QuickCheck::new().tests(120).quickcheck(law as fn(Parcels) -> bool);
+}
