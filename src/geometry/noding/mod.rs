@@ -35,22 +35,9 @@
 //!   +-----+-----+-----+      +-----+-----+-----+
 //! ```
 //!
-//! *Why edges never cross.* An edge from `c` to `c'` comes from a stretch of a segment between a point `c + u` of the
-//! pixel of `c` and a point `c' + u'` of that of `c'`. Let all pixels shrink to their centres at the same rate, so
-//! that at time `t` the stretch goes from `c + (1−t)u` to `c' + (1−t)u'`. At time 0, no two ranges cross:
-//! crossings are in hot pixels, where ranges end. Had two of them crossed by time 1, then at some time an end of
-//! the one, `e + (1−t)w`, would have lain on the other, at `(1−μ)(c + (1−t)u) + μ(c' + (1−t)u')`, say. At time 0,
-//! this point of the other is `e + (1−t)w + t((1−μ)u + μu')`: that is `e` and a mean of `w`, `u` and `u'`, hence in
-//! the pixel of `e`, as pixels are convex. But the stretch visits no hot pixel on its way from `c` to `c'`; and if
-//! `e` is one of these, the two edges have a common end, and do not cross. The same, with `t = 1`, says that no edge
-//! passes through a vertex.
-//!
-//! *Why once is not enough.* An edge is a new line. It can visit a hot pixel that its segment did not visit, so
-//! noding once more would bend it again. Here, edges are bent until none visits the pixel of a vertex that is not an
-//! end of it (iterated snap rounding: D. Halperin and E. Packer, 2002). So noding the result changes nothing, on the
-//! same grid or on a finer one. Bending makes no new vertices, as edges do not cross; and it ends, as chains never
-//! turn back, neither in x nor in y: the pieces of an edge that is `|Δx| + |Δy|` cells long have lengths that are
-//! whole numbers and add up to that.
+//! Edges never cross, and none passes through a vertex. An edge is a new line, which can visit a hot pixel that its segment did not visit: edges
+//! are bent until none does (iterated snap rounding: D. Halperin and E. Packer, 2002), so noding the result changes nothing, on the same grid or
+//! on a finer one. `DESIGN.md` in the repository has the proofs.
 //!
 //! # What moves, and how far
 //!
@@ -82,11 +69,6 @@
 //! quadratic (see `search.rs` and `chords.rs`).
 //!
 //! With the feature `rayon`, the search and the sorting are divided among the threads of its current pool. The result is the same.
-//!
-//! The index is a tree of halved blocks, and not an R-tree: boxes around the long slanted segments of a star or a
-//! bundle all overlap, so an R-tree tries n² pairs there. Nor is it faster elsewhere. On a map of 75,863 segments,
-//! loading `rstar` took 13 ms and all pairs of overlapping boxes took another 11 ms; the whole search, visits
-//! included, takes less than both.
 
 mod bundle;
 mod chains;

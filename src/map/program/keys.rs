@@ -23,7 +23,9 @@ const fn lowest_bit(i: usize) -> usize {
 impl<K: Key> Keys<K> {
     pub(super) fn new(keys: impl Iterator<Item = K>) -> Self {
         let mut new = Self { all: Vec::new(), places: SecondaryMap::new(), counts: Vec::new(), retired: Vec::new() };
-        keys.for_each(|key| new.push(key));
+        for key in keys {
+            new.push(key);
+        }
         new
     }
 
@@ -85,6 +87,8 @@ impl<K: Key> Keys<K> {
         let mut new: Vec<K> = there.into_iter().filter(|key| !self.places.contains_key(*key)).collect();
         new.sort_unstable_by_key(|key| slot(*key));
         new.dedup();
-        new.into_iter().for_each(|key| self.push(key));
+        for key in new {
+            self.push(key);
+        }
     }
 }

@@ -12,6 +12,9 @@ use core::sync::atomic::{AtomicU64, Ordering};
 /// The reason for which a policy refuses.
 pub(super) type Reason = &'static str;
 
+/// The values of the two parts.
+type Part<T> = dyn Fn(T) -> Result<[Option<T>; 2], Reason> + Send + Sync;
+
 pub(super) type Dropping<T> = dyn Fn(&T) -> Result<(), Reason> + Send + Sync;
 pub(super) type Join<T> = dyn Fn(Option<T>, Option<T>) -> Result<Option<T>, Reason> + Send + Sync;
 
@@ -22,7 +25,7 @@ pub(super) enum Splitting<T> {
     Share(fn(&T, f64) -> [T; 2]),
     /// As for a record that is made, also if the other part has no value.
     Make,
-    Call(Arc<dyn Fn(T) -> Result<[Option<T>; 2], Reason> + Send + Sync>),
+    Call(Arc<Part<T>>),
 }
 
 pub(super) enum Merging<T> {
