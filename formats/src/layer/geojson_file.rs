@@ -50,6 +50,9 @@ pub struct GeoJsonFile {
     in_force: BTreeMap<usize, Range<u64>>,
 }
 
+/// A stretch of the file, and what takes its place.
+type Replacement = (Range<u64>, Vec<u8>);
+
 /// Why a file of GeoJSON could not be cleaned by its neighbourhoods.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -158,7 +161,7 @@ impl GeoJsonFile {
     }
 
     /// The box of the collection, if another one is to take its place.
-    fn edit_of_box(&mut self) -> Result<Option<(Range<u64>, Vec<u8>)>, FileError> {
+    fn edit_of_box(&mut self) -> Result<Option<Replacement>, FileError> {
         let place = self.places.bbox.clone().filter(|_| self.format == Format::GeoJson && !self.in_force.is_empty());
         let Some(place) = place else { return Ok(None) };
         let mut bounds = Bounds::default();

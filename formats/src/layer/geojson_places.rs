@@ -16,24 +16,39 @@ pub(super) struct Places {
 /// The longest name that is looked for.
 const LONGEST: usize = b"features".len();
 
+/// The place with respect to texts.
+#[derive(Clone, Copy, Default, PartialEq)]
+enum Text {
+    #[default]
+    Outside,
+    Inside,
+    /// Behind a backslash.
+    Escaped,
+}
+
+/// The place with respect to the array `features` of the outermost object.
+#[derive(Clone, Copy, Default, PartialEq)]
+enum Array {
+    #[default]
+    Before,
+    Inside,
+    Behind,
+}
+
 /// The state between two bytes.
 #[derive(Default)]
 struct Scan {
     found: Places,
     /// The number of objects and arrays that are open.
     depth: usize,
-    is_text: bool,
-    is_escaped: bool,
+    text: Text,
     /// True if the next text of the outermost object is a name.
     is_name: bool,
     /// The name of the member of the outermost object, as far as it is looked for.
     name: Vec<u8>,
     /// The start of the outermost object, of the member of it, and of the element of `features`.
     starts: [u64; 3],
-    /// True inside of the array `features`.
-    is_inside: bool,
-    /// True if the outermost object has that array.
-    is_collection: bool,
+    features: Array,
 }
 
 /// The places in a text of one object, or of several one after the other. O(bytes).
@@ -55,13 +70,13 @@ pub(super) fn places(mut text: impl BufRead) -> io::Result<Places> {
 
 impl Scan {
     fn take(&mut self, byte: u8, at: u64) {
-        if self.is_text {
+        if self.text != Text::Outside {
             self.take_in_text(byte);
             return;
         }
         match byte {
             b'"' => {
-                self.is_text = true;
+                self.text = Text::Inside;
                 if self.depth == 1 && self.is_name {
                     self.name.clear();
                 }
@@ -76,10 +91,10 @@ impl Scan {
 
     fn take_in_text(&mut self, byte: u8) {
         match byte {
-            _ if self.is_escaped => self.is_escaped = false,
-            b'\\' => self.is_escaped = true,
+            _ if self.text == Text::Escaped => self.text = Text::Inside,
+            b'\\' => self.text = Text::Escaped,
             b'"' => {
-                self.is_text = false;
+                self.text = Text::Outside;
                 return;
             }
             _ => {}
@@ -92,10 +107,10 @@ impl Scan {
     fn open(&mut self, byte: u8, at: u64) {
         match self.depth {
             0 => {
-                self.is_collection = false;
+                self.features = Array::Before;
                 self.is_name = true;
             }
-            1 => self.is_inside = byte == b'[' && self.name == b"features",
+            1 if byte == b'[' && self.name == b"features" => self.features = Array::Inside,
             _ => {}
         }
         if let Some(start) = self.starts.get_mut(self.depth) {
@@ -108,13 +123,10 @@ impl Scan {
         self.depth = self.depth.saturating_sub(1);
         let place = self.starts.get(self.depth).map(|start| *start..end);
         match (self.depth, place) {
-            (2, Some(place)) if self.is_inside => self.found.features.push(place),
-            (1, _) if self.is_inside => {
-                self.is_inside = false;
-                self.is_collection = true;
-            }
+            (2, Some(place)) if self.features == Array::Inside => self.found.features.push(place),
+            (1, _) if self.features == Array::Inside => self.features = Array::Behind,
             (1, place) if self.name == b"bbox" => self.found.bbox = place,
-            (0, Some(place)) if !self.is_collection => {
+            (0, Some(place)) if self.features == Array::Before => {
                 self.found.features.push(place);
                 // A feature has a box of its own.
                 self.found.bbox = None;

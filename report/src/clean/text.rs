@@ -88,14 +88,7 @@ impl Cleaning<'_> {
         if more > 0 {
             writeln!(out, "… and {} more are left; see --list", grouped(more))?;
         }
-        for one in self.tiles.iter().flat_map(|tiles| &tiles.too_large).take(list) {
-            let [low, high] = one.window.map(|p| place([p.x, p.y], decimals));
-            let (features, vertices) = (counted(one.features.len(), "feature"), grouped(one.vertices as usize));
-            writeln!(
-                out,
-                "{BAD}not cleaned{BAD:#}: {features} between {low} and {high}: the neighbourhood has {vertices} vertices"
-            )?;
-        }
+        self.write_too_large(&mut out, list)?;
         for one in report.wider_gaps.iter().take(list) {
             writeln!(out, "left as it is: {}", self.remaining(one, decimals))?;
         }
@@ -108,16 +101,34 @@ impl Cleaning<'_> {
         if let Some(patch) = self.patch {
             writeln!(out, "what takes it back is in {}", plain(patch))?;
         }
+        self.write_verdict(&mut out)?;
+        Ok(out)
+    }
+
+    /// The neighbourhoods that were left, at most so many.
+    fn write_too_large(&self, out: &mut String, list: usize) -> std::fmt::Result {
+        for one in self.tiles.iter().flat_map(|tiles| &tiles.too_large).take(list) {
+            let [low, high] = one.window.map(|p| place([p.x, p.y], self.decimals));
+            let (features, vertices) = (counted(one.features.len(), "feature"), grouped(one.vertices as usize));
+            writeln!(
+                out,
+                "{BAD}not cleaned{BAD:#}: {features} between {low} and {high}: the neighbourhood has {vertices} vertices"
+            )?;
+        }
+        Ok(())
+    }
+
+    /// The last line.
+    fn write_verdict(&self, out: &mut String) -> std::fmt::Result {
         let too_large = self.tiles.map_or(0, |tiles| tiles.too_large.len());
-        match &report.left {
+        match &self.report.left {
             Some(_) if too_large > 0 => {
                 let all = counted(too_large, "neighbourhood");
                 writeln!(out, "{BAD}not clean{BAD:#}: {all} took more than --memory ({:.0} ms)", self.elapsed_ms)
             }
             None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C7 hold{} ({:.0} ms)", self.wider(), self.elapsed_ms),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed_ms),
-        }?;
-        Ok(out)
+        }
     }
 
     /// The width up to which gaps were filled, if it was to be chosen.

@@ -129,18 +129,18 @@ pub fn clean_neighbourhoods<S: Source>(
     options: &CleanOptions,
     most: u64,
 ) -> Result<Neighbourhoods, S::Error> {
-    let mut all = Windows::new(source.extents());
+    let mut windows = Windows::new(source.extents());
     for features in concerned {
-        drop(all.add(source.extents(), features.iter().copied().collect()));
+        drop(windows.add(source.extents(), features.iter().copied().collect()));
     }
     loop {
-        let near = all.features_near(source.extents());
+        let near = windows.features_near(source.extents());
         if near.is_empty() {
             break;
         }
         for (window, numbers) in near {
             let vertices: u64 = numbers.iter().map(|number| u64::from(source.extents()[*number].vertices)).sum();
-            let Some(open) = all.windows.get_mut(&window) else { continue };
+            let Some(open) = windows.all.get_mut(&window) else { continue };
             if vertices > most {
                 open.state = State::TooLarge(vertices);
                 continue;
@@ -148,8 +148,8 @@ pub fn clean_neighbourhoods<S: Source>(
             let features = numbers.iter().map(|number| source.read(*number)).collect::<Result<_, _>>()?;
             let mut layer = Layer { features, ..Layer::default() };
             let mut asked = options.clone();
-            asked.assign.window = Some(grown(open.corners, all.largest));
-            let mut report = clean_part(&mut layer, &asked, Some(all.largest))?;
+            asked.assign.window = Some(grown(open.corners, windows.largest));
+            let mut report = clean_part(&mut layer, &asked, Some(windows.largest))?;
             renumber(&mut report, &numbers);
             let fresh: BTreeSet<usize> = touched(&report).filter(|number| !open.core.contains(number)).collect();
             if fresh.is_empty() {
@@ -160,13 +160,13 @@ pub fn clean_neighbourhoods<S: Source>(
                 open.state = State::Cleaned(Box::new(report), vertices);
                 continue;
             }
-            let grown = all.remove(window).into_iter().flat_map(|window| window.core).chain(fresh).collect();
-            for number in all.add(source.extents(), grown) {
+            let grown = windows.remove(window).into_iter().flat_map(|window| window.core).chain(fresh).collect();
+            for number in windows.add(source.extents(), grown) {
                 source.replace(number, None)?;
             }
         }
     }
-    Ok(all.finish(source.extents(), options))
+    Ok(windows.finish(source.extents(), options))
 }
 
 impl Extent {
@@ -199,7 +199,7 @@ type Known = GeomWithData<Rectangle<[f64; 2]>, usize>;
 
 /// The windows of all neighbourhoods, which do not meet.
 struct Windows {
-    windows: FxHashMap<usize, Window>,
+    all: FxHashMap<usize, Window>,
     tree: RTree<Known>,
     largest: f64,
     /// The number of the next one.
@@ -210,7 +210,7 @@ impl Windows {
     fn new(extents: &[Extent]) -> Self {
         let corners = extents.iter().filter_map(|extent| extent.corners).flatten();
         let largest = corners.fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
-        Self { windows: FxHashMap::default(), tree: RTree::new(), largest, next: 0 }
+        Self { all: FxHashMap::default(), tree: RTree::new(), largest, next: 0 }
     }
 
     /// Adds a window around some features, joined with all that it meets, and returns the features that these had changed.
@@ -227,7 +227,7 @@ impl Windows {
             core.extend(window.core);
         }
         self.tree.insert(known(corners, self.next));
-        self.windows.insert(self.next, Window { core, corners, state: State::Open });
+        self.all.insert(self.next, Window { core, corners, state: State::Open });
         self.next += 1;
         changed
     }
@@ -238,14 +238,14 @@ impl Windows {
     }
 
     fn remove(&mut self, number: usize) -> Option<Window> {
-        let window = self.windows.remove(&number)?;
+        let window = self.all.remove(&number)?;
         self.tree.remove(&known(window.corners, number));
         Some(window)
     }
 
     /// For each window that is not cleaned yet the features that meet it, in order.
     fn features_near(&self, extents: &[Extent]) -> Vec<(usize, Vec<usize>)> {
-        let open = self.windows.iter().filter(|(_, window)| matches!(window.state, State::Open));
+        let open = self.all.iter().filter(|(_, window)| matches!(window.state, State::Open));
         let tree = RTree::bulk_load(
             open.map(|(number, window)| known(grown(window.corners, self.largest), *number)).collect(),
         );
@@ -263,7 +263,7 @@ impl Windows {
     }
 
     fn finish(self, extents: &[Extent], options: &CleanOptions) -> Neighbourhoods {
-        let mut all: Vec<Window> = self.windows.into_values().collect();
+        let mut all: Vec<Window> = self.all.into_values().collect();
         all.sort_by(|a, b| compare(a.corners[0], b.corners[0]));
         let mut done = Neighbourhoods {
             report: CleanReport {

@@ -159,8 +159,10 @@ fn by_tiles(path: &Path, repair: &Repair<'_>, division: Division) -> (Vec<Featur
     (layer.features, String::from_utf8(written).unwrap(), tiles)
 }
 
-/// A change without its measures, which are equal up to rounding.
-fn change_keys(report: &CleanReport) -> Vec<(ChangeKind, Vec<usize>, Option<usize>, [i64; 4])> {
+type ChangeKey = (ChangeKind, Vec<usize>, Option<usize>, [i64; 4]);
+
+/// The changes with their measures rounded: these are equal up to rounding.
+fn change_keys(report: &CleanReport) -> Vec<ChangeKey> {
     let rounded = |x: f64| (x * 1e6).round() as i64;
     let mut keys: Vec<_> = report
         .changes
@@ -238,6 +240,7 @@ fn is_the_same(parcels: &Parcels) -> Result<(), String> {
 }
 
 #[test]
+#[allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 fn tiles_clean_as_the_whole_does() {
     fn law(parcels: Parcels) -> bool {
         is_the_same(&parcels).inspect_err(|why| eprintln!("{why}\n{}", parcels.text())).is_ok()
