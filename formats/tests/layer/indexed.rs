@@ -370,13 +370,13 @@ fn windows_are_read_by_the_statistics_of_parquets_own_geometries() {
     let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
     assert_eq!(found(&mut file, everything, &layer).unwrap().len(), 64);
     let all = file.amount().bytes;
-    for group in 0..4 {
+    for group in 0..4_u32 {
         // In the second row of the group.
         let y = f64::from(group) * 2.0 + 1.5;
         let window = [3.5, y, 3.75, y];
         let before = file.amount().bytes;
         // The rows of the group have no boxes of their own.
-        let first = u64::from(group.cast_unsigned()) * 16;
+        let first = u64::from(group) * 16;
         assert_eq!(found(&mut file, window, &layer).unwrap(), (first..first + 16).collect::<Vec<_>>());
         let read = file.amount().bytes - before;
         assert!((all / 5..all / 3).contains(&read), "{read} of {all}");
