@@ -145,7 +145,7 @@ fn a_counterexample_says_which_vertices_a_half_edge_joins() {
     let [Op::MeshCollapseEdge { half_edge: HalfEdgePick::Live(k) }] = found.program.0[..] else { panic!("{text}") };
     let mesh = named(5, &PYRAMID, Bug::None);
     let start = PointerModel::from_view(&mesh, &MESH).unwrap();
-    let (h, _) = start.half_edges[usize::from(k)];
+    let (h, _) = start.half_edges[k as usize];
     let [origin, target] = [h, mesh.twin(h).unwrap()].map(|h| mesh.origin(h).unwrap());
     assert!(text.contains(&format!("\nmesh_collapse_edge h{k} # {h} ({origin} to {target})\n")), "{text}");
     // A program is shown that can be read again.

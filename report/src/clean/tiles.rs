@@ -194,7 +194,8 @@ fn judged(grid: &Grid, corners: [Point; 2], limits: &Limits, mut shelf: impl She
     let cuts = no_cuts(Some(corners))?;
     let columns = grid.size()[0] as usize;
     let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
-    shelf.file(columns * grid.size()[1] as usize, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
+    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(grid, tile, [])).collect();
+    shelf.file(&windows, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
     Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
 }
 
