@@ -17,7 +17,7 @@ use twinedge::io::geojson::Documents;
 
 /// A file of GeoJSON or newline-delimited GeoJSON whose features are read when they are needed. Those that were replaced are in another file.
 ///
-/// What is written is the text of the file, to the byte, but for the geometries that changed, the boxes of their features, and the box of the collection, where there is
+/// The text that is written is that of the file, to the byte, but for the geometries that changed, the boxes of their features, and the box of the collection, where there is
 /// one. Memory is 64 bytes for each feature, and the feature in hand.
 ///
 /// ```
@@ -211,7 +211,7 @@ impl Source for GeoJsonFile {
 
     fn read(&mut self, number: usize) -> Result<Feature, FileError> {
         let feature = one(&self.text_before(number)?);
-        // What was not read as a whole could be something else.
+        // The file may have changed since it was read as a whole.
         feature.filter(|feature| Extent::of(feature) == self.extents[number]).ok_or(FileError::Moved(number))
     }
 

@@ -48,7 +48,7 @@ impl CleanReport {
         self.changes.extend(other.changes);
         self.added.extend(other.added);
         self.features.extend(other.features);
-        // What was not rounded is no news.
+        // Only where points were rounded is there something to say.
         let rounded = |noding: Option<NodingSummary>| noding.filter(|noding| noding.cell > 0.0);
         self.noding = match (rounded(self.noding), rounded(other.noding)) {
             (Some(mut all), Some(more)) => {
