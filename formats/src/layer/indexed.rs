@@ -3,6 +3,7 @@
 use super::each::EachGeometry;
 use super::error::ReadError;
 use super::extent::Extent;
+use super::model::Header;
 use super::read::{ReadOptions, beginning, format_of};
 use std::fs::File;
 use std::path::Path;
@@ -101,6 +102,44 @@ impl Indexed {
     pub fn corners(&self) -> Option<[Point; 2]> {
         let Extent { low, high } = Some(self.extent()).filter(Extent::is_known)?;
         Some([low, high])
+    }
+
+    /// What the file says beside its features, without columns. O(1).
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    pub fn header(&self) -> Result<Header, ReadError> {
+        match &self.file {
+            #[cfg(feature = "flatgeobuf")]
+            Inner::FlatGeobuf(file) => file.header(),
+            #[cfg(feature = "geoparquet")]
+            Inner::GeoParquet(file) => Ok(file.header()),
+        }
+    }
+
+    /// Returns true if the file says that all geometries are points.
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    pub fn has_only_points(&self) -> Result<bool, ReadError> {
+        match &self.file {
+            #[cfg(feature = "flatgeobuf")]
+            Inner::FlatGeobuf(file) => file.has_only_points(),
+            #[cfg(feature = "geoparquet")]
+            Inner::GeoParquet(file) => Ok(file.has_only_points()),
+        }
+    }
+
+    /// The number of features whose boxes are looked at one by one to [read](Self::read) a window: of `GeoParquet` those of the row groups that meet it, and of
+    /// `FlatGeobuf` none, as its index says of each where it is. O(row groups).
+    #[must_use]
+    pub fn passed(&self, [low, high]: [Point; 2]) -> u64 {
+        match &self.file {
+            #[cfg(feature = "flatgeobuf")]
+            Inner::FlatGeobuf(_) => 0,
+            #[cfg(feature = "geoparquet")]
+            Inner::GeoParquet(file) => file.passed(&Extent { low, high }),
+        }
     }
 
     /// Hands over the geometries of all features that may meet the closed box between two corners, and that are wanted, with their numbers in the file, in order. Attributes

@@ -358,3 +358,59 @@ fn what_gdal_and_geopandas_wrote_has_windows() {
         );
     }
 }
+
+/// `pyarrow` 26.0.1 wrote it, with Parquet's own type of geometries: 64 squares, eight in a row and sixteen in a row group; number 20 has no geometry.
+#[test]
+fn windows_are_read_by_the_statistics_of_parquets_own_geometries() {
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/layer/data/native.parquet"));
+    let layer = read(path).unwrap();
+    let mut file = open(path);
+    assert_eq!(file.header().unwrap().crs.unwrap().code, Some(("EPSG".to_owned(), 2056)));
+    assert_eq!(file.corners(), Some([Point::new(0.0, 0.0), Point::new(8.0, 8.0)]));
+    let everything = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY];
+    assert_eq!(found(&mut file, everything, &layer).unwrap().len(), 64);
+    let all = file.amount().bytes;
+    for group in 0..4_u32 {
+        // In the second row of the group.
+        let y = f64::from(group) * 2.0 + 1.5;
+        let window = [3.5, y, 3.75, y];
+        let before = file.amount().bytes;
+        // The rows of the group have no boxes of their own.
+        let first = u64::from(group) * 16;
+        assert_eq!(found(&mut file, window, &layer).unwrap(), (first..first + 16).collect::<Vec<_>>());
+        let read = file.amount().bytes - before;
+        assert!((all / 5..all / 3).contains(&read), "{read} of {all}");
+        assert_eq!(file.passed([Point::new(3.5, y), Point::new(3.75, y)]), 16);
+    }
+    // A corner of square 41 is moved out of the box of its row group.
+    let mut bytes = fs::read(path).unwrap();
+    let side: Vec<u8> = [2.0_f64, 5.0, 2.0, 6.0].into_iter().flat_map(f64::to_le_bytes).collect();
+    let places: Vec<usize> = (0..bytes.len() - 32).filter(|place| bytes[*place..].starts_with(&side)).collect();
+    let [place] = places[..] else { panic!("{places:?}") };
+    bytes[place + 24..place + 32].copy_from_slice(&66.0_f64.to_le_bytes());
+    let (_folder, damaged) = scratch("native.parquet");
+    fs::write(&damaged, bytes).unwrap();
+    assert_eq!(found(&mut open(&damaged), [3.5, 3.5, 3.5, 3.5], &layer).unwrap().len(), 16);
+    match found(&mut open(&damaged), [3.5, 5.5, 3.5, 5.5], &layer).unwrap_err() {
+        ReadError::Content { place: Place::Feature(41), cause: Cause::OutOfBox, .. } => {}
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn files_say_that_they_have_points_only() {
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/layer/data/native-points.parquet"));
+    assert!(open(path).has_only_points().unwrap());
+    let point = |n| Geometry::new(Dimensions::Xy, Shape::Point(Some(Position::new(n, 0.0))));
+    let points = [0.0, 1.0].map(|n| Feature { geometry: Some(point(n)), ..Feature::default() });
+    let mut layer = Layer { features: points.to_vec(), ..Layer::default() };
+    for (format, name) in [(Format::FlatGeobuf, "points.fgb"), (Format::GeoParquet, "points.parquet")] {
+        let (_folder, path) = scratch(name);
+        write_as(&layer, &path, format);
+        assert!(open(&path).has_only_points().unwrap(), "{name}");
+        layer.features.push(squares(1).features[0].clone());
+        write_as(&layer, &path, format);
+        assert!(!open(&path).has_only_points().unwrap(), "{name}");
+        layer.features.pop();
+    }
+}

@@ -6,9 +6,10 @@
 use super::super::each::EachGeometry;
 use super::super::error::{Cause, Place, ReadError};
 use super::super::extent::Extent;
-use super::super::model::Geometry;
-use super::read::{content, geometry_of, header_bytes, header_of, invalid};
+use super::super::model::{Geometry, Header};
+use super::read::{content, geometry_of, header_bytes, header_of, invalid, of_header};
 use super::tree::{NODE, Tree};
+use ::flatgeobuf::GeometryType as Kind;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
@@ -51,6 +52,16 @@ impl IndexedFile {
 
     pub(in crate::layer) const fn extent(&self) -> Extent {
         self.root
+    }
+
+    /// What the file says beside its features, without columns.
+    pub(in crate::layer) fn header(&self) -> Result<Header, ReadError> {
+        Ok(of_header(&header_of(&self.header)?, Vec::new()))
+    }
+
+    /// Returns true if the file says that all geometries are points.
+    pub(in crate::layer) fn has_only_points(&self) -> Result<bool, ReadError> {
+        Ok(matches!(header_of(&self.header)?.geometry_type(), Kind::Point | Kind::MultiPoint))
     }
 
     /// The number of features.

@@ -145,7 +145,8 @@ fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), Rea
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
 }
 
-fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
+/// What the header says beside the columns, and these.
+pub(super) fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
     let text = |text: Option<&str>| text.filter(|text| !text.is_empty()).map(str::to_owned);
     let crs = header.crs().map(|crs| Crs {
         code: (crs.code() != 0).then(|| (text(crs.org()).unwrap_or_else(|| "EPSG".to_owned()), crs.code().into())),

@@ -2,7 +2,7 @@
 
 use super::super::crs::Crs;
 use super::super::error::Cause;
-use super::super::model::EDGES;
+use super::super::model::{EDGES, Header};
 use super::{GEO, SIDES, crs};
 use parquet::basic::LogicalType;
 use parquet::file::metadata::FileMetaData;
@@ -17,6 +17,8 @@ pub(super) struct GeometryColumn {
     pub(super) crs: Option<Crs>,
     /// The kind of edges, if they are not straight in the plane of the coordinates.
     pub(super) edges: Option<String>,
+    /// True if the metadata say that all geometries are points.
+    pub(super) has_only_points: bool,
 }
 
 /// The metadata of a file under a key.
@@ -58,6 +60,7 @@ impl GeometryColumn {
                 Some(json) => Some(crs::of_projjson(json)),
             },
             edges: text(EDGES).filter(|edges| *edges != "planar").map(str::to_owned),
+            has_only_points: column.get("geometry_types").and_then(Json::as_array).is_some_and(|all| are_points(all)),
         })
     }
 
@@ -71,8 +74,21 @@ impl GeometryColumn {
             _ => return None,
         };
         let name = column.name().to_owned();
-        Some(Self { name, covering: None, crs: crs::of_native(text.as_deref(), metadata), edges })
+        let crs = crs::of_native(text.as_deref(), metadata);
+        Some(Self { name, covering: None, crs, edges, has_only_points: false })
     }
+
+    /// What a file says beside its features, without columns.
+    pub(super) fn header(&self) -> Header {
+        let edges = self.edges.as_ref().map(|edges| (EDGES.to_owned(), edges.as_str().into()));
+        Header { crs: self.crs.clone(), members: edges.into_iter().collect(), ..Header::default() }
+    }
+}
+
+/// Returns true if these names of types, of which there are some, are those of points, with whatever dimensions.
+fn are_points(names: &[Json]) -> bool {
+    let name = |name: &Json| name.as_str().and_then(|name| name.split(' ').next().map(str::to_owned));
+    !names.is_empty() && names.iter().all(|one| matches!(name(one).as_deref(), Some("Point" | "MultiPoint")))
 }
 
 fn covering(boxes: &Json) -> Option<[Vec<String>; 4]> {

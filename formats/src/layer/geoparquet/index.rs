@@ -6,16 +6,25 @@
 use super::super::each::EachGeometry;
 use super::super::error::{Cause, Place, ReadError};
 use super::super::extent::Extent;
+use super::super::model::Header;
 use super::geometry_column::GeometryColumn;
 use super::read::{ask, content, geometry};
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::{ByteArray, ByteArrayType, DataType};
+use parquet::errors::ParquetError;
 use parquet::file::metadata::{ColumnChunkMetaData, RowGroupMetaData};
-use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::statistics::Statistics;
 use parquet::record::Field as Cell;
-use parquet::record::reader::RowIter;
-use parquet::schema::types::Type;
 use std::fs::File;
 use std::path::Path;
+
+/// The number of values that are asked for at once.
+const READ: usize = 1 << 14;
+
+/// The codes of well-known binary.
+const POINT: i32 = 1;
+const MULTI_POINT: i32 = 4;
 
 /// The rows of a row group, and where they are.
 struct Group {
@@ -30,11 +39,7 @@ struct Group {
 /// A file with boxes.
 pub(in crate::layer) struct IndexedFile {
     reader: SerializedFileReader<File>,
-    geometry: String,
-    /// The paths of the columns of the boxes.
-    covering: Option<[Vec<String>; 4]>,
-    /// The columns that are read.
-    wanted: Type,
+    column: GeometryColumn,
     groups: Vec<Group>,
     length: u64,
     read: u64,
@@ -48,23 +53,34 @@ impl IndexedFile {
         let length = file.metadata()?.len();
         let reader = ask(Place::Header, || SerializedFileReader::new(file))?;
         let metadata = reader.metadata();
-        let GeometryColumn { name, covering, .. } =
-            GeometryColumn::of_file(metadata.file_metadata()).map_err(in_header)?;
+        let mut column = GeometryColumn::of_file(metadata.file_metadata()).map_err(in_header)?;
+        column.has_only_points |= metadata.row_groups().iter().all(|group| has_only_points(group, &column.name));
+        let GeometryColumn { name, covering, .. } = &column;
         let mut groups = Vec::new();
         let mut first = 0;
         for group in metadata.row_groups() {
             let rows = u64::try_from(group.num_rows()).unwrap_or_default();
-            let Some(extent) = extent(group, &name, covering.as_ref()) else { return Ok(None) };
-            let nulls = column_of(group, std::slice::from_ref(&name)).map_or(0, nulls);
+            let Some(extent) = extent(group, name, covering.as_ref()) else { return Ok(None) };
+            let nulls = column_of(group, std::slice::from_ref(name)).map_or(0, nulls);
             groups.push(Group { first, rows, extent, has_geometries: nulls < rows });
             first += rows;
         }
-        let schema = metadata.file_metadata().schema();
-        let of_boxes = covering.as_ref().map(|[path, ..]| path[0].as_str());
-        let fields = schema.get_fields().iter().filter(|field| field.name() == name || Some(field.name()) == of_boxes);
-        let wanted = Type::group_type_builder(schema.name()).with_fields(fields.cloned().collect()).build();
-        let wanted = wanted.map_err(|error| in_header(Cause::Invalid(error.to_string())))?;
-        Ok(Some(Self { reader, geometry: name, covering, wanted, groups, length, read: 0 }))
+        Ok(Some(Self { reader, column, groups, length, read: 0 }))
+    }
+
+    /// What the file says beside its features, without columns.
+    pub(in crate::layer) fn header(&self) -> Header {
+        self.column.header()
+    }
+
+    /// Returns true if the file says that all geometries are points.
+    pub(in crate::layer) const fn has_only_points(&self) -> bool {
+        self.column.has_only_points
+    }
+
+    /// The number of features in the row groups that may meet a window.
+    pub(in crate::layer) fn passed(&self, window: &Extent) -> u64 {
+        self.groups.iter().filter(|group| group.extent.may_meet(window)).map(|group| group.rows).sum()
     }
 
     /// The box around all geometries; that of nothing, if it is not known where some are.
@@ -97,57 +113,136 @@ impl IndexedFile {
             }
             let place = Place::Feature(group.first as usize);
             let rows = ask(place, || self.reader.get_row_group(number))?;
-            let columns = rows.metadata().columns().iter();
-            let wanted = columns.filter(|column| {
-                let [root, ..] = column.column_path().parts() else { return false };
-                self.wanted.get_fields().iter().any(|field| field.name() == root)
-            });
-            self.read += wanted.map(|column| u64::try_from(column.compressed_size()).unwrap_or_default()).sum::<u64>();
-            let mut rows = ask(place, || RowIter::from_row_group(Some(self.wanted.clone()), &*rows))?;
-            for number in group.first.. {
+            let boxes = self.column.covering.as_ref().map(|paths| ask(place, || Boxes::new(&*rows, paths)));
+            let mut boxes = boxes.transpose()?;
+            let of_boxes = self.column.covering.iter().flatten().filter_map(|path| column_of(rows.metadata(), path));
+            self.read += of_boxes.map(size).sum::<u64>();
+            // Geometries elsewhere are passed over, most of them with their pages.
+            let mut geometries: Option<Geometries> = None;
+            for (number, row) in (group.first..).zip(0..group.rows as usize) {
                 let place = Place::Feature(number as usize);
                 let refused = |cause| content(place, cause);
-                let Some(row) = ask(place, || rows.next().transpose())? else { break };
-                let (mut shape, mut extent) = (Cell::Null, Extent::NOTHING);
-                for (name, cell) in row.into_columns() {
-                    if name == self.geometry {
-                        shape = cell;
-                    } else if let Some(paths) = &self.covering {
-                        extent = box_of(&cell, paths);
-                    }
-                }
+                let extent = boxes.as_mut().map(|boxes| ask(place, || boxes.next())).transpose()?;
+                let extent = extent.unwrap_or(Extent::NOTHING);
                 group.extent.check(&extent).map_err(refused)?;
-                if extent.may_meet(window) && is_wanted(number) {
-                    let geometry = geometry(shape).map_err(refused)?;
-                    if let Some(geometry) = &geometry {
-                        extent.or(group.extent).check_geometry(geometry).map_err(refused)?;
-                    }
-                    each(number, geometry);
+                if !(extent.may_meet(window) && is_wanted(number)) {
+                    continue;
                 }
+                let opened = match &mut geometries {
+                    Some(opened) => opened,
+                    none => {
+                        let column = column_of(rows.metadata(), std::slice::from_ref(&self.column.name));
+                        self.read += column.map_or(0, size);
+                        none.insert(Geometries::new(&*rows, &self.column.name, place)?)
+                    }
+                };
+                let binary = ask(place, || opened.at(row))?;
+                let geometry = geometry(binary.map_or(Cell::Null, Cell::Bytes)).map_err(refused)?;
+                if let Some(geometry) = &geometry {
+                    extent.or(group.extent).check_geometry(geometry).map_err(refused)?;
+                }
+                each(number, geometry);
             }
         }
         Ok(())
     }
 }
 
-/// The box of a row; that of nothing, if it has none.
-fn box_of(cell: &Cell, paths: &[Vec<String>; 4]) -> Extent {
-    let number = |path: &Vec<String>| {
-        let inner = path[1..].iter().try_fold(cell, |cell, name| match cell {
-            Cell::Group(row) => row.get_column_iter().find(|(of, _)| *of == name).map(|(_, cell)| cell),
-            _ => None,
-        });
-        match inner {
-            Some(Cell::Double(number)) => Some([*number; 2]),
-            // Some writers round to the nearest number of 32 bits.
-            Some(Cell::Float(number)) => Some(around(*number)),
-            _ => None,
+/// The geometries of a row group, in well-known binary.
+struct Geometries {
+    column: ColumnReaderImpl<ByteArrayType>,
+    next: usize,
+}
+
+impl Geometries {
+    fn new(rows: &dyn RowGroupReader, name: &str, place: Place) -> Result<Self, ReadError> {
+        let at = place_of(rows.metadata(), &[name.to_owned()]);
+        let column = at.map(|at| ask(place, || rows.get_column_reader(at))).transpose()?;
+        match column {
+            Some(ColumnReader::ByteArrayColumnReader(column)) => Ok(Self { column, next: 0 }),
+            _ => Err(content(place, Cause::Invalid("a geometry that is not made of bytes".to_owned()))),
         }
-    };
-    let [Some([x0, _]), Some([y0, _]), Some([_, x1]), Some([_, y1])] = paths.each_ref().map(number) else {
-        return Extent::NOTHING;
-    };
-    Extent::new([x0, y0, x1, y1])
+    }
+
+    /// The geometry of a row that comes after those that were asked for; none if it is null.
+    fn at(&mut self, row: usize) -> Result<Option<ByteArray>, ParquetError> {
+        self.column.skip_records(row - self.next)?;
+        self.next = row + 1;
+        let (mut levels, mut values) = (Vec::new(), Vec::new());
+        let (records, ..) = self.column.read_records(1, Some(&mut levels), None, &mut values)?;
+        if records == 0 {
+            return Err(damaged("the column of geometries ends before its rows"));
+        }
+        Ok(values.pop())
+    }
+}
+
+/// The boxes of the rows of a row group, in order.
+struct Boxes {
+    sides: [Numbers; 4],
+    read: std::vec::IntoIter<Extent>,
+}
+
+/// A column of numbers, and the level at which one is there.
+struct Numbers {
+    column: ColumnReader,
+    most: i16,
+}
+
+impl Boxes {
+    fn new(rows: &dyn RowGroupReader, paths: &[Vec<String>; 4]) -> Result<Self, ParquetError> {
+        let numbers = |path: &Vec<String>| {
+            let place = place_of(rows.metadata(), path).ok_or_else(|| damaged("there is no column of boxes"))?;
+            let most = rows.metadata().column(place).column_descr().max_def_level();
+            Ok::<_, ParquetError>(Numbers { column: rows.get_column_reader(place)?, most })
+        };
+        let [x0, y0, x1, y1] = paths.each_ref().map(numbers);
+        Ok(Self { sides: [x0?, y0?, x1?, y1?], read: Vec::new().into_iter() })
+    }
+
+    /// The box of the next row; that of nothing, if it has none.
+    fn next(&mut self) -> Result<Extent, ParquetError> {
+        if self.read.as_slice().is_empty() {
+            let [x0, y0, x1, y1] = self.sides.each_mut().map(Numbers::next);
+            let corners = x0?.into_iter().zip(y0?).zip(x1?.into_iter().zip(y1?));
+            let extents = corners.map(|corners| match corners {
+                ((Some([x0, _]), Some([y0, _])), (Some([_, x1]), Some([_, y1]))) => Extent::new([x0, y0, x1, y1]),
+                _ => Extent::NOTHING,
+            });
+            self.read = extents.collect::<Vec<_>>().into_iter();
+        }
+        self.read.next().ok_or_else(|| damaged("the column of boxes ends before its rows"))
+    }
+}
+
+impl Numbers {
+    /// Further numbers, each between two others if it was rounded; none where it is null.
+    fn next(&mut self) -> Result<Vec<Option<[f64; 2]>>, ParquetError> {
+        match &mut self.column {
+            ColumnReader::DoubleColumnReader(column) => values(column, self.most, |number| [number; 2]),
+            // Some writers round to the nearest number of 32 bits.
+            ColumnReader::FloatColumnReader(column) => values(column, self.most, around),
+            _ => Err(damaged("the column of boxes has no numbers")),
+        }
+    }
+}
+
+fn values<T: DataType>(
+    column: &mut ColumnReaderImpl<T>,
+    most: i16,
+    number: impl Fn(T::T) -> [f64; 2],
+) -> Result<Vec<Option<[f64; 2]>>, ParquetError> {
+    let (mut levels, mut values) = (Vec::new(), Vec::new());
+    column.read_records(READ, Some(&mut levels), None, &mut values)?;
+    let mut values = values.into_iter().map(number);
+    if most == 0 {
+        return Ok(values.map(Some).collect());
+    }
+    Ok(levels.into_iter().map(|level| if level == most { values.next() } else { None }).collect())
+}
+
+fn damaged(what: &str) -> ParquetError {
+    ParquetError::General(what.to_owned())
 }
 
 /// The neighbours of a number of 32 bits.
@@ -156,7 +251,25 @@ fn around(number: f32) -> [f64; 2] {
 }
 
 fn column_of<'a>(group: &'a RowGroupMetaData, path: &[String]) -> Option<&'a ColumnChunkMetaData> {
-    group.columns().iter().find(|column| column.column_path().parts() == path)
+    place_of(group, path).map(|place| group.column(place))
+}
+
+fn place_of(group: &RowGroupMetaData, path: &[String]) -> Option<usize> {
+    group.columns().iter().position(|column| column.column_path().parts() == path)
+}
+
+/// The number of bytes of a column.
+fn size(column: &ColumnChunkMetaData) -> u64 {
+    u64::try_from(column.compressed_size()).unwrap_or_default()
+}
+
+/// Returns true if the statistics of a column of Parquet's own geometries say that all are points, with whatever dimensions.
+fn has_only_points(group: &RowGroupMetaData, geometry: &str) -> bool {
+    let column = column_of(group, &[geometry.to_owned()]);
+    let types = column.and_then(ColumnChunkMetaData::geo_statistics).and_then(|found| found.geospatial_types());
+    types.is_some_and(|types| {
+        !types.is_empty() && types.iter().all(|code| [POINT, MULTI_POINT].contains(&(code % 1000)))
+    })
 }
 
 /// The number of nulls in a column. Some writers leave out 0.

@@ -4,7 +4,7 @@
 
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::model::{EDGES, Feature, Field, FieldKind, Geometry, Header};
+use super::super::model::{Feature, Field, FieldKind, Geometry, Header};
 use super::super::wkb;
 use super::geometry_column::{GeometryColumn, entry_of};
 use super::{ids, value};
@@ -58,10 +58,7 @@ pub(in crate::layer) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header,
         let name = name.clone();
         Some(Field { name, kind: value::kind(&column.of_file), width: None, decimals: None })
     });
-    let mut header = Header { crs: geometries.crs, fields: fields.collect(), ..Header::default() };
-    if let Some(edges) = geometries.edges {
-        header.members.insert(EDGES.to_owned(), edges.into());
-    }
+    let header = Header { fields: fields.collect(), ..geometries.header() };
     let of_file = columns.iter().map(|column| column.of_file.clone()).collect();
     let wanted = Type::group_type_builder(schema.name()).with_fields(of_file).build();
     let wanted = wanted.map_err(|error| in_header(Cause::Invalid(error.to_string())))?;
