@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::time::Instant;
-use twinedge_report::{CoverageOptions, Options, audit_summary, merged};
+use twinedge_report::{CoverageOptions, MapOptions, Options, audit_summary, merged};
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::lazy::LazyOutcome;
 use twinedge_trials::meshes::MeshesOutcome;
@@ -53,6 +53,10 @@ pub(crate) struct Sum {
     #[arg(long, conflicts_with = "output")]
     coverage: bool,
 
+    /// Of summaries of tiles: accept a map without lines and polygons.
+    #[arg(long, conflicts_with = "output")]
+    allow_empty: bool,
+
     /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -71,11 +75,10 @@ impl Sum {
         if parts[0].value["command"] == Saved::COMMAND {
             return self.sum_tiles(parts, start);
         }
-        if self.output.is_some() {
-            return Err(Failure("-o is for summaries of tiles".to_owned()));
-        }
-        if self.coverage {
-            return Err(Failure("--coverage is for summaries of tiles".to_owned()));
+        let of_tiles =
+            [(self.output.is_some(), "-o"), (self.coverage, "--coverage"), (self.allow_empty, "--allow-empty")];
+        if let Some((_, option)) = of_tiles.into_iter().find(|(is_given, _)| *is_given) {
+            return Err(Failure(format!("{option} is for summaries of tiles")));
         }
         for key in ["command", "version", "work", "on"] {
             same(&parts, key)?;
@@ -99,9 +102,10 @@ impl Sum {
 impl Sum {
     /// Merges summaries of tiles, and says what all of them say, or writes the summary of those that are there.
     fn sum_tiles(&self, parts: Vec<Part>, start: Instant) -> Result<Verdict, Failure> {
-        for path in ["command", "version", "summary/grid", "summary/limits"] {
+        for path in ["command", "version", "crs", "summary/grid", "summary/limits"] {
             same(&parts, path)?;
         }
+        let crs = parts[0].value["crs"].as_str().map(str::to_owned);
         let mut tiles = HashMap::new();
         let summary = |Part { name, value }: Part| {
             let saved: Saved = serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
@@ -118,11 +122,12 @@ impl Sum {
         let cut = merged(of_cut.into_iter().flatten().collect())?;
         if let Some(path) = &self.output {
             let inputs = self.files.iter().map(PathBuf::as_path);
-            write_file(path, inputs, &Saved::bytes(whole, cut)?)?;
+            write_file(path, inputs, &Saved::bytes(crs, whole, cut)?)?;
             return Ok(Verdict::Sound);
         }
         let coverage = CoverageOptions { is_rule: self.coverage, ..CoverageOptions::default() };
-        let mut audited = audit_summary(whole, cut, &Options { coverage, ..Options::default() })?;
+        let map = MapOptions { allow_empty: self.allow_empty, ..MapOptions::default() };
+        let mut audited = audit_summary(whole, cut, crs.is_some(), &Options { coverage, map, ..Options::default() })?;
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         match self.format {
             Format::Text => print(&audited.text()?)?,

@@ -236,8 +236,9 @@ pub(crate) fn finish(
     let found = py.detach(|| {
         let (whole, cut) = sums(&summaries, &cuts)?;
         let whole = whole.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
-        let options = asked.options()?;
-        told(&audit_summary(whole, cut, &options)?, options.accepted.as_ref())
+        let mut options = asked.options()?;
+        options.map.allow_empty = true;
+        told(&audit_summary(whole, cut, false, &options)?, options.accepted.as_ref())
     });
     Ok(found?)
 }

@@ -76,6 +76,14 @@ def test_a_table_of_findings_has_a_row_for_each_with_its_place(features):
     assert shapely.Point(6, 4).distance(shapely.Point(gap["x"], gap["y"])) < 0.5 and gap["area"] == 0.5 and gap["id"].startswith("C2-")
 
 
+def test_findings_are_a_layer_of_their_places(whole, features):
+    pytest.importorskip("geopandas", reason="geopandas is not installed")
+    parts = [summary(given[::-1]) for given in tiles.assigned(features, GRID).items()]
+    frame = tiles.finish(parts, coverage=True, crs="EPSG:2056").to_geodataframe()
+    places = sorted(zip(frame["rule"], zip(frame["x"], frame["y"])))
+    assert {*frame.geom_type} <= {"Point", "MultiPoint"} and frame.crs == "EPSG:2056" and places == sorted((finding.rule, finding.at) for finding in whole.findings)
+
+
 def test_processes_and_a_tile_that_is_made_again(whole, features):
     given = [(part, tile) for tile, part in tiles.assigned(features, GRID).items()]
     with multiprocessing.get_context("spawn").Pool(2) as pool:

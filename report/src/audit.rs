@@ -21,8 +21,8 @@ use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, tex
 use twinedge::io::tables::Textbook;
 use twinedge::tile::Summary;
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
+use twinedge_formats::layer::Layer;
 use twinedge_formats::layer::topojson::ArcTopology;
-use twinedge_formats::layer::{Format, Layer};
 use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
 
@@ -44,6 +44,8 @@ enum Subject {
     Postgis(Box<Topology>),
     Arcs(Box<ArcTopology>),
     Mesh(IndexedMesh),
+    /// Tiles, of which findings have places, and no shapes.
+    Tiles,
     None,
 }
 
@@ -69,11 +71,11 @@ pub fn audit(
     }
     options.refuse_with_geodesic(None)?;
     let mut input = input;
-    let may_say = options.edges.is_none() && input.map_format()? == Some(Format::GeoParquet);
+    let may_say = options.may_be_said(&mut input)?;
     let is_asked = options.edges == Some(Edges::Geodesic);
     let keep = Keep { coverage: !is_asked, features: is_asked || may_say, ..Keep::default() };
     let mut imported = Imported::read(input, &options.map, keep, stage)?;
-    let is_geodesic = is_asked || may_say && options.are_as_said(&imported);
+    let is_geodesic = is_asked || may_say && imported.has_great_circles();
     let report = judge(&mut imported, is_geodesic, options, stage)?;
     Ok(told(report, Subject::Map(Box::new(imported)), options, kind))
 }
@@ -193,8 +195,14 @@ pub fn audit_in_tiles(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Audited, Error> {
     options.refuse_with_geodesic(Some("--tiles or --memory"))?;
-    let report = tiles::audit(input, options, division, shelf, stage)?;
-    Ok(told(report, Subject::None, options, InputKind::Map))
+    let mut input = input;
+    let may_say = options.may_be_said(&mut input)?;
+    let imported = Imported::features(input, &options.map, Keep::default(), shelf)?;
+    if may_say {
+        tiles::refuse_edges(imported.edges.as_deref(), imported.crs.as_ref(), imported.noted.corners())?;
+    }
+    let report = tiles::audit(imported, options, division, shelf, stage)?;
+    Ok(told(report, Subject::Tiles, options, InputKind::Map))
 }
 
 fn judge(
@@ -233,15 +241,22 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
 /// summary of the same tiles with their edges cut. Features are known by their numbers. If tiles are left out of that summary, or were when their edges
 /// were cut, the report names them, and does not say what features cover.
 ///
+/// `has_other_crs` says that the map has another coordinate reference system than longitude and latitude on WGS 84.
+///
 /// # Errors
-/// [`Error::Missing`] and [`Error::Tiles`].
-pub fn audit_summary(summary: Summary, cut: Option<Summary>, options: &Options) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary, cut, options)?.unexplained();
+/// [`Error::Missing`] and [`Error::Tiles`]; [`Error::NoEdges`], unless a map may be empty.
+pub fn audit_summary(
+    summary: Summary,
+    cut: Option<Summary>,
+    has_other_crs: bool,
+    options: &Options,
+) -> Result<Audited, Error> {
+    let mut report = tiles::audit_summary(summary, cut, has_other_crs, options)?.unexplained();
     report.identify();
     if let Some(accepted) = &options.accepted {
         report.accept(accepted);
     }
-    Ok(Audited(Outcome::Report(Box::new(report), Subject::None)))
+    Ok(Audited(Outcome::Report(Box::new(report), Subject::Tiles)))
 }
 
 impl Audited {
@@ -404,7 +419,7 @@ impl Audited {
             Subject::Textbook(tables) => textbook::picture(tables, report),
             Subject::Postgis(topology) => topology::picture(&**topology, |record| topology.name(record), report),
             Subject::Arcs(topology) => topology::picture(&**topology, |record| topology.name(record), report),
-            Subject::Mesh(_) | Subject::None => Picture::default(),
+            Subject::Mesh(_) | Subject::Tiles | Subject::None => Picture::default(),
         };
         Ok(page::page(report, &picture)?)
     }

@@ -121,6 +121,9 @@ have them, and --against which layer they are in"
     /// A map is made of lines and polygons, and there are none.
     #[error("a map is made of lines and polygons, and this file has {}; --allow-empty accepts it", instead(.0))]
     NoMap(Box<ReadSummary>),
+    /// A map is made of lines and polygons, and all tiles together have points alone, so many.
+    #[error("a map is made of lines and polygons, and these tiles have {} and nothing else; --allow-empty accepts it", counted(*.0, "point"))]
+    NoEdges(usize),
     /// Lengths along the earth were asked for, and the coordinates are no longitudes and latitudes.
     #[error(
         "--geodesic and --edges geodesic are for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
@@ -130,6 +133,9 @@ reference system"
     /// Edges were to be great circles, and something else was asked for that is about straight ones.
     #[error("--edges geodesic and {0} do not go together")]
     NotGeodesic(&'static str),
+    /// A file says that its edges are great circles, and they cannot be judged so.
+    #[error("the file says that its edges are {0}, and tiles take edges as straight: --edges straight judges them so")]
+    NotStraight(String),
     /// Great circles cannot be drawn.
     #[error(transparent)]
     Drawing(#[from] DrawingError),

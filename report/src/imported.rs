@@ -111,6 +111,11 @@ impl Imported {
         Ok(Self { name, read, map, summary, noted, builder, unmatched, features, crs, orients_rings, edges })
     }
 
+    /// Returns true if the file says that edges between longitudes and latitudes are not straight.
+    pub(crate) fn has_great_circles(&self) -> bool {
+        self.edges.is_some() && self.noted.look_like_degrees(&self.read)
+    }
+
     /// All warnings about the input: edges are straight, whatever the file says.
     pub(crate) fn warnings(&self) -> Vec<String> {
         let edges = self.edges.as_ref().map(|edges| {

@@ -89,6 +89,6 @@ pub use options::{Edges, Options};
 pub use parent_column::ParentColumn;
 pub use shelf::{InMemory, Shelf};
 pub use tables::EXPECT;
-pub use tiles::{Division, grid_of, merged, no_cuts};
+pub use tiles::{Division, grid_of, merged, no_cuts, refuse_edges};
 pub use units::Units;
 pub use verdict::{Judged, Verdict};

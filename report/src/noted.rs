@@ -206,6 +206,11 @@ impl Noted {
         (self.low.x <= self.high.x).then_some([self.low, self.high])
     }
 
+    /// Notes that all lies in a box between two corners.
+    pub(crate) const fn reach(&mut self, [low, high]: [Point; 2]) {
+        (self.low, self.high) = (low, high);
+    }
+
     /// With how many decimal places a place is shown in text.
     #[must_use]
     pub fn decimals(&self) -> usize {
@@ -228,11 +233,7 @@ impl Noted {
 
     /// Returns true if the coordinates can be longitudes and latitudes, and no other reference system is named.
     pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
-        read.other_crs == 0
-            && self.low.x >= -LONGITUDE
-            && self.high.x <= LONGITUDE
-            && self.low.y >= -LATITUDE
-            && self.high.y <= LATITUDE
+        read.other_crs == 0 && are_degrees(self.corners())
     }
 
     /// The features without geometry, and their number.
@@ -265,6 +266,13 @@ around the whole map here; cut them at 180 degrees"
         }
         warnings
     }
+}
+
+/// Returns true if all that lies between two corners can be longitudes and latitudes.
+pub(crate) fn are_degrees(corners: Option<[Point; 2]>) -> bool {
+    corners.is_none_or(|[low, high]| {
+        low.x >= -LONGITUDE && high.x <= LONGITUDE && low.y >= -LATITUDE && high.y <= LATITUDE
+    })
 }
 
 /// Returns true if an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.

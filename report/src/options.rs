@@ -3,9 +3,11 @@
 use crate::accepted::Accepted;
 use crate::coverage::CoverageOptions;
 use crate::error::Error;
-use crate::imported::{Imported, MapOptions};
+use crate::imported::MapOptions;
+use crate::input::Input;
 use crate::parent_column::ParentColumn;
 use twinedge::validate::{Collect, Expectation};
+use twinedge_formats::layer::Format;
 use twinedge_formats::mesh::{HalfEdgeMesh, SpaceRule};
 
 /// The shape of the edges of a map of longitudes and latitudes.
@@ -71,10 +73,10 @@ impl Options {
         }
     }
 
-    /// Returns true if edges are great circles because the file says so.
-    pub(crate) fn are_as_said(&self, imported: &Imported) -> bool {
-        let is_said = imported.edges.is_some() && imported.noted.look_like_degrees(&imported.read);
-        self.edges.is_none() && is_said && !self.geodesic && self.map.snap.is_none()
+    /// Returns true if edges are great circles if the file says so: if it may, and nothing else is asked for.
+    pub(crate) fn may_be_said(&self, input: &mut Input) -> Result<bool, Error> {
+        let is_asked = self.edges.is_some() || self.geodesic || self.map.snap.is_some();
+        Ok(!is_asked && input.map_format()? == Some(Format::GeoParquet))
     }
 
     /// Greatest number of violations to list.

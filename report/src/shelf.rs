@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::io;
+use twinedge::geometry::Point;
 use twinedge::map::Feature;
 
 /// A place that keeps the features of a map, and gives out those of a tile.
@@ -18,13 +19,13 @@ pub trait Shelf: Sync {
     /// That of the place.
     fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()>;
 
-    /// Files each feature under its tiles, which have numbers below `tiles`.
+    /// Files each feature under its tiles. `windows` has for each tile the corners of a box around all features that are to be filed under it.
     ///
     /// # Errors
     /// That of the place.
-    fn file(&mut self, tiles: usize, tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()>;
+    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()>;
 
-    /// The features that were filed under a tile, with their numbers, in order.
+    /// The features that were filed under a tile, with their numbers, in order, and perhaps others.
     ///
     /// # Errors
     /// That of the place.
@@ -63,8 +64,8 @@ impl Shelf for InMemory {
         Ok(())
     }
 
-    fn file(&mut self, tiles: usize, tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        self.filed = vec![Vec::new(); tiles];
+    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
+        self.filed = vec![Vec::new(); windows.len()];
         for (number, feature) in (0..).zip(&self.features) {
             for tile in tiles_of(feature) {
                 self.filed[tile].push(number);

@@ -3,13 +3,12 @@
 use crate::coverage::{Coverage, CoverageOptions, SHOWN};
 use crate::error::Error;
 use crate::imported::{Imported, names};
-use crate::input::Input;
 use crate::left_out::{reason, refuse_missing, without_cuts};
 use crate::map::following;
 use crate::map_json::extra;
 use crate::map_notes::notes;
 use crate::names::numbered_name;
-use crate::noted::{Keep, Noted};
+use crate::noted::{Noted, are_degrees};
 use crate::options::Options;
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::shelf::Shelf;
@@ -28,6 +27,7 @@ use twinedge::tile::{
 };
 use twinedge::validate::{Rule, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
+use twinedge_formats::layer::Crs;
 
 /// The way to divide a map into tiles.
 #[derive(Clone, Copy, Debug)]
@@ -45,15 +45,14 @@ const AT_ONCE: u64 = 3;
 /// Grids of up to 2 to this power of columns and rows are chosen.
 const FINEST: u32 = 7;
 
-/// Reads a map onto a shelf, cuts it into tiles, and says what all of them say.
+/// Cuts a map that was read onto a shelf into tiles, and says what all of them say.
 pub(crate) fn audit(
-    input: Input,
+    mut imported: Imported,
     asked: &Options,
     division: Division,
     shelf: &mut dyn Shelf,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<AuditReport, Error> {
-    let mut imported = Imported::features(input, &asked.map, Keep::default(), shelf)?;
     stage("dividing the map");
     let corners = imported.noted.corners();
     let grid = match division {
@@ -63,7 +62,8 @@ pub(crate) fn audit(
     let cuts = no_cuts(corners)?;
     let columns = grid.size()[0] as usize;
     let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
-    shelf.file(columns * grid.size()[1] as usize, &|feature| cuts.tiles_of(&grid, feature).map(number).collect())?;
+    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(&grid, tile, [])).collect();
+    shelf.file(&windows, &|feature| cuts.tiles_of(&grid, feature).map(number).collect())?;
     stage("judging the tiles");
     let of_tile = |tile| shelf.of_tile(number(tile));
     let outcome = tile::audit(&grid, &asked.coverage.limits, cuts, of_tile)?;
@@ -132,7 +132,12 @@ fn vertices(shape: &Shape) -> usize {
 }
 
 /// Says what the summary of all tiles says, and that of the same tiles with their edges cut, if there is one. The features are known by their numbers.
-pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Options) -> Result<AuditReport, Error> {
+pub(crate) fn audit_summary(
+    summary: Summary,
+    cut: Option<Summary>,
+    has_other_crs: bool,
+    asked: &Options,
+) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
     refuse_missing(&summary)?;
     let without = cut.as_ref().map(|cut| without_cuts(&summary, cut)).unwrap_or_default();
@@ -145,11 +150,18 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
         }
         None => (outcome, (!without.is_empty()).then(|| made_without(&without))),
     };
+    if outcome.counts.edges == 0 && !asked.map.allow_empty {
+        return Err(Error::NoEdges(outcome.counts.isolated_vertices));
+    }
     let mut noted = Noted::new(None);
     noted.defects = numbered(&outcome.defects);
+    if let Some(corners) = outcome.corners {
+        noted.reach(corners);
+    }
     let [columns, rows] = grid.size();
     let mut read = ReadSummary::default();
     read.polygons = 1;
+    read.other_crs = usize::from(has_other_crs);
     let imported = Imported {
         name: counted(columns as usize * rows as usize, "tile"),
         read,
@@ -163,11 +175,12 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
         orients_rings: false,
         edges: None,
     };
-    let units = Units::Plane { degrees: false };
+    let units = Units::of(&imported, false)?;
     let found = report(&imported, outcome, left_out, &asked.coverage, &units, asked.most())?;
     let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
+    let decimals = imported.noted.decimals();
     Ok(AuditReport {
-        style: CoverageStyle { worst: SHOWN, decimals: 6, is_rule: asked.coverage.is_rule },
+        style: CoverageStyle { worst: SHOWN, decimals, is_rule: asked.coverage.is_rule },
         json: JsonForm { extra, ..found.json },
         ..found
     })
@@ -176,6 +189,15 @@ pub(crate) fn audit_summary(summary: Summary, cut: Option<Summary>, asked: &Opti
 fn size(grid: &Grid) -> Value {
     let [columns, rows] = grid.size();
     json!({ "columns": columns, "rows": rows })
+}
+
+/// Refuses a file whose header says that its edges, between longitudes and latitudes in a box, are great circles: tiles take them as straight.
+///
+/// # Errors
+/// [`Error::NotStraight`].
+pub fn refuse_edges(edges: Option<&str>, crs: Option<&Crs>, corners: Option<[Point; 2]>) -> Result<(), Error> {
+    let are_degrees = !crs.is_some_and(Crs::is_other) && are_degrees(corners);
+    edges.filter(|_| are_degrees).map_or(Ok(()), |edges| Err(Error::NotStraight(edges.to_owned())))
 }
 
 /// No cuts yet, of a map in the box between two corners, or of nothing.

@@ -1,6 +1,7 @@
 //! `twinedge audit`: builds a map and validates it, or validates a mesh, a file of tables or a topology of PostGIS.
 
 mod arguments;
+mod by_index;
 mod destination;
 mod mesh_options;
 mod on_disk;
@@ -15,6 +16,7 @@ use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
+use by_index::{Other, shelf_of};
 use destination::ReportFormat;
 use on_disk::OnDisk;
 use std::fs::{File, Metadata};
@@ -92,17 +94,20 @@ impl Audit {
         let name = input.name.clone();
         let other = self.against.as_deref().map(|path| open(Some(path), self.against_layer.as_deref())).transpose()?;
         let is_compared = other.is_some() || self.parent_column.is_some();
-        let audited = match (self.memory, self.tiles) {
-            (Some(bytes), _) => {
-                let mut shelf = OnDisk::new().map_err(named("--memory"))?;
-                busy(|stage| audit_in_tiles(input, options, Division::Within(bytes), &mut shelf, stage))
+        let division = self.memory.map(Division::Within).or(self.tiles.map(Division::Across));
+        let audited = match division {
+            Some(division) => {
+                let other: Other = match division {
+                    Division::Within(_) => || Ok(Box::new(OnDisk::new()?)),
+                    Division::Across(_) => || Ok(Box::<InMemory>::default()),
+                };
+                // What was unpacked goes when it was read.
+                let path = input.path.as_deref().filter(|_| input.kept.is_none());
+                let mut shelf = shelf_of(path, input.options(), other).map_err(named("--memory"))?;
+                busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
             }
-            (None, Some(across)) => {
-                let mut shelf = InMemory::default();
-                busy(|stage| audit_in_tiles(input, options, Division::Across(across), &mut shelf, stage))
-            }
-            (None, None) if is_compared => busy(|stage| audit_against(input, other, options, stage)),
-            (None, None) => busy(|stage| audit(input, kind, options, stage)),
+            None if is_compared => busy(|stage| audit_against(input, other, options, stage)),
+            None => busy(|stage| audit(input, kind, options, stage)),
         };
         audited.map_err(named(&name))
     }

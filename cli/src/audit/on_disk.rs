@@ -92,8 +92,8 @@ impl Shelf for OnDisk {
         })
     }
 
-    fn file(&mut self, tiles: usize, tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
-        let mut collected = Collected::new(tiles)?;
+    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
+        let mut collected = Collected::new(windows.len())?;
         let mut number = 0_u32;
         self.read_all(&mut |feature, bytes| {
             tiles_of(feature).into_iter().try_for_each(|tile| collected.add(tile, number, bytes))?;
@@ -231,7 +231,7 @@ mod tests {
             2 => vec![2],
             _ => Vec::new(),
         };
-        shelf.file(3, &tiles_of).expect("there is room");
+        shelf.file(&[[Point::default(); 2]; 3], &tiles_of).expect("there is room");
         let numbers = |tile: usize| {
             let of_tile = shelf.of_tile(tile).expect("it was written");
             assert!(of_tile.iter().all(|(number, feature)| **feature == features[*number as usize]));

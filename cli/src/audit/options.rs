@@ -86,7 +86,7 @@ impl Audit {
         let is_geodesic = self.measured.is_geodesic();
         let needs = [
             (Options::Snap.are_given(self, to), "--snap"),
-            (Options::Picture.are_given(self, to), "the formats geojson and html"),
+            (to.format == ReportFormat::Html, "the format html"),
             (is_geodesic, "--geodesic"),
         ];
         match needs.into_iter().find(|(is_given, _)| *is_given) {

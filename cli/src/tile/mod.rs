@@ -10,10 +10,11 @@ use made::{Asked, Made, by_windows, of_whole};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
 use twinedge::tile::{Summary, Tile as Place};
-use twinedge_formats::layer::{Amount, Indexed};
+use twinedge_formats::layer::{Amount, Crs, Format, Indexed};
 use twinedge_report::words::grouped;
-use twinedge_report::{Imported, InMemory, Keep};
+use twinedge_report::{Error, Imported, InMemory, Keep, refuse_edges};
 
 /// Make the summary of one tile of a map.
 ///
@@ -48,6 +49,10 @@ pub(crate) struct Tile {
     #[arg(long = "box", value_name = "X0,Y0,X1,Y1", value_parser = corners, allow_hyphen_values = true)]
     corners: Option<[Point; 2]>,
 
+    /// Take edges as straight, whatever the file says. Otherwise a `GeoParquet` file is refused that says that its edges are not planar.
+    #[arg(long, value_name = "SHAPE", value_parser = ["straight"])]
+    edges: Option<String>,
+
     #[command(flatten)]
     limits: LimitArguments,
 
@@ -65,6 +70,9 @@ pub(crate) struct Tile {
 pub(crate) struct Saved {
     pub(crate) command: String,
     pub(crate) version: String,
+    /// The coordinate reference system, if it is another one than longitude and latitude on WGS 84.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) crs: Option<String>,
     pub(crate) summary: Summary,
     /// That of the tile with its edges cut; none, if there is nothing to cut in the map, or too much.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -74,10 +82,10 @@ pub(crate) struct Saved {
 impl Saved {
     pub(crate) const COMMAND: &'static str = "tile";
 
-    /// The file with these summaries.
-    pub(crate) fn bytes(summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
+    /// The file with these summaries, of a map with another coordinate reference system than longitude and latitude if that is named.
+    pub(crate) fn bytes(crs: Option<String>, summary: Summary, cut: Option<Summary>) -> Result<Vec<u8>, Failure> {
         let (command, version) = (Self::COMMAND.to_owned(), env!("CARGO_PKG_VERSION").to_owned());
-        let mut bytes = serde_json::to_vec(&Self { command, version, summary, cut })?;
+        let mut bytes = serde_json::to_vec(&Self { command, version, crs, summary, cut })?;
         bytes.push(b'\n');
         Ok(bytes)
     }
@@ -113,26 +121,41 @@ impl Tile {
             return Err(Failure(format!("{name}: --snap is for whole maps: a tile takes edges as they are")));
         }
         let options = input.options();
-        input.map_format().map_err(named(&name))?;
+        let may_say = input.map_format().map_err(named(&name))? == Some(Format::GeoParquet) && self.edges.is_none();
         // A pipe is not opened a second time: it can be read but once.
         let path = input.path.as_deref().filter(|path| path.is_file());
         let indexed = path.map(|path| Indexed::open(path, &options)).transpose().map_err(named(&name))?.flatten();
         // Cuts depend on how far the map reaches.
         let indexed = indexed.filter(|file| file.corners().is_some());
         let asked = Asked { size: self.grid, corners: self.corners, place: self.place, limits: self.limits.limits() };
-        let (made, amount) = if let Some(mut file) = indexed {
-            (by_windows(&mut file, &asked).map_err(named(&name))?, Some(file.amount()))
+        let refuse = |edges: Option<&str>, crs: Option<&Crs>, corners| {
+            refuse_edges(edges.filter(|_| may_say), crs, corners).map_err(named(&name))
+        };
+        let (made, crs, amount) = if let Some(mut file) = indexed {
+            let header = file.header().map_err(named(&name))?;
+            refuse(header.edges(), header.crs.as_ref(), file.corners())?;
+            let may_be_empty = self.map.options().allow_empty;
+            if !may_be_empty && file.has_only_points().map_err(named(&name))? {
+                let points = file.amount().of_features as usize;
+                let mut read = ReadSummary::default();
+                (read.features, read.points) = (points, points);
+                return Err(named(&name)(Error::NoMap(Box::new(read))));
+            }
+            (by_windows(&mut file, &asked).map_err(named(&name))?, header.crs, Some(file.amount()))
         } else {
             let mut shelf = InMemory::default();
-            let read = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf);
-            let corners = read.map_err(named(&name))?.noted.corners();
-            (of_whole(shelf.features(), corners, &asked).map_err(named(&name))?, None)
+            let imported = Imported::features(input, &self.map.options(), Keep::default(), &mut shelf);
+            let Imported { edges, crs, noted, .. } = imported.map_err(named(&name))?;
+            refuse(edges.as_deref(), crs.as_ref(), noted.corners())?;
+            let made = of_whole(shelf.features(), noted.corners(), &asked).map_err(named(&name))?;
+            (made, crs, None)
         };
         if self.verbose {
             eprintln!("{name}: {}", told(amount));
         }
         let Made { summary, cut } = made;
-        write_file(&self.output, self.map.path(), &Saved::bytes(summary, cut)?)?;
+        let crs = crs.filter(Crs::is_other).map(|crs| crs.name());
+        write_file(&self.output, self.map.path(), &Saved::bytes(crs, summary, cut)?)?;
         Ok(Verdict::Sound)
     }
 }

@@ -163,8 +163,22 @@ fn a_file_that_says_that_its_edges_are_spherical_is_judged_so() {
     assert_eq!((status, violations(&report, "kind")), (Some(1), vec!["cross"; 2]));
     let text = String::from_utf8(twinedge(&["audit", parquet]).stdout).unwrap();
     assert!(text.contains("edges are great circles, as the file says"), "{text}");
-    // A warning is given where another format says so, where straight edges are asked for, and where tiles are.
-    for (file, options) in [(&*spherical, &[][..]), (parquet, &["--edges", "straight"]), (parquet, &["--tiles", "2"])] {
+    // Tiles take edges as straight, and refuse others.
+    let summary = folder.path().join("summary");
+    let summary = summary.to_str().unwrap();
+    let tile = ["tile", parquet, "--grid", "1x1", "--tile", "0,0", "-o", summary];
+    for arguments in [&["audit", parquet, "--tiles", "2"][..], &["audit", parquet, "--memory", "1G"], &tile] {
+        let said = complaint(&twinedge(arguments));
+        assert!(said.contains("its edges are spherical, and tiles take edges as straight: --edges straight"), "{said}");
+        assert!(twinedge(&[arguments, &["--edges", "straight"]].concat()).status.success(), "{arguments:?}");
+    }
+    // A warning is given where another format says so, and where straight edges are asked for.
+    for (file, options) in [
+        (&*spherical, &[][..]),
+        (&*spherical, &["--tiles", "2"]),
+        (parquet, &["--edges", "straight"]),
+        (parquet, &["--edges", "straight", "--tiles", "2"]),
+    ] {
         let (status, report) = audited(file, options);
         assert_eq!(status, Some(0));
         let warning = report["warnings"][0].as_str().unwrap();

@@ -202,10 +202,7 @@ fn what_tiles_do_not_take_is_refused() {
     let (_, file) = parcels("tiles-refused");
     for (arguments, expected) in [
         (&["audit", "--tiles", "2", "--snap", "auto"][..], "--snap and --tiles do not go together"),
-        (
-            &["audit", "--tiles", "2", "--format", "geojson"],
-            "the formats geojson and html and --tiles do not go together",
-        ),
+        (&["audit", "--tiles", "2", "--format", "html"], "the format html and --tiles do not go together"),
         (&["audit", "--tiles", "2", "--geodesic"], "--geodesic and --tiles do not go together"),
         (&["audit", "--memory", "2G", "--geodesic"], "--geodesic and --memory do not go together"),
         (&["tile", "--grid", "2x2", "--tile", "2,0", "-o", "x"], "the grid has no tile 2,0"),
@@ -316,4 +313,84 @@ fn a_large_feature_is_not_given_to_many_tiles_for_nothing() {
     std::fs::write(&file, text).unwrap();
     let (_, value) = json(&["audit", file.to_str().unwrap(), "--format", "json", "--memory", "1"]);
     assert_eq!(value["tiles"]["columns"], 4);
+}
+
+/// The units are those of the audit, by where the map is and by what the file says.
+#[test]
+fn a_sum_has_the_units_of_the_audit() {
+    let folder = scratch_folder("tiles-units");
+    let of = |crs: Option<&str>, by: f64| {
+        let ring = [[0.0, 0.0], [by, 0.0], [by, 1.0], [0.0, 1.0], [0.0, 0.0]];
+        let feature = serde_json::json!({"type": "Feature", "properties": {},
+            "geometry": {"type": "Polygon", "coordinates": [ring]}});
+        let mut layer = serde_json::json!({"type": "FeatureCollection", "features": [feature]});
+        if let Some(crs) = crs {
+            layer["crs"] = serde_json::json!({"type": "name", "properties": {"name": crs}});
+        }
+        let file = folder.join(format!("{by}-{}.geojson", crs.is_some())).to_str().unwrap().to_owned();
+        std::fs::write(&file, layer.to_string()).unwrap();
+        file
+    };
+    let mut summaries = Vec::new();
+    for (file, expected) in [
+        (of(None, 1.0), "degrees"),
+        (of(None, 1000.0), "units of the coordinates"),
+        (of(Some("urn:ogc:def:crs:EPSG::2056"), 1.0), "units of the coordinates"),
+    ] {
+        let (_, whole) = json(&["audit", &file, "--format", "json"]);
+        let summary = only_tile(&file, &folder.join(format!("{}.summary", summaries.len())), &[]);
+        let (_, sum) = json(&["sum", &summary, "--format", "json"]);
+        assert_eq!((&whole["coverage"]["unit"], &sum["coverage"]["unit"]), (&expected.into(), &expected.into()));
+        summaries.push(summary);
+    }
+    let told = complaint(&twinedge(&["sum", &summaries[0], &summaries[2]]));
+    assert!(told.contains("crs is \"EPSG:2056\", but null"), "{told}");
+}
+
+#[test]
+fn points_alone_are_refused_by_tiles_and_sums_as_by_the_audit() {
+    let folder = scratch_folder("tiles-points");
+    let mut features = Vec::new();
+    for x in 0..3 {
+        features.push(serde_json::json!({"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [x, 1]}}));
+    }
+    let text = folder.join("points.geojson").to_str().unwrap().to_owned();
+    std::fs::write(&text, serde_json::json!({"type": "FeatureCollection", "features": features}).to_string()).unwrap();
+    let mut files = vec![text.clone()];
+    for name in ["points.fgb", "points.parquet"] {
+        let file = folder.join(name).to_str().unwrap().to_owned();
+        assert!(twinedge(&["convert", &text, "-o", &file]).status.success());
+        files.push(file);
+    }
+    let summary = folder.join("summary").to_str().unwrap().to_owned();
+    for file in &files {
+        let tile = ["tile", file, "--grid", "1x1", "--tile", "0,0", "-o", &summary];
+        let refused = |arguments: &[&str]| complaint(&twinedge(arguments)).split_once(": ").unwrap().1.to_owned();
+        let said = refused(&["audit", file]);
+        assert!(said.contains("this file has 3 features with 3 points and nothing else"), "{said}");
+        assert_eq!(refused(&tile), said);
+        assert!(twinedge(&[&tile[..], &["--allow-empty"]].concat()).status.success());
+        let said = complaint(&twinedge(&["sum", &summary]));
+        assert!(said.contains("these tiles have 3 points and nothing else; --allow-empty accepts it"), "{said}");
+        let (status, sum) = json(&["sum", &summary, "--allow-empty", "--format", "json"]);
+        let (of_whole, whole) = json(&["audit", file, "--allow-empty", "--format", "json"]);
+        assert_eq!((status, &sum["counts"]), (of_whole, &whole["counts"]));
+    }
+}
+
+#[test]
+fn findings_of_tiles_are_a_layer_of_places() {
+    let (_, file) = parcels("tiles-layer");
+    let layer = |more: &[&str]| {
+        let (_, layer) = json(&[&["audit", &file, "--coverage", "--format", "geojson"], more].concat());
+        let features = layer["features"].as_array().unwrap().iter();
+        let key = |one: &Value| ["rule", "message", "x", "y"].map(|key| one["properties"][key].to_string());
+        let mut found: Vec<_> = features.clone().map(key).collect();
+        found.sort();
+        (found, features.map(|one| one["geometry"]["type"].as_str().unwrap().to_owned()).collect::<Vec<_>>())
+    };
+    let ((whole, shapes), (by_tiles, points)) = (layer(&[]), layer(&["--tiles", "2"]));
+    assert!(whole.len() > 4 && shapes.contains(&"Polygon".to_owned()), "{shapes:?}");
+    assert_eq!(by_tiles, whole);
+    assert!(points.iter().all(|kind| kind.ends_with("Point")), "{points:?}");
 }

@@ -1,6 +1,6 @@
 //! `twinedge tile` of files with boxes: the same bytes as from the whole file, less that is read, boxes that lie, and tiles that are left out.
 
-use crate::support::{complaint, data, json, scratch_folder, twinedge, twinedge_reading};
+use crate::support::{complaint, data, json, scratch_folder, twinedge, twinedge_reading, twinedge_with};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -149,4 +149,54 @@ fn what_is_refused_of_a_file_with_boxes() {
         let text = complaint(&output);
         assert!(text.contains(told), "{text}");
     }
+}
+
+/// The report of an audit by tiles, without the time, and what is said of the file itself. There is no folder for temporary files.
+#[cfg(unix)]
+fn without_copy(arguments: &[&str], input: &[u8]) -> Result<Value, String> {
+    let arguments = [&["audit", "--format", "json"], arguments].concat();
+    let output = twinedge_with(("TMPDIR", "/nowhere"), &arguments, input);
+    let said = String::from_utf8(output.stderr).unwrap();
+    if !said.is_empty() {
+        return Err(said);
+    }
+    let mut report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let object = report.as_object_mut().unwrap();
+    for key in ["elapsed_ms", "input", "judged"] {
+        object.remove(key);
+    }
+    Ok(report)
+}
+
+#[test]
+#[cfg(unix)]
+fn an_audit_by_tiles_reads_files_with_boxes_where_they_are_and_says_the_same() {
+    let folder = scratch_folder("tile-windows-audit");
+    let text = folder.join("squares.geojsonl").to_str().unwrap().to_owned();
+    std::fs::write(&text, squares()).unwrap();
+    for (of, text, memory) in [("world", data("world-110m-crossing.geojson"), "12M"), ("squares", text, "2M")] {
+        let flat = convert(&text, &folder, &format!("{of}.fgb"));
+        let parquet = convert(&text, &folder, &format!("{of}.parquet"));
+        for options in [["--tiles", "3"], ["--memory", memory]] {
+            let by_index = without_copy(&[&[&*flat][..], &options].concat(), b"").unwrap();
+            assert!(by_index["tiles"]["columns"].as_u64() > Some(1), "{options:?}");
+            // A pipe is read once.
+            let columns = by_index["tiles"]["columns"].to_string();
+            let piped = without_copy(&["/dev/stdin", "--tiles", &columns], &std::fs::read(&flat).unwrap());
+            assert_eq!(by_index, piped.unwrap(), "{of} {options:?}");
+            let of_parquet = without_copy(&[&[&*parquet][..], &options].concat(), b"").unwrap();
+            for key in ["rules", "counts", "verdict"] {
+                assert_eq!(of_parquet[key], by_index[key], "{of} {options:?}: {key}");
+            }
+            let findings = |report: &Value| {
+                let findings = report["coverage"]["findings"].as_array().unwrap().iter();
+                findings.map(|one| (one["rule"].clone(), one["at"].clone(), one["area"].clone())).collect::<Vec<_>>()
+            };
+            assert_eq!(findings(&of_parquet), findings(&by_index), "{of} {options:?}");
+        }
+    }
+    // Without boxes, features are copied to the folder for temporary files.
+    let stream = squares();
+    let piped = without_copy(&["/dev/stdin", "--memory", "200K"], stream.as_bytes());
+    assert!(piped.as_ref().is_err_and(|said| said.contains("--memory: No such file")), "{piped:?}");
 }

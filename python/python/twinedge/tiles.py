@@ -271,12 +271,14 @@ def finish(
     coverage: bool = False,
     accept: Any = None,
     list: int | None = None,
+    crs: Any = None,
     **limits: Any,
 ) -> Report:
     """The report on the layer, of the summaries of all tiles.
 
     It says what :func:`twinedge.audit` of the whole says: the verdict, the counts, and each violation and finding once, with its place;
-    ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it. Where edges meet elsewhere than
+    ``features`` are the numbers of the features. :meth:`Report.to_frame` and :meth:`Report.to_arrow` are tables of it, and
+    :meth:`Report.to_geodataframe` a layer of the places, which are points. Where edges meet elsewhere than
     at vertices, C1 to C5 and C7 are checked if tiles were made with :class:`Cuts`; if one was left out of a round of cuts, the report says which.
 
     Parameters
@@ -287,6 +289,8 @@ def finish(
         Tiles that have no summary are made here, as those of nothing. Without it, every tile must be there.
     coverage, accept, list
         As for :func:`twinedge.audit`.
+    crs
+        The reference system of that layer.
     limits
         Those of the tiles, for the empty ones. These need no cuts.
 
@@ -312,7 +316,7 @@ def finish(
         "accept": _accepted(accept),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
     }
-    return Report._told(_twinedge.finish(summaries, cuts, asked))
+    return Report._told(_twinedge.finish(summaries, cuts, asked), crs=crs)
 
 
 def _box(given: Any) -> tuple[float, ...]:

@@ -10,13 +10,16 @@ pub(crate) fn twinedge(arguments: &[&str]) -> Output {
 
 /// Runs the program with these arguments and this input.
 pub(crate) fn twinedge_reading(arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    spawned(Command::new(env!("CARGO_BIN_EXE_twinedge")).args(arguments), input)
+}
+
+/// Runs the program with a variable of the environment, these arguments and this input.
+pub(crate) fn twinedge_with((name, value): (&str, &str), arguments: &[&str], input: &[u8]) -> Output {
+    spawned(Command::new(env!("CARGO_BIN_EXE_twinedge")).env(name, value).args(arguments), input)
+}
+
+fn spawned(command: &mut Command, input: &[u8]) -> Output {
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut stdin = child.stdin.take().unwrap();
     // A program that does not read its input may have ended by now.
     let _ = stdin.write_all(input);

@@ -1,0 +1,130 @@
+//! The features of a file with boxes, which are read where they are, tile by tile.
+
+use std::borrow::Cow;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map::Feature;
+use twinedge_formats::layer::{Feature as LayerFeature, Geometry, Indexed, ReadError, ReadOptions, to_map};
+use twinedge_report::Shelf;
+
+/// The number of times that the features of a file may be passed over until it takes less to copy them.
+const TIMES: u64 = 32;
+
+const EVERYTHING: [Point; 2] =
+    [Point { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY }, Point { x: f64::INFINITY, y: f64::INFINITY }];
+
+/// The features of a file with boxes. They are copied to another shelf if those of each tile are all over the file.
+pub(super) struct ByIndex {
+    source: Source,
+    /// That of each tile.
+    windows: Vec<[Point; 2]>,
+    other: Other,
+    /// The other shelf, if all features were copied to it.
+    copied: Option<Box<dyn Shelf>>,
+}
+
+/// Makes another shelf.
+pub(super) type Other = fn() -> io::Result<Box<dyn Shelf>>;
+
+/// A file with boxes.
+struct Source {
+    path: PathBuf,
+    options: ReadOptions,
+    /// The readers that no thread has now.
+    free: Mutex<Vec<Indexed>>,
+}
+
+/// The best shelf for a file: itself, if it has boxes, or else another one.
+pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: Other) -> io::Result<Box<dyn Shelf>> {
+    // A pipe cannot be opened again.
+    let Some(path) = path.filter(|path| path.is_file()) else { return other() };
+    match Indexed::open(path, &options) {
+        Ok(Some(file)) => {
+            let source = Source { path: path.to_owned(), options, free: Mutex::new(vec![file]) };
+            Ok(Box::new(ByIndex { source, windows: Vec::new(), other, copied: None }))
+        }
+        // A file that is damaged is refused when all of it is read.
+        _ => other(),
+    }
+}
+
+impl Source {
+    /// Hands over the features in a window, with their numbers in order.
+    fn read(&self, window: [Point; 2], each: &mut dyn FnMut(u32, Feature)) -> io::Result<()> {
+        let free = || self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        let reader = free().pop();
+        let mut file = match reader {
+            Some(file) => file,
+            None => Indexed::open(&self.path, &self.options).map_err(refused)?.ok_or_else(changed)?,
+        };
+        let mut take = |number: u64, geometry: Option<Geometry>| {
+            let feature = LayerFeature { geometry, ..LayerFeature::default() };
+            each(number as u32, to_map(&feature, &mut ReadSummary::default()));
+        };
+        file.read(window, &mut |_| true, &mut take).map_err(refused)?;
+        free().push(file);
+        Ok(())
+    }
+
+    /// Returns true if it takes less to look for the features of windows than to copy all of them.
+    fn is_in_order(&self, windows: &[[Point; 2]]) -> bool {
+        let free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        free.first().is_some_and(|file| {
+            let passed = windows.iter().map(|window| file.passed(*window)).fold(0, u64::saturating_add);
+            passed <= file.amount().of_features.saturating_mul(TIMES)
+        })
+    }
+}
+
+fn refused(error: ReadError) -> io::Error {
+    match error {
+        ReadError::Io(error) => error,
+        error => io::Error::other(error),
+    }
+}
+
+fn changed() -> io::Error {
+    io::Error::other("the file changed while it was read")
+}
+
+impl Shelf for ByIndex {
+    fn put(&mut self, _: Feature) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn each(&mut self, show: &mut dyn FnMut(&Feature)) -> io::Result<()> {
+        self.source.read(EVERYTHING, &mut |_, feature| show(&feature))
+    }
+
+    fn file(&mut self, windows: &[[Point; 2]], tiles_of: &dyn Fn(&Feature) -> Vec<usize>) -> io::Result<()> {
+        if self.source.is_in_order(windows) {
+            self.windows = windows.to_vec();
+            return Ok(());
+        }
+        let (mut copied, mut put) = ((self.other)()?, Ok(()));
+        self.source.read(EVERYTHING, &mut |_, feature| {
+            if put.is_ok() {
+                put = copied.put(feature);
+            }
+        })?;
+        put?;
+        copied.file(windows, tiles_of)?;
+        self.copied = Some(copied);
+        Ok(())
+    }
+
+    fn of_tile(&self, tile: usize) -> io::Result<Vec<(u32, Cow<'_, Feature>)>> {
+        if let Some(copied) = &self.copied {
+            return copied.of_tile(tile);
+        }
+        let mut features = Vec::new();
+        let window = self.windows.get(tile).copied();
+        if let Some(window) = window {
+            self.source.read(window, &mut |number, feature| features.push((number, Cow::Owned(feature))))?;
+        }
+        Ok(features)
+    }
+}
