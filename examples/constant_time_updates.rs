@@ -19,8 +19,8 @@ use std::collections::BTreeSet;
 use std::error::Error;
 use twinedge::dcel::{Dcel, Side, Split, VertexKey};
 use twinedge::geometry::Point;
-use twinedge::io::tables::Textbook;
 use twinedge::validate::{Collect, Expectation, validate_embedding};
+use twinedge_formats::textbook::Textbook;
 
 /// A structure and coordinates beside it.
 #[derive(Default)]

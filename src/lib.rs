@@ -65,7 +65,7 @@
 //! | audit a map that is too large for one machine, in tiles | [`tile`] | `map` (default) |
 //! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
 //! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
-//! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |
+//! | read and write the tables of a textbook | `textbook` of the package `twinedge-formats` | |
 //! | draw a map, with half-edges if you like | `svg` of the package `twinedge-formats` | |
 //! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
 //! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary`, `proptest` |
@@ -145,7 +145,7 @@
 //! | [`map`] | a [`dcel::Dcel`] with coordinates: building, editing, location |
 //! | [`algorithm`] | outlines, neighbours, areas, overlays |
 //! | [`tile`] | maps in tiles, whose summaries add up |
-//! | [`io`] | GeoJSON, WKT, geo-types, SVG |
+//! | [`io`] | GeoJSON, WKT, geo-types |
 //!
 //! # Limits
 //!

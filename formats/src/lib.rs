@@ -2,7 +2,8 @@
 //!
 //! [`mesh`] reads OBJ, OFF, PLY, STL and glTF, joins the faces to half-edges, says in the user's terms what cannot be joined, and
 //! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer` reads and
-//! writes layers of features, and repairs them; `layer::topojson` audits arcs. `svg` draws maps.
+//! writes layers of features, and repairs them; `layer::topojson` audits arcs. `svg` draws maps. `textbook` has the three tables of
+//! the textbooks.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {
@@ -41,6 +42,7 @@
 //! | `osm` (default) | the module `layer::osm`: boundaries of `OpenStreetMap` | osmpbf |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `svg` (default) | the module `svg` | none |
+//! | `textbook` (default) | the module `textbook` | rustc-hash |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -52,5 +54,7 @@ pub mod mesh;
 pub mod postgis;
 #[cfg(feature = "svg")]
 pub mod svg;
+#[cfg(feature = "textbook")]
+pub mod textbook;
 #[cfg(any(feature = "postgis", feature = "topojson"))]
 mod topology_audit;

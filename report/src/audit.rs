@@ -18,13 +18,13 @@ use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, text, textbook, tiles, topology};
-use twinedge::io::tables::Textbook;
 use twinedge::tile::Summary;
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
 use twinedge_formats::layer::Layer;
 use twinedge_formats::layer::topojson::ArcTopology;
 use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
+use twinedge_formats::textbook::Textbook;
 
 /// An input that was audited.
 #[derive(Debug)]

@@ -5,9 +5,9 @@ use crate::words::{counted, grouped};
 use std::io;
 use twinedge::algorithm::coverage::CoverageError;
 use twinedge::io::ReadSummary;
-use twinedge::io::tables::TablesError;
 use twinedge::map::BuildError;
 use twinedge::tile::{AuditError, GridError, Tile};
+use twinedge_formats::textbook::TablesError;
 use twinedge_formats::{layer, mesh, postgis};
 use twinedge_sphere::DrawingError;
 

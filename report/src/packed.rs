@@ -406,8 +406,8 @@ impl Stream {
 #[cfg(test)]
 mod tests {
     use super::{Beside, Map, Names, Window, zigzag};
-    use twinedge::io::tables::Textbook;
     use twinedge::map::{Builder, Shape};
+    use twinedge_formats::textbook::Textbook;
 
     fn pack(structure: &impl twinedge::validate::Embedding) -> Map {
         Map::pack(structure, Beside { features: &|_| vec![7], names: Names::Indices, windows: &[] })

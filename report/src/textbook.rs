@@ -9,9 +9,9 @@ use crate::trace::placed;
 use crate::words::counted;
 use serde_json::json;
 use std::io::Read;
-use twinedge::io::tables::Textbook;
 use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
+use twinedge_formats::textbook::Textbook;
 
 /// Returns true if a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
@@ -129,7 +129,7 @@ fn with_names(message: &str, tables: &Textbook) -> String {
 #[cfg(test)]
 mod tests {
     use super::{is_textbook, with_names};
-    use twinedge::io::tables::Textbook;
+    use twinedge_formats::textbook::Textbook;
 
     #[test]
     fn tables_are_told_from_other_files() {

@@ -154,8 +154,8 @@ fn is_outer_ring(line: &[Position]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Trace, is_outer_ring, of_violation, place};
-    use twinedge::io::tables::Textbook;
     use twinedge::validate::Violation;
+    use twinedge_formats::textbook::Textbook;
 
     /// A triangle; e3,1 has no next.
     const TRIANGLE: &str = "v1 (0, 0) e1,1\nv2 (4, 0) e2,1\nv3 (0, 4) e3,1\nf1 nil e1,2\nf2 e1,1 nil

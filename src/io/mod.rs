@@ -5,7 +5,6 @@
 //! | `geojson` | GeoJSON (RFC 7946), and sequences of it (RFC 8142, newline-delimited) | yes | yes |
 //! | `wkt` | well-known text, a geometry per line | yes | yes |
 //! | `geo_types` | the types of the crate geo-types | yes | yes |
-//! | [`tables`] | the three tables of the textbooks | yes | yes |
 //!
 //! Readers hand over [`Feature`](crate::map::Feature)s for a [`Builder`](crate::map::Builder) to take. `read` takes any of the
 //! text formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count
@@ -17,7 +16,6 @@ mod export;
 pub mod geo_types;
 #[cfg(feature = "geojson")]
 pub mod geojson;
-pub mod tables;
 #[cfg(feature = "wkt")]
 pub mod wkt;
 

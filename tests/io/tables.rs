@@ -3,10 +3,10 @@
 use quickcheck::QuickCheck;
 use twinedge::dcel::Dcel;
 use twinedge::geometry::Point;
-use twinedge::io::tables::{TablesError, Textbook};
 use twinedge::map::PlanarMap;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::{Collect, Expectation, Record, Rule, Table, View, validate, validate_embedding};
+use twinedge_formats::textbook::{TablesError, Textbook};
 
 const DANGLING_EDGE: &str = include_str!("../../examples/tables/dangling_edge.txt");
 const FIVE_FACES: &str = include_str!("../../examples/tables/five_faces.txt");

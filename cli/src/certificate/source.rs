@@ -3,10 +3,10 @@
 use crate::status::{Failure, Verdict};
 use std::fmt::Display;
 use std::io::{BufRead, Read};
-use twinedge::io::tables::Textbook;
 use twinedge::validate::{Collect, Expectation, Surface, Table, View, validate};
 use twinedge_formats::mesh::{self, Format, HalfEdgeMesh};
 use twinedge_formats::postgis::{self, Listed};
+use twinedge_formats::textbook::Textbook;
 use twinedge_report::{EXPECT, Input, InputKind};
 
 /// A structure by what it is to be, or, line by line, what is wrong with it.

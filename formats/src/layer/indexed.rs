@@ -133,6 +133,7 @@ impl Indexed {
     /// The number of features whose boxes are looked at one by one to [read](Self::read) a window: of `GeoParquet` those of the row groups that meet it, and of
     /// `FlatGeobuf` none, as its index says of each where it is. O(row groups).
     #[must_use]
+    #[cfg_attr(not(feature = "geoparquet"), expect(unused_variables, reason = "nothing else is looked through"))]
     pub fn passed(&self, [low, high]: [Point; 2]) -> u64 {
         match &self.file {
             #[cfg(feature = "flatgeobuf")]

@@ -121,7 +121,7 @@ impl Conformance {
             pair.step(*op).err()
         })?;
         let places = words::places(pair.subject(), &failure.difference);
-        Some(Counterexample { program, failure, words: Box::new(Words { places, calls }) })
+        Some(Counterexample { program, failure: Box::new(failure), words: Box::new(Words { places, calls }) })
     }
 
     /// Every argument of the operators that the subject has and that were not applied so far.

@@ -186,7 +186,7 @@ pub struct Counterexample {
     /// The program. Empty if it is the start, or that too little was tried.
     pub program: Program,
     /// The difference.
-    pub failure: Failure,
+    pub failure: Box<Failure>,
     pub(super) words: Box<Words>,
 }
 
@@ -201,7 +201,7 @@ pub(super) struct Words {
 
 impl Counterexample {
     pub(super) fn of(program: Program, failure: Failure) -> Self {
-        Self { program, failure, words: Box::default() }
+        Self { program, failure: Box::new(failure), words: Box::default() }
     }
 }
 

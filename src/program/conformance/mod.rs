@@ -79,8 +79,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-#![allow(clippy::result_large_err, reason = "a counterexample is returned once, in the end")]
-
 mod answers;
 mod check;
 mod difference;

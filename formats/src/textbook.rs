@@ -18,8 +18,8 @@
 //! ```
 //!
 //! [`Textbook::of`] makes them from any structure, `Display` writes them, and `FromStr` reads them, so that a table can be
-//! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated with [`Expectation::plane`](crate::validate::Expectation::plane). If
-//! every vertex has coordinates, [`validate_embedding`](crate::validate::validate_embedding) checks these, too.
+//! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated with [`Expectation::plane`](twinedge::validate::Expectation::plane). If
+//! every vertex has coordinates, [`validate_embedding`](twinedge::validate::validate_embedding) checks these, too.
 //!
 //! # What is read
 //!
@@ -31,12 +31,12 @@
 //!
 //! Source: M. de Berg et al., "Computational Geometry", 3rd edition, section 2.2.
 
-use crate::geometry::Point;
-use crate::validate::{Embedding, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Start, Table, VertexRow, View};
 use core::fmt;
 use rustc_hash::FxHashMap;
 use std::str::FromStr;
 use thiserror::Error;
+use twinedge::geometry::Point;
+use twinedge::validate::{Embedding, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Start, Table, VertexRow, View};
 
 /// An error in a text of the three tables. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Error)]
@@ -91,7 +91,7 @@ pub enum TablesError {
 /// A structure as the three tables of the textbooks, with names and, as far as they are known, coordinates.
 ///
 /// ```
-/// use twinedge::io::tables::Textbook;
+/// use twinedge_formats::textbook::Textbook;
 /// use twinedge::validate::{Collect, Expectation, validate};
 ///
 /// let text = "
@@ -102,7 +102,7 @@ pub enum TablesError {
 ///     e1,2  v2  e1,1  f1  e1,1  e1,1";
 /// let tables: Textbook = text.parse()?;
 /// assert!(validate(&tables, &Expectation::plane(), Collect::All).is_valid());
-/// # Ok::<(), twinedge::io::tables::TablesError>(())
+/// # Ok::<(), twinedge_formats::textbook::TablesError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Textbook {
@@ -117,7 +117,7 @@ impl Textbook {
     /// The tables of a structure that has faces, with `point` for the coordinates of a vertex, where there are any.
     ///
     /// Records are named by their indices, counted from 1: the first vertex is `v1`, the half-edges of the first edge are
-    /// `e1,1` and `e1,2`. Slots that are vacant are left out. In a [`Dcel`](crate::dcel::Dcel), where index 0 is not used and
+    /// `e1,1` and `e1,2`. Slots that are vacant are left out. In a [`Dcel`](twinedge::dcel::Dcel), where index 0 is not used and
     /// twins are neighbours, vertex 7 is always `v7`, and half-edges 14 and 15 are `e7,1` and `e7,2`. O(n).
     #[must_use]
     pub fn of<V: View + ?Sized>(view: &V, point: impl Fn(usize) -> Option<Point>) -> Self {
@@ -170,7 +170,7 @@ impl Textbook {
     /// The tables of a structure with coordinates. O(n).
     ///
     /// ```
-    /// use twinedge::io::tables::Textbook;
+    /// use twinedge_formats::textbook::Textbook;
     /// use twinedge::map::PlanarMap;
     ///
     /// let mut map = PlanarMap::new();
@@ -381,7 +381,7 @@ impl Rows {
 /// Reads the three tables. O(length of the text), expected.
 ///
 /// # Errors
-/// [`TablesError`], with the line. Whether the links are right is for [`validate`](crate::validate::validate) to say.
+/// [`TablesError`], with the line. Whether the links are right is for [`validate`](twinedge::validate::validate) to say.
 impl FromStr for Textbook {
     type Err = TablesError;
 
