@@ -38,9 +38,6 @@ pub enum Error {
     /// The tiles do not say what features cover.
     #[error("the tiles do not say what features cover: {0}")]
     Unjudged(String),
-    /// A file could not be read or written feature by feature.
-    #[error(transparent)]
-    File(#[from] layer::FileError),
     /// Some tiles were made with their edges cut, and others without.
     #[error("{}, and others with cuts", made_without(tiles))]
     WithoutCuts {
@@ -127,9 +124,9 @@ have them, and --against which layer they are in"
     /// A map is made of lines and polygons, and there are none.
     #[error("a map is made of lines and polygons, and this file has {}; --allow-empty accepts it", instead(.0))]
     NoMap(Box<ReadSummary>),
-    /// A map is made of lines and polygons, and all tiles together have points alone, so many.
-    #[error("a map is made of lines and polygons, and these tiles have {} and nothing else; --allow-empty accepts it", counted(*.0, "point"))]
-    NoEdges(usize),
+    /// A map is made of lines and polygons, and all tiles together have points alone.
+    #[error("a map is made of lines and polygons, and these tiles have none; --allow-empty accepts it")]
+    NoEdges,
     /// Lengths along the earth were asked for, and the coordinates are no longitudes and latitudes.
     #[error(
         "--geodesic and --edges geodesic are for longitudes and latitudes, and the coordinates are not in their range, or the file names another coordinate \
@@ -173,5 +170,17 @@ fn instead(read: &ReadSummary) -> String {
         (0, _) => "no features".to_owned(),
         (_, 0) => format!("{features}, none with a geometry"),
         (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
+    }
+}
+
+impl From<layer::FileError> for Error {
+    fn from(error: layer::FileError) -> Self {
+        match error {
+            layer::FileError::Io(error) => error.into(),
+            layer::FileError::Read(error) => error.into(),
+            layer::FileError::Clean(error) => error.into(),
+            // A variant would make programs larger that never read files.
+            other => io::Error::other(other).into(),
+        }
     }
 }

@@ -14,7 +14,7 @@ use crate::units::Units;
 use crate::words::counted;
 use serde_json::to_value;
 use std::cmp::Ordering;
-use std::collections::{BTreeSet, HashSet};
+use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
@@ -93,31 +93,40 @@ fn violations(imported: &Imported, report: &Report, coverage: &Coverage) -> Vec<
 /// difference. O(n log n).
 fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
     let mut found = violations.to_vec();
+    let mut seen = Vec::new();
     for violation in &mut found {
         if let Violation::Genus { vertex, .. } = violation {
-            *vertex = least_vertex(map, *vertex).unwrap_or(*vertex);
+            *vertex = least_vertex(map, *vertex, &mut seen).unwrap_or(*vertex);
         }
     }
     let place = |vertex: usize| map.dcel().vertex_at(vertex).map(|v| map[v.key()]);
     let size = |violation: &Violation| match *violation {
-        Violation::Genus { vertex, vertices, edges, cycles, .. } => Some(([vertices, edges, cycles], place(vertex))),
-        _ => None,
+        Violation::Genus { vertex, vertices, edges, cycles, .. } => ([vertices, edges, cycles], place(vertex)),
+        _ => Default::default(),
     };
-    for of_rule in found.chunk_by_mut(|a, b| a.rule() == b.rule()) {
-        of_rule.sort_by(|a, b| size(a).partial_cmp(&size(b)).unwrap_or(Ordering::Equal));
+    let is_other = |violation: &Violation| violation.rule() != Rule::T3;
+    for of_rule in found.split_mut(is_other) {
+        of_rule.sort_unstable_by(|a, b| size(a).partial_cmp(&size(b)).unwrap_or(Ordering::Equal));
     }
     found
 }
 
-/// The vertex of the same component with the least coordinates: x first, then y. O(size of the component).
-fn least_vertex(map: &PlanarMap, vertex: usize) -> Option<usize> {
+/// The vertex of the same component with the least coordinates: x first, then y. `seen` has the vertices of other components that were looked
+/// at. O(size of the component), and the first time O(vertices).
+fn least_vertex(map: &PlanarMap, vertex: usize, seen: &mut Vec<bool>) -> Option<usize> {
     let first = map.dcel().vertex_at(vertex)?;
-    let (mut seen, mut ahead, mut least) = (HashSet::from([vertex]), vec![first], first);
+    if seen.is_empty() {
+        *seen = vec![false; map.dcel().vertices().last()?.index() + 1];
+    }
+    let (mut ahead, mut least) = (vec![first], first);
     while let Some(v) = ahead.pop() {
+        if std::mem::replace(&mut seen[v.index()], true) {
+            continue;
+        }
         if map[v.key()] < map[least.key()] {
             least = v;
         }
-        ahead.extend(v.rotation().map(|h| h.target()).filter(|other| seen.insert(other.index())));
+        ahead.extend(v.rotation().map(|h| h.target()));
     }
     Some(least.index())
 }

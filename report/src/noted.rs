@@ -255,9 +255,8 @@ impl Noted {
         let cell = largest * CELL;
         (all > 0 && length < cell * RESOLVED).then(|| {
             format!(
-                "half of the edges are shorter than {}, and borders that cross are cut on a grid for coordinates up to {}, of cells of {}",
+                "half of the edges are shorter than {}, and the grid on which crossing borders are cut has cells of {}",
                 measure(length),
-                measure(largest),
                 measure(cell)
             )
         })

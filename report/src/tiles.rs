@@ -151,7 +151,7 @@ pub(crate) fn audit_summary(
         None => (outcome, (!without.is_empty()).then(|| made_without(&without))),
     };
     if outcome.counts.edges == 0 && !asked.map.allow_empty {
-        return Err(Error::NoEdges(outcome.counts.isolated_vertices));
+        return Err(Error::NoEdges);
     }
     let mut noted = Noted::new(None);
     noted.defects = numbered(&outcome.defects);

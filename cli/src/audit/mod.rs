@@ -100,7 +100,7 @@ impl Audit {
                     Division::Within(_) => || Ok(Box::new(OnDisk::new()?)),
                     Division::Across(_) => || Ok(Box::<InMemory>::default()),
                 };
-                // What was unpacked goes when it was read.
+                // A file that was unpacked goes when it was read.
                 let path = input.path.as_deref().filter(|_| input.kept.is_none());
                 let mut shelf = shelf_of(path, input.options(), other).map_err(named("--memory"))?;
                 busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))

@@ -96,7 +96,7 @@ fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide
         assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")), "{tiles:?}");
         assert_eq!(
             found["coverage"]["not_checked"],
-            "half of the edges are shorter than 16.0000, and borders that cross are cut on a grid for coordinates up to 1.000e17, of cells of \
+            "half of the edges are shorter than 16.0000, and the grid on which crossing borders are cut has cells of \
              88.8178"
         );
     }

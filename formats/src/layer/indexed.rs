@@ -104,7 +104,7 @@ impl Indexed {
         Some([low, high])
     }
 
-    /// What the file says beside its features, without columns. O(1).
+    /// All that the file says beside its features, without columns. O(1).
     ///
     /// # Errors
     /// [`ReadError`].

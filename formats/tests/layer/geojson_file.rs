@@ -33,7 +33,7 @@ fn replaced_as_in_the_whole(text: &str, name: &str) {
 
     let mut changed = vec![1.min(features.len() - 1), features.len() - 1];
     changed.dedup();
-    // What is taken back is no change.
+    // A change that is taken back is none.
     file.replace(0, Some(&Feature::default())).unwrap();
     file.replace(0, None).unwrap();
     for number in &changed {

@@ -1,6 +1,6 @@
 //! The report as JSON.
 
-use super::{Called, Cleaning};
+use super::Cleaning;
 use serde_json::json;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures};
 use twinedge_formats::layer::clean::{AddedVertex, FeatureChange, LayerChange, Remaining};
@@ -10,10 +10,7 @@ impl Cleaning<'_> {
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
         let Self { name, decimals, report, written, elapsed_ms, .. } = self;
-        let named = |number: &usize| {
-            let Called { id, name } = self.called.get(number).cloned().unwrap_or_default();
-            FeatureName { number: *number, id, name, label: self.label(*number) }
-        };
+        let named = |number: &usize| self.named(*number);
         let remaining = |one: &Remaining| {
             let measures = Measures { area: Some(one.area), width: Some(one.width), length: None };
             Diagnosis {
@@ -81,7 +78,7 @@ impl Cleaning<'_> {
             // Gaps that are wider than `--lake-width`, or `--gap-width`.
             "wider_gaps": all(&report.wider_gaps),
             "accepted_gaps": all(&report.accepted_gaps),
-            "tiles": self.tiles.map(|tiles| tiles.json(named)),
+            "tiles": self.tiles.as_ref().map(|tiles| &tiles.json),
             "warnings": self.warnings(),
             "elapsed_ms": elapsed_ms,
         }))

@@ -6,13 +6,16 @@ mod patch;
 mod repair;
 mod text;
 mod tiles;
+mod told;
 
-use crate::words::{decimals, measure, place, plain};
+use crate::words::{decimals, measure, place};
 use std::collections::{BTreeMap, BTreeSet};
+use told::{Called, ToldTiles, mentioned};
 use twinedge::algorithm::clean::ChangeKind;
 use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_formats::diagnosis::FeatureName;
 use twinedge_formats::layer::clean::{CleanReport, FeatureChange, LayerChange, Remaining};
-use twinedge_formats::layer::{Feature, Format, Layer};
+use twinedge_formats::layer::{Format, Layer};
 
 pub use names::Names;
 pub use patch::{Changes, GeometryChange, Patch, PatchError, TextChange};
@@ -25,8 +28,8 @@ pub struct Cleaning<'a> {
     name: &'a str,
     /// The number of features.
     features: usize,
-    /// The names of the features that the report is about.
-    called: BTreeMap<usize, Called>,
+    /// The names of the features that the report is about, by number.
+    called: Vec<(usize, Called)>,
     /// The number of decimal places with which a place is shown.
     decimals: usize,
     report: &'a CleanReport,
@@ -37,26 +40,13 @@ pub struct Cleaning<'a> {
     /// True if the width of gaps was to be chosen.
     chooses_width: bool,
     /// The tiles, if it was cleaned by these.
-    tiles: Option<&'a CleanedTiles>,
+    tiles: Option<ToldTiles>,
     /// The file that takes it back.
     pub patch: Option<&'a str>,
     /// The changes that each feature has a part in.
     changes: BTreeMap<usize, Vec<&'a LayerChange>>,
     /// The time that it took, in milliseconds.
     pub elapsed_ms: f64,
-}
-
-/// The id and the name of a feature.
-#[derive(Clone, Debug, Default)]
-struct Called {
-    id: Option<String>,
-    name: Option<String>,
-}
-
-impl Called {
-    fn new(names: Names<'_>, feature: &Feature) -> Self {
-        Self { id: feature.id.as_ref().map(ToString::to_string), name: names.of(feature) }
-    }
 }
 
 /// A file that was written.
@@ -84,13 +74,14 @@ impl<'a> Cleaning<'a> {
     /// The same of a layer that was cleaned by its tiles.
     #[must_use]
     pub fn of_tiles(name: &'a str, repair: &Repair<'a>, tiles: &'a CleanedTiles) -> Self {
-        Self {
+        let cleaning = Self {
             features: tiles.features,
             called: tiles.called.clone(),
             decimals: decimals(tiles.largest),
-            tiles: Some(tiles),
             ..Self::of(name, repair, &tiles.report)
-        }
+        };
+        let told = tiles.told(cleaning.decimals, |number| cleaning.named(*number));
+        Self { tiles: Some(told), ..cleaning }
     }
 
     fn of(name: &'a str, repair: &Repair<'a>, report: &'a CleanReport) -> Self {
@@ -104,7 +95,7 @@ impl<'a> Cleaning<'a> {
         Self {
             name,
             features: 0,
-            called: BTreeMap::new(),
+            called: Vec::new(),
             decimals: 0,
             report,
             written: None,
@@ -118,26 +109,21 @@ impl<'a> Cleaning<'a> {
     }
 }
 
-/// The features that a report is about.
-fn mentioned(report: &CleanReport) -> BTreeSet<usize> {
-    let changes = report.changes.iter().flat_map(|change| change.from.iter().copied().chain(change.to));
-    let left = [&report.remaining, &report.wider_gaps, &report.accepted_gaps];
-    let left = left.into_iter().flatten().flat_map(|one| one.features.iter().copied());
-    let added = report.added.iter().flat_map(|vertex| [vertex.to, vertex.of]);
-    let features = report.features.iter().map(|change| change.feature);
-    changes.chain(left).chain(added).chain(features).chain(report.made).collect()
-}
-
 impl Cleaning<'_> {
     /// The name for a feature.
     fn label(&self, number: usize) -> String {
-        let Called { id, name } = self.called.get(&number).cloned().unwrap_or_default();
-        plain(&match (name, id) {
-            (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
-            (Some(name), _) => name,
-            (None, Some(id)) => id,
-            (None, None) => format!("feature {number}"),
-        })
+        self.called(number).label(number)
+    }
+
+    fn called(&self, number: usize) -> Called {
+        let place = self.called.binary_search_by_key(&number, |(number, _)| *number);
+        place.map_or_else(|_| Called::default(), |place| self.called[place].1.clone())
+    }
+
+    fn named(&self, number: usize) -> FeatureName {
+        let called = self.called(number);
+        let label = called.label(number);
+        FeatureName { number, id: called.id, name: called.name, label }
     }
 
     fn labels(&self, numbers: &[usize]) -> String {

@@ -34,16 +34,18 @@ impl Names<'_> {
         }
         let mut known = BTreeSet::new();
         layer.features.iter().for_each(|feature| self.columns(feature, &mut known));
-        Err(Error::NoColumn { column: column.to_owned(), known: known.into_iter().collect() })
+        Err(no_column(column, known))
     }
 
-    /// Notes the columns of a feature for an error, of all the first.
+    /// Notes the columns of a feature for an error.
     pub(super) fn columns(self, feature: &Feature, known: &mut BTreeSet<String>) {
         if self.from.is_some() {
             known.extend(feature.attributes.iter().map(|(name, _)| plain(name)));
-            while known.len() > COLUMNS {
-                known.pop_last();
-            }
         }
     }
+}
+
+/// The error that no feature has a column, with the first of those that there are.
+pub(super) fn no_column(column: &str, known: BTreeSet<String>) -> Error {
+    Error::NoColumn { column: column.to_owned(), known: known.into_iter().take(COLUMNS).collect() }
 }

@@ -24,8 +24,8 @@ impl Cleaning<'_> {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
         let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
-        if let Some(tiles) = self.tiles {
-            writeln!(out, "{QUIET}{}{QUIET:#}", tiles.line())?;
+        if let Some(tiles) = &self.tiles {
+            writeln!(out, "{QUIET}{}{QUIET:#}", tiles.line)?;
         }
         out.push('\n');
         for (kind, what, beside) in [
@@ -108,19 +108,14 @@ impl Cleaning<'_> {
     /// The neighbourhoods that were left, at most so many.
     fn write_too_large(&self, out: &mut String, list: usize) -> std::fmt::Result {
         for one in self.tiles.iter().flat_map(|tiles| &tiles.too_large).take(list) {
-            let [low, high] = one.window.map(|p| place([p.x, p.y], self.decimals));
-            let (features, vertices) = (counted(one.features.len(), "feature"), grouped(one.vertices as usize));
-            writeln!(
-                out,
-                "{BAD}not cleaned{BAD:#}: {features} between {low} and {high}: the neighbourhood has {vertices} vertices"
-            )?;
+            writeln!(out, "{BAD}not cleaned{BAD:#}: {one}")?;
         }
         Ok(())
     }
 
     /// The last line.
     fn write_verdict(&self, out: &mut String) -> std::fmt::Result {
-        let too_large = self.tiles.map_or(0, |tiles| tiles.too_large.len());
+        let too_large = self.tiles.as_ref().map_or(0, |tiles| tiles.too_large.len());
         match &self.report.left {
             Some(_) if too_large > 0 => {
                 let all = counted(too_large, "neighbourhood");

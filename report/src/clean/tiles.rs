@@ -1,12 +1,14 @@
 //! Cleaning a file that is larger than memory: its tiles are judged, the neighbourhoods of what is wrong are cleaned, and the result is judged by its tiles again.
 
-use super::{Called, Names, Repair, mentioned};
+use super::names::no_column;
+use super::told::{Called, ToldTiles, mentioned};
+use super::{Names, Repair};
 use crate::error::Error;
 use crate::shelf::Shelf;
 use crate::tiles::{Division, fitting, grid_of, no_cuts, size};
-use crate::words::{counted, grouped};
-use serde_json::{Value, json};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::words::{counted, grouped, place};
+use serde_json::json;
+use std::collections::BTreeSet;
 use std::io;
 use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits};
 use twinedge::geometry::Point;
@@ -33,7 +35,7 @@ pub struct CleanedTiles {
     /// The neighbourhoods that were left as they are, because they have more vertices than there was memory for.
     pub too_large: Vec<TooLarge>,
     pub(super) features: usize,
-    pub(super) called: BTreeMap<usize, Called>,
+    pub(super) called: Vec<(usize, Called)>,
     /// The largest coordinate.
     pub(super) largest: f64,
     grid: Grid,
@@ -43,15 +45,11 @@ pub struct CleanedTiles {
 }
 
 impl CleanedTiles {
-    /// The line of the text.
-    pub(super) fn line(&self) -> String {
+    /// The tiles as the text and the JSON have them, places with so many decimals.
+    pub(super) fn told(&self, decimals: usize, named: impl Fn(&usize) -> FeatureName) -> ToldTiles {
         let [columns, rows] = self.grid.size();
         let neighbourhoods = counted(self.neighbourhoods, "neighbourhood");
         let largest = grouped(self.vertices as usize);
-        format!("{columns} × {rows} tiles judged, {neighbourhoods} cleaned, the largest with {largest} vertices")
-    }
-
-    pub(super) fn json(&self, named: impl Fn(&usize) -> FeatureName) -> Value {
         let too_large = |one: &TooLarge| {
             json!({
                 "window": one.window.map(|p| [p.x, p.y]),
@@ -59,11 +57,22 @@ impl CleanedTiles {
                 "vertices": one.vertices,
             })
         };
-        let mut tiles = size(&self.grid);
-        tiles["neighbourhoods"] = self.neighbourhoods.into();
-        tiles["largest_vertices"] = self.vertices.into();
-        tiles["not_cleaned"] = self.too_large.iter().map(too_large).collect();
-        tiles
+        let line_of = |one: &TooLarge| {
+            let [low, high] = one.window.map(|p| place([p.x, p.y], decimals));
+            let (features, vertices) = (counted(one.features.len(), "feature"), grouped(one.vertices as usize));
+            format!("{features} between {low} and {high}: the neighbourhood has {vertices} vertices")
+        };
+        let mut json = size(&self.grid);
+        json["neighbourhoods"] = self.neighbourhoods.into();
+        json["largest_vertices"] = self.vertices.into();
+        json["not_cleaned"] = self.too_large.iter().map(too_large).collect();
+        ToldTiles {
+            line: format!(
+                "{columns} × {rows} tiles judged, {neighbourhoods} cleaned, the largest with {largest} vertices"
+            ),
+            too_large: self.too_large.iter().map(line_of).collect(),
+            json,
+        }
     }
 }
 
@@ -117,11 +126,12 @@ pub fn clean_in_tiles<S: Shelf>(
         judged(&grid, corners, &limits, shelf)?
     };
     report.judge(&after);
-    let mut called = BTreeMap::new();
-    let left = too_large.iter().flat_map(|one| one.features.iter().copied());
-    for number in mentioned(&report).into_iter().chain(left) {
-        called.insert(number, Called::new(repair.names, &file.read(number)?));
-    }
+    let mut numbers = mentioned(&report);
+    numbers.extend(too_large.iter().flat_map(|one| &one.features));
+    numbers.sort_unstable();
+    numbers.dedup();
+    let name = |number| Ok::<_, Error>((number, Called::new(repair.names, &file.read(number)?)));
+    let called = numbers.into_iter().map(name).collect::<Result<_, _>>()?;
     let largest = corners.iter().fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
     let features = file.extents().len();
     let tiles = CleanedTiles { report, too_large, features, called, largest, grid, neighbourhoods: cleaned, vertices };
@@ -163,9 +173,7 @@ impl<'a> FirstReading<'a> {
     /// Refuses a column that no feature has.
     fn checked(self) -> Result<Self, Error> {
         match self.names.from {
-            Some(column) if !self.is_named => {
-                Err(Error::NoColumn { column: column.to_owned(), known: self.columns.into_iter().collect() })
-            }
+            Some(column) if !self.is_named => Err(no_column(column, self.columns)),
             _ => Ok(self),
         }
     }

@@ -109,11 +109,11 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
 /// As [`clean`], of a part of a layer with this largest coordinate, so that the finest grid is that of the whole.
 fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -> Result<CleanReport, CleanError> {
     // A point outside of everything.
-    let anchor: Vec<map::Shape> = largest.map(|most| map::Shape::Point(Point::new(most, most))).into_iter().collect();
+    let anchor = || largest.map(|most| map::Shape::Point(Point::new(most, most)));
     let mut options = options.clone();
     let mut features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
     options.assign.gaps_to = options.gaps_to.take().map(|to| receiving(&mut features, to)).unwrap_or_default();
-    let mut done = pass(&features, &anchor, &options)?;
+    let mut done = pass(&features, anchor().as_slice(), &options)?;
     let chosen = done.chosen;
     if std::mem::take(&mut options.chooses_width) {
         options.assign.gap_width = chosen.map(|chosen| chosen.width);
@@ -123,7 +123,9 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
     if let Some(width) = options.assign.gap_width {
         let mut near_misses = done.near_misses(options.assign.window);
         while !near_misses.is_empty() {
-            let next = pass(&done.features, &[fillers(&near_misses, width), anchor.clone()].concat(), options)?;
+            let mut beside = fillers(&near_misses, width);
+            beside.extend(anchor());
+            let next = pass(&done.features, &beside, options)?;
             let left = next.near_misses(options.assign.window);
             if left.len() >= near_misses.len() || !next.is_plane() {
                 break;

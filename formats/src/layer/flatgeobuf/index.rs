@@ -54,7 +54,7 @@ impl IndexedFile {
         self.root
     }
 
-    /// What the file says beside its features, without columns.
+    /// All that the file says beside its features, without columns.
     pub(in crate::layer) fn header(&self) -> Result<Header, ReadError> {
         Ok(of_header(&header_of(&self.header)?, Vec::new()))
     }

@@ -145,7 +145,7 @@ fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), Rea
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
 }
 
-/// What the header says beside the columns, and these.
+/// All that the header says beside the columns, and these.
 pub(super) fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
     let text = |text: Option<&str>| text.filter(|text| !text.is_empty()).map(str::to_owned);
     let crs = header.crs().map(|crs| Crs {

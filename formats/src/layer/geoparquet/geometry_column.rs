@@ -78,7 +78,7 @@ impl GeometryColumn {
         Some(Self { name, covering: None, crs, edges, has_only_points: false })
     }
 
-    /// What a file says beside its features, without columns.
+    /// All that a file says beside its features, without columns.
     pub(super) fn header(&self) -> Header {
         let edges = self.edges.as_ref().map(|edges| (EDGES.to_owned(), edges.as_str().into()));
         Header { crs: self.crs.clone(), members: edges.into_iter().collect(), ..Header::default() }

@@ -68,7 +68,7 @@ impl IndexedFile {
         Ok(Some(Self { reader, column, groups, length, read: 0 }))
     }
 
-    /// What the file says beside its features, without columns.
+    /// All that the file says beside its features, without columns.
     pub(in crate::layer) fn header(&self) -> Header {
         self.column.header()
     }

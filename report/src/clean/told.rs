@@ -1,0 +1,59 @@
+//! Parts of a report on cleaning that are told once, when it is made.
+
+use super::Names;
+use crate::words::plain;
+use serde_json::Value;
+use twinedge_formats::layer::Feature;
+use twinedge_formats::layer::clean::CleanReport;
+
+/// The id and the name of a feature.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Called {
+    pub(super) id: Option<String>,
+    pub(super) name: Option<String>,
+}
+
+impl Called {
+    pub(super) fn new(names: Names<'_>, feature: &Feature) -> Self {
+        Self { id: feature.id.as_ref().map(ToString::to_string), name: names.of(feature) }
+    }
+
+    /// The name for the feature with this number.
+    pub(super) fn label(&self, number: usize) -> String {
+        plain(&match (&self.name, &self.id) {
+            (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
+            (Some(name), _) => name.clone(),
+            (None, Some(id)) => id.clone(),
+            (None, None) => format!("feature {number}"),
+        })
+    }
+}
+
+/// The features that a report is about, in order.
+pub(super) fn mentioned(report: &CleanReport) -> Vec<usize> {
+    let mut all: Vec<usize> = report.made.into_iter().collect();
+    for change in &report.changes {
+        all.extend(&change.from);
+        all.extend(change.to);
+    }
+    for one in [&report.remaining, &report.wider_gaps, &report.accepted_gaps].into_iter().flatten() {
+        all.extend(&one.features);
+    }
+    for vertex in &report.added {
+        all.extend([vertex.to, vertex.of]);
+    }
+    all.extend(report.features.iter().map(|change| change.feature));
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// The tiles by which a layer was cleaned.
+#[derive(Debug)]
+pub(super) struct ToldTiles {
+    /// The line of the text.
+    pub(super) line: String,
+    /// A line for each neighbourhood that was left as it is.
+    pub(super) too_large: Vec<String>,
+    pub(super) json: Value,
+}
