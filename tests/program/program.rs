@@ -97,7 +97,7 @@ fn what_is_no_program_is_refused_with_its_place() {
         ("remove_face h0", 2, 1, Expected::Operator),
         ("  remove_edge", 2, 14, Expected::HalfEdge),
         ("remove_edge i0", 2, 13, Expected::HalfEdge),
-        ("remove_edge h65536", 2, 13, Expected::HalfEdge),
+        ("remove_edge h4294967296", 2, 13, Expected::HalfEdge),
         ("remove_edge h+1", 2, 13, Expected::HalfEdge),
         ("remove_edge h", 2, 13, Expected::HalfEdge),
         ("remove_edge h0 h1", 2, 16, Expected::End),
