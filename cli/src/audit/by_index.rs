@@ -11,7 +11,7 @@ use twinedge_formats::layer::{Feature as LayerFeature, Geometry, Indexed, ReadEr
 use twinedge_report::Shelf;
 
 /// The number of times that the features of a file may be passed over until it takes less to copy them.
-const TIMES: u64 = 32;
+const TIMES: u64 = 8;
 
 const EVERYTHING: [Point; 2] =
     [Point { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY }, Point { x: f64::INFINITY, y: f64::INFINITY }];
