@@ -1,4 +1,4 @@
-//! The features of a map on disk, tile by tile, for maps that are larger than memory.
+//! Shelves for the features of a map; on disk, tile by tile, for maps that are larger than memory.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -6,7 +6,7 @@ use std::io::{self, BufRead as _, BufReader, BufWriter, Read, Seek as _, SeekFro
 use std::sync::{Mutex, PoisonError};
 use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
-use twinedge_report::Shelf;
+use twinedge_report::{Division, InMemory, Shelf};
 
 /// The number of bytes that are collected before they are written.
 const COLLECTED: usize = 32 << 20;
@@ -21,6 +21,17 @@ pub(crate) struct OnDisk {
     by_tiles: Mutex<File>,
     /// Of each tile the stretches of the file: where they start, and how long they are.
     stretches: Vec<Vec<(u64, usize)>>,
+}
+
+/// Makes an empty shelf.
+pub(crate) type NewShelf = fn() -> io::Result<Box<dyn Shelf>>;
+
+/// The shelf for a division: on disk if memory is short.
+pub(crate) fn shelf_for(division: Division) -> NewShelf {
+    match division {
+        Division::Within(_) => || Ok(Box::new(OnDisk::new()?)),
+        Division::Across(_) => || Ok(Box::<InMemory>::default()),
+    }
 }
 
 impl OnDisk {

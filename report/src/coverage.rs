@@ -3,6 +3,7 @@
 use crate::coverage_words::explanation;
 use crate::diagnosis_text::{size, write, write_explanations};
 use crate::imported::Imported;
+use crate::judgement::{Judgement, judged};
 use crate::names::{named, numbered_name};
 use crate::trace::{of_finding, position};
 use crate::units::Units;
@@ -12,10 +13,9 @@ use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{self, CoverageError, CoverageRule, Defect, Finding, Limits, check, mismatches};
+use twinedge::algorithm::coverage::{self, CoverageRule, Defect, Finding, Limits};
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
-use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge::map::{Builder, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 
 /// The number of findings of each rule that the text shows unless asked.
@@ -423,85 +423,6 @@ impl Coverage {
         }
         Ok(())
     }
-}
-
-/// The reason why all rules but C6 were not checked.
-#[derive(Debug, thiserror::Error)]
-enum NotChecked {
-    #[error(transparent)]
-    Build(#[from] BuildError),
-    #[error(transparent)]
-    Coverage(#[from] CoverageError),
-    #[error("{0}")]
-    TooFar(String),
-}
-
-/// The findings of all rules but C6.
-struct Judgement {
-    findings: Vec<(Finding, Option<&'static str>)>,
-    gap_width: f64,
-    sliver_area: f64,
-    wider_gaps: usize,
-    accepted_gaps: usize,
-    of_input: Option<PlanarMap>,
-}
-
-fn judged(
-    imported: &Imported,
-    builder: Option<Builder>,
-    limits: &Limits,
-    units: &Units,
-    stage: &mut dyn FnMut(&'static str),
-) -> Result<Judgement, NotChecked> {
-    let map = &imported.map;
-    let Some(builder) = builder else {
-        stage("checking the coverage");
-        let mut found = check(map, limits)?;
-        found.findings.extend(mismatches(map, &imported.unmatched)?);
-        let converted = |mut finding: Finding| {
-            units.convert(map, &mut finding);
-            // The vertices that were missing are those of the noding.
-            let snapping = (finding.rule == CoverageRule::Mismatch).then_some("removed");
-            (finding, snapping)
-        };
-        let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
-        let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-        let findings = found.findings.into_iter().map(converted).collect();
-        return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
-    };
-    if let Some(why) = imported.noted.too_far_to_cut() {
-        return Err(NotChecked::TooFar(why));
-    }
-    let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
-    let mut found = check(&of_input, limits)?;
-    found.findings.extend(mismatches(&of_input, &imported.unmatched)?);
-    // The same limits for both.
-    let limits = Limits { sliver_area: Some(found.sliver_area), ..limits.clone() };
-    let snapped = match map.noding() {
-        Some(_) => check(map, &limits)?.findings,
-        None => Vec::new(),
-    };
-    let converted = |map: &PlanarMap, finding: &Finding| {
-        let mut finding = finding.clone();
-        units.convert(map, &mut finding);
-        finding
-    };
-    let is_among = |finding: &Finding, others: &[Finding]| {
-        others.iter().any(|other| (other.rule, &other.features) == (finding.rule, &finding.features))
-    };
-    let made = snapped.iter().filter(|finding| !is_among(finding, &found.findings));
-    let made: Vec<(Finding, Option<&'static str>)> =
-        made.map(|finding| (converted(map, finding), Some("made"))).collect();
-    let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
-    let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
-    let on_input = found.findings.into_iter().map(|finding| {
-        let snapping = removed(&finding).then_some("removed");
-        (converted(&of_input, &finding), snapping)
-    });
-    let mut findings: Vec<_> = on_input.chain(made).collect();
-    findings.sort_by_key(|(finding, _)| finding.rule);
-    let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-    Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
 }
 
 /// A finding of a map.

@@ -137,7 +137,7 @@ reference system"
     #[error("--edges geodesic and {0} do not go together")]
     NotGeodesic(&'static str),
     /// A file says that its edges are great circles, and they cannot be judged so.
-    #[error("the file says that its edges are {0}, and tiles take edges as straight: --edges straight judges them so")]
+    #[error("edges are {0} by the file, and straight in tiles: --edges straight judges them so")]
     NotStraight(String),
     /// Great circles cannot be drawn.
     #[error(transparent)]

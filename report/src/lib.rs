@@ -37,6 +37,7 @@ mod input_kind;
 mod iso;
 mod iso_measure;
 mod judged;
+mod judgement;
 mod junit;
 mod layers;
 mod left_out;

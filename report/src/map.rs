@@ -13,13 +13,15 @@ use crate::trace::placed;
 use crate::units::Units;
 use crate::words::counted;
 use serde_json::to_value;
-use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
+use twinedge::geometry::predicates::compare_lexicographic;
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, places, validate_embedding};
+use twinedge::validate::{
+    Collect, Embedding as _, Expectation, Record, Report, Rule, Violation, places, validate_embedding,
+};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
 /// Validates the map, and judges it as a coverage, for which the builder is used up.
@@ -99,14 +101,16 @@ fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
             *vertex = least_vertex(map, *vertex, &mut seen).unwrap_or(*vertex);
         }
     }
-    let place = |vertex: usize| map.dcel().vertex_at(vertex).map(|v| map[v.key()]);
-    let size = |violation: &Violation| match *violation {
-        Violation::Genus { vertex, vertices, edges, cycles, .. } => ([vertices, edges, cycles], place(vertex)),
+    let key = |violation: &Violation| match *violation {
+        Violation::Genus { vertex, vertices, edges, cycles, .. } => ([vertices, edges, cycles], map.point(vertex)),
         _ => Default::default(),
     };
     let is_other = |violation: &Violation| violation.rule() != Rule::T3;
     for of_rule in found.split_mut(is_other) {
-        of_rule.sort_unstable_by(|a, b| size(a).partial_cmp(&size(b)).unwrap_or(Ordering::Equal));
+        of_rule.sort_unstable_by(|a, b| {
+            let ((size, place), (other, beside)) = (key(a), key(b));
+            size.cmp(&other).then(compare_lexicographic(place, beside))
+        });
     }
     found
 }
@@ -123,7 +127,7 @@ fn least_vertex(map: &PlanarMap, vertex: usize, seen: &mut Vec<bool>) -> Option<
         if std::mem::replace(&mut seen[v.index()], true) {
             continue;
         }
-        if map[v.key()] < map[least.key()] {
+        if compare_lexicographic(map.point(v.index()), map.point(least.index())).is_lt() {
             least = v;
         }
         ahead.extend(v.rotation().map(|h| h.target()));

@@ -6,6 +6,7 @@ use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
 use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{Feature, Shape};
 use twinedge_formats::layer::{Feature as LayerFeature, Value};
@@ -28,9 +29,6 @@ const POLE: f64 = 89.0;
 /// The bits of a double below its exponent, and the number of exponents.
 const MANTISSA: u32 = 52;
 const EXPONENTS: usize = 1 << 11;
-
-/// The part of the largest coordinate that a cell of the grid is on which borders are cut, at least: it is a power of two.
-const CELL: f64 = 1.0 / (1_u64 << 50) as f64;
 
 /// The least number of such cells that most edges are to be long.
 const RESOLVED: f64 = 1024.0;
@@ -252,7 +250,7 @@ impl Noted {
             2 * shorter >= all
         })?;
         let (largest, length) = (self.largest(), f64::from_bits((median as u64 + 1) << MANTISSA));
-        let cell = largest * CELL;
+        let cell = largest / Snap::AUTO_CELLS as f64;
         (all > 0 && length < cell * RESOLVED).then(|| {
             format!(
                 "half of the edges are shorter than {}, and the grid on which crossing borders are cut has cells of {}",

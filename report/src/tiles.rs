@@ -17,7 +17,7 @@ use crate::trace::position;
 use crate::units::Units;
 use crate::words::counted;
 use serde_json::{Map, Value, json, to_value};
-use twinedge::algorithm::coverage::{CoverageRule, Defect};
+use twinedge::algorithm::coverage::{CoverageRule, Defect, Limits};
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, BuildSummary, Shape};
@@ -59,14 +59,7 @@ pub(crate) fn audit(
         Division::Across(across) => grid_of(corners, [across; 2])?,
         Division::Within(bytes) => fitting(corners, shelf, bytes)?,
     };
-    let cuts = no_cuts(corners)?;
-    let columns = grid.size()[0] as usize;
-    let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
-    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(&grid, tile, [])).collect();
-    shelf.file(&windows, &|feature| cuts.tiles_of(&grid, feature).map(number).collect())?;
-    stage("judging the tiles");
-    let of_tile = |tile| shelf.of_tile(number(tile));
-    let outcome = tile::audit(&grid, &asked.coverage.limits, cuts, of_tile)?;
+    let outcome = judged(&grid, corners, &asked.coverage.limits, shelf, || stage("judging the tiles"))?;
     let summary = &mut imported.summary;
     // Of segments that are equal, one is an edge.
     summary.duplicate_segments = (summary.segments - summary.zero_length_segments).saturating_sub(outcome.counts.edges);
@@ -90,6 +83,27 @@ pub(crate) fn audit(
     })
 }
 
+/// Files the features of a shelf under the tiles of a grid, and judges these; `filed` is called between.
+pub(crate) fn judged(
+    grid: &Grid,
+    corners: Option<[Point; 2]>,
+    limits: &Limits,
+    shelf: &mut dyn Shelf,
+    filed: impl FnOnce(),
+) -> Result<Outcome, Error> {
+    let cuts = no_cuts(corners)?;
+    let number = |tile| number_of(grid, tile);
+    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(grid, tile, [])).collect();
+    shelf.file(&windows, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
+    filed();
+    Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
+}
+
+/// The number of a tile, row by row.
+const fn number_of(grid: &Grid, tile: Tile) -> usize {
+    tile.row as usize * grid.size()[0] as usize + tile.column as usize
+}
+
 fn numbered(defects: &[(u32, Vec<Defect>)]) -> Vec<(usize, Vec<Defect>)> {
     defects.iter().map(|(feature, found)| (*feature as usize, found.clone())).collect()
 }
@@ -107,9 +121,8 @@ pub(crate) fn fitting(corners: Option<[Point; 2]>, shelf: &mut dyn Shelf, bytes:
     shelf.each(&mut |feature| {
         let vertices = feature.shapes.iter().map(|shape| vertices(shape) as u64).sum::<u64>();
         for (grid, given) in &mut sizes {
-            let columns = grid.size()[0] as usize;
             for tile in grid.tiles_of(feature) {
-                given[tile.row as usize * columns + tile.column as usize] += vertices;
+                given[number_of(grid, tile)] += vertices;
             }
         }
     })?;

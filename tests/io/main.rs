@@ -10,5 +10,4 @@ mod geojson;
 mod geojson_properties;
 mod import;
 mod reading;
-mod tables;
 mod wkt;

@@ -122,9 +122,9 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "COLUMN[=KEY]", conflicts_with_all = ["tiles", "memory"])]
     pub(super) parent_column: Option<ParentColumn>,
 
-    /// Judge a map that is larger than memory: by tiles, as many as it takes to judge each within SIZE, as 800M or 2G. Tiles of `FlatGeobuf` with an
-    /// index and of `GeoParquet` with boxes are read from the file; of other files a copy is made in the folder for temporary files (TMPDIR). Names and ids of
-    /// features, and what tiles found, come on top.
+    /// Judge a map that is larger than memory, by tiles: as many as it takes to judge each within SIZE, as 800M or 2G. `FlatGeobuf` with an index and
+    /// `GeoParquet` with boxes are read tile by tile. Other files are copied into the folder for temporary files (TMPDIR). Names and ids of features, and what
+    /// tiles found, come on top.
     #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with = "tiles")]
     pub(super) memory: Option<u64>,
 

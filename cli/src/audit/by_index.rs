@@ -1,5 +1,6 @@
 //! The features of a file with boxes, which are read where they are, tile by tile.
 
+use crate::on_disk::NewShelf;
 use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -21,13 +22,10 @@ pub(super) struct ByIndex {
     source: Source,
     /// That of each tile.
     windows: Vec<[Point; 2]>,
-    other: Other,
+    other: NewShelf,
     /// The other shelf, if all features were copied to it.
     copied: Option<Box<dyn Shelf>>,
 }
-
-/// Makes another shelf.
-pub(super) type Other = fn() -> io::Result<Box<dyn Shelf>>;
 
 /// A file with boxes.
 struct Source {
@@ -38,11 +36,12 @@ struct Source {
 }
 
 /// The best shelf for a file: itself, if it has boxes, or else another one.
-pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: Other) -> io::Result<Box<dyn Shelf>> {
+pub(super) fn shelf_of(path: Option<&Path>, options: ReadOptions, other: NewShelf) -> io::Result<Box<dyn Shelf>> {
     // A pipe cannot be opened again.
     let Some(path) = path.filter(|path| path.is_file()) else { return other() };
     match Indexed::open(path, &options) {
-        Ok(Some(file)) => {
+        // Features have numbers of 32 bits.
+        Ok(Some(file)) if u32::try_from(file.amount().of_features).is_ok() => {
             let source = Source { path: path.to_owned(), options, free: Mutex::new(vec![file]) };
             Ok(Box::new(ByIndex { source, windows: Vec::new(), other, copied: None }))
         }

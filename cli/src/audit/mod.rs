@@ -11,12 +11,12 @@ mod write;
 pub(crate) use arguments::Audit;
 
 use crate::input::open;
-use crate::on_disk::OnDisk;
+use crate::on_disk::shelf_for;
 use crate::output::plain;
 use crate::output_file::write_file;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
-use by_index::{Other, shelf_of};
+use by_index::shelf_of;
 use destination::ReportFormat;
 use std::fs::{File, Metadata};
 use std::io::BufReader;
@@ -26,7 +26,7 @@ use timeout::Claim;
 use twinedge::validate::Collect;
 use twinedge_formats::layer::osm::{self, Boundaries, TagFilter};
 use twinedge_report::{
-    Accepted, Audited, Counted, Division, InMemory, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
+    Accepted, Audited, Counted, Division, Input, InputKind, Judged, OfReader, Options, audit, audit_against,
     audit_in_tiles, audit_layer,
 };
 use write::{write, write_iso};
@@ -96,13 +96,9 @@ impl Audit {
         let division = self.memory.map(Division::Within).or(self.tiles.map(Division::Across));
         let audited = match division {
             Some(division) => {
-                let other: Other = match division {
-                    Division::Within(_) => || Ok(Box::new(OnDisk::new()?)),
-                    Division::Across(_) => || Ok(Box::<InMemory>::default()),
-                };
                 // A file that was unpacked goes when it was read.
                 let path = input.path.as_deref().filter(|_| input.kept.is_none());
-                let mut shelf = shelf_of(path, input.options(), other).map_err(named("--memory"))?;
+                let mut shelf = shelf_of(path, input.options(), shelf_for(division)).map_err(named("--memory"))?;
                 busy(|stage| audit_in_tiles(input, options, division, &mut *shelf, stage))
             }
             None if is_compared => busy(|stage| audit_against(input, other, options, stage)),

@@ -14,6 +14,7 @@ use std::time::Instant;
 use twinedge::algorithm::clean::{Options, Winner};
 use twinedge::geometry::noding::Snap;
 use twinedge_formats::layer::clean::CleanOptions;
+use twinedge_report::Division;
 use twinedge_report::clean::{Cleaning, Names, Repair};
 
 /// Repair a layer of polygons: cut borders where they meet, and resolve overlaps, small gaps and slivers.
@@ -97,9 +98,9 @@ pub(crate) struct Clean {
     ])]
     undo: Option<PathBuf>,
 
-    /// Clean a file of GeoJSON or newline-delimited GeoJSON that is larger than memory: it is judged by tiles in the folder for temporary files (TMPDIR), as many as
-    /// it takes to judge each within SIZE, as 800M or 2G, and only the neighbourhoods of what is wrong are read and cleaned. One that does not fit into SIZE stays as it is, and
-    /// the report says so. The output is in the format of the input.
+    /// Clean a file of GeoJSON or newline-delimited GeoJSON that is larger than memory. It is judged by tiles: as many as it takes to judge each within SIZE, as 800M or
+    /// 2G, in the folder for temporary files (TMPDIR). Only the neighbourhoods of what is wrong are read and cleaned. If one does not fit into SIZE it stays as it is, and the
+    /// report says so. The output has the format of the input.
     #[arg(long, value_name = "SIZE", value_parser = crate::input::size, conflicts_with_all = ["tiles", "snap", "gaps_to", "patch", "undo"])]
     memory: Option<u64>,
 
@@ -163,8 +164,8 @@ impl Clean {
         if !self.dry_run && !self.output.is_given() {
             return Err(Failure("neither a file to write (-o FILE) nor --dry-run was given".to_owned()));
         }
-        if self.memory.is_some() || self.tiles.is_some() {
-            return self.in_tiles(start);
+        if let Some(division) = self.memory.map(Division::Within).or(self.tiles.map(Division::Across)) {
+            return self.in_tiles(division, start);
         }
         let WithText { name, mut layer, text } = self.input.read_with_text()?;
         self.output.refuse(&layer)?;

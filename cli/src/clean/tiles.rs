@@ -1,18 +1,17 @@
 //! `clean` of a file that is larger than memory.
 
 use super::{Clean, GapWidth};
-use crate::on_disk::OnDisk;
+use crate::on_disk::shelf_for;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
-use std::io;
 use std::time::Instant;
 use twinedge_formats::layer::{Feature, Format, GeoJsonFile};
+use twinedge_report::Division;
 use twinedge_report::clean::{Cleaning, clean_in_tiles};
-use twinedge_report::{Division, InMemory};
 
 impl Clean {
     /// Cleans by tiles, and writes the output feature by feature.
-    pub(super) fn in_tiles(&self, start: Instant) -> Result<Verdict, Failure> {
+    pub(super) fn in_tiles(&self, division: Division, start: Instant) -> Result<Verdict, Failure> {
         let refused = |why: &str| Err(Failure(format!("--memory, --tiles: {why}")));
         if matches!(self.gap_width, Some(GapWidth::Auto)) {
             return refused("--gap-width auto looks at all gaps at once, and is not for tiles");
@@ -34,13 +33,7 @@ impl Clean {
             GeoJsonFile::open(path, tempfile::tempfile()?, &mut take)
         };
         let repair = self.repair();
-        let cleaned = busy(|stage| match (self.memory, self.tiles) {
-            (Some(bytes), _) => clean_in_tiles(open, &repair, Division::Within(bytes), OnDisk::new, stage),
-            (None, across) => {
-                let division = Division::Across(across.unwrap_or(1));
-                clean_in_tiles(open, &repair, division, || Ok::<_, io::Error>(InMemory::default()), stage)
-            }
-        });
+        let cleaned = busy(|stage| clean_in_tiles(open, &repair, division, shelf_for(division), stage));
         let (mut file, tiles) = cleaned.map_err(named(&name))?;
         let written = self.output.write_with(file.format(), path, |out| file.write(out).map_err(named(&name)))?;
         let mut report = Cleaning::of_tiles(&name, &repair, &tiles);

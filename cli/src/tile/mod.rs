@@ -21,9 +21,9 @@ use twinedge_report::{Error, Imported, InMemory, Keep, refuse_edges};
 /// A grid cuts the map into tiles, and each can be judged by a process of its own, on whatever machine. `twinedge sum` of the summaries of
 /// all tiles says what `twinedge audit` says of the map. Summaries that are equal are equal byte by byte, so a tile may be made again.
 ///
-/// Of `FlatGeobuf` with an index, and of `GeoParquet` with a column of boxes or Parquet's own geometries, only the features are read that meet the tile, and those by
-/// which their edges are cut. If all tiles could be made, nothing was missed: a box that is smaller than its
-/// feature is an error in the tiles that the box meets. Other files are read as a whole for each tile; `twinedge convert` writes both formats.
+/// Of `FlatGeobuf` with an index, and of `GeoParquet` with a column of boxes or Parquet's own geometries, only the features that meet the tile are read, and those that
+/// cut their edges. A box that is smaller than its feature is an error in each tile that it meets: if all tiles can be made, no feature was missed. Other files are read
+/// as a whole for each tile; `twinedge convert` writes both formats.
 ///
 /// All tiles must be made of the same file, with the same grid, box and limits.
 #[derive(Debug, clap::Args)]

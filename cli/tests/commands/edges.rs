@@ -169,7 +169,7 @@ fn a_file_that_says_that_its_edges_are_spherical_is_judged_so() {
     let tile = ["tile", parquet, "--grid", "1x1", "--tile", "0,0", "-o", summary];
     for arguments in [&["audit", parquet, "--tiles", "2"][..], &["audit", parquet, "--memory", "1G"], &tile] {
         let said = complaint(&twinedge(arguments));
-        assert!(said.contains("its edges are spherical, and tiles take edges as straight: --edges straight"), "{said}");
+        assert!(said.contains("edges are spherical by the file, and straight in tiles: --edges straight"), "{said}");
         assert!(twinedge(&[arguments, &["--edges", "straight"]].concat()).status.success(), "{arguments:?}");
     }
     // A warning is given where another format says so, and where straight edges are asked for.

@@ -1,20 +1,20 @@
-//! Cleaning a file that is larger than memory: its tiles are judged, the neighbourhoods of what is wrong are cleaned, and the result is judged by its tiles again.
+//! Cleaning a file that is larger than memory. Its tiles are judged, and the neighbourhoods of what is wrong are cleaned. Then the tiles of the result
+//! are judged.
 
 use super::names::no_column;
 use super::told::{Called, ToldTiles, mentioned};
 use super::{Names, Repair};
 use crate::error::Error;
 use crate::shelf::Shelf;
-use crate::tiles::{Division, fitting, grid_of, no_cuts, size};
+use crate::tiles::{Division, fitting, grid_of, judged, size};
 use crate::words::{counted, grouped, place};
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::io;
 use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits};
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map;
-use twinedge::tile::{self, Grid, Outcome, Tile};
+use twinedge::tile::{Grid, Outcome};
 use twinedge_formats::diagnosis::FeatureName;
 use twinedge_formats::layer::clean::{
     CleanError, CleanOptions, CleanReport, Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods, is_tidy,
@@ -76,19 +76,19 @@ impl CleanedTiles {
     }
 }
 
-/// Cleans a file by its tiles: `file` opens it, and hands over its features; `shelves` makes empty shelves. The file then has the features as they are
-/// now, and is to be written. Gaps go to neighbours, the width of gaps is not chosen, and no grid is asked for.
+/// Cleans a file by its tiles: `open` opens it, and hands over its features; `shelves` makes empty shelves. The file then has the features as they are
+/// now, and is to be written. Of the options, `snap`, `chooses_width` and `gaps_to` are left out of account: they look at the whole layer.
 ///
 /// Costs what two audits by tiles cost and what cleaning the neighbourhoods does. Memory is that of the audit, 64 bytes for each feature, and that of the
 /// largest neighbourhood, which is bounded as tiles are.
 ///
 /// # Errors
 /// [`Error`].
-pub fn clean_in_tiles<S: Shelf>(
+pub fn clean_in_tiles(
     open: impl FnOnce(&mut dyn FnMut(Feature)) -> Result<GeoJsonFile, FileError>,
     repair: &Repair<'_>,
     division: Division,
-    mut shelves: impl FnMut() -> io::Result<S>,
+    shelves: impl Fn() -> io::Result<Box<dyn Shelf>>,
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<(GeoJsonFile, CleanedTiles), Error> {
     let mut shelf = shelves()?;
@@ -96,20 +96,20 @@ pub fn clean_in_tiles<S: Shelf>(
     let mut full = Ok(());
     let mut file = open(&mut |feature| {
         if full.is_ok() {
-            full = read.take(&feature, &mut shelf);
+            full = read.take(&feature, &mut *shelf);
         }
     })?;
     full?;
-    let FirstReading { corners, mut untidy, .. } = read.checked()?;
-    let Some(corners) = corners else { return Err(CleanError::NoPolygons.into()) };
+    let FirstReading { mut untidy, .. } = read.checked()?;
+    let Some(corners) = Extent::around(file.extents()) else { return Err(CleanError::NoPolygons.into()) };
     let limits = limits(&repair.options);
     stage("dividing the map");
     let (grid, most) = match division {
         Division::Across(across) => (grid_of(Some(corners), [across; 2])?, u64::MAX),
-        Division::Within(bytes) => (fitting(Some(corners), &mut shelf, bytes)?, bytes / BYTES),
+        Division::Within(bytes) => (fitting(Some(corners), &mut *shelf, bytes)?, bytes / BYTES),
     };
-    stage("judging the tiles");
-    let before = judged(&grid, corners, &limits, shelf)?;
+    let before = judged(&grid, Some(corners), &limits, &mut *shelf, || stage("judging the tiles"))?;
+    drop(shelf);
     let sliver_area = before.coverage.as_ref().map(|found| found.sliver_area).ok_or_else(|| unknown(&before))?;
     let mut options = repair.options.clone();
     options.assign.sliver_area.get_or_insert(sliver_area);
@@ -122,8 +122,7 @@ pub fn clean_in_tiles<S: Shelf>(
     } else {
         let mut shelf = shelves()?;
         file.each(|feature| Ok::<_, Error>(shelf.put(polygons(&feature))?))?;
-        stage("judging the result");
-        judged(&grid, corners, &limits, shelf)?
+        judged(&grid, Some(corners), &limits, &mut *shelf, || stage("judging the result"))?
     };
     report.judge(&after);
     let mut numbers = mentioned(&report);
@@ -144,26 +143,20 @@ struct FirstReading<'a> {
     features: u32,
     is_named: bool,
     columns: BTreeSet<String>,
-    corners: Option<[Point; 2]>,
     /// The features whose rings are open or repeat points, which breaks no rule, each by itself.
     untidy: Vec<Vec<usize>>,
 }
 
 impl<'a> FirstReading<'a> {
     fn new(names: Names<'a>) -> Self {
-        Self { names, features: 0, is_named: false, columns: BTreeSet::new(), corners: None, untidy: Vec::new() }
+        Self { names, features: 0, is_named: false, columns: BTreeSet::new(), untidy: Vec::new() }
     }
 
-    fn take(&mut self, feature: &Feature, shelf: &mut impl Shelf) -> io::Result<()> {
+    fn take(&mut self, feature: &Feature, shelf: &mut dyn Shelf) -> io::Result<()> {
         let number = self.features;
         self.features = number.checked_add(1).ok_or_else(|| io::Error::other("there are 2^32 features or more"))?;
         self.is_named |= self.names.of(feature).is_some();
         self.names.columns(feature, &mut self.columns);
-        if let Some([low, high]) = Extent::of(feature).corners {
-            let [a, b] = self.corners.unwrap_or([low, high]);
-            self.corners =
-                Some([Point::new(a.x.min(low.x), a.y.min(low.y)), Point::new(b.x.max(high.x), b.y.max(high.y))]);
-        }
         if !is_tidy(feature) {
             self.untidy.push(vec![number as usize]);
         }
@@ -196,15 +189,6 @@ fn limits(options: &CleanOptions) -> Limits {
         sliver_area: assign.sliver_area,
         thinness: assign.thinness,
     }
-}
-
-fn judged(grid: &Grid, corners: [Point; 2], limits: &Limits, mut shelf: impl Shelf) -> Result<Outcome, Error> {
-    let cuts = no_cuts(Some(corners))?;
-    let columns = grid.size()[0] as usize;
-    let number = |tile: Tile| tile.row as usize * columns + tile.column as usize;
-    let windows: Vec<[Point; 2]> = grid.tiles().map(|tile| cuts.window(grid, tile, [])).collect();
-    shelf.file(&windows, &|feature| cuts.tiles_of(grid, feature).map(number).collect())?;
-    Ok(tile::audit(grid, limits, cuts, |tile| shelf.of_tile(number(tile)))?)
 }
 
 fn unknown(outcome: &Outcome) -> Error {

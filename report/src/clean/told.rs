@@ -1,4 +1,4 @@
-//! Parts of a report on cleaning that are told once, when it is made.
+//! Parts of a report on cleaning: the names of features, and the tiles. They are made with the report.
 
 use super::Names;
 use crate::words::plain;
@@ -31,18 +31,11 @@ impl Called {
 
 /// The features that a report is about, in order.
 pub(super) fn mentioned(report: &CleanReport) -> Vec<usize> {
-    let mut all: Vec<usize> = report.made.into_iter().collect();
-    for change in &report.changes {
-        all.extend(&change.from);
-        all.extend(change.to);
-    }
+    let mut all = report.touched();
+    all.extend(report.made);
     for one in [&report.remaining, &report.wider_gaps, &report.accepted_gaps].into_iter().flatten() {
         all.extend(&one.features);
     }
-    for vertex in &report.added {
-        all.extend([vertex.to, vertex.of]);
-    }
-    all.extend(report.features.iter().map(|change| change.feature));
     all.sort_unstable();
     all.dedup();
     all

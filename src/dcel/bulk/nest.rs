@@ -1,8 +1,8 @@
 //! The groups of faces that become one when edges are removed, and the outer boundary component of each group.
 //!
-//! An edge between two faces of different groups joins these, and two boundary components become one; each other edge parts
-//! one in two. So the numbers of faces and edges give the number of cycles of each group, without a walk. If there is one, it is the
-//! outer one. Of several that is the outer one beyond which the unbounded face lies:
+//! Removing an edge between two faces makes them one, and two cycles one. Removing an edge with one face on both sides makes two cycles of
+//! one. So the numbers of faces and edges give the number of cycles of each group, without a walk. A single cycle is the outer one. Of
+//! several, the outer one is that beyond which the unbounded face lies:
 //!
 //! ```text
 //!   the group ──► cycle ──► what lies beyond ──► ends: the cycle is inner
@@ -10,9 +10,9 @@
 //!             ──► cycle ──► what lies beyond ──► …     the one that is left is outer
 //! ```
 //!
-//! All are searched in step, from group to group over the edges. Beyond an inner cycle the outer cycle of each group is that through
-//! which it is reached. No such group is searched again, so all searches that end take linear time together, and those that do not take
-//! no more.
+//! There is a search beyond each cycle, from group to group over the edges, and all take their steps in turn. Beyond an inner cycle, the outer
+//! cycle of a group is that over which the search reaches it. No group that was reached so is searched again. So the searches that
+//! end take linear time together, and the one that is left takes no longer than the longest of these.
 
 use crate::slots::{NIL, Sets};
 use crate::store::Store;

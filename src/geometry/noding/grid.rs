@@ -10,6 +10,7 @@ const REACH: i32 = 53;
 /// With [`Snap::Auto`], a cell is 2^3 steps, so coordinates are at most 2^50 cells. That the input is read more
 /// finely than it is rounded keeps crossings where they were, and lets those that should be one point be one.
 const SPARE: i32 = 3;
+const _: () = assert!(Snap::AUTO_CELLS == 1 << (REACH - SPARE), "the documented number of cells");
 
 /// The smallest positive double is 2^-1074.
 const SMALLEST: i32 = -1074;

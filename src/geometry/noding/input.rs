@@ -16,6 +16,11 @@ pub enum Snap {
     Size(f64),
 }
 
+impl Snap {
+    /// With [`Snap::Auto`] the largest coordinate is at most so many cells, and more than half as many.
+    pub const AUTO_CELLS: u64 = 1 << 50;
+}
+
 /// A place in the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {

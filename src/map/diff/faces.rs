@@ -1,7 +1,7 @@
 //! The face of each id on a map that has been drawn.
 //!
-//! Each side says which half-edges bound a face. Of two sides that cut one face neither knows the lines of the other: both give parts of
-//! what the other has cut off to the face, or to a part of their own.
+//! Each side says which half-edges bound a face. If two sides cut one face, neither knows the lines of the other: one half-edge may bound a part
+//! with one id for the one side, and with another id for the other.
 //!
 //! ```text
 //!     ┌─────┬─────┬─────┐     one side draws the left line, and calls the parts 1 and 2,
@@ -9,11 +9,11 @@
 //!     └─────┴─────┴─────┘
 //! ```
 //!
-//! So a face may have several ids, and an id several faces. A face to which only one id is left has it, and so has an id to which only
-//! one face is left: here 1 is to the left, 3 to the right, and 2 between.
+//! So several ids may claim a face, and an id several faces. A face that only one id claims has this id, and an id that claims only one face has
+//! this face. The other claims on both are dropped, which leaves others alone in turn: here 1 is to the left, 3 to the right, and 2 between.
 //!
-//! What remains are rings, as where 1 is to the left for one side, and to the right for the other. Either way around gives an id to each
-//! face. That is right if they were one face, and nothing but their ids tells them apart.
+//! Rings are left: for one side 1 is to the left and 2 to the right, and for the other it is the other way round. Either way gives each face
+//! an id. Both are right if the faces have the same features and values, as then only the ids tell them apart.
 
 use super::Diff;
 use super::apply::Drawing;
@@ -185,10 +185,8 @@ impl Open {
                 Some(Node::Id(id)) => self.faces_of.get(&id).and_then(|faces| Some((id, *faces.first()?))),
                 None => {
                     let Some((id, faces)) = self.faces_of.first_key_value() else { return Ok(matched) };
-                    if !are_alike(&self.ring(*id)) {
-                        return Err(ApplyError::NotOneFace(Record::Face(*id)));
-                    }
-                    faces.first().map(|face| (*id, *face))
+                    let face = faces.first().filter(|_| are_alike(&self.ring(*id)));
+                    Some((*id, *face.ok_or(ApplyError::NotOneFace(Record::Face(*id)))?))
                 }
             };
             let Some((id, face)) = next else { continue };
@@ -223,3 +221,6 @@ impl Open {
         reached
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -25,9 +25,10 @@ use rstar::{AABB, RTree};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
 
 /// The margin around windows, by the largest coordinate: 64 cells of the finest grid.
-const MARGIN: f64 = 64.0 / (1_u64 << 50) as f64;
+const MARGIN: f64 = 64.0 / Snap::AUTO_CELLS as f64;
 
 /// The polygons of a feature: the corners of the box around them, and the number of their vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +152,8 @@ pub fn clean_neighbourhoods<S: Source>(
             asked.assign.window = Some(grown(open.corners, windows.largest));
             let mut report = clean_part(&mut layer, &asked, Some(windows.largest))?;
             renumber(&mut report, &numbers);
-            let fresh: BTreeSet<usize> = touched(&report).filter(|number| !open.core.contains(number)).collect();
+            let fresh: BTreeSet<usize> =
+                report.touched().into_iter().filter(|number| !open.core.contains(number)).collect();
             if fresh.is_empty() {
                 for change in &report.features {
                     let place = numbers.binary_search(&change.feature).ok();
@@ -170,6 +172,12 @@ pub fn clean_neighbourhoods<S: Source>(
 }
 
 impl Extent {
+    /// The corners of the box around several. O(extents).
+    #[must_use]
+    pub fn around(all: &[Self]) -> Option<[Point; 2]> {
+        around(all.iter().filter_map(|extent| extent.corners))
+    }
+
     /// That of the polygons of a feature. O(vertices).
     #[must_use]
     pub fn of(feature: &Feature) -> Self {
@@ -208,7 +216,7 @@ struct Windows {
 
 impl Windows {
     fn new(extents: &[Extent]) -> Self {
-        let corners = extents.iter().filter_map(|extent| extent.corners).flatten();
+        let corners = Extent::around(extents).into_iter().flatten();
         let largest = corners.fold(0.0, |most: f64, p| most.max(p.x.abs()).max(p.y.abs()));
         Self { all: FxHashMap::default(), tree: RTree::new(), largest, next: 0 }
     }
@@ -316,13 +324,6 @@ fn grown([low, high]: [Point; 2], largest: f64) -> [Point; 2] {
 
 fn compare(a: Point, b: Point) -> std::cmp::Ordering {
     twinedge::geometry::predicates::compare_lexicographic(a, b)
-}
-
-/// The features that a report is about.
-fn touched(report: &CleanReport) -> impl Iterator<Item = usize> {
-    let changes = report.changes.iter().flat_map(|change| change.from.iter().copied().chain(change.to));
-    let added = report.added.iter().flat_map(|vertex| [vertex.to, vertex.of]);
-    changes.chain(added).chain(report.features.iter().map(|change| change.feature))
 }
 
 /// Gives the features of a part the numbers that they have in the whole.

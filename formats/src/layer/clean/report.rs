@@ -43,6 +43,20 @@ pub struct CleanReport {
 }
 
 impl CleanReport {
+    /// The features that changed, and those between which something was wrong that was mended; some several times. O(changes).
+    #[must_use]
+    pub fn touched(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self.features.iter().map(|change| change.feature).collect();
+        for change in &self.changes {
+            all.extend(&change.from);
+            all.extend(change.to);
+        }
+        for vertex in &self.added {
+            all.extend([vertex.to, vertex.of]);
+        }
+        all
+    }
+
     /// Takes what the report of another part of the same layer says of changes.
     pub(super) fn append(&mut self, other: Self) {
         self.changes.extend(other.changes);

@@ -2,7 +2,7 @@
 
 use super::{CleanedTiles, clean_in_tiles};
 use crate::clean::Repair;
-use crate::shelf::InMemory;
+use crate::shelf::{InMemory, Shelf};
 use crate::tiles::Division;
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::fmt::Write as _;
@@ -151,7 +151,7 @@ fn by_tiles(path: &Path, repair: &Repair<'_>, division: Division) -> (Vec<Featur
         };
         GeoJsonFile::open(path, tempfile::tempfile()?, &mut take)
     };
-    let shelves = || Ok::<_, io::Error>(InMemory::default());
+    let shelves = || -> io::Result<Box<dyn Shelf>> { Ok(Box::<InMemory>::default()) };
     let (mut file, tiles) = clean_in_tiles(open, repair, division, shelves, &mut |_| {}).unwrap();
     let mut written = Vec::new();
     file.write(&mut written).unwrap();

@@ -1,4 +1,5 @@
 //! The three tables of the textbooks: written, read, and what is wrong with a text.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 use quickcheck::QuickCheck;
 use twinedge::dcel::Dcel;
