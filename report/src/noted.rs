@@ -253,7 +253,7 @@ impl Noted {
         let cell = largest / Snap::AUTO_CELLS as f64;
         (all > 0 && length < cell * RESOLVED).then(|| {
             format!(
-                "half of the edges are shorter than {}, and the grid on which crossing borders are cut has cells of {}",
+                "half of the edges are shorter than {}, and the grid that cuts crossing borders has cells of at least {}",
                 measure(length),
                 measure(cell)
             )

@@ -96,8 +96,8 @@ fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide
         assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")), "{tiles:?}");
         assert_eq!(
             found["coverage"]["not_checked"],
-            "half of the edges are shorter than 16.0000, and the grid on which crossing borders are cut has cells of \
-             88.8178"
+            "half of the edges are shorter than 16.0000, and the grid that cuts crossing borders has cells of at \
+             least 88.8178"
         );
     }
     // A map that is plane is not cut.

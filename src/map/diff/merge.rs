@@ -20,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// # Errors
 /// [`MergeError::Conflicts`] names what both sides changed, and [`MergeError::Together`] what does not fit although no record is the same: lines of
-/// one side that cross those of the other, a face that both cut so that each gives away what the other one keeps, with other values or features.
+/// one side that cross those of the other, a face that both cut so that no part has its id for both, if the parts have other values or features.
 pub fn merge(base: &PlanarMap, ours: &PlanarMap, theirs: &PlanarMap, ids: &Ids) -> Result<PlanarMap, MergeError> {
     let both = diff(base, ours, ids)?.merge(&diff(base, theirs, ids)?)?;
     let mut merged = base.clone();
