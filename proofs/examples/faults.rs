@@ -73,20 +73,24 @@ enum End {
     TimedOut,
 }
 
-/// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 12] = [
-    ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
-    ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
-    ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
-    ("map", &["-p", "twinedge", "--test", "map"], "tests/map/main.rs"),
-    ("algorithm", &["-p", "twinedge", "--test", "algorithm"], "tests/algorithm/main.rs"),
-    ("tile", &["-p", "twinedge", "--test", "tile"], "tests/tile/main.rs"),
-    ("sphere", &["-p", "twinedge-sphere", "--test", "sphere"], "tests/sphere/main.rs"),
-    ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
-    ("layer", &["-p", "twinedge-formats", "--test", "layer"], "tests/layer/main.rs"),
-    ("mesh", &["-p", "twinedge-formats", "--test", "mesh"], "tests/mesh/main.rs"),
-    ("report", &["-p", "twinedge-report", "--lib"], "unittests src/lib.rs"),
-    ("commands", &["-p", "twinedge-cli", "--test", "commands"], "tests/commands/main.rs"),
+/// A test binary that is a check: the package, the option by which cargo chooses it, and its name.
+type Test = (&'static str, &'static str, &'static str);
+
+/// The checks that are test binaries.
+const TESTS: [(&str, Test); 13] = [
+    ("validate", ("twinedge", "--test=validate", "validate")),
+    ("dcel", ("twinedge", "--test=dcel", "dcel")),
+    ("program", ("twinedge", "--test=program", "program")),
+    ("map", ("twinedge", "--test=map", "map")),
+    ("algorithm", ("twinedge", "--test=algorithm", "algorithm")),
+    ("tile", ("twinedge", "--test=tile", "tile")),
+    ("units", ("twinedge", "--lib", "twinedge")),
+    ("sphere", ("twinedge-sphere", "--test=sphere", "sphere")),
+    ("harnesses", ("twinedge-proofs", "--lib", "twinedge_proofs")),
+    ("layer", ("twinedge-formats", "--test=layer", "layer")),
+    ("mesh", ("twinedge-formats", "--test=mesh", "mesh")),
+    ("report", ("twinedge-report", "--lib", "twinedge_report")),
+    ("commands", ("twinedge-cli", "--test=commands", "commands")),
 ];
 
 /// Of the tests of the program, the modules that are checks: the first compares two checkers of certificates, the others are about reports and repairs.
@@ -284,27 +288,38 @@ fn link_proved(root: &Path, copy: &Path) -> Result<Option<PathBuf>> {
     Ok(link.exists().then_some(link))
 }
 
-/// Builds the copy, and gives the checks.
+/// Builds the copy, all of it at once, as each selection of packages would have features of its own, and gives the checks.
 fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<Vec<Check>> {
-    let cargo = |arguments: &[&str]| -> Result<String> {
-        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-        cargo.args(arguments).current_dir(copy).env("CARGO_TARGET_DIR", build).env("CARGO_INCREMENTAL", "0");
-        // Fast enough to run, and quick to build; what overflows panics.
-        for (name, value) in [("LTO", "off"), ("DEBUG", "0"), ("OPT_LEVEL", "2"), ("DEBUG_ASSERTIONS", "true")] {
-            cargo.env(format!("CARGO_PROFILE_RELEASE_{name}"), value);
-        }
-        cargo.env("CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS", "true").env_remove("RUSTFLAGS");
-        let output = cargo.output()?;
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        if output.status.success() { Ok(said) } else { Err(format!("cargo {}: {said}", arguments.join(" ")).into()) }
-    };
+    let commands: Vec<_> = COMMANDS.iter().filter(|(name, _)| is_built(name)).collect();
+    let tests: Vec<_> = TESTS.iter().filter(|(name, _)| is_built(name)).collect();
+    // The tests of the program need it.
+    let program = (!commands.is_empty()).then_some(("twinedge-cli", "--test=commands", ""));
+    let chosen = tests.iter().map(|(_, test)| *test).chain(program);
+    // Each once, as cargo takes no option twice.
+    let (packages, options): (BTreeSet<_>, BTreeSet<_>) = chosen.map(|(package, option, _)| (package, option)).unzip();
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.args(["test", "--release", "--no-run"]);
+    cargo.args(packages.iter().flat_map(|package| ["-p", package])).args(options);
+    cargo.current_dir(copy).env("CARGO_TARGET_DIR", build).env("CARGO_INCREMENTAL", "0");
+    // Fast enough to run, and quick to build; what overflows panics.
+    for (name, value) in [("LTO", "off"), ("DEBUG", "0"), ("OPT_LEVEL", "2"), ("DEBUG_ASSERTIONS", "true")] {
+        cargo.env(format!("CARGO_PROFILE_RELEASE_{name}"), value);
+    }
+    cargo.env("CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS", "true").env_remove("RUSTFLAGS");
+    let output = cargo.output()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    if !output.status.success() {
+        return Err(format!("it does not compile: {said}").into());
+    }
     let mut checks = Vec::new();
-    for (name, arguments, source) in TESTS.iter().filter(|(name, ..)| is_built(name)) {
-        let said = cargo(&[&["test", "--release", "--no-run"], *arguments].concat())?;
-        let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
-        let program =
-            line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
-        let program = copy.join(program);
+    for (name, (_, _, binary)) in tests {
+        // `Executable tests/map/main.rs (…/deps/map-0123456789abcdef)`
+        let paths = said.lines().filter_map(|line| line.split_once('(')?.1.split_once(')')).map(|(path, _)| path);
+        let is_it = |path: &&str| {
+            let file = path.rsplit('/').next().and_then(|file| file.rsplit_once('-'));
+            file.is_some_and(|(name, _)| name == *binary)
+        };
+        let program = copy.join(paths.into_iter().find(is_it).ok_or_else(|| format!("cargo made no {binary}"))?);
         for module in
             modules(&program)?.iter().filter(|module| *name != "commands" || OF_COMMANDS.contains(&module.as_str()))
         {
@@ -312,11 +327,8 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
             checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
         }
     }
-    if COMMANDS.iter().any(|(name, _)| is_built(name)) {
-        cargo(&["build", "--release", "-p", "twinedge-cli"])?;
-    }
     let program = build.join("release/twinedge");
-    for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_built(name)) {
+    for (name, arguments) in commands {
         let arguments = arguments.iter().map(|argument| (*argument).to_owned()).collect();
         checks.push(Check { name: (*name).to_owned(), program: program.clone(), arguments, takes: LIMIT });
     }
@@ -353,7 +365,8 @@ impl Check {
             file if file.starts_with("formats/") => &["layer", "commands"],
             file if file.starts_with("report/") => &["report", "commands"],
             file if file.starts_with("src/algorithm/") => &["algorithm"],
-            file if file.starts_with("src/tile/") => &["tile"],
+            file if file.starts_with("src/map/") => &["map", "units"],
+            file if file.starts_with("src/tile/") => &["tile", "units"],
             _ => &["dcel", "program", "prove", "soak", "audited"],
         };
         near.iter().any(|name| self.name.split(' ').next() == Some(name))
