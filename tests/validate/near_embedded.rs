@@ -12,7 +12,7 @@ use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::validate::near::{EmbeddingBaseline, WriteSet, validate_embedding_near};
-use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Parts, Rule, Table, View};
+use twinedge::validate::{BoundaryPlace, BoundaryRow, Collect, Embedding, Expectation, Parts, Rule, Table, View};
 use twinedge_trials::enumerate::for_each_corruption;
 
 const PLANE: Expectation = Expectation::plane();
@@ -390,6 +390,56 @@ fn boundary_components_in_the_place_of_others() {
     }
     assert!(tally.judged > 4_000 && tally.right > 100, "{tally:?}");
     assert!(tally.broken[..2].iter().all(|count| *count > 10), "{tally:?}");
+}
+
+/// The table with an inner boundary component in the list of this face, at its end. All rules from R1 to F2 hold.
+fn listed_in(table: &Table, b: usize, f: usize) -> Option<Table> {
+    let mut table = table.clone();
+    let row = table.boundaries.get(b).copied().flatten()?;
+    let (BoundaryPlace::Inner(i), true) = (row.place?, table.is_face(f)) else { return None };
+    let list = &mut table.faces[row.face?].as_mut()?.inner;
+    list.remove(i);
+    for (i, b) in list.clone().into_iter().enumerate().skip(i) {
+        table.boundaries[b?].as_mut()?.place = Some(BoundaryPlace::Inner(i));
+    }
+    let list = &mut table.faces[f].as_mut()?.inner;
+    list.push(Some(b));
+    let place = Some(BoundaryPlace::Inner(list.len() - 1));
+    *table.boundaries[b].as_mut()? = BoundaryRow { face: Some(f), place, ..row };
+    Some(table)
+}
+
+/// A segment splits a face, and two of the islands are listed in any faces: those inside of discs, too, whose faces the segment does not meet.
+#[test]
+fn islands_listed_in_any_face_after_one_is_split() {
+    let mut tally = Tally::default();
+    let mut map = PlanarMap::new();
+    let ring = |[x, y]: [f64; 2], [width, height]: [f64; 2]| {
+        [[x, y], [x + width, y], [x + width, y + height], [x, y + height]]
+    };
+    map.insert_ring(ring([0.0, 0.0], [20.0, 10.0])).unwrap();
+    for x in [2.0, 12.0] {
+        map.insert_ring(ring([x, 2.0], [5.0, 5.0])).unwrap();
+        map.insert_point([x + 2.0, 4.0]).unwrap();
+        map.insert_point([x + 2.0, 9.0]).unwrap();
+    }
+    let before = Scene::of(&map);
+    let baseline = before.baseline();
+    for x in [1.0, 10.0, 19.0] {
+        let mut map = map.clone();
+        map.insert_segment([x, 0.0], [x, 10.0]).unwrap();
+        let after = Scene::of(&map);
+        let (labels, faces) = (after.table.boundary_slots(), after.table.face_slots());
+        for (one, f) in (0..labels).flat_map(|b| (0..faces).map(move |f| (b, f))) {
+            let Some(table) = listed_in(&after.table, one, f) else { continue };
+            for (other, f) in (0..labels).flat_map(|b| (0..faces).map(move |f| (b, f))) {
+                let Some(table) = listed_in(&table, other, f) else { continue };
+                let scene = Scene::new(table, after.points.clone());
+                tally.judge(&mut baseline.clone(), &scene, &scene.since(&before));
+            }
+        }
+    }
+    assert!(tally.judged > 2_000 && tally.right > 50 && tally.broken[8] > 1_000, "{tally:?}");
 }
 
 /// A map after each of some segments was inserted, and at the end.
