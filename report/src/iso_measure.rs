@@ -24,3 +24,21 @@ pub(crate) fn measure_of(one: &Diagnosis) -> Option<u32> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{DefectKind, Diagnosis, SELF_INTERSECT, measure_of};
+    use twinedge_formats::diagnosis::Flaw;
+
+    #[test]
+    fn of_invalid_polygons_those_count_that_cross_themselves() {
+        let of = |kind: DefectKind| {
+            let flaw = Flaw { reason: kind.to_string(), at: [0.0; 2], shape: 0, ring: 0 };
+            measure_of(&Diagnosis { rule: Some("C6"), defects: vec![flaw], ..Diagnosis::default() })
+        };
+        assert_eq!(of(DefectKind::SelfIntersection), Some(SELF_INTERSECT));
+        assert_eq!(of(DefectKind::RingSelfIntersection), Some(SELF_INTERSECT));
+        assert_eq!(of(DefectKind::TooFewPoints), None);
+        assert_eq!(of(DefectKind::NestedHoles), None);
+    }
+}

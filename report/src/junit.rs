@@ -104,7 +104,19 @@ fn line(one: &Diagnosis) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{AuditReport, junit};
+    use super::{AuditReport, Diagnosis, junit};
+
+    #[test]
+    fn findings_of_a_mesh_are_a_case() {
+        let of = |is_violation| {
+            let findings = vec![Diagnosis { is_violation, message: "it is flat".to_owned(), ..Diagnosis::default() }];
+            junit(&AuditReport { valid: true, findings, finding_count: 1, ..AuditReport::new("a") })
+                .expect("it is a string")
+        };
+        let text = of(true);
+        assert!(text.contains("tests=\"1\" failures=\"1\"") && text.contains("name=\"faces\""), "{text}");
+        assert!(of(false).contains("tests=\"0\" failures=\"0\""), "{}", of(false));
+    }
 
     #[test]
     fn a_verdict_that_is_not_known_is_an_error() {

@@ -111,7 +111,26 @@ fn uri(path: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::uri;
+    use super::{AuditReport, Diagnosis, Verdict, json, sarif, uri};
+
+    #[test]
+    fn what_follows_from_something_else_is_a_note() {
+        let one = |follows_from| Diagnosis { is_violation: true, follows_from, ..Diagnosis::default() };
+        let violations = vec![one(Some("R1")), one(None)];
+        let found = sarif(&AuditReport { violations, violation_count: 2, ..AuditReport::new("a") });
+        let levels = [0, 1].map(|number| found["runs"][0]["results"][number]["level"].clone());
+        assert_eq!(levels, ["error", "note"]);
+        assert_eq!(found["runs"][0]["invocations"][0]["executionSuccessful"], true);
+    }
+
+    #[test]
+    fn an_audit_that_leaves_the_verdict_open_has_not_run_well() {
+        let report = AuditReport { valid: true, doubts: vec!["time was up".to_owned()], ..AuditReport::new("a") };
+        assert_eq!(report.verdict(), Verdict::Unknown);
+        let run = &sarif(&report)["runs"][0]["invocations"][0];
+        assert_eq!(run["executionSuccessful"], false);
+        assert_eq!(run["toolExecutionNotifications"][0], json!({"level": "error", "message": {"text": "time was up"}}));
+    }
 
     /// The characters that RFC 3986 leaves as they are, and no others.
     #[test]

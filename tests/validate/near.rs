@@ -128,7 +128,7 @@ fn vertices_of_boundary_components_that_go_are_looked_at() {
     assert_eq!(report.broken_rules().next(), Some(Rule::R1));
 }
 
-/// What a refused change noted has no part in what is found of the next one.
+/// Notes of a change that was refused have no part in what is found of the next one.
 #[test]
 fn a_refused_change_leaves_the_baseline_as_it_was() {
     let mut refused = 0;

@@ -267,6 +267,11 @@ fn junit_has_a_case_for_each_rule() {
     assert!(text.contains("/a&amp;b.geojson\" tests=\"26\""), "{text}");
     assert_eq!((text.matches("<testcase ").count(), text.matches("<failure ").count()), (26, 2));
     assert!(text.contains("name=\"C1 overlap\" time=\"0\"><failure type=\"violation\" message=\"C1-"), "{text}");
+    // An accepted finding is no failure.
+    let list = folder.path().join("accepted.json").to_str().unwrap().to_owned();
+    written(&["--snap", "auto", "--accept-all", &list]);
+    let text = written(&["--snap", "auto", "--coverage", "--accept", &list]);
+    assert_eq!((text.matches("<testcase ").count(), text.matches("<failure ").count()), (26, 0), "{text}");
     // Without cuts G4 fails, and what needs it is skipped.
     let text = written(&[]);
     let count = |what: &str| text.matches(what).count();
