@@ -42,7 +42,7 @@ struct Scan {
     /// The number of objects and arrays that are open.
     depth: usize,
     text: Text,
-    /// True if the next text of the outermost object is a name.
+    /// True if the next text is a name of the outermost object, and not in a value of it.
     is_name: bool,
     /// The name of the member of the outermost object, as far as it is looked for.
     name: Vec<u8>,
@@ -77,7 +77,7 @@ impl Scan {
         match byte {
             b'"' => {
                 self.text = Text::Inside;
-                if self.depth == 1 && self.is_name {
+                if self.is_name {
                     self.name.clear();
                 }
             }
@@ -99,7 +99,7 @@ impl Scan {
             }
             _ => {}
         }
-        if self.depth == 1 && self.is_name && self.name.len() <= LONGEST {
+        if self.is_name && self.name.len() <= LONGEST {
             self.name.push(byte);
         }
     }
