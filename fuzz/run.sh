@@ -36,7 +36,7 @@ build=${CARGO_TARGET_DIR:-$PWD/target}
 
 if cargo fuzz --version >/dev/null 2>&1 && cargo +nightly --version >/dev/null 2>&1; then
   sanitizer=address
-  # It takes most of the time, and has no part in what is reached.
+  # It finds faults of memory, and has no part in what is reached.
   [ "$runs" != still ] || sanitizer=none
   echo "==> cargo-fuzz, nightly: coverage feedback, sanitizer: $sanitizer"
   # With dead code, functions are instantiated once and not inlined from one crate into another.

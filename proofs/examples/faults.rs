@@ -311,15 +311,15 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
     if !output.status.success() {
         return Err(format!("it does not compile: {said}").into());
     }
+    // `Executable tests/map/main.rs (…/deps/map-0123456789abcdef)`
+    let executable = |line| {
+        let (path, _) = str::split_once(line, '(')?.1.split_once(')')?;
+        Some((Path::new(path).file_name()?.to_str()?.rsplit_once('-')?.0, path))
+    };
+    let executables: BTreeMap<&str, &str> = said.lines().filter_map(executable).collect();
     let mut checks = Vec::new();
     for (name, (_, _, binary)) in tests {
-        // `Executable tests/map/main.rs (…/deps/map-0123456789abcdef)`
-        let paths = said.lines().filter_map(|line| line.split_once('(')?.1.split_once(')')).map(|(path, _)| path);
-        let is_it = |path: &&str| {
-            let file = path.rsplit('/').next().and_then(|file| file.rsplit_once('-'));
-            file.is_some_and(|(name, _)| name == *binary)
-        };
-        let program = copy.join(paths.into_iter().find(is_it).ok_or_else(|| format!("cargo made no {binary}"))?);
+        let program = copy.join(executables.get(binary).ok_or_else(|| format!("cargo made no {binary}"))?);
         for module in
             modules(&program)?.iter().filter(|module| *name != "commands" || OF_COMMANDS.contains(&module.as_str()))
         {
