@@ -13,6 +13,7 @@ mod geoparquet;
 mod hostile;
 mod indexed;
 mod losses;
+mod neighbourhoods;
 mod osm;
 mod pbf;
 mod random;
