@@ -35,6 +35,8 @@ import twinedge
 from twinedge import tiles
 
 FILES = 8
+#: With limits, the summary of a tile is as large as what was found and what its border cuts, and not as what could be found.
+LIMITS = {"gap_width": 0.1, "sliver_area": 1.0}
 COUNTS = ("vertices", "edges", "cycles", "faces", "components", "isolated_vertices")
 
 
@@ -122,13 +124,13 @@ def audit(spark: SparkSession, folder: Path, side: int) -> twinedge.Report:
         cuts = cuts.take(assigned.mapInArrow(search, "found binary").toArrow())
 
     def judge(batches: Iterator[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
-        return tiles.audit_tiles(batches, grid, cuts=cuts)
+        return tiles.audit_tiles(batches, grid, cuts=cuts, **LIMITS)
 
     def batch(row: Any) -> pa.RecordBatch:
         return pa.RecordBatch.from_pylist([{"summary": bytes(row.summary), "cut": bytes(row.cut)}], tiles.schema())
 
     summaries = assigned.mapInArrow(judge, "summary binary, cut binary").rdd.map(batch)
-    report = tiles.finish(summaries.treeReduce(tiles.merge), grid=grid)
+    report = tiles.finish(summaries.treeReduce(tiles.merge), grid=grid, **LIMITS)
     assigned.unpersist()
     return report
 
@@ -152,7 +154,7 @@ def overlay(spark: SparkSession, folders: list[Path], side: int, to: Path) -> No
 
 def said(report: dict[str, Any]) -> tuple[Any, ...]:
     """What an audit says, apart from the numbers of records."""
-    findings = sorted((one["rule"], *one["features"]) for one in report["coverage"]["findings"])
+    findings = sorted((one["rule"], *(feature["number"] for feature in one["features"])) for one in report["coverage"]["findings"])
     return report["verdict"], {name: report["counts"][name] for name in COUNTS}, findings
 
 
@@ -183,7 +185,8 @@ def main() -> None:
 
         whole = []
         for number, source in enumerate(asked.layers):
-            measured(f"audit of {source.name}, one process", alone("audit", source, "-o", scratch / f"{number}.json"))
+            limits = [f"--gap-width={LIMITS['gap_width']}", f"--sliver={LIMITS['sliver_area']}"]
+            measured(f"audit of {source.name}, one process", alone("audit", source, *limits, "-o", scratch / f"{number}.json"))
             whole.append(json.loads((scratch / f"{number}.json").read_text()))
         measured("overlay, one process", alone("overlay", *asked.layers, "-o", scratch / "pieces.parquet"))
         builder = SparkSession.builder.master("local[2]").appName("layers").config("spark.ui.enabled", "false")
