@@ -5,7 +5,8 @@
     python python/benches/spark_layers.py a.geojsonl b.geojsonl --tiles 4 --program target/release/twinedge
 
 It needs what `examples/spark_tiles.py` needs, and Linux. The layers are first written as eight files of GeoParquet each, which is not measured. Both
-ways must say the same: verdict, counts and findings of the audits, number and area of the pieces. Seconds are those of the clock and of
+ways must say the same: verdict, counts and findings of the audits, number and area of the pieces (of layers that do not overlap themselves: of
+others the program makes a piece for each pair of features). Seconds are those of the clock and of
 the processor, in all processes; memory is the peak of their proportional share.
 """
 
