@@ -261,6 +261,29 @@ fn boxes_that_lie_are_found_by_some_window() {
 }
 
 #[test]
+fn the_box_of_a_row_lies_in_that_of_its_row_group() {
+    let layer = squares(80);
+    let (_folder, path) = scratch("squares.parquet");
+    write_groups(&path, &rows_of_squares(80), false);
+    // The statistics say that the upper sides of the second row group are at 1.5; they are at 2.
+    let mut bytes = fs::read(&path).unwrap();
+    let end = bytes.len() - 8;
+    let footer = end - u32::from_le_bytes(bytes[end..end + 4].try_into().unwrap()) as usize;
+    let places: Vec<usize> =
+        (footer..end).filter(|place| bytes[*place..].starts_with(&2.0_f64.to_le_bytes())).collect();
+    assert!(!places.is_empty());
+    for place in places {
+        bytes[place..place + 8].copy_from_slice(&1.5_f64.to_le_bytes());
+    }
+    fs::write(&path, bytes).unwrap();
+    assert_eq!(found(&mut open(&path), [3.5, 0.5, 3.5, 0.5], &layer).unwrap(), [3]);
+    match found(&mut open(&path), [3.5, 1.25, 3.5, 1.25], &layer).unwrap_err() {
+        ReadError::Content { place: Place::Feature(40), cause: Cause::OutOfBox, .. } => {}
+        other => panic!("{other}"),
+    }
+}
+
+#[test]
 fn how_far_a_layer_reaches_is_not_known_if_it_is_not_of_one_row() {
     let (_folder, path) = scratch("squares.parquet");
     // One without a box, and one across the antimeridian, beside others that say where they are.
@@ -335,6 +358,19 @@ fn an_index_in_another_order_is_refused() {
         let error = found(&mut open(&path), everything, &layer).unwrap_err().to_string();
         assert!(error.contains("the index does not list the features in their order"), "{error}");
     }
+    // A feature before the first one: all others would have wrong numbers.
+    let features = leaf(40);
+    let first = 4 + u32::from_le_bytes(bytes[features..features + 4].try_into().unwrap()) as usize;
+    let mut more = [&bytes[..features + first], &bytes[features..]].concat();
+    for number in 0..40 {
+        let place = leaf(number) + 32;
+        let offset = u64::from_le_bytes(more[place..place + 8].try_into().unwrap()) + first as u64;
+        more[place..place + 8].copy_from_slice(&offset.to_le_bytes());
+    }
+    fs::write(&path, more).unwrap();
+    assert_eq!(found(&mut open(&path), [3.5, 0.5, 3.5, 0.5], &layer).unwrap(), [3]);
+    let error = found(&mut open(&path), [0.5, 0.5, 0.5, 0.5], &layer).unwrap_err().to_string();
+    assert!(error.contains("feature 0") && error.contains("in their order"), "{error}");
     fs::write(&path, &bytes[..bytes.len() - 1]).unwrap();
     let error = found(&mut open(&path), [39.5, 0.5, 39.5, 0.5], &layer).unwrap_err().to_string();
     assert!(error.contains("order") || error.contains("ends within"), "{error}");
