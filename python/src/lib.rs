@@ -10,6 +10,7 @@ mod editor;
 mod expectation;
 mod geometries;
 mod maps;
+mod overlay;
 mod source;
 mod structure;
 mod tiles;
@@ -45,6 +46,9 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(tiles::take, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::summarise, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::tiles_in, module)?)?;
+    module.add_function(wrap_pyfunction!(overlay::extents, module)?)?;
+    module.add_function(wrap_pyfunction!(overlay::tiles_near, module)?)?;
+    module.add_function(wrap_pyfunction!(overlay::overlay_tile, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::merge, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::finish, module)?)
 }

@@ -1,5 +1,6 @@
 //! A map that is built once and asked often: neighbours, places, contours, overlays, pictures.
 
+use crate::overlay::{Covered, pieces};
 use crate::source::{Failure, Source, snap};
 use crate::work::within;
 use pyo3::exceptions::{PyIndexError, PyRuntimeError, PyValueError};
@@ -9,7 +10,7 @@ use std::sync::Arc;
 use twinedge::algorithm::contour::{self, Contour};
 use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::overlay::{Operand, overlay};
-use twinedge::dcel::{Face, FaceKey};
+use twinedge::dcel::FaceKey;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{FeatureId, Located, Locator, PlanarMap};
@@ -33,9 +34,6 @@ type Piece = (Vec<usize>, Vec<usize>, Polygons);
 /// Two features, the length of their border, that of the part on which one ends and the other begins, the number of its lines, and the area
 /// that both cover.
 type Border = (usize, usize, f64, f64, usize, f64);
-
-/// The features of an overlay that cover a face, by the map that they are of.
-type Covered = [BTreeSet<usize>; 2];
 
 /// Builds the map of a layer. A `cell` of 0 chooses the grid on which its segments are cut.
 #[pyfunction]
@@ -144,24 +142,15 @@ impl Map {
             let snap = snap(Some(cell)).unwrap_or(Snap::Auto);
             let both = overlay(left, right, snap).map_err(|error| PyValueError::new_err(error.to_string()))?;
             let mut owners: BTreeMap<FeatureId, (usize, usize)> = BTreeMap::new();
-            for (side, operand, map) in [(0, Operand::Left, left), (1, Operand::Right, right)] {
-                for feature in map.features().take(counts[side]) {
+            for (layer, operand, map) in [(0, Operand::Left, left), (1, Operand::Right, right)] {
+                for feature in map.features().take(counts[layer]) {
                     if let Some(of_both) = both.feature_of(operand, feature) {
-                        owners.insert(of_both, (side, feature.index()));
+                        owners.insert(of_both, (layer, feature.index()));
                     }
                 }
             }
             let map = both.map();
-            let mut parts: BTreeMap<Covered, Vec<FaceKey>> = BTreeMap::new();
-            for face in map.dcel().faces().filter(|face| !face.is_unbounded()).map(Face::key) {
-                let mut covered = Covered::default();
-                for (side, number) in map.features_of(face).into_iter().flatten().filter_map(|f| owners.get(&f)) {
-                    covered[*side].insert(*number);
-                }
-                if covered.iter().any(|of_side| !of_side.is_empty()) {
-                    parts.entry(covered).or_default().push(face);
-                }
-            }
+            let parts = pieces(map, |feature| owners.get(&feature).copied());
             let piece = |([left, right], faces): (Covered, Vec<FaceKey>)| {
                 Ok((left.into_iter().collect(), right.into_iter().collect(), of_faces(map, faces)?))
             };

@@ -7,29 +7,30 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
-use twinedge::map::{BuildError, Shape};
+use twinedge::geometry::Point;
+use twinedge::map::{BuildError, Feature, Shape};
 use twinedge::tile::{Cuts, Found, Grid, Summary, Tile, TileError};
 use twinedge_report::{audit_summary, merged, refuse_without_cuts};
 
 /// A grid: the corners of its box, and the numbers of columns and rows.
-type GridArguments = ([f64; 4], u32, u32);
+pub(crate) type GridArguments = ([f64; 4], u32, u32);
 
 /// The positions of geometries, and the tile of each.
-type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
+pub(crate) type Assignment<'py> = (Bound<'py, PyArray1<u64>>, Bound<'py, PyArray1<u64>>);
 
 /// A sum of summaries, and that of those with edges cut.
 type Sums<'py> = (Option<Bound<'py, PyBytes>>, Option<Bound<'py, PyBytes>>);
 
-fn grid(([x0, y0, x1, y1], columns, rows): GridArguments) -> Result<Grid, Failure> {
+pub(crate) fn grid(([x0, y0, x1, y1], columns, rows): GridArguments) -> Result<Grid, Failure> {
     Grid::new([x0, y0], [x1, y1], columns, rows).map_err(Failure::value)
 }
 
 /// Tiles are numbered row by row, from the lower left.
-fn number(grid: &Grid, tile: Tile) -> u64 {
+pub(crate) fn number(grid: &Grid, tile: Tile) -> u64 {
     u64::from(tile.row) * u64::from(grid.size()[0]) + u64::from(tile.column)
 }
 
-fn tile(grid: &Grid, number: u64) -> Result<Tile, Failure> {
+pub(crate) fn tile(grid: &Grid, number: u64) -> Result<Tile, Failure> {
     let columns = u64::from(grid.size()[0]);
     let none = || Failure::Value(format!("tile: the grid has no tile {number}"));
     let narrow = |number: u64| u32::try_from(number).map_err(|_| none());
@@ -78,30 +79,35 @@ pub(crate) fn tiles_of<'py>(
         }
         Ok::<_, Failure>((places, tiles))
     });
-    let (places, tiles) = found?;
-    Ok((places.into_pyarray(py), tiles.into_pyarray(py)))
+    Ok(assignment(py, found?))
+}
+
+pub(crate) fn assignment(py: Python<'_>, (places, tiles): (Vec<u64>, Vec<u64>)) -> Assignment<'_> {
+    (places.into_pyarray(py), tiles.into_pyarray(py))
 }
 
 /// The box around geometries; none, if they have no points.
 #[pyfunction]
 pub(crate) fn bounds(py: Python<'_>, geometries: Column<'_>) -> PyResult<Option<[f64; 4]>> {
     let columns = given(vec![geometries])?;
-    let found = py.detach(|| {
-        let mut found: Option<[f64; 4]> = None;
-        for shape in features(columns)?.iter().flat_map(|feature| &feature.shapes) {
-            let points = match shape {
-                Shape::Polygon(rings) => rings.iter().flatten().collect(),
-                Shape::Line(points) => points.iter().collect(),
-                Shape::Point(point) => vec![point],
-            };
-            for p in points {
-                let [x0, y0, x1, y1] = found.unwrap_or([p.x, p.y, p.x, p.y]);
-                found = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
-            }
-        }
-        Ok::<_, Failure>(found)
-    });
+    let found = py.detach(|| Ok::<_, Failure>(features(columns)?.iter().filter_map(bounds_of).reduce(joined)));
     Ok(found?)
+}
+
+/// The box around a feature; none, if it has no points.
+pub(crate) fn bounds_of(feature: &Feature) -> Option<[f64; 4]> {
+    let of_points = |points: &[Point]| points.iter().map(|p| [p.x, p.y, p.x, p.y]).reduce(joined);
+    let of_shape = |shape: &Shape| match shape {
+        Shape::Polygon(rings) => rings.iter().filter_map(|ring| of_points(ring)).reduce(joined),
+        Shape::Line(points) => of_points(points),
+        Shape::Point(point) => of_points(&[*point]),
+    };
+    feature.shapes.iter().filter_map(of_shape).reduce(joined)
+}
+
+/// The box around two others.
+pub(crate) fn joined(one: [f64; 4], other: [f64; 4]) -> [f64; 4] {
+    [one[0].min(other[0]), one[1].min(other[1]), one[2].max(other[2]), one[3].max(other[3])]
 }
 
 /// No cuts yet, of a map whose coordinates are at most so large.

@@ -13,7 +13,7 @@ import shapely
 from layers import FAULTS, parcels, told
 
 import twinedge
-from twinedge import tiles
+from twinedge import _columns, tiles
 
 LAYER = parcels()
 #: Lines of it run through faults, along borders and beside them.
@@ -412,7 +412,7 @@ def test_rows_that_do_not_fit_into_one_batch_are_several(features, monkeypatch):
         (whole,) = tiles.assign(table.slice(3), GRID)
         # As if offsets reached no farther than some features, and than no feature.
         for most in (2000, 1):
-            monkeypatch.setattr(tiles, "_MOST", most)
+            monkeypatch.setattr(_columns, "_MOST", most)
             parts = [*tiles.assign(table.slice(3), GRID)]
             assert pa.Table.from_batches(parts) == pa.Table.from_batches([whole]) and all(part.schema == whole.schema for part in parts)
             assert len(parts) > 4 and max(map(len, parts)) > 1 if most > 1 else len(parts) == len(whole)

@@ -101,5 +101,5 @@ pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;
 pub use twinedge::io::Format;
 #[cfg(feature = "wkb")]
-pub use wkb::geometry_of_wkb;
+pub use wkb::{geometry_of_wkb, wkb_of_geometry};
 pub use write::{files, refuse_losses, write, write_files, write_path};

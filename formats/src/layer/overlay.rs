@@ -7,7 +7,7 @@ use super::unique::unique;
 use std::collections::HashSet;
 use std::sync::Arc;
 use thiserror::Error;
-use twinedge::algorithm::contour::{ContourError, Polygon, of_faces};
+use twinedge::algorithm::contour::{Contour, ContourError, of_faces};
 use twinedge::algorithm::coverage::CoverageError;
 use twinedge::algorithm::layers::{Piece, pieces};
 use twinedge::geometry::Point;
@@ -108,7 +108,7 @@ pub fn overlay(first: &Layer, second: &Layer, keep: Keep, snap: Option<Snap>) ->
         let attributes = columns.iter().zip([one, other]).flat_map(|(columns, feature)| columns.values(feature));
         features.push(Feature {
             id: None,
-            geometry: Some(geometry(&contour.polygons)),
+            geometry: Some(Geometry::from(&contour)),
             attributes: attributes.collect(),
             members: Members::new(),
         });
@@ -158,13 +158,15 @@ impl Columns {
     }
 }
 
-/// Polygons as a geometry.
-fn geometry(polygons: &[Polygon]) -> Geometry {
-    let ring = |ring: &[Point]| -> Line { ring.iter().map(|p| Position::new(p.x, p.y)).collect() };
-    let mut all: Vec<Vec<Line>> = polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
-    let shape = match all.len() {
-        1 => Shape::Polygon(all.remove(0)),
-        _ => Shape::MultiPolygon(all),
-    };
-    Geometry::new(Dimensions::Xy, shape)
+impl From<&Contour> for Geometry {
+    fn from(contour: &Contour) -> Self {
+        let ring = |ring: &[Point]| -> Line { ring.iter().map(|p| Position::new(p.x, p.y)).collect() };
+        let polygons = contour.polygons.iter();
+        let mut all: Vec<Vec<Line>> = polygons.map(|polygon| polygon.rings().map(ring).collect()).collect();
+        let shape = match all.len() {
+            1 => Shape::Polygon(all.remove(0)),
+            _ => Shape::MultiPolygon(all),
+        };
+        Self::new(Dimensions::Xy, shape)
+    }
 }

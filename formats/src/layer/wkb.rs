@@ -88,6 +88,22 @@ pub fn geometry_of_wkb(bytes: &[u8]) -> Result<Geometry, Cause> {
     parse(bytes).map(|(geometry, _)| geometry)
 }
 
+/// Writes one geometry as well-known binary of ISO, the low bytes first. O(positions).
+///
+/// ```
+/// use twinedge_formats::layer::{Dimensions, Geometry, Position, Shape, geometry_of_wkb, wkb_of_geometry};
+///
+/// let summit = Geometry::new(Dimensions::Xy, Shape::Point(Some(Position::new(7.66, 45.98))));
+/// assert_eq!(geometry_of_wkb(&wkb_of_geometry(&summit))?, summit);
+/// # Ok::<(), twinedge_formats::layer::Cause>(())
+/// ```
+#[must_use]
+pub fn wkb_of_geometry(geometry: &Geometry) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    append(geometry, &mut bytes);
+    bytes
+}
+
 /// Reads one geometry, which is all of the bytes, and its reference system. O(bytes).
 pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry, Option<i64>), Cause> {
     let mut bytes = Bytes { rest: bytes };

@@ -15,7 +15,7 @@ from ._names import Names
 #: The length of the longer side of a picture in a notebook, in pixels.
 _IN_NOTEBOOK = 600
 
-#: The parts that an overlay keeps, by who covers them.
+#: The parts of overlays by their names, by who covers them.
 _KEPT: dict[str, Callable[[bool, bool], bool]] = {
     "union": lambda left, right: left or right,
     "intersection": lambda left, right: left and right,
@@ -124,10 +124,8 @@ class Map:
         ``how`` is ``"intersection"``, ``"union"``, ``"difference"``, ``"symmetric_difference"`` or ``"identity"`` (what the left
         one covers). O((n + k) log n) for n edges that meet k times, on a grid.
         """
-        if how not in _KEPT:
-            raise ValueError(f"how: {how!r} is none of {', '.join(_KEPT)}")
+        keeps = _keeps(how)
         found = self._map.overlay(other._map, _cell(snap) or 0.0)
-        keeps = _KEPT[how]
         return [
             Piece(tuple(left), tuple(right), _multi(polygons))
             for left, right, polygons in found
@@ -187,6 +185,13 @@ def overlay(left: Any, right: Any, how: str = "intersection", *, snap: float | s
 def draw(layer: Any, **options: Any) -> str:
     """A layer as SVG. Options are those of :meth:`Map.draw`."""
     return Map(layer).draw(**options)
+
+
+def _keeps(how: str) -> Callable[[bool, bool], bool]:
+    """True for the parts that an overlay keeps, by who covers them."""
+    if how not in _KEPT:
+        raise ValueError(f"how: {how!r} is none of {', '.join(_KEPT)}")
+    return _KEPT[how]
 
 
 def _multi(polygons: Any) -> dict[str, Any]:

@@ -19,13 +19,16 @@ __all__ = [
     "clean",
     "diff",
     "explain",
+    "extents",
     "finish",
     "merge",
     "no_cuts",
+    "overlay_tile",
     "search",
     "summarise",
     "take",
     "tiles_in",
+    "tiles_near",
     "tiles_of",
     "tiles_to_search",
     "validate",
@@ -43,6 +46,10 @@ _Told = tuple[str, str | None, list[str], str]
 _Grid = tuple[Any, int, int]
 # Well-known binary, or a column of GeoArrow.
 _Geometries = list[bytes | None] | dict[str, Any]
+# The numbers of features, and their geometries.
+_Layer = tuple[Any, list[_Geometries]]
+# A tile, and the box around the features that begin in it.
+_Extent = tuple[int, list[float]]
 _Polygons = list[list[list[list[float]]]]
 _Pairs = list[tuple[int, int]]
 _Edited = tuple[list[int], list[int], list[int], list[int], _Pairs, list[int], list[int], _Pairs, _Pairs]
@@ -77,6 +84,13 @@ def summarise(
     of: _Grid, at: int | None, numbers: Any, geometries: list[_Geometries], limits: dict[str, Any], cut: bytes | None
 ) -> tuple[bytes, bytes | None]: ...
 def tiles_in(summary: bytes) -> list[int]: ...
+def extents(of: _Grid, geometries: _Geometries) -> list[_Extent]: ...
+def tiles_near(
+    of: _Grid, geometries: _Geometries, extents: list[_Extent], largest: float
+) -> tuple[npt.NDArray[np.uint64], npt.NDArray[np.uint64]]: ...
+def overlay_tile(
+    of: _Grid, at: int | None, layers: list[_Layer], largest: float, keeps: list[bool]
+) -> list[tuple[list[int], list[int], bytes]]: ...
 def merge(summaries: list[bytes], cuts: list[bytes]) -> tuple[bytes | None, bytes | None]: ...
 def finish(summaries: list[bytes], cuts: list[bytes], asked: dict[str, Any]) -> _Told: ...
 

@@ -1,4 +1,4 @@
-"""Audits of layers that are larger than one machine: tile by tile, on any engine, with the result of the audit of the whole.
+"""Audits and overlays of layers that are larger than one machine: tile by tile, on any engine, with the result of the whole.
 
 A grid divides the plane. Each tile is judged alone, from the features that meet it, and its summary is a few bytes for what it found and for
 what its border cuts. Summaries add up, in any order::
@@ -21,6 +21,8 @@ few rounds, of which only the first one takes all tiles: see :class:`Cuts`.
 >>> [(finding.rule, finding.features, finding.area) for finding in report.findings]
 [('C1', (0, 1), 1.0)]
 
+Two layers are laid over each other in the same way, without rounds: see :class:`Overlay`.
+
 Tables are those of Arrow, with a column ``geometry`` of well-known binary or GeoArrow and a column ``feature``, the number of each feature in the
 layer: an integer from 0 to 4,294,967,295 that no two have in common. Whatever has an Arrow table has such columns: DuckDB, Dask, Polars, Spark,
 GeoParquet read by pyarrow. GeoArrow is known by its extension type, or by that name in the metadata of the field: ``geoarrow.wkb``, and
@@ -41,20 +43,29 @@ import numpy as np
 
 from . import _twinedge
 from ._audit import _accepted, _limits
+from ._columns import _batches, _by_tile, _column, _geometries, _numbers, _with_tiles, _wkb
+from ._map import _keeps
 from ._report import Report
 from ._validate import _count
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
-__all__ = ["Cuts", "Grid", "assign", "assigned", "audit_tile", "audit_tiles", "bounds", "finish", "merge", "schema", "table"]
-
-
-#: The types of GeoArrow that are read without copying, and the lists around their coordinates.
-_DEPTHS = {"point": 0, "linestring": 1, "multipoint": 1, "polygon": 2, "multilinestring": 2, "multipolygon": 3}
-
-#: The most bytes that go into one batch: offsets of 32 bits reach no farther.
-_MOST = 2**31 - 1
+__all__ = [
+    "Cuts",
+    "Grid",
+    "Overlay",
+    "assign",
+    "assigned",
+    "audit_tile",
+    "audit_tiles",
+    "bounds",
+    "extents",
+    "finish",
+    "merge",
+    "schema",
+    "table",
+]
 
 
 @dataclass(frozen=True)
@@ -139,6 +150,88 @@ class Cuts:
         return Cuts(self.box, _twinedge.take(self.state, found))
 
 
+@dataclass(frozen=True)
+class Overlay:
+    """The plan by which two layers are laid over each other in tiles, with the pieces of :func:`twinedge.overlay`, each once and whole.
+
+    A feature begins in the tile that has the lower left corner of the box around it. From a first pass over both layers, :func:`extents`, the plan knows
+    how far the features of each tile reach. Then :meth:`assign` gives a tile everything that comes near these, and :meth:`pieces` lays it over each
+    other and keeps the pieces that begin there: that is where their first feature of the left layer begins, or, without one, that
+    of the right layer. So borders of tiles cut nothing, and no tile needs another one.
+
+    That is right for any layers, also those whose own features overlap or cross. Crossings are rounded as in the whole, to one grid. Where two of them,
+    or a vertex and an edge, are about as close as its cells, the last bits may differ: cells are at most 2^-49 of the largest coordinate.
+
+    >>> import pyarrow as pa, shapely
+    >>> from twinedge import tiles
+    >>> fields = tiles.table([shapely.box(x, 0, x + 2, 2) for x in (0, 2, 4)])
+    >>> zones = tiles.table([shapely.box(1, 1, 5, 3)])
+    >>> grid = tiles.Grid((0, 0, 6, 3), 3, 1)
+    >>> plan = tiles.Overlay(grid, [*tiles.extents(fields, grid), *tiles.extents(zones, grid)])
+    >>> left, right = (pa.Table.from_batches(plan.assign(layer)) for layer in (fields, zones))
+    >>> of_tile = lambda rows, tile: rows.filter(pa.compute.equal(rows["tile"], tile))
+    >>> found = [plan.pieces(of_tile(left, tile), of_tile(right, tile), tile) for tile in range(len(grid))]
+    >>> pa.concat_tables(found).select(["left", "right"]).to_pylist()
+    [{'left': [0], 'right': [0]}, {'left': [1], 'right': [0]}, {'left': [2], 'right': [0]}]
+    """
+
+    #: The tiles.
+    grid: Grid
+    #: What :func:`extents` found in both layers, in whatever batches and order; kept as a table with one row for each tile.
+    extents: Any
+
+    def __post_init__(self) -> None:
+        import pyarrow as pa
+
+        schema = _extents_schema()
+        parts = [pa.table([_column(batch, name) for name in schema.names], schema.names).cast(schema) for batch in _batches(self.extents)]
+        found = pa.concat_tables(parts or [schema.empty_table()]).group_by("tile")
+        merged = found.aggregate([("x0", "min"), ("y0", "min"), ("x1", "max"), ("y1", "max")])
+        columns = [merged[name] for name in ("tile", "x0_min", "y0_min", "x1_max", "y1_max")]
+        object.__setattr__(self, "extents", pa.table(columns, schema=schema).sort_by("tile"))
+
+    def _native(self) -> tuple[list[tuple[int, list[float]]], float]:
+        """The extents, and the largest coordinate."""
+        tiles, *sides = (column.to_pylist() for column in self.extents.columns)
+        largest = max((abs(coordinate) for side in sides for coordinate in side), default=0.0)
+        return [(tile, [*box]) for tile, box in zip(tiles, zip(*sides))], largest
+
+    def assign(self, batches: Any, *, geometry: str = "geometry") -> Iterator[pa.RecordBatch]:
+        """The rows of either layer with the tiles that need them, as :func:`assign` gives them: a generator. O(points + features · tiles).
+
+        Raises ``ValueError`` if the extents are not those of all features.
+        """
+        extents, largest = self._native()
+        for batch in _batches(batches):
+            yield from _with_tiles(batch, *_twinedge.tiles_near(self.grid._native(), _geometries(batch, geometry), extents, largest))
+
+    def pieces(
+        self, left: Any, right: Any, tile: int, how: str = "intersection", *, geometry: str = "geometry", feature: str = "feature"
+    ) -> pa.Table:
+        """The pieces that begin in a tile, from the rows of both layers that were assigned to it.
+
+        The columns are ``left`` and ``right``, lists of the numbers of the features that cover a piece, and ``geometry``, well-known binary. Pieces come in
+        order of these numbers; a tile that is made again has the same bytes. ``how`` is as for :func:`twinedge.overlay`. O((n + k) log n) for n
+        segments that meet k times.
+
+        Raises ``TypeError`` and ``ValueError`` as :func:`audit_tile`.
+        """
+        import pyarrow as pa
+
+        layers = []
+        for batches in (left, right):
+            given = [*_batches(batches)]
+            numbers = [np.empty(0, np.uint32), *(_numbers(batch, feature) for batch in given)]
+            layers.append((np.concatenate(numbers), [_geometries(batch, geometry) for batch in given]))
+        keeps = _keeps(how)
+        _, largest = self._native()
+        kept = [keeps(True, True), keeps(True, False), keeps(False, True)]
+        found = _twinedge.overlay_tile(self.grid._native(), _count("tile", tile, 2**32), layers, largest, kept)
+        kinds = {"left": pa.list_(pa.int64()), "right": pa.list_(pa.int64()), "geometry": pa.binary()}
+        columns = zip(*found) if found else ((), (), ())
+        return pa.table({name: pa.array(column, kind) for (name, kind), column in zip(kinds.items(), columns)})
+
+
 def table(layer: Any) -> pa.Table:
     """The table of a GeoDataFrame, a GeoSeries or a sequence of shapely geometries: ``feature`` is the position, ``geometry`` is ``geoarrow.wkb`` with
     the reference system, if there is one. Needs shapely."""
@@ -182,17 +275,23 @@ def assign(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str 
     offsets of 32 bits reach, unless a row alone has more. With cuts, of any round, a feature goes to tiles that it comes very near, too, as edges are
     bent a little where they are cut. O(points + tiles that meet).
     """
-    import pyarrow as pa
-
     # The distance depends on the box only.
     margin = None if cuts is None else Cuts(cuts.box).state
     for batch in _batches(batches):
-        rows, found = _twinedge.tiles_of(grid._native(), _geometries(batch, geometry), margin)
-        schema = pa.schema([pa.field("tile", pa.int64()), *batch.schema], batch.schema.metadata)
-        for part in _parts(batch, rows):
-            taken = batch.take(pa.array(rows[part]))
-            columns = [pa.array(found[part].astype(np.int64)), *taken.columns]
-            yield pa.RecordBatch.from_arrays(columns, schema=schema)
+        yield from _with_tiles(batch, *_twinedge.tiles_of(grid._native(), _geometries(batch, geometry), margin))
+
+
+def extents(batches: Any, grid: Grid, *, geometry: str = "geometry") -> Iterator[pa.RecordBatch]:
+    """The boxes around the features that begin in each tile: columns ``tile``, ``x0``, ``y0``, ``x1``, ``y1``, for :class:`Overlay`. O(points).
+
+    It is a generator of batches, one for each batch that comes. A feature begins in the tile that has the lower left corner of the box around it.
+    """
+    import pyarrow as pa
+
+    schema = _extents_schema()
+    for batch in _batches(batches):
+        found = _twinedge.extents(grid._native(), _geometries(batch, geometry))
+        yield pa.RecordBatch.from_pylist([dict(zip(schema.names, (tile, *box))) for tile, box in found], schema)
 
 
 def assigned(batches: Any, grid: Grid, cuts: Cuts | None = None, *, geometry: str = "geometry") -> dict[int, pa.Table]:
@@ -326,149 +425,10 @@ def _box(given: Any) -> tuple[float, ...]:
     return box
 
 
-def _parts(batch: pa.RecordBatch, rows: Any) -> Iterator[slice]:
-    """The stretches of some rows of a batch, in order, each of which fits into one batch. O(rows + values of the batch)."""
-    ends = np.cumsum(sum(map(_sizes, batch.columns), np.zeros(len(batch), np.int64))[rows])
-    start = 0
-    while start < len(rows) or start == 0:
-        before = ends[start - 1] if start else 0
-        end = max(int(np.searchsorted(ends, before + _MOST, "right")), start + 1)
-        yield slice(start, end)
-        start = end
-
-
-def _sizes(column: pa.Array) -> Any:
-    """The number of bytes of each value, or more."""
-    import pyarrow as pa
-    import pyarrow.compute as pc
-
-    kind, count = column.type, len(column)
-    if isinstance(kind, pa.BaseExtensionType):
-        return _sizes(column.storage)
-    if pa.types.is_struct(kind):
-        return sum((_sizes(column.field(place)) for place in range(kind.num_fields)), np.ones(count, np.int64))
-    if pa.types.is_fixed_size_list(kind):
-        step = kind.list_size
-        return 1 + _sizes(column.values.slice(column.offset * step, count * step)).reshape(count, step).sum(axis=1)
-    if pa.types.is_list(kind) or pa.types.is_large_list(kind) or pa.types.is_map(kind):
-        before = np.concatenate([[0], np.cumsum(_sizes(column.values))])
-        return 8 + np.diff(before[column.offsets.to_numpy()])
-    if any(is_of(kind) for is_of in (pa.types.is_binary, pa.types.is_large_binary, pa.types.is_string, pa.types.is_large_string)):
-        return 8 + pc.binary_length(column).fill_null(0).to_numpy(zero_copy_only=False).astype(np.int64)
-    return np.full(count, 16)
-
-
-def _by_tile(batches: Any) -> Iterator[tuple[int, pa.Table]]:
-    """The rows of each tile that has some, in order. O(n log n)."""
+def _extents_schema() -> pa.Schema:
     import pyarrow as pa
 
-    parts: dict[int, list[pa.RecordBatch]] = {}
-    for batch in _batches(batches):
-        tiles = batch["tile"].to_numpy(zero_copy_only=False)
-        order = np.argsort(tiles, kind="stable")
-        found, starts = np.unique(tiles[order], return_index=True)
-        for tile, rows in zip(found.tolist(), np.split(order, starts[1:])):
-            parts.setdefault(tile, []).append(batch.take(pa.array(rows)))
-    for tile in sorted(parts):
-        yield tile, pa.Table.from_batches(parts.pop(tile))
-
-
-def _batches(given: Any) -> Iterator[pa.RecordBatch]:
-    import pyarrow as pa
-
-    if isinstance(given, pa.RecordBatch):
-        yield given
-    elif isinstance(given, pa.Table):
-        yield from given.to_batches()
-    elif isinstance(given, dict) or not hasattr(given, "__iter__"):
-        raise TypeError(f"expected a table, a batch or an iterable of batches, not {type(given).__name__}")
-    else:
-        for one in given:
-            yield from _batches(one)
-
-
-def _column(batch: pa.RecordBatch, name: str) -> pa.Array:
-    at = batch.schema.get_field_index(name)
-    if at < 0:
-        raise ValueError(f"there is no column {name!r}; there are {', '.join(batch.schema.names) or 'none'}")
-    return batch.column(at)
-
-
-def _geometries(batch: pa.RecordBatch, name: str) -> list[bytes | None] | dict[str, Any]:
-    """The geometries: well-known binary, or the arrays of GeoArrow, which are not copied."""
-    column, field = _column(batch, name), batch.schema.field(name)
-    extension: str | None = getattr(field.type, "extension_name", None)
-    about = field.type.__arrow_ext_serialize__() if extension is not None else b""
-    if extension is None and field.metadata:
-        extension = field.metadata.get(b"ARROW:extension:name", b"").decode()
-        about = field.metadata.get(b"ARROW:extension:metadata", b"")
-    of_file = (batch.schema.metadata or {}).get(b"geo", b"")
-    said = [_said(about), _said(of_file).get("columns", {}).get(name, {})]
-    edges = next((one["edges"] for one in said if one.get("edges") not in (None, "planar")), None)
-    if edges is not None:
-        raise ValueError(f"{name}: the metadata say that edges are {edges}; tiles take edges as straight, also of this column if it is given without these metadata")
-    kind = (extension or "").removeprefix("geoarrow.")
-    if kind not in _DEPTHS:
-        return _wkb(batch, name)
-    inner = getattr(column, "storage", column)
-    missing = inner.is_null().to_numpy(zero_copy_only=False) if inner.null_count else None
-    length, offsets = len(inner), []
-    for _ in range(_DEPTHS[kind]):
-        if not hasattr(inner, "offsets"):
-            raise TypeError(f"{name}: expected the lists of {extension}, not {inner.type}")
-        offsets.append(inner.offsets.to_numpy())
-        inner = inner.values
-    x, y = _coordinates(inner, kind == "point", f"{name}: expected the coordinates of {extension}, not {inner.type}")
-    return {"kind": kind, "offsets": offsets, "x": x, "y": y, "length": length, "missing": missing}
-
-
-def _said(metadata: bytes) -> dict[str, Any]:
-    """The members of metadata, if they are JSON."""
-    try:
-        found = json.loads(metadata or b"{}")
-    except ValueError:
-        return {}
-    return found if isinstance(found, dict) else {}
-
-
-def _coordinates(points: pa.Array, may_lack: bool, wrong: str) -> tuple[Any, Any]:
-    """The coordinates of points, which are apart or interleaved. Points that are missing may lack them."""
-    import pyarrow as pa
-
-    if pa.types.is_fixed_size_list(points.type) and points.type.list_size >= 2:
-        step = points.type.list_size
-        values = points.values.slice(points.offset * step, len(points) * step)
-        sides = [values, values]
-    elif pa.types.is_struct(points.type) and points.type.get_field_index("x") >= 0 and points.type.get_field_index("y") >= 0:
-        step, sides = 1, [points.field("x"), points.field("y")]
-    else:
-        raise TypeError(wrong)
-    if any(side.type != pa.float64() or (side.null_count and not may_lack) for side in sides):
-        raise TypeError(wrong)
-    sides = [side.fill_null(np.nan) if side.null_count else side for side in sides]
-    x, y = (side.to_numpy() for side in sides)
-    return (x, y) if step == 1 else (x[::step], y[1::step])
-
-
-def _wkb(batch: pa.RecordBatch, name: str) -> list[bytes | None]:
-    column = _column(batch, name)
-    found: list[bytes | None] = getattr(column, "storage", column).to_pylist()
-    wrong = next((one for one in found if not isinstance(one, (bytes, type(None)))), None)
-    if wrong is not None:
-        raise TypeError(f"{name}: expected well-known binary or GeoArrow, not {type(wrong).__name__}")
-    return found
-
-
-def _numbers(batch: pa.RecordBatch, name: str) -> Any:
-    column = _column(batch, name)
-    if column.null_count:
-        raise ValueError(f"{name}: a feature has no number")
-    numbers = column.to_numpy(zero_copy_only=False)
-    if numbers.dtype.kind not in "iu":
-        raise TypeError(f"{name}: expected integers, not {column.type}")
-    if numbers.size and not (0 <= numbers.min() and numbers.max() < 2**32):
-        raise ValueError(f"{name}: expected numbers from 0 to 4,294,967,295, not up to {numbers.max()}")
-    return numbers.astype(np.uint32)
+    return pa.schema([("tile", pa.int64()), *((side, pa.float64()) for side in ("x0", "y0", "x1", "y1"))])
 
 
 def _binary(batches: Iterable[Any], name: str) -> list[bytes]:
