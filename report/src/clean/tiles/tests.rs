@@ -195,16 +195,15 @@ fn left_keys(report: &CleanReport) -> Vec<(&'static str, Vec<usize>, [i64; 2])> 
     keys
 }
 
-fn is_the_same(parcels: &Parcels) -> Result<(), String> {
-    let (folder, repair) = (tempfile::tempdir().unwrap(), parcels.repair());
+fn is_the_same(text: &str, repair: &Repair<'_>, tiles: u32) -> Result<(), String> {
+    let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("parcels.geojsonl");
-    let text = parcels.text();
-    fs::write(&path, &text).unwrap();
+    fs::write(&path, text).unwrap();
     let before = read_layer(&mut text.as_bytes(), Some(&path), &ReadOptions::default()).unwrap();
     let mut whole = before.clone();
     // All parcels may be gone.
     let Ok(report) = repair.clean(&mut whole) else { return Ok(()) };
-    let (features, written, tiles) = by_tiles(&path, &repair, Division::Across(parcels.tiles));
+    let (features, written, cleaned) = by_tiles(&path, repair, Division::Across(tiles));
     for (number, (one, other)) in features.iter().zip(&whole.features).enumerate() {
         if one != other {
             return Err(format!("feature {number}: {:?} and {:?}", one.geometry, other.geometry));
@@ -217,7 +216,7 @@ fn is_the_same(parcels: &Parcels) -> Result<(), String> {
     let differ = |what: &str, one: String, other: String| {
         if one == other { Ok(()) } else { Err(format!("{what}: {one}\nof the whole: {other}")) }
     };
-    let pair = [&tiles.report, &report];
+    let pair = [&cleaned.report, &report];
     let of = |key: &dyn Fn(&CleanReport) -> String| pair.map(key);
     let [one, other] = of(&|it| format!("{:?}", change_keys(it)));
     differ("changes", one, other)?;
@@ -234,16 +233,42 @@ fn is_the_same(parcels: &Parcels) -> Result<(), String> {
     differ("left", one, other)?;
     // By its tiles again: nothing changes, and the same is left.
     fs::write(&path, &written).unwrap();
-    let (_, again, twice) = by_tiles(&path, &repair, Division::Across(parcels.tiles));
+    let (_, again, twice) = by_tiles(&path, repair, Division::Across(tiles));
     differ("twice", again, written)?;
-    differ("left of twice", format!("{:?}", left_keys(&twice.report)), format!("{:?}", left_keys(&tiles.report)))
+    differ("left of twice", format!("{:?}", left_keys(&twice.report)), format!("{:?}", left_keys(&cleaned.report)))
 }
 
 #[test]
 #[allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 fn tiles_clean_as_the_whole_does() {
     fn law(parcels: Parcels) -> bool {
-        is_the_same(&parcels).inspect_err(|why| eprintln!("{why}\n{}", parcels.text())).is_ok()
+        is_the_same(&parcels.text(), &parcels.repair(), parcels.tiles)
+            .inspect_err(|why| eprintln!("{why}\n{}", parcels.text()))
+            .is_ok()
     }
     QuickCheck::new().tests(120).quickcheck(law as fn(Parcels) -> bool);
+}
+
+/// Nothing overlaps, is left out, or crosses.
+#[test]
+fn a_hole_outside_of_its_polygon_becomes_a_part_of_it() {
+    let square = |x: f64, side: f64| {
+        let [y, far, high] = [x, x + side, x + side];
+        format!("[[{x:?},{y:?}],[{far:?},{y:?}],[{far:?},{high:?}],[{x:?},{high:?}],[{x:?},{y:?}]]")
+    };
+    let rings = format!("{},{}", square(0.0, 10.0), square(20.0, 4.0));
+    let text = [rings, square(40.0, 10.0)]
+        .map(|rings| {
+            format!(r#"{{"type":"Feature","properties":{{}},"geometry":{{"type":"Polygon","coordinates":[{rings}]}}}}"#)
+                + "\n"
+        })
+        .concat();
+    let repair = Repair {
+        options: CleanOptions {
+            assign: Options { sliver_area: Some(0.75), ..Options::default() },
+            ..CleanOptions::default()
+        },
+        ..Repair::default()
+    };
+    is_the_same(&text, &repair, 2).unwrap();
 }
