@@ -187,7 +187,12 @@ pub(crate) fn summarise<'py>(
             return Err(Failure::Value("cuts: not all of them are found yet".to_owned()));
         }
         let summary = bytes(Summary::new(&grid, tile, given(), &limits))?;
-        let cut = cuts.map(|cuts| bytes(Summary::cut(&grid, tile, given(), &limits, &cuts))).transpose()?;
+        let cut = match cuts {
+            // The map with its edges cut is then the map.
+            Some(cuts) if cuts.is_empty() => Some(summary.clone()),
+            Some(cuts) => Some(bytes(Summary::cut(&grid, tile, given(), &limits, &cuts))?),
+            None => None,
+        };
         Ok((summary, cut))
     });
     let (summary, cut) = bytes?;
