@@ -19,8 +19,8 @@ use twinedge::geometry::predicates::MIN_COORDINATE;
 use twinedge::map::{Builder, FeatureId, Noding, PlanarMap, Shape};
 use twinedge_formats::layer::{Geometry, wkb_of_geometry};
 
-/// The distance at which features are still given to a tile, as a part of the largest coordinate: 2^-44, which is some forty cells of the grid on
-/// which crossings are rounded. That moves edges by a cell or two.
+/// The distance at which features are still given to a tile, as a part of the largest coordinate: 2^-44. Crossings are rounded to a grid, which
+/// moves edges by a cell or two of it; this is at least 32 cells.
 const NEAR: f64 = f64::from_bits((1023 - 44) << 52);
 
 /// The same for the smallest maps, on whose grid a cell is 2^-400.
