@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
 use crate::shelf::Shelf;
+use crate::taken::{Take, taken};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
@@ -79,7 +80,7 @@ impl Imported {
         options: &MapOptions,
         keep: Keep<'_>,
         stage: &mut dyn FnMut(&'static str),
-        gather: impl FnOnce(&mut dyn FnMut(Feature) -> Result<(), ReadError>) -> Result<Gathered, Error>,
+        gather: impl FnOnce(&mut Take<'_>) -> Result<Gathered, Error>,
     ) -> Result<Self, Error> {
         let (mut builder, mut features) = (Builder::new(), Vec::new());
         let gathered = gather(&mut |feature| {
@@ -165,12 +166,7 @@ struct Gathered {
 }
 
 impl Gathered {
-    fn new(
-        mut input: Input,
-        options: &MapOptions,
-        keep: Keep<'_>,
-        each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
-    ) -> Result<Self, Error> {
+    fn new(mut input: Input, options: &MapOptions, keep: Keep<'_>, each: &mut Take<'_>) -> Result<Self, Error> {
         let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
         let read_options = input.options();
         let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
@@ -185,7 +181,7 @@ impl Gathered {
         layer: Layer,
         options: &MapOptions,
         keep: Keep<'_>,
-        each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
+        each: &mut Take<'_>,
     ) -> Result<Self, Error> {
         let read = |each: &mut dyn FnMut(_) -> _| {
             layer.features.into_iter().try_for_each(each)?;
@@ -218,15 +214,17 @@ fn gather(
     read: impl FnOnce(&mut dyn FnMut(LayerFeature) -> Result<(), ReadError>) -> Result<Header, ReadError>,
     mut noted: Noted,
     keep: Keep<'_>,
-    each: &mut dyn FnMut(Feature) -> Result<(), ReadError>,
+    each: &mut Take<'_>,
 ) -> Result<(ReadSummary, Noted, Header), ReadError> {
     let mut summary = ReadSummary::default();
-    let header = read(&mut |mut feature| {
-        let mut of_map = to_map(&feature, &mut summary);
-        // A large geometry is not kept twice.
-        let has_geometry = feature.geometry.take().is_some();
-        noted.note(&mut of_map, &feature, has_geometry, keep);
-        each(of_map)
+    let header = taken(each, |hand_on| {
+        read(&mut |mut feature| {
+            let mut of_map = to_map(&feature, &mut summary);
+            // A large geometry is not kept twice.
+            let has_geometry = feature.geometry.take().is_some();
+            noted.note(&mut of_map, &feature, has_geometry, keep);
+            hand_on(of_map)
+        })
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
     Ok((summary, noted, header))

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The program `twinedge`, the package for browsers and that for Python call [`audit`]: what one of them says of an input, the others say, too. Nothing here
-//! opens a file by itself, starts a thread or looks at the time.
+//! opens a file by itself or looks at the time. A map is gathered on a thread of its own, while its features are read on that of the caller.
 //!
 //! ```
 //! use twinedge_report::{Input, InputKind, Options, audit};
@@ -60,6 +60,7 @@ mod sarif;
 mod shelf;
 mod sphere;
 mod tables;
+mod taken;
 mod text;
 mod textbook;
 mod tile_words;

@@ -6,7 +6,7 @@ use twinedge::geometry::Point;
 use twinedge::map::Feature;
 
 /// A place that keeps the features of a map, and gives out those of a tile.
-pub trait Shelf: Sync {
+pub trait Shelf: Send + Sync {
     /// Keeps a feature, the next in order.
     ///
     /// # Errors

@@ -5,15 +5,12 @@
 
 use alloc::collections::BinaryHeap;
 use alloc::vec::Vec;
-use core::cmp::Ordering;
 
 use super::bounds::Bounds;
 use super::boxes::Boxes;
+use super::events::{Event, sorted};
 use super::point::Point;
-use super::predicates::{
-    Endpoint, Meeting, Orientation, compare_lexicographic, in_range, meeting, on_segment, orientation,
-};
-use super::threads;
+use super::predicates::{Endpoint, Meeting, Orientation, in_range, meeting, on_segment, orientation};
 
 /// A reason why points and straight segments do not draw a plane map.
 ///
@@ -213,21 +210,18 @@ fn isolated(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
 
 /// Finds the first pairs of points with the same coordinates, sorted, and returns how many there are.
 fn same_places(points: &[Point], first: &mut Vec<Clash>, cap: usize) -> u64 {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    let compare = |&a: &u32, &b: &u32| compare_lexicographic(points[a as usize], points[b as usize]);
-    threads::sort_unstable_by(&mut order, |a, b| compare(a, b).then(a.cmp(b)));
-    let groups: Vec<&[u32]> =
-        order.chunk_by(|a, b| compare(a, b) == Ordering::Equal).filter(|group| group.len() > 1).collect();
+    let order = sorted(points);
+    let groups: Vec<&[Event]> = order.chunk_by(|a, b| a.at == b.at).filter(|group| group.len() > 1).collect();
     let total = groups.iter().map(|group| (group.len() as u64) * (group.len() as u64 - 1) / 2).sum::<u64>();
 
     // The pairs sorted: all of the smallest point, then all of the next. Each group gives its first point up in its
     // turn.
     let mut pairs = Vec::new();
     for group in &groups {
-        pairs.extend((0..group.len()).map(|i| (group[i], &group[i + 1..])));
+        pairs.extend((0..group.len()).map(|i| (group[i].vertex, &group[i + 1..])));
     }
-    pairs.sort_unstable();
-    let pairs = pairs.into_iter().flat_map(|(a, later)| later.iter().map(move |&b| Clash::SamePlace { a, b }));
+    pairs.sort_unstable_by_key(|(a, _)| *a);
+    let pairs = pairs.into_iter().flat_map(|(a, later)| later.iter().map(move |b| Clash::SamePlace { a, b: b.vertex }));
     first.extend(pairs.take(cap));
     total
 }

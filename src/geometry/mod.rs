@@ -15,6 +15,7 @@ pub mod sweep;
 pub(crate) mod bounds;
 pub(crate) mod boxes;
 pub(crate) mod curve;
+mod events;
 mod point;
 mod status;
 pub(crate) mod threads;

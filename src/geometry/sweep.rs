@@ -47,8 +47,9 @@ use core::cmp::Ordering;
 use core::ops::Range;
 
 use super::crossing::{Clash, InvalidSegments, check, classify};
+use super::events::{Event, accumulate, sorted};
 use super::point::Point;
-use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
+use super::predicates::{Meeting, Orientation, count_step, meeting, orientation};
 use super::status::{Gap, Status, Strand};
 
 /// The result of [`sweep`].
@@ -105,29 +106,40 @@ pub struct Sweep {
 /// # Ok::<(), twinedge::geometry::crossing::InvalidSegments>(())
 /// ```
 pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result<Sweep, InvalidSegments> {
-    check(points, segments)?;
     for (query, &point) in (0..).zip(queries) {
         if point as usize >= points.len() {
+            check(points, segments)?;
             return Err(InvalidSegments::NoSuchQuery { query, point });
         }
     }
-    let mut line = Line::new(points, segments);
-    let mut below = vec![NIL; points.len()];
-    for event in 0..points.len() {
-        let under = line.pass(event);
-        if under != NIL {
-            below[line.events[event].vertex as usize] = line.status.strand(under).segment;
-        }
-    }
-    let below = queries.iter().map(|&q| Some(below[q as usize]).filter(|&segment| segment != NIL)).collect();
-    Ok(Sweep { below, clash: line.clash })
+    let (below, clash) = sweep_all(points, segments)?;
+    Ok(Sweep { below: below.of(queries), clash })
 }
 
-/// A point that the line has to pass.
-#[derive(Clone, Copy)]
-struct Event {
-    at: Point,
-    vertex: u32,
+/// Finds what is below each point, which is a guess if there is a clash. As [`sweep`].
+pub(crate) fn sweep_all(points: &[Point], segments: &[[u32; 2]]) -> Result<(Below, Option<Clash>), InvalidSegments> {
+    check(points, segments)?;
+    let mut line = Line::new(points, segments);
+    let below = line.run(|_| false);
+    Ok((below, line.clash))
+}
+
+/// Finds what is below each point of a plane drawing; none if there is a clash, and the pass ends there. As [`sweep`].
+pub(crate) fn sweep_plane(points: &[Point], segments: &[[u32; 2]]) -> Result<Option<Below>, InvalidSegments> {
+    check(points, segments)?;
+    let mut line = Line::new(points, segments);
+    let below = line.run(|line| line.clash.is_some());
+    Ok(line.clash.is_none().then_some(below))
+}
+
+/// The segment below each point, or nil.
+pub(crate) struct Below(Vec<u32>);
+
+impl Below {
+    /// The segments below these points, which are among those of the drawing.
+    pub(crate) fn of(&self, points: &[u32]) -> Vec<Option<u32>> {
+        points.iter().map(|&point| Some(self.0[point as usize]).filter(|&segment| segment != NIL)).collect()
+    }
 }
 
 /// A segment, filed under the event at which it starts.
@@ -194,6 +206,21 @@ impl<'a> Line<'a> {
             clash,
             ending: Vec::new(),
         }
+    }
+
+    /// Moves the line over all events, or until it is to stop.
+    fn run(&mut self, stops: impl Fn(&Self) -> bool) -> Below {
+        let mut below = vec![NIL; self.points.len()];
+        for event in 0..self.events.len() {
+            if stops(self) {
+                break;
+            }
+            let under = self.pass(event);
+            if under != NIL {
+                below[self.events[event].vertex as usize] = self.status.strand(under).segment;
+            }
+        }
+        Below(below)
     }
 
     /// Moves the line over an event and says which node was directly below it.
@@ -323,45 +350,6 @@ impl<'a> Line<'a> {
         if !matches!(meeting(a.low, a.high, b.low, b.high), Meeting::Disjoint | Meeting::SharedEndpoint) {
             self.clash = classify(self.points, self.segments, a.segment, b.segment);
         }
-    }
-}
-
-/// The points in lexicographic order, and those in the same place by number.
-///
-/// Cuts the width into as many strips as there are points, deals the points out to them, and sorts each strip. That
-/// is O(n) for points that are spread evenly, and O(n log n) at worst, as sorting.
-fn sorted(points: &[Point]) -> Vec<Event> {
-    let (left, right) = points.iter().fold((f64::MAX, f64::MIN), |(left, right), p| (left.min(p.x), right.max(p.x)));
-    let per_width = if left < right { points.len() as f64 / (right - left) } else { 0.0 };
-    // Rounding may move a point to a neighbouring strip, but never past another point: it is monotone.
-    #[expect(clippy::cast_sign_loss, reason = "x is not less than left")]
-    let strip = |p: Point| (((p.x - left) * per_width) as usize).min(points.len());
-
-    // Counting sort, as for the segments.
-    let mut first = vec![0; points.len() + 3];
-    for &p in points {
-        first[strip(p) + 2] += 1;
-    }
-    accumulate(&mut first);
-    let mut events = vec![Event { at: Point::new(0.0, 0.0), vertex: NIL }; points.len()];
-    for (vertex, &at) in (0..).zip(points) {
-        let place = &mut first[strip(at) + 1];
-        events[*place as usize] = Event { at, vertex };
-        *place += 1;
-    }
-    for strip in first.windows(2) {
-        events[strip[0] as usize..strip[1] as usize]
-            .sort_unstable_by(|a, b| compare_lexicographic(a.at, b.at).then(a.vertex.cmp(&b.vertex)));
-    }
-    events
-}
-
-/// Turns numbers into the sums of all numbers up to them.
-fn accumulate(numbers: &mut [u32]) {
-    let mut sum = 0;
-    for number in numbers {
-        sum += *number;
-        *number = sum;
     }
 }
 

@@ -39,6 +39,12 @@ impl NumberTable {
         (0..self.slots.len()).map(move |step| (first + step) & last)
     }
 
+    /// Reads the slots to which hashes lead, so that memory fetches them together, and not each when it is asked for.
+    pub(super) fn read_ahead(&self, hashes: impl Iterator<Item = u64>) {
+        let slots = hashes.filter_map(|hash| self.way(hash).next());
+        core::hint::black_box(slots.fold(0, |all, slot| all ^ self.slots[slot]));
+    }
+
     /// The number of the thing with this hash that `is` accepts. O(1), expected.
     pub(super) fn find(&self, hash: u64, is: impl Fn(u32) -> bool) -> Option<u32> {
         let entries = self.way(hash).map(|slot| self.slots[slot]).take_while(|entry| *entry != EMPTY);

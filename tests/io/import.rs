@@ -98,6 +98,29 @@ fn repeated_points_and_open_rings_are_listed() {
 }
 
 #[test]
+fn long_chains_are_followed_without_a_gap() {
+    // There and back, over more points than are taken together; some are repeated.
+    let (there, repeated) = (0..200, [62, 63, 64, 127, 128]);
+    let way = there.clone().chain(there.clone().rev()).map(|x| (x, 0));
+    let chain: Vec<Grid> = way.flat_map(|p| vec![p; 1 + usize::from(repeated.contains(&p.0))]).collect();
+    let mut builder = Builder::new();
+    for _ in 0..2 {
+        builder.shape(&Shape::Line(ring(&chain))).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    let summary = map.summary();
+    assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (200, 199));
+    // Five on each way, and the point in the middle, which follows itself.
+    assert_eq!((summary.segments, summary.zero_length_segments), (2 * 409, 2 * 11));
+    assert_eq!(summary.duplicate_segments, 3 * 199);
+    let kind = IrregularityKind::RepeatedPoint;
+    assert_eq!(
+        listed(&map)[..5],
+        [(62, 63), (63, 65), (64, 67), (127, 131), (128, 133)].map(|(x, point)| (kind, 0, point, at((x, 0))))
+    );
+}
+
+#[test]
 fn components_without_area_are_inner_boundary_components() {
     let degenerate = IrregularityKind::DegenerateRing;
     // A flat hole, a hole of one point, and a line.

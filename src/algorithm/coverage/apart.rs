@@ -3,7 +3,7 @@
 use super::rings::Ring;
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, Orientation, compare_lexicographic, meeting, orientation};
-use crate::geometry::sweep::{Sweep, sweep};
+use crate::geometry::sweep::sweep_plane;
 
 /// Of a single ring of up to so many points, all pairs of segments are tried.
 const FEW: usize = if cfg!(test) { 4 } else { 12 };
@@ -30,7 +30,7 @@ pub(super) fn containers(rings: &[Ring]) -> Option<Vec<Vec<usize>>> {
         lowest.push(first + low as u32);
     }
     // Coordinates that are out of range are left to others.
-    let Ok(Sweep { below, clash: None, .. }) = sweep(&points, &segments, &lowest) else { return None };
+    let below = sweep_plane(&points, &segments).ok()??.of(&lowest);
     let at = |point: u32| points[point as usize];
     // From left to right, so that what a ring below lies in is known.
     let mut order: Vec<usize> = (0..rings.len()).collect();

@@ -14,7 +14,7 @@ use crate::dcel::{Assembly, Dcel, RecordKind};
 use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::{compare_angle, compare_lexicographic};
-use crate::geometry::sweep::{Sweep, sweep};
+use crate::geometry::sweep::sweep_all;
 use crate::geometry::threads;
 use crate::slots::{NIL, Sets, cycles};
 use crate::store::links::{BoundaryStart, VertexLink};
@@ -39,10 +39,9 @@ pub(super) struct Placement {
 impl Placement {
     /// Sweeps over points and segments, which are distinct and in range. O(n log n).
     pub(super) fn new(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, BuildError> {
-        let lowest = lowest_points(points, segments);
-        let Sweep { below, clash, .. } =
-            sweep(points, segments, &lowest).map_err(|_| BuildError::Full(RecordKind::Vertex))?;
-        Ok(Self { lowest, below, clash })
+        let (lowest, swept) = threads::join(|| lowest_points(points, segments), || sweep_all(points, segments));
+        let (below, clash) = swept.map_err(|_| BuildError::Full(RecordKind::Vertex))?;
+        Ok(Self { below: below.of(&lowest), lowest, clash })
     }
 }
 

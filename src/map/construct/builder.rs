@@ -22,6 +22,16 @@ use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use crate::store::FeatureId;
 
+/// The number of points that are taken together.
+const TOGETHER: usize = 64;
+
+/// A step along a chain.
+struct Step {
+    to: u32,
+    /// True if no step has led there before.
+    is_new: bool,
+}
+
 /// Gathers rings, lines and points, and builds the map of them.
 ///
 /// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
@@ -243,28 +253,44 @@ impl Builder {
     /// Takes the segments of a chain of points, with the place where each starts; one point alone is an isolated vertex.
     fn chain(&mut self, points: &[Point], at: Position, starts: &mut Vec<u32>) -> Result<(), BuildError> {
         let Some((first, rest)) = points.split_first() else { return Ok(()) };
-        let mut from = self.vertex(*first, 0)?;
-        let mut last = 0;
-        for (p, point) in rest.iter().zip(at.point..) {
-            let before = self.points.len();
-            let to = self.vertex(*p, from)?;
-            self.summary.segments += 1;
-            if from == to {
-                self.summary.zero_length_segments += 1;
-                let position = Position { point: point + 1, ..at };
-                self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
-                continue;
+        let (mut from, mut last) = (self.vertex(*first, 0)?, 0);
+        let mut steps = Vec::with_capacity(rest.len().min(TOGETHER));
+        for (points, place) in rest.chunks(TOGETHER).zip((at.point..).step_by(TOGETHER)) {
+            self.steps(from, points, &mut steps)?;
+            for ((p, &Step { to, is_new }), point) in points.iter().zip(&steps).zip(place..) {
+                self.summary.segments += 1;
+                if from == to {
+                    self.summary.zero_length_segments += 1;
+                    let position = Position { point: point + 1, ..at };
+                    self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
+                    continue;
+                }
+                let ends = ends(from, to);
+                // No segment leads to a point that is new.
+                let known = if is_new { None } else { self.known_segment(ends, last) };
+                self.summary.duplicate_segments += usize::from(known.is_some());
+                let number = known.map_or_else(|| self.new_segment(ends), Ok)?;
+                self.features.darts.push(number << 1 | u32::from(from > to));
+                last = number;
+                starts.push(point as u32);
+                from = to;
             }
-            let ends = [from.min(to), from.max(to)];
-            // No segment leads to a point that is new.
-            let known = if self.points.len() > before { None } else { self.known_segment(ends, last) };
-            self.summary.duplicate_segments += usize::from(known.is_some());
-            let number = known.map_or_else(|| self.new_segment(ends), Ok)?;
-            self.features.darts.push(number << 1 | u32::from(from > to));
-            last = number;
-            starts.push(point as u32);
-            from = to;
         }
+        Ok(())
+    }
+
+    /// The steps from a vertex along points. Tables are read ahead, which takes most of the time of a large map where it is done one by one.
+    fn steps(&mut self, from: u32, points: &[Point], steps: &mut Vec<Step>) -> Result<(), BuildError> {
+        self.places.read_ahead(points.iter().map(|p| hash_of_point(without_sign_of_zero(*p))));
+        steps.clear();
+        let mut beside = from;
+        for p in points {
+            let before = self.points.len();
+            beside = self.vertex(*p, beside)?;
+            steps.push(Step { to: beside, is_new: self.points.len() > before });
+        }
+        let tails = core::iter::once(from).chain(steps.iter().map(|step| step.to));
+        self.segment_numbers.read_ahead(tails.zip(&*steps).map(|(tail, step)| hash_of_segment(ends(tail, step.to))));
         Ok(())
     }
 
@@ -287,8 +313,7 @@ impl Builder {
 
     /// The number of a point, which is mostly beside that of another one.
     fn vertex(&mut self, p: Point, beside: u32) -> Result<u32, BuildError> {
-        // Adding zero turns −0 into 0.
-        let p = Point::new(p.x + 0.0, p.y + 0.0);
+        let p = without_sign_of_zero(p);
         let is = |number: u32| self.points.get(number as usize) == Some(&p);
         let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
         if let Some(known) = near.or_else(|| self.places.find(hash_of_point(p), is)) {
@@ -398,6 +423,16 @@ impl Builder {
         let kept = Self { points, segments, features, summary, cuts, ..Self::default() };
         Ok((map, Some(kept)))
     }
+}
+
+/// −0 as 0.
+fn without_sign_of_zero(p: Point) -> Point {
+    Point::new(p.x + 0.0, p.y + 0.0)
+}
+
+/// The ends of a segment, in order.
+fn ends(from: u32, to: u32) -> [u32; 2] {
+    [from.min(to), from.max(to)]
 }
 
 fn hash_of_point(p: Point) -> u64 {

@@ -6,7 +6,7 @@ use super::outcome::Edited;
 use crate::dcel::{OperatorError, RecordKind, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
-use crate::geometry::sweep::sweep;
+use crate::geometry::sweep::sweep_plane;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
@@ -107,8 +107,8 @@ fn is_simple(ways: &[[Point; 2]]) -> Result<bool, EditError> {
         })
     };
     let segments: Vec<[u32; 2]> = ways.iter().map(|ends| ends.map(&mut number)).collect();
-    let swept = sweep(&points, &segments, &[]).map_err(|_| OperatorError::Full(RecordKind::Vertex))?;
-    if swept.clash.is_none() {
+    let swept = sweep_plane(&points, &segments).map_err(|_| OperatorError::Full(RecordKind::Vertex))?;
+    if swept.is_some() {
         return Ok(true);
     }
     for (second, [c, d]) in ways.iter().enumerate() {

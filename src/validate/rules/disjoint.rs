@@ -1,7 +1,7 @@
 //! G4 disjoint: edges meet only at shared endpoints.
 
 use crate::geometry::crossing::clashes;
-use crate::geometry::sweep::sweep;
+use crate::geometry::sweep::sweep_plane;
 use crate::validate::columns::NIL;
 use crate::validate::findings::{Findings, Halt};
 use crate::validate::geometric::columns::Columns;
@@ -10,8 +10,7 @@ use crate::validate::geometric::segments::Segments;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
 
-/// Runs G4, and gives the segment below the smallest point of each component, which is a guess if G4 is broken. None if there are
-/// too many segments.
+/// Runs G4, and gives the segment below the smallest point of each component. None if G4 is broken or there are too many segments.
 pub(in crate::validate) fn check(
     findings: &mut Findings,
     columns: &Columns,
@@ -26,11 +25,11 @@ pub(in crate::validate) fn check(
     };
     let queries: Vec<u32> = lowest.map(number).collect();
     // The arrays describe segments: G1 holds, and every number was given out by `Segments::of`.
-    let Ok(swept) = sweep(&segments.points, &segments.ends, &queries) else {
+    let Ok(swept) = sweep_plane(&segments.points, &segments.ends) else {
         findings.not_checked(Rule::G4, Unchecked::TooLarge);
         return Ok(None);
     };
-    if swept.clash.is_some() {
+    if swept.is_none() {
         let (found, total) =
             clashes(&segments.points, &segments.ends, findings.cap()).unwrap_or_else(|_| (Vec::new(), 0));
         let kept = found.len() as u64;
@@ -39,5 +38,5 @@ pub(in crate::validate) fn check(
         }
         findings.add_uncollected(Rule::G4, total.saturating_sub(kept));
     }
-    Ok(Some(swept.below))
+    Ok(swept.map(|below| below.of(&queries)))
 }
