@@ -3,8 +3,8 @@
 use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
+use crate::read_ahead::{Take, read_ahead};
 use crate::shelf::Shelf;
-use crate::taken::{Take, taken};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
@@ -217,7 +217,7 @@ fn gather(
     each: &mut Take<'_>,
 ) -> Result<(ReadSummary, Noted, Header), ReadError> {
     let mut summary = ReadSummary::default();
-    let header = taken(each, |hand_on| {
+    let header = read_ahead(each, |hand_on| {
         read(&mut |mut feature| {
             let mut of_map = to_map(&feature, &mut summary);
             // A large geometry is not kept twice.

@@ -5,7 +5,8 @@
 //! ```
 //!
 //! The program `twinedge`, the package for browsers and that for Python call [`audit`]: what one of them says of an input, the others say, too. Nothing here
-//! opens a file by itself or looks at the time. A map is gathered on a thread of its own, while its features are read on that of the caller.
+//! opens a file by itself or looks at the time. Where there are threads, a map is gathered on one of its own while
+//! its features are read on that of the caller.
 //!
 //! ```
 //! use twinedge_report::{Input, InputKind, Options, audit};
@@ -54,13 +55,14 @@ pub mod outline;
 mod packed;
 mod page;
 mod parent_column;
+mod read_ahead;
 mod reader_words;
 mod report;
 mod sarif;
 mod shelf;
 mod sphere;
 mod tables;
-mod taken;
+
 mod text;
 mod textbook;
 mod tile_words;

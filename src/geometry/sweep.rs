@@ -33,7 +33,7 @@
 //! - If all that reach f end there, then two segments start at f in the same direction. What starts together is put
 //!   into the status sorted by angle, so two such segments become neighbours and are examined.
 //!
-//! After the first fault the pass goes on, without examining neighbours. The status may be out of order then, and
+//! Whoever asks only whether the drawing is plane needs no more. Else the pass goes on after the first fault, without examining neighbours. The status may be out of order then, and
 //! what it says about "below" is a guess; but it remains a list, and everything but the search goes by handles. So
 //! the pass ends, and in the same time.
 //!

@@ -22,13 +22,13 @@ use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use crate::store::FeatureId;
 
-/// The number of points that are taken together.
-const TOGETHER: usize = 64;
+/// The number of points of a chain that are looked up together.
+const LOOKED_UP: usize = 64;
 
-/// A step along a chain.
+/// A step along a chain, to a vertex.
 struct Step {
     to: u32,
-    /// True if no step has led there before.
+    /// True if the vertex is there since this step.
     is_new: bool,
 }
 
@@ -254,9 +254,9 @@ impl Builder {
     fn chain(&mut self, points: &[Point], at: Position, starts: &mut Vec<u32>) -> Result<(), BuildError> {
         let Some((first, rest)) = points.split_first() else { return Ok(()) };
         let (mut from, mut last) = (self.vertex(*first, 0)?, 0);
-        let mut steps = Vec::with_capacity(rest.len().min(TOGETHER));
-        for (points, place) in rest.chunks(TOGETHER).zip((at.point..).step_by(TOGETHER)) {
-            self.steps(from, points, &mut steps)?;
+        let mut steps = Vec::with_capacity(rest.len().min(LOOKED_UP));
+        for (points, place) in rest.chunks(LOOKED_UP).zip((at.point..).step_by(LOOKED_UP)) {
+            self.walk(from, points, &mut steps)?;
             for ((p, &Step { to, is_new }), point) in points.iter().zip(&steps).zip(place..) {
                 self.summary.segments += 1;
                 if from == to {
@@ -279,8 +279,9 @@ impl Builder {
         Ok(())
     }
 
-    /// The steps from a vertex along points. Tables are read ahead, which takes most of the time of a large map where it is done one by one.
-    fn steps(&mut self, from: u32, points: &[Point], steps: &mut Vec<Step>) -> Result<(), BuildError> {
+    /// Finds the vertices of points, or adds them: the steps along a chain that comes from `from`. Tables are read ahead, since waiting for memory
+    /// at each of them takes most of the time of large maps.
+    fn walk(&mut self, from: u32, points: &[Point], steps: &mut Vec<Step>) -> Result<(), BuildError> {
         self.places.read_ahead(points.iter().map(|p| hash_of_point(without_sign_of_zero(*p))));
         steps.clear();
         let mut beside = from;
