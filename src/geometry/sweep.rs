@@ -33,9 +33,9 @@
 //! - If all that reach f end there, then two segments start at f in the same direction. What starts together is put
 //!   into the status sorted by angle, so two such segments become neighbours and are examined.
 //!
-//! Whoever asks only whether the drawing is plane needs no more. Else the pass goes on after the first fault, without examining neighbours. The status may be out of order then, and
-//! what it says about "below" is a guess; but it remains a list, and everything but the search goes by handles. So
-//! the pass ends, and in the same time.
+//! Whoever asks only whether the drawing is plane needs no more. Else the pass goes on after the first fault, without
+//! examining neighbours. The status may be out of order then, and what it says about "below" is a guess; but it remains a
+//! list, and everything but the search goes by handles. So the pass ends, and in the same time.
 //!
 //! Sources: M. I. Shamos and D. Hoey, "Geometric intersection problems", FOCS 1976, 208-215; M. de Berg, O. Cheong,
 //! M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 2.
@@ -106,14 +106,11 @@ pub struct Sweep {
 /// # Ok::<(), twinedge::geometry::crossing::InvalidSegments>(())
 /// ```
 pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result<Sweep, InvalidSegments> {
-    for (query, &point) in (0..).zip(queries) {
-        if point as usize >= points.len() {
-            check(points, segments)?;
-            return Err(InvalidSegments::NoSuchQuery { query, point });
-        }
-    }
     let (below, clash) = sweep_all(points, segments)?;
-    Ok(Sweep { below: below.of(queries), clash })
+    match (0..).zip(queries).find(|(_, point)| **point as usize >= points.len()) {
+        Some((query, &point)) => Err(InvalidSegments::NoSuchQuery { query, point }),
+        None => Ok(Sweep { below: below.of(queries), clash }),
+    }
 }
 
 /// Finds what is below each point, which is a guess if there is a clash. As [`sweep`].
