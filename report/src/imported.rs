@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::input::Input;
 use crate::noted::{Keep, Noted};
-use crate::read_ahead::{Take, read_ahead};
+use crate::read_ahead::{HandOn, Take, read_ahead};
 use crate::shelf::Shelf;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
@@ -84,9 +84,9 @@ impl Imported {
     ) -> Result<Self, Error> {
         let (mut builder, mut features) = (Builder::new(), Vec::new());
         let gathered = gather(&mut |feature| {
-            builder.feature(&feature).map_err(ReadError::refused)?;
+            builder.feature(feature).map_err(ReadError::refused)?;
             if keep.features {
-                features.push(feature);
+                features.push(std::mem::take(feature));
             }
             Ok(())
         })?;
@@ -132,11 +132,11 @@ impl Imported {
     /// [`Error`].
     pub fn features(input: Input, options: &MapOptions, keep: Keep<'_>, shelf: &mut dyn Shelf) -> Result<Self, Error> {
         let (mut summary, mut all_names) = (BuildSummary::default(), Vec::new());
-        let gathered = Gathered::new(input, options, keep, &mut |mut feature| {
-            summary.count(&feature).map_err(ReadError::refused)?;
+        let gathered = Gathered::new(input, options, keep, &mut |feature| {
+            summary.count(feature).map_err(ReadError::refused)?;
             all_names.push(feature.name.take());
             feature.id = None;
-            Ok(shelf.put(feature)?)
+            Ok(shelf.put(std::mem::take(feature))?)
         })?;
         let Gathered { name, read, noted, crs, orients_rings, edges } = gathered;
         let map = names(all_names.into_iter())?;
@@ -172,7 +172,7 @@ impl Gathered {
         let Input { name, mut reader, path, not_finite, kept: _kept, .. } = input;
         let mut noted = Noted::new(options.name_from.clone());
         noted.not_finite = not_finite;
-        let read = |each: &mut dyn FnMut(_) -> _| read(&mut reader, path.as_deref(), &read_options, each);
+        let read = |each: &mut HandOn<'_, LayerFeature>| read(&mut reader, path.as_deref(), &read_options, each);
         Self::of(name, orients_rings, options, keep, gather(read, noted, keep, each)?)
     }
 
@@ -183,7 +183,7 @@ impl Gathered {
         keep: Keep<'_>,
         each: &mut Take<'_>,
     ) -> Result<Self, Error> {
-        let read = |each: &mut dyn FnMut(_) -> _| {
+        let read = |each: &mut HandOn<'_, LayerFeature>| {
             layer.features.into_iter().try_for_each(each)?;
             Ok(layer.header)
         };
@@ -211,20 +211,21 @@ impl Gathered {
 
 /// Reads features, notes what is to be known of each, and hands it on.
 fn gather(
-    read: impl FnOnce(&mut dyn FnMut(LayerFeature) -> Result<(), ReadError>) -> Result<Header, ReadError>,
+    read: impl FnOnce(&mut HandOn<'_, LayerFeature>) -> Result<Header, ReadError>,
     mut noted: Noted,
     keep: Keep<'_>,
     each: &mut Take<'_>,
 ) -> Result<(ReadSummary, Noted, Header), ReadError> {
     let mut summary = ReadSummary::default();
     let header = read_ahead(each, |hand_on| {
-        read(&mut |mut feature| {
-            let mut of_map = to_map(&feature, &mut summary);
+        let mut note = |feature: &mut LayerFeature| {
+            let mut of_map = to_map(feature, &mut summary);
             // A large geometry is not kept twice.
             let has_geometry = feature.geometry.take().is_some();
-            noted.note(&mut of_map, &feature, has_geometry, keep);
+            noted.note(&mut of_map, feature, has_geometry, keep);
             hand_on(of_map)
-        })
+        };
+        read_ahead(&mut note, read)
     })?;
     summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
     Ok((summary, noted, header))

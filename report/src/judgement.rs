@@ -35,6 +35,10 @@ pub(crate) fn judged(
     stage: &mut dyn FnMut(&'static str),
 ) -> Result<Judgement, NotChecked> {
     let map = &imported.map;
+    let is_cut = builder.is_some() || map.noding().is_some();
+    if let Some(why) = imported.noted.too_far_to_cut().filter(|_| is_cut) {
+        return Err(NotChecked::TooFar(why));
+    }
     let Some(builder) = builder else {
         stage("checking the coverage");
         let mut found = check(map, limits)?;
@@ -50,9 +54,6 @@ pub(crate) fn judged(
         let findings = found.findings.into_iter().map(converted).collect();
         return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
     };
-    if let Some(why) = imported.noted.too_far_to_cut() {
-        return Err(NotChecked::TooFar(why));
-    }
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let mut found = check(&of_input, limits)?;
     found.findings.extend(mismatches(&of_input, &imported.unmatched)?);

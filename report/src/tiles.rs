@@ -169,7 +169,7 @@ pub(crate) fn audit_summary(
     let mut noted = Noted::new(None);
     noted.defects = numbered(&outcome.defects);
     if let Some(corners) = outcome.corners {
-        noted.reach(corners);
+        noted.reach(corners, &outcome.extents);
     }
     let [columns, rows] = grid.size();
     let mut read = ReadSummary::default();

@@ -16,6 +16,11 @@ pub(super) fn around(mut points: impl Iterator<Item = Point>) -> Option<[Point; 
     }))
 }
 
+/// The rings of a shape, if it is a polygon.
+pub(super) fn rings(shape: &Shape) -> &[Vec<Point>] {
+    if let Shape::Polygon(rings) = shape { rings } else { &[] }
+}
+
 /// All points of a shape.
 pub(super) fn points(shape: &Shape) -> Box<dyn Iterator<Item = Point> + '_> {
     match shape {

@@ -9,6 +9,7 @@ use crate::algorithm::coverage::{Coverage, Defect};
 use crate::geometry::Point;
 use crate::map::BuildError;
 use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
+use std::collections::BTreeMap;
 
 /// The audit of a map by its tiles.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +19,9 @@ pub struct Outcome {
     pub counts: Counts,
     /// The least and the greatest corner of the box around the features; none, if there are none.
     pub corners: Option<[Point; 2]>,
+    /// By the exponent, as the bits of a double have it, of their extent in x or y, the greater of both, the number of edges of polygons, each as often as
+    /// it is drawn.
+    pub extents: BTreeMap<u16, u64>,
     /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
     pub crossings: Vec<Crossing>,
     /// The components for which `V − E + cycles` is not 2 (T3).
@@ -175,6 +179,7 @@ impl Summary {
             counts,
             corners: self.corners,
             coverage: is_known.then(|| coverage(&self)),
+            extents: self.extents,
             uncut: None,
             not_given,
             defects: self.defects,

@@ -11,7 +11,11 @@ use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::map::UnmatchedVertex;
+use std::collections::BTreeMap;
 use thiserror::Error;
+
+/// The number of exponents of a double.
+const EXPONENTS: u16 = 1 << 11;
 
 /// A summary as it was read.
 #[derive(serde::Deserialize)]
@@ -31,6 +35,7 @@ pub(super) struct Saved {
     lengths: Vec<f64>,
     areas: Vec<f64>,
     claimed: Vec<Claimed>,
+    extents: BTreeMap<u16, u64>,
     defects: Vec<(u32, Vec<Defect>)>,
     unmatched: Vec<UnmatchedVertex>,
     is_plane: bool,
@@ -59,7 +64,7 @@ impl TryFrom<Saved> for Summary {
     fn try_from(saved: Saved) -> Result<Self, SavedError> {
         let Saved { grid, limits, tiles, corners, totals, borders, faces, components, cycles, regions, closed, .. } =
             saved;
-        let Saved { slivers, lengths, areas, claimed, defects, unmatched, .. } = saved;
+        let Saved { slivers, lengths, areas, claimed, extents, defects, unmatched, .. } = saved;
         let Saved { is_plane, crossings, uneven, seams, plane_seams, .. } = saved;
         let rise = |tiles: &[Tile]| tiles.windows(2).all(|pair| pair[0] < pair[1]);
         if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
@@ -118,7 +123,8 @@ impl TryFrom<Saved> for Summary {
             return Err(SavedError::Order);
         }
         let is_small = |one: &Component| one.vertices.max(one.edges).max(one.cycles) <= MOST;
-        if !totals.is_in_range() || !components.iter().all(is_small) {
+        let is_extent = |(exponent, edges): (&u16, &u64)| *exponent < EXPONENTS && *edges <= MOST;
+        if !totals.is_in_range() || !components.iter().all(is_small) || !extents.iter().all(is_extent) {
             return Err(SavedError::Number);
         }
         Ok(Self {
@@ -137,6 +143,7 @@ impl TryFrom<Saved> for Summary {
             lengths,
             areas,
             claimed,
+            extents,
             defects,
             unmatched,
             is_plane,

@@ -11,6 +11,7 @@ use crate::geometry::Point;
 use crate::map::UnmatchedVertex;
 use crate::slots::{NIL, Sets};
 use core::cmp::Ordering;
+use std::collections::BTreeMap;
 
 /// The summary of one tile, or of several that were merged: what lies wholly inside is counted, and what the border cuts is listed, so
 /// that it can be joined with what lies on the other side.
@@ -44,6 +45,8 @@ pub struct Summary {
     pub(super) lengths: Vec<f64>,
     pub(super) areas: Vec<f64>,
     pub(super) claimed: Vec<Claimed>,
+    /// By the exponent of their extent in x or y, the greater of both, the number of edges of the polygons that begin in its tiles.
+    pub(super) extents: BTreeMap<u16, u64>,
     /// The features whose shapes are not valid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,
     /// The vertices that borders lack (C7), if edges were cut.
@@ -74,7 +77,7 @@ pub(super) struct Totals {
 /// The largest sum. No map comes near it; sums that a file made up stay there.
 pub(super) const MOST: u64 = 1 << 53;
 
-fn sum(a: u64, b: u64) -> u64 {
+pub(super) fn sum(a: u64, b: u64) -> u64 {
     a.saturating_add(b).min(MOST)
 }
 
@@ -231,6 +234,7 @@ impl Summary {
             lengths: Vec::new(),
             areas: Vec::new(),
             claimed: Vec::new(),
+            extents: BTreeMap::new(),
             defects: Vec::new(),
             unmatched: Vec::new(),
             is_plane: true,

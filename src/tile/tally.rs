@@ -4,7 +4,7 @@ use super::claimed::{Claimed, compare};
 use super::clip::Bounds;
 use super::cuts::Cuts;
 use super::error::TileError;
-use super::extent::{around, corners, points};
+use super::extent::{around, corners, points, rings};
 use super::grid::{Grid, Tile};
 use super::large::areas;
 use super::local::Local;
@@ -36,7 +36,7 @@ impl Summary {
         let (map, numbers) = (builder(&features)?.build()?, numbers(&features));
         let local = Local::new(&map, &numbers, grid.bounds(tile));
         let mut summary = Self::of_tile(*grid, tile, limits, &features);
-        summary.note_defects(tile, &features);
+        summary.note_shapes(tile, &features);
         summary.is_plane = map.is_plane();
         summary.crossings = local.crossings();
         Ok(local.summarize(tile, summary))
@@ -126,13 +126,17 @@ impl Summary {
         Self { tiles: vec![tile], corners, claimed, ..Self::empty(grid, limits.clone()) }
     }
 
-    /// Notes what is wrong with the shapes of the features that begin in the tile.
-    fn note_defects(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
+    /// Notes what is wrong with the shapes of the features that begin in the tile, and how far their edges reach.
+    fn note_shapes(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
         for (number, feature) in features {
             let first = feature.shapes.iter().flat_map(points).next();
             if first.is_some_and(|p| self.grid.tile_of(p) == tile) {
                 let found = defects(&feature.shapes);
                 self.defects.extend((!found.is_empty()).then_some((*number, found)));
+                for pair in feature.shapes.iter().flat_map(rings).flat_map(|ring| ring.windows(2)) {
+                    let extent = (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs());
+                    *self.extents.entry((extent.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as u16).or_default() += 1;
+                }
             }
         }
     }

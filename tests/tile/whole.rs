@@ -1,6 +1,7 @@
 //! A map as a whole and by its tiles.
 
 use crate::maps::Random;
+use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::{Coverage, Finding, Limits, check, defects, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
@@ -113,6 +114,21 @@ pub(crate) fn by_tiles(features: &[Feature], grid: &Grid, limits: &Limits, rando
     merged(summaries(features, grid, limits), random).finish().expect("no tile is missing")
 }
 
+/// By exponent of their extent, the number of edges of polygons.
+fn extents(features: &[Feature]) -> BTreeMap<u16, u64> {
+    let mut extents = BTreeMap::new();
+    for shape in features.iter().flat_map(|feature| &feature.shapes) {
+        let Shape::Polygon(rings) = shape else { continue };
+        for ring in rings {
+            for (a, b) in ring.iter().zip(ring.iter().skip(1)) {
+                let extent = f64::max((a.x - b.x).abs(), (a.y - b.y).abs());
+                *extents.entry((extent.to_bits() >> 52) as u16).or_default() += 1;
+            }
+        }
+    }
+    extents
+}
+
 /// The same, compared with the whole.
 pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) {
     let map = whole(features);
@@ -121,6 +137,7 @@ pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random
     assert_eq!(outcome.is_valid(), report.is_valid(), "{grid:?} {features:?}\n{outcome:?}");
     assert_eq!(outcome.counts, *report.counts(), "{grid:?} {features:?}");
     assert_eq!(outcome.corners, corners(features));
+    assert_eq!(outcome.extents, extents(features));
     for (of_tiles, of_whole) in outcome.rules().zip(report.outcomes()) {
         assert_eq!(of_tiles, of_whole, "{:?}", report.counts());
     }

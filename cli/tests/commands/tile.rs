@@ -197,6 +197,30 @@ fn the_sum_of_tiles_whose_borders_cross_has_the_findings_of_the_whole() {
     }
 }
 
+/// C1 … C5 were "ok": the sum did not know how short the edges are that a coordinate far away makes impossible to cut.
+#[test]
+fn the_sum_of_tiles_says_as_the_audit_that_the_grid_for_cuts_is_too_wide() {
+    let folder = scratch_folder("tiles-sum-far");
+    let file = folder.join("far.wkt");
+    let squares = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((5 5,15 5,15 15,5 15,5 5))\n";
+    std::fs::write(&file, format!("{squares}POINT(1e17 0)\n")).unwrap();
+    let file = file.to_str().unwrap();
+    let tile = |column: u32| {
+        let name = folder.join(format!("{column}.summary")).to_str().unwrap().to_owned();
+        let tile = format!("{column},0");
+        // The line between the tiles cuts both squares.
+        let box_of = ["--grid", "2x1", "--box", "0,0,16,16"];
+        let output = twinedge(&[&["tile", file, "--tile", &tile, "-o", &name], &box_of[..]].concat());
+        assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+        name
+    };
+    let (status, sum) = json(&["sum", "--format", "json", &tile(0), &tile(1)]);
+    let (of_whole, whole) = json(&["audit", file, "--format", "json"]);
+    assert_eq!((status, of_whole), (Some(1), Some(1)));
+    assert!(whole["coverage"]["not_checked"].as_str().unwrap().contains("cells of at least 88.8178"));
+    assert_eq!(sum["coverage"]["not_checked"], whole["coverage"]["not_checked"]);
+}
+
 #[test]
 fn what_tiles_do_not_take_is_refused() {
     let (_, file) = parcels("tiles-refused");

@@ -83,6 +83,9 @@ fn ids_are_the_same_in_any_order_of_the_features() {
     assert_eq!(in_order(&layer), before);
 }
 
+const TOO_WIDE: &str =
+    "half of the edges are shorter than 16.0000, and the grid that cuts crossing borders has cells of at least 88.8178";
+
 /// On the finest grid for a coordinate of 10^17 a cell is 128 wide: the squares and their overlap were lost, and C1 was "ok".
 #[test]
 fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide() {
@@ -94,12 +97,13 @@ fn a_coverage_is_not_checked_where_a_coordinate_far_away_makes_the_grid_too_wide
         assert_eq!(near["coverage"].get("not_checked"), None);
         let (status, found) = audited(tiles, &far);
         assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")), "{tiles:?}");
-        assert_eq!(
-            found["coverage"]["not_checked"],
-            "half of the edges are shorter than 16.0000, and the grid that cuts crossing borders has cells of at \
-             least 88.8178"
-        );
+        assert_eq!(found["coverage"]["not_checked"], TOO_WIDE);
     }
+    // The map on that grid keeps the rules, and it is not that of the squares.
+    let (status, near) = audited(&["--coverage", "--snap", "auto"], squares);
+    assert_eq!((status, &near["coverage"]["overlaps"]), (Some(1), &json!(1)));
+    let (status, found) = audited(&["--coverage", "--snap", "auto"], &far);
+    assert_eq!((status, &found["coverage"]["not_checked"]), (Some(1), &json!(TOO_WIDE)));
     // A map that is plane is not cut.
     let (status, found) = audited(&["--coverage"], "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOINT(1e17 0)\n");
     assert_eq!((status, found["coverage"].get("not_checked")), (Some(0), None));
