@@ -100,6 +100,7 @@ const fn first_half_edge(segment: usize) -> usize {
 
 fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, singles: &[SetId]) {
     let mut state = State { inside: vec![false; parts.len()], polygons: vec![0; singles.len()] };
+    let mut begun = Vec::new();
     let mut known = vec![false; dcel.faces().last().map_or(0, |face| face.index() + 1)];
     let unbounded = dcel.unbounded_face();
     known[unbounded.index()] = true;
@@ -107,7 +108,7 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
     while let Some(step) = steps.pop() {
         let entered = match step {
             Step::Leave(segment) => {
-                state.cross(uses.of(segment), parts, |_| {});
+                state.cross(uses.of(segment), parts, |_, _| {});
                 continue;
             }
             Step::Enter(h) => dcel.half_edge_at(h),
@@ -118,11 +119,17 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
             continue;
         }
         let segment = (h.index() - first_half_edge(0)) / 2;
-        let mut changed = SetId::default();
-        state.cross(uses.of(segment), parts, |feature| {
-            changed = sets.differing(changed, singles[feature.index()]);
+        // Those that begin come last: most faces have one feature, and no set of two is looked up between.
+        begun.clear();
+        let mut set = sets.of_face(h.twin().face().index());
+        state.cross(uses.of(segment), parts, |feature, begins| {
+            if begins {
+                begun.push(feature);
+            } else {
+                set = sets.differing(set, singles[feature as usize]);
+            }
         });
-        let set = sets.differing(sets.of_face(h.twin().face().index()), changed);
+        set = begun.iter().fold(set, |set, feature| sets.differing(set, singles[*feature as usize]));
         sets.put_face(face.index(), set);
         steps.push(Step::Leave(segment));
         steps.extend(
@@ -132,8 +139,8 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
 }
 
 impl State {
-    /// Crosses a segment, and gives the features that begin or end there; one that does both is given twice.
-    fn cross(&mut self, uses: &[u32], parts: &[Part], mut changes: impl FnMut(FeatureId)) {
+    /// Crosses a segment, and gives the features that begin (true) or end there; one that does both is given twice.
+    fn cross(&mut self, uses: &[u32], parts: &[Part], mut changes: impl FnMut(u32, bool)) {
         for same in uses.chunk_by(|a, b| a == b) {
             let part = parts[same[0] as usize];
             if !part.is_polygon || same.len() % 2 == 0 {
@@ -145,7 +152,7 @@ impl State {
             let before = *polygons;
             *polygons = if *inside { before + 1 } else { before - 1 };
             if before == 0 || *polygons == 0 {
-                changes(FeatureId::new(part.feature));
+                changes(part.feature, before == 0);
             }
         }
     }
