@@ -5,10 +5,12 @@ use std::collections::BTreeSet;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::geometry::predicates::{Meeting, in_range, meeting, on_segment};
-use twinedge::io::{ReadError, geojson};
+use twinedge::io::geojson::Documents;
+use twinedge::io::{ReadError, ReadSummary, geojson};
 use twinedge::map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
+use twinedge_formats::layer::{self, Format, ReadOptions, format_of};
 
 /// The most segments that are compared pair by pair.
 const FEW: usize = 200;
@@ -248,7 +250,7 @@ impl std::io::Read for Dripping<'_> {
 /// Any bytes go to the reader of GeoJSON, in one piece and in small ones, and what it makes of them to the builder.
 ///
 /// # Panics
-/// If the pieces make a difference, an error names a place outside the input, or the map is not as for [`segments`].
+/// If the pieces make a difference, or `twinedge-formats` reads something else, an error names a place outside the input, or the map is not as for [`segments`].
 pub fn geojson(bytes: &[u8]) {
     let mut features = Vec::new();
     let outcome = geojson::read(bytes, |feature| {
@@ -276,7 +278,26 @@ pub fn geojson(bytes: &[u8]) {
             );
         }
     }
+    as_one_by_one(bytes, &features);
     let mut builder = Builder::new();
     features.retain(|feature| takes(&mut builder, feature));
     built(builder, &features);
+}
+
+/// The reader of `twinedge-formats`, which cuts features out of the text, finds these features, or the error that the library finds.
+fn as_one_by_one(mut bytes: &[u8], features: &[Feature]) {
+    let options = ReadOptions { format: Some(Format::GeoJson), ..ReadOptions::default() };
+    if format_of(bytes, None, &options).is_ok_and(|format| format == Format::GeoJson) {
+        let expected = geojson::read_parts(bytes, Documents::One, |_| Ok::<_, ReadError>(()));
+        let mut found = Vec::new();
+        let outcome = layer::read(&mut bytes, None, &options, &mut |feature| {
+            found.push(layer::to_map(&feature, &mut ReadSummary::default()));
+            Ok(())
+        });
+        assert_eq!(outcome.is_ok(), expected.is_ok());
+        match (outcome, expected) {
+            (Err(error), Err(expected)) => assert_eq!(error.to_string(), expected.to_string()),
+            _ => assert_eq!(found, features, "features that are cut out are others"),
+        }
+    }
 }

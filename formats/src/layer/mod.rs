@@ -42,11 +42,15 @@ mod flatgeobuf;
 #[cfg(feature = "geojson")]
 mod geojson;
 #[cfg(feature = "geojson")]
+mod geojson_cut;
+#[cfg(feature = "geojson")]
 mod geojson_edit;
 #[cfg(feature = "geojson")]
 mod geojson_file;
 #[cfg(feature = "geojson")]
 mod geojson_places;
+#[cfg(feature = "geojson")]
+mod geojson_scan;
 #[cfg(feature = "geopackage")]
 mod geopackage;
 #[cfg(feature = "geoparquet")]

@@ -7,6 +7,7 @@ mod cleaning;
 mod cleaning_gaps;
 mod detection;
 mod flatgeobuf;
+mod geojson_cut;
 mod geojson_edit;
 mod geojson_file;
 mod geoparquet;

@@ -1,0 +1,256 @@
+//! Features that are cut out of the text of a collection, and read at once.
+//!
+//! A parser that takes its bytes one by one from a stream needs half as much time again as one that has all of them.
+//!
+//! ```text
+//!   {"type": "FeatureCollection", "features": [{…}, {…}, {…}], "name": "parcels"}
+//!                                              ╰── cut out ─╯
+//! ```
+//!
+//! The reader of the library sees the rest, with an empty array. From the first feature on that is not as it should be, it sees all, so that
+//! errors are its own; only their places are moved by what was cut out.
+
+use super::error::ReadError;
+use super::geojson_scan::{Array, Scan};
+use ::geojson::{Feature, GeometryValue, Position};
+use std::cell::Cell;
+use std::cmp::Ordering;
+use std::io::{self, Cursor, ErrorKind, Read};
+use twinedge::io::geojson::Documents;
+use twinedge::io::{MAX_NESTED_COLLECTIONS, TextPlace};
+
+/// The number of bytes that are read at once.
+const CHUNK: usize = 1 << 16;
+
+/// The depth from which on it is the library that decides.
+const DEEPEST: usize = 100;
+
+/// Stands for the features that were cut out, if others follow in the text.
+const MARKER: &[u8] = br#"{"type":"Feature","geometry":null}"#;
+
+/// The text of a collection, without the features that are cut out.
+pub(super) struct Cutter<'r, F> {
+    reader: &'r mut dyn Read,
+    /// Takes a feature, and says whether to go on.
+    take: F,
+    chunk: Vec<u8>,
+    /// The place in the chunk.
+    at: usize,
+    scan: Scan,
+    is_over: bool,
+    /// The text since the last feature that was cut out: what separates it from the next one, and that, as far as it was read.
+    held: Vec<u8>,
+    /// The place of the next feature in it; none before it begins.
+    start: Option<usize>,
+    /// What the library is to see next.
+    seen_next: Cursor<Vec<u8>>,
+    /// The error of the reader, once all before it was seen.
+    error: Option<io::Error>,
+    /// The number of features that were cut out.
+    count: usize,
+    has_marker: bool,
+    /// True until the library has handed over the marker.
+    marks: &'r Cell<bool>,
+    /// The place behind the bracket that opens the array, and how the places of what follows are moved.
+    opened: TextPlace,
+    moved: TextPlace,
+}
+
+/// The place after these bytes as well.
+fn after(at: TextPlace, bytes: &[u8]) -> TextPlace {
+    let lines = bytes.iter().filter(|byte| **byte == b'\n').count();
+    let column = match bytes.iter().rposition(|byte| *byte == b'\n') {
+        Some(last) => bytes.len() - last - 1,
+        None => at.column.unwrap_or(0) + bytes.len(),
+    };
+    TextPlace { line: at.line + lines, column: Some(column) }
+}
+
+impl<'r, F: FnMut(Feature) -> bool> Cutter<'r, F> {
+    /// The text of a reader, without a byte order mark, of which features go to `take`. `marks` is true if the next one that the library hands over stands
+    /// for these.
+    pub(super) fn new(reader: &'r mut dyn Read, documents: Documents, marks: &'r Cell<bool>, take: F) -> Self {
+        let start = TextPlace { line: 1, column: Some(0) };
+        Self {
+            reader,
+            take,
+            chunk: Vec::new(),
+            at: 0,
+            scan: Scan::default(),
+            // One of several objects may be a collection, and all of it would be held.
+            is_over: documents == Documents::Many,
+            held: Vec::new(),
+            start: None,
+            seen_next: Cursor::default(),
+            error: None,
+            count: 0,
+            has_marker: false,
+            marks,
+            opened: start,
+            moved: start,
+        }
+    }
+
+    /// An error of the library, as if it had seen the whole text.
+    pub(super) fn original(&self, mut error: ReadError) -> ReadError {
+        if let ReadError::Text(error) = &mut error {
+            error.place = self.place(error.place);
+            if let Some(feature) = &mut error.feature {
+                feature.index += self.count - usize::from(self.has_marker);
+            }
+        }
+        error
+    }
+
+    /// The place in the text of a place in what the library saw.
+    fn place(&self, seen: TextPlace) -> TextPlace {
+        let marker = if self.has_marker { MARKER.len() } else { 0 };
+        let (column, opened) = (seen.column.unwrap_or(0), self.opened.column.unwrap_or(0) + marker);
+        let line = seen.line.saturating_sub(self.opened.line) + self.moved.line;
+        match seen.line.cmp(&self.opened.line) {
+            Ordering::Less => seen,
+            Ordering::Equal if column < opened => seen,
+            Ordering::Equal => TextPlace { line, column: Some(column - opened + self.moved.column.unwrap_or(0)) },
+            Ordering::Greater => TextPlace { line, column: seen.column },
+        }
+    }
+
+    /// Takes the bytes of the chunk that lie in the array of features.
+    fn cut(&mut self) {
+        while let Some(byte) = self.chunk.get(self.at).copied() {
+            let Some(start) = self.start else {
+                match byte {
+                    b' ' | b'\t' | b'\r' | b'\n' | b',' => self.held.push(byte),
+                    b'{' if self.is_separated() => {
+                        self.start = Some(self.held.len());
+                        continue;
+                    }
+                    _ => return self.end(),
+                }
+                self.at += 1;
+                continue;
+            };
+            let mut deepest = 0;
+            let closed = self.chunk[self.at..].iter().position(|byte| {
+                self.scan.take(*byte);
+                deepest = deepest.max(self.scan.depth);
+                self.scan.depth <= 2
+            });
+            let end = closed.map_or(self.chunk.len(), |place| self.at + place + 1);
+            self.held.extend_from_slice(&self.chunk[self.at..end]);
+            self.at = end;
+            if deepest > DEEPEST {
+                return self.end();
+            }
+            if closed.is_some() {
+                let read = serde_json::from_slice::<Feature>(&self.held[start..]).ok();
+                let Some(feature) = read.filter(|feature| feature.geometry.iter().all(|one| is_sound(&one.value, 0)))
+                else {
+                    return self.end();
+                };
+                self.count += 1;
+                self.moved = after(self.moved, &self.held);
+                self.held.clear();
+                self.start = None;
+                if !(self.take)(feature) {
+                    self.is_over = true;
+                    self.error = Some(io::Error::other("a feature was refused"));
+                    return;
+                }
+            }
+        }
+    }
+
+    /// True if what is held may stand before a feature.
+    fn is_separated(&self) -> bool {
+        let commas = self.held.iter().filter(|byte| **byte == b',').count();
+        commas == usize::from(self.count > 0)
+    }
+
+    /// Cuts nothing out any more.
+    fn end(&mut self) {
+        self.is_over = true;
+        let is_empty = self.start.is_none() && !self.held.contains(&b',') && self.chunk.get(self.at) == Some(&b']');
+        if self.count > 0 && !is_empty {
+            self.has_marker = true;
+            self.marks.set(true);
+            self.seen_next.get_mut().extend_from_slice(MARKER);
+        }
+        self.seen_next.get_mut().append(&mut self.held);
+    }
+
+    /// The number of bytes of the chunk up to the bracket that opens the array of features, or all.
+    fn before(&mut self, most: usize) -> usize {
+        let bytes = &self.chunk[self.at..];
+        let opens = bytes.iter().take(most).position(|byte| {
+            self.scan.take(*byte);
+            self.scan.features == Array::Inside
+        });
+        let length = opens.map_or(bytes.len().min(most), |place| place + 1);
+        self.opened = after(self.opened, &bytes[..length]);
+        self.moved = self.opened;
+        length
+    }
+}
+
+impl<F: FnMut(Feature) -> bool> Read for Cutter<'_, F> {
+    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
+        loop {
+            let seen = self.seen_next.read(out)?;
+            if seen > 0 || out.is_empty() {
+                return Ok(seen);
+            }
+            if let Some(error) = self.error.take() {
+                return Err(error);
+            }
+            if self.at == self.chunk.len() {
+                self.at = 0;
+                self.chunk.resize(CHUNK, 0);
+                let read = self.reader.read(&mut self.chunk);
+                self.chunk.truncate(*read.as_ref().unwrap_or(&0));
+                let is_cutting = !self.is_over && self.scan.features == Array::Inside;
+                match read {
+                    Err(error) if error.kind() != ErrorKind::Interrupted && is_cutting => {
+                        self.error = Some(error);
+                        self.end();
+                        continue;
+                    }
+                    Err(error) => return Err(error),
+                    Ok(0) if is_cutting => {
+                        self.end();
+                        continue;
+                    }
+                    Ok(0) => return Ok(0),
+                    Ok(_) => {}
+                }
+            }
+            if !self.is_over && self.scan.features == Array::Inside {
+                self.cut();
+                continue;
+            }
+            let length = out.len().min(self.chunk.len() - self.at);
+            let length = if self.is_over { length } else { self.before(length) };
+            out[..length].copy_from_slice(&self.chunk[self.at..self.at + length]);
+            self.at += length;
+            return Ok(length);
+        }
+    }
+}
+
+/// True if each position has two numbers, and collections are not nested too deep.
+fn is_sound(value: &GeometryValue, depth: usize) -> bool {
+    let has_two = |position: &Position| position.len() >= 2;
+    match value {
+        GeometryValue::Point { coordinates } => has_two(coordinates),
+        GeometryValue::MultiPoint { coordinates } | GeometryValue::LineString { coordinates } => {
+            coordinates.iter().all(has_two)
+        }
+        GeometryValue::MultiLineString { coordinates } | GeometryValue::Polygon { coordinates } => {
+            coordinates.iter().flatten().all(has_two)
+        }
+        GeometryValue::MultiPolygon { coordinates } => coordinates.iter().flatten().flatten().all(has_two),
+        GeometryValue::GeometryCollection { geometries } => {
+            depth < MAX_NESTED_COLLECTIONS && geometries.iter().all(|one| is_sound(&one.value, depth + 1))
+        }
+    }
+}
