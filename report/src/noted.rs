@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::words::{counted, decimals, measure, plain};
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
 use twinedge::geometry::Point;
@@ -225,7 +225,7 @@ impl Noted {
     }
 
     /// Notes that all lies in a box between two corners, and how many edges of polygons have each exponent.
-    pub(crate) fn reach(&mut self, [low, high]: [Point; 2], edges: &BTreeMap<u16, u64>) {
+    pub(crate) fn reach(&mut self, [low, high]: [Point; 2], edges: &[(u16, u64)]) {
         (self.low, self.high) = (low, high);
         for (exponent, count) in edges {
             self.edges[usize::from(*exponent) % EXPONENTS] = *count;

@@ -9,7 +9,6 @@ use crate::algorithm::coverage::{Coverage, Defect};
 use crate::geometry::Point;
 use crate::map::BuildError;
 use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
-use std::collections::BTreeMap;
 
 /// The audit of a map by its tiles.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,9 +18,9 @@ pub struct Outcome {
     pub counts: Counts,
     /// The least and the greatest corner of the box around the features; none, if there are none.
     pub corners: Option<[Point; 2]>,
-    /// By the exponent, as the bits of a double have it, of their extent in x or y, the greater of both, the number of edges of polygons, each as often as
-    /// it is drawn.
-    pub extents: BTreeMap<u16, u64>,
+    /// In order, the exponents, as the bits of a double have them, of the extents of edges of polygons in x or y, the greater of both, and the number of these
+    /// edges, each as often as it is drawn.
+    pub extents: Vec<(u16, u64)>,
     /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
     pub crossings: Vec<Crossing>,
     /// The components for which `V − E + cycles` is not 2 (T3).

@@ -6,7 +6,7 @@ use super::extent::around;
 use super::fault::{SeamFault, SeamRule};
 use super::grid::Tile;
 use super::side::Side;
-use super::summary::{Border, Contact, Joins, Summary, sum};
+use super::summary::{Border, Contact, Joins, Summary};
 use core::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -87,8 +87,7 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
     one.areas.append(&mut other.areas);
     one.claimed.append(&mut other.claimed);
     for (exponent, edges) in other.extents {
-        let known = one.extents.entry(exponent).or_default();
-        *known = sum(*known, edges);
+        one.count_edges(exponent, edges);
     }
     one.defects.append(&mut other.defects);
     one.unmatched.append(&mut other.unmatched);

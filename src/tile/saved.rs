@@ -11,7 +11,6 @@ use crate::algorithm::coverage::{Defect, Limits};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::map::UnmatchedVertex;
-use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// The number of exponents of a double.
@@ -35,7 +34,7 @@ pub(super) struct Saved {
     lengths: Vec<f64>,
     areas: Vec<f64>,
     claimed: Vec<Claimed>,
-    extents: BTreeMap<u16, u64>,
+    extents: Vec<(u16, u64)>,
     defects: Vec<(u32, Vec<Defect>)>,
     unmatched: Vec<UnmatchedVertex>,
     is_plane: bool,
@@ -114,6 +113,7 @@ impl TryFrom<Saved> for Summary {
         };
         let is_first = |place: u32| claimed.get(place as usize).is_some_and(|one| one.like == Some(place));
         let is_in_order = all().all(are_sorted)
+            && extents.windows(2).all(|pair| pair[0].0 < pair[1].0)
             && contacts().all(|contact| is_exact(&contact.edge))
             && corners.is_none_or(|[low, high]| is_exact(&[low, high]) && low.x <= high.x && low.y <= high.y)
             && claimed.windows(2).all(|pair| pair[0].key() < pair[1].key())
@@ -123,7 +123,7 @@ impl TryFrom<Saved> for Summary {
             return Err(SavedError::Order);
         }
         let is_small = |one: &Component| one.vertices.max(one.edges).max(one.cycles) <= MOST;
-        let is_extent = |(exponent, edges): (&u16, &u64)| *exponent < EXPONENTS && *edges <= MOST;
+        let is_extent = |(exponent, edges): &(u16, u64)| *exponent < EXPONENTS && *edges <= MOST;
         if !totals.is_in_range() || !components.iter().all(is_small) || !extents.iter().all(is_extent) {
             return Err(SavedError::Number);
         }

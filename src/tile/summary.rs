@@ -11,7 +11,6 @@ use crate::geometry::Point;
 use crate::map::UnmatchedVertex;
 use crate::slots::{NIL, Sets};
 use core::cmp::Ordering;
-use std::collections::BTreeMap;
 
 /// The summary of one tile, or of several that were merged: what lies wholly inside is counted, and what the border cuts is listed, so
 /// that it can be joined with what lies on the other side.
@@ -45,8 +44,8 @@ pub struct Summary {
     pub(super) lengths: Vec<f64>,
     pub(super) areas: Vec<f64>,
     pub(super) claimed: Vec<Claimed>,
-    /// By the exponent of their extent in x or y, the greater of both, the number of edges of the polygons that begin in its tiles.
-    pub(super) extents: BTreeMap<u16, u64>,
+    /// In order, the exponents of the extents of edges in x or y, the greater of both, and the number of these edges, of the polygons of features that begin in its tiles.
+    pub(super) extents: Vec<(u16, u64)>,
     /// The features whose shapes are not valid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,
     /// The vertices that borders lack (C7), if edges were cut.
@@ -77,7 +76,7 @@ pub(super) struct Totals {
 /// The largest sum. No map comes near it; sums that a file made up stay there.
 pub(super) const MOST: u64 = 1 << 53;
 
-pub(super) fn sum(a: u64, b: u64) -> u64 {
+fn sum(a: u64, b: u64) -> u64 {
     a.saturating_add(b).min(MOST)
 }
 
@@ -234,7 +233,7 @@ impl Summary {
             lengths: Vec::new(),
             areas: Vec::new(),
             claimed: Vec::new(),
-            extents: BTreeMap::new(),
+            extents: Vec::new(),
             defects: Vec::new(),
             unmatched: Vec::new(),
             is_plane: true,
@@ -242,6 +241,14 @@ impl Summary {
             uneven: Vec::new(),
             seams: Vec::new(),
             plane_seams: Vec::new(),
+        }
+    }
+
+    /// Counts edges whose extent has this exponent.
+    pub(super) fn count_edges(&mut self, exponent: u16, edges: u64) {
+        match self.extents.binary_search_by_key(&exponent, |known| known.0) {
+            Ok(place) => self.extents[place].1 = sum(self.extents[place].1, edges),
+            Err(place) => self.extents.insert(place, (exponent, edges)),
         }
     }
 

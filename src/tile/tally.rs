@@ -135,7 +135,7 @@ impl Summary {
                 self.defects.extend((!found.is_empty()).then_some((*number, found)));
                 for pair in feature.shapes.iter().flat_map(rings).flat_map(|ring| ring.windows(2)) {
                     let extent = (pair[0].x - pair[1].x).abs().max((pair[0].y - pair[1].y).abs());
-                    *self.extents.entry((extent.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as u16).or_default() += 1;
+                    self.count_edges((extent.to_bits() >> (f64::MANTISSA_DIGITS - 1)) as u16, 1);
                 }
             }
         }

@@ -240,8 +240,9 @@ fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
         refused(at, json!(MOST + 1), "larger than any map has");
         refused(at, json!(u64::MAX), "larger than any map has");
     }
-    refused("/extents", json!({ "2048": 1 }), "larger than any map has");
-    refused("/extents", json!({ "1023": MOST + 1 }), "larger than any map has");
+    refused("/extents", json!([[2048, 1]]), "larger than any map has");
+    refused("/extents", json!([[1023, MOST + 1]]), "larger than any map has");
+    refused("/extents", json!([[7, 1], [7, 1]]), "out of order");
     refused("/claimed/0/seen", json!(99), "out of range");
     refused("/claimed/0/between/1/column", json!(3), "out of range");
     refused("/claimed/0/between/0/row", json!(2), "out of range");
@@ -253,12 +254,12 @@ fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
                 *one = changed(one, at, json!(MOST));
             }
         }
-        *one = changed(one, "/extents", json!({ "2047": MOST }));
+        *one = changed(one, "/extents", json!([[2047, MOST]]));
     }
     let outcome = finished(most.into_iter().map(|one| serde_json::from_value(one).expect("in range")).collect());
     assert!(!outcome.is_valid());
     assert_eq!((outcome.counts.vertices, outcome.counts.half_edges), (1 << 53, 1 << 54));
-    assert_eq!(outcome.extents, [(2047, MOST)].into());
+    assert_eq!(outcome.extents, [(2047, MOST)]);
     assert_eq!(outcome.bounds().map(|bounds| bounds.most_edges), Some((3 << 53) - 6));
     let checked = |rule| outcome.rules().find(|(other, _)| *other == rule).map(|(_, outcome)| outcome.checked);
     assert_eq!((checked(Rule::L1), checked(Rule::V1)), (Some(1 << 54), Some(0)));

@@ -115,7 +115,7 @@ pub(crate) fn by_tiles(features: &[Feature], grid: &Grid, limits: &Limits, rando
 }
 
 /// By exponent of their extent, the number of edges of polygons.
-fn extents(features: &[Feature]) -> BTreeMap<u16, u64> {
+fn extents(features: &[Feature]) -> Vec<(u16, u64)> {
     let mut extents = BTreeMap::new();
     for shape in features.iter().flat_map(|feature| &feature.shapes) {
         let Shape::Polygon(rings) = shape else { continue };
@@ -126,7 +126,7 @@ fn extents(features: &[Feature]) -> BTreeMap<u16, u64> {
             }
         }
     }
-    extents
+    extents.into_iter().collect()
 }
 
 /// The same, compared with the whole.

@@ -3,34 +3,33 @@
 use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
-use super::geojson_cut::Cutter;
+#[cfg(not(target_family = "wasm"))]
+use super::geojson_cut::read_parts;
 use super::json::{self, InDegrees};
 use super::losses::is_reserved_in_json;
 use super::model::{Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
 use super::names::Names;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
-use std::cell::{Cell, RefCell};
 use std::io::{self, Read, Write};
-use twinedge::io::geojson::{Documents, Part, read_parts};
+// A module for browsers is to be small.
+#[cfg(target_family = "wasm")]
+use twinedge::io::geojson::read_parts;
+use twinedge::io::geojson::{Documents, Part};
 
 /// Reads features, each handed to `each`.
 pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<'_>) -> Result<Header, ReadError> {
-    let mut start = Vec::new();
-    reader.take(3).read_to_end(&mut start)?;
-    if start == b"\xEF\xBB\xBF" {
-        start.clear();
-    }
-    let mut reader = start.chain(reader);
-    let taker = RefCell::new(Taker { each, names: Names::default(), in_degrees: InDegrees::default(), refused: None });
-    let (mut header, is_marker) = (Header::default(), Cell::new(false));
-    let mut cutter = Cutter::new(&mut reader, documents, &is_marker, |parsed| taker.borrow_mut().take(parsed));
-    let read = read_parts(&mut cutter, documents, |part| {
+    let mut header = Header::default();
+    let mut names = Names::default();
+    let mut in_degrees = InDegrees::default();
+    read_parts(reader, documents, |part| {
         match part {
-            Part::Feature(_) if is_marker.take() => {}
-            // The error is of no account: that of the taker is returned.
             Part::Feature(parsed) => {
-                return if taker.borrow_mut().take(*parsed) { Ok(()) } else { Err(ReadError::Empty) };
+                let feature = feature(*parsed, &mut names);
+                if let Some(geometry) = &feature.geometry {
+                    in_degrees.look_at(geometry);
+                }
+                each(feature)?;
             }
             Part::Member(name, member) if name == "crs" => {
                 header.crs = Some(Crs::of_member(member));
@@ -39,34 +38,10 @@ pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<
             Part::Member(name, member) => drop(header.members.insert(name, member)),
             _ => {}
         }
-        Ok(())
-    });
-    let read = read.map_err(|error| cutter.original(error));
-    let Taker { in_degrees, refused, .. } = taker.into_inner();
-    refused.map_or(read, Err)?;
+        Ok::<_, ReadError>(())
+    })?;
     header.crs = header.crs.or_else(|| in_degrees.crs());
     Ok(header)
-}
-
-/// The taker of features.
-struct Taker<'t, 'e> {
-    each: &'t mut Each<'e>,
-    names: Names,
-    in_degrees: InDegrees,
-    /// The error of `each`.
-    refused: Option<ReadError>,
-}
-
-impl Taker<'_, '_> {
-    /// Hands a feature on, and says whether to go on.
-    fn take(&mut self, parsed: Parsed) -> bool {
-        let feature = feature(parsed, &mut self.names);
-        if let Some(geometry) = &feature.geometry {
-            self.in_degrees.look_at(geometry);
-        }
-        self.refused = (self.each)(feature).err();
-        self.refused.is_none()
-    }
 }
 
 fn feature(parsed: Parsed, names: &mut Names) -> Feature {

@@ -13,10 +13,10 @@
 use super::error::ReadError;
 use super::geojson_scan::{Array, Scan};
 use ::geojson::{Feature, GeometryValue, Position};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::io::{self, Cursor, ErrorKind, Read};
-use twinedge::io::geojson::Documents;
+use twinedge::io::geojson::{self, Documents, Part};
 use twinedge::io::{MAX_NESTED_COLLECTIONS, TextPlace};
 
 /// The number of bytes that are read at once.
@@ -25,11 +25,35 @@ const CHUNK: usize = 1 << 16;
 /// The depth from which on it is the library that decides.
 const DEEPEST: usize = 100;
 
+/// The place before the first byte.
+const START: TextPlace = TextPlace { line: 1, column: Some(0) };
+
 /// Stands for the features that were cut out, if others follow in the text.
 const MARKER: &[u8] = br#"{"type":"Feature","geometry":null}"#;
 
+/// Reads a file as [`geojson::read_parts`] does; if there is an error, parts behind it may have been handed over.
+pub(super) fn read_parts(
+    reader: &mut dyn Read,
+    documents: Documents,
+    each: impl FnMut(Part) -> Result<(), ReadError>,
+) -> Result<(), ReadError> {
+    // One of several objects may be a collection, and all of it would be held.
+    if documents == Documents::Many {
+        return geojson::read_parts(reader, documents, each);
+    }
+    let (each, refused, marks) = (RefCell::new(each), Cell::new(None), Cell::new(false));
+    let take = |part| each.borrow_mut()(part).map_err(|error| refused.set(Some(error)));
+    let mut cutter = Cutter::new(reader, &marks, |feature| take(Part::Feature(feature)).is_ok());
+    let read = geojson::read_parts(&mut cutter, documents, |part| match part {
+        Part::Feature(_) if marks.take() => Ok(()),
+        // The error is of no account: that of the taker is returned.
+        part => take(part).map_err(|()| ReadError::Empty),
+    });
+    refused.take().map_or_else(|| read.map_err(|error| cutter.original(error)), Err)
+}
+
 /// The text of a collection, without the features that are cut out.
-pub(super) struct Cutter<'r, F> {
+struct Cutter<'r, F> {
     reader: &'r mut dyn Read,
     /// Takes a feature, and says whether to go on.
     take: F,
@@ -42,7 +66,7 @@ pub(super) struct Cutter<'r, F> {
     held: Vec<u8>,
     /// The place of the next feature in it; none before it begins.
     start: Option<usize>,
-    /// What the library is to see next.
+    /// The bytes that the library is to see next.
     seen_next: Cursor<Vec<u8>>,
     /// The error of the reader, once all before it was seen.
     error: Option<io::Error>,
@@ -58,7 +82,7 @@ pub(super) struct Cutter<'r, F> {
 
 /// The place after these bytes as well.
 fn after(at: TextPlace, bytes: &[u8]) -> TextPlace {
-    let lines = bytes.iter().filter(|byte| **byte == b'\n').count();
+    let lines: usize = bytes.iter().map(|byte| usize::from(*byte == b'\n')).sum();
     let column = match bytes.iter().rposition(|byte| *byte == b'\n') {
         Some(last) => bytes.len() - last - 1,
         None => at.column.unwrap_or(0) + bytes.len(),
@@ -66,19 +90,17 @@ fn after(at: TextPlace, bytes: &[u8]) -> TextPlace {
     TextPlace { line: at.line + lines, column: Some(column) }
 }
 
-impl<'r, F: FnMut(Feature) -> bool> Cutter<'r, F> {
-    /// The text of a reader, without a byte order mark, of which features go to `take`. `marks` is true if the next one that the library hands over stands
+impl<'r, F: FnMut(Box<Feature>) -> bool> Cutter<'r, F> {
+    /// The text of a reader, of which features go to `take`. `marks` is true if the next one that the library hands over stands
     /// for these.
-    pub(super) fn new(reader: &'r mut dyn Read, documents: Documents, marks: &'r Cell<bool>, take: F) -> Self {
-        let start = TextPlace { line: 1, column: Some(0) };
+    fn new(reader: &'r mut dyn Read, marks: &'r Cell<bool>, take: F) -> Self {
         Self {
             reader,
             take,
             chunk: Vec::new(),
             at: 0,
             scan: Scan::default(),
-            // One of several objects may be a collection, and all of it would be held.
-            is_over: documents == Documents::Many,
+            is_over: false,
             held: Vec::new(),
             start: None,
             seen_next: Cursor::default(),
@@ -86,13 +108,13 @@ impl<'r, F: FnMut(Feature) -> bool> Cutter<'r, F> {
             count: 0,
             has_marker: false,
             marks,
-            opened: start,
-            moved: start,
+            opened: START,
+            moved: START,
         }
     }
 
     /// An error of the library, as if it had seen the whole text.
-    pub(super) fn original(&self, mut error: ReadError) -> ReadError {
+    fn original(&self, mut error: ReadError) -> ReadError {
         if let ReadError::Text(error) = &mut error {
             error.place = self.place(error.place);
             if let Some(feature) = &mut error.feature {
@@ -143,7 +165,7 @@ impl<'r, F: FnMut(Feature) -> bool> Cutter<'r, F> {
                 return self.end();
             }
             if closed.is_some() {
-                let read = serde_json::from_slice::<Feature>(&self.held[start..]).ok();
+                let read = serde_json::from_slice::<Box<Feature>>(&self.held[start..]).ok();
                 let Some(feature) = read.filter(|feature| feature.geometry.iter().all(|one| is_sound(&one.value, 0)))
                 else {
                     return self.end();
@@ -161,10 +183,32 @@ impl<'r, F: FnMut(Feature) -> bool> Cutter<'r, F> {
         }
     }
 
+    fn is_cutting(&self) -> bool {
+        !self.is_over && self.scan.features == Array::Inside
+    }
+
+    /// Reads the next chunk, and says whether there is anything more to see.
+    fn fill(&mut self) -> io::Result<bool> {
+        self.at = 0;
+        self.chunk.resize(CHUNK, 0);
+        let read = self.reader.read(&mut self.chunk);
+        self.chunk.truncate(*read.as_ref().unwrap_or(&0));
+        match read {
+            Ok(1..) => Ok(true),
+            Err(error) if error.kind() == ErrorKind::Interrupted => Err(error),
+            end if self.is_cutting() => {
+                self.error = end.err();
+                self.end();
+                Ok(true)
+            }
+            end => end.map(|_| false),
+        }
+    }
+
     /// True if what is held may stand before a feature.
     fn is_separated(&self) -> bool {
-        let commas = self.held.iter().filter(|byte| **byte == b',').count();
-        commas == usize::from(self.count > 0)
+        let mut commas = self.held.iter().filter(|byte| **byte == b',');
+        commas.next().is_some() == (self.count > 0) && commas.next().is_none()
     }
 
     /// Cuts nothing out any more.
@@ -187,13 +231,16 @@ impl<'r, F: FnMut(Feature) -> bool> Cutter<'r, F> {
             self.scan.features == Array::Inside
         });
         let length = opens.map_or(bytes.len().min(most), |place| place + 1);
-        self.opened = after(self.opened, &bytes[..length]);
+        // The library does not count a byte order mark.
+        let is_start = self.opened == START;
+        let mark = bytes[..length].iter().take_while(|byte| is_start && b"\xEF\xBB\xBF".contains(byte)).count();
+        self.opened = after(self.opened, &bytes[mark..length]);
         self.moved = self.opened;
         length
     }
 }
 
-impl<F: FnMut(Feature) -> bool> Read for Cutter<'_, F> {
+impl<F: FnMut(Box<Feature>) -> bool> Read for Cutter<'_, F> {
     fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
         loop {
             let seen = self.seen_next.read(out)?;
@@ -204,27 +251,12 @@ impl<F: FnMut(Feature) -> bool> Read for Cutter<'_, F> {
                 return Err(error);
             }
             if self.at == self.chunk.len() {
-                self.at = 0;
-                self.chunk.resize(CHUNK, 0);
-                let read = self.reader.read(&mut self.chunk);
-                self.chunk.truncate(*read.as_ref().unwrap_or(&0));
-                let is_cutting = !self.is_over && self.scan.features == Array::Inside;
-                match read {
-                    Err(error) if error.kind() != ErrorKind::Interrupted && is_cutting => {
-                        self.error = Some(error);
-                        self.end();
-                        continue;
-                    }
-                    Err(error) => return Err(error),
-                    Ok(0) if is_cutting => {
-                        self.end();
-                        continue;
-                    }
-                    Ok(0) => return Ok(0),
-                    Ok(_) => {}
+                if !self.fill()? {
+                    return Ok(0);
                 }
+                continue;
             }
-            if !self.is_over && self.scan.features == Array::Inside {
+            if self.is_cutting() {
                 self.cut();
                 continue;
             }

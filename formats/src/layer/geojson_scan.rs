@@ -24,7 +24,7 @@ pub(super) enum Array {
     Behind,
 }
 
-/// What a byte does.
+/// The effect of a byte.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Turn {
     /// It opens an object or an array.

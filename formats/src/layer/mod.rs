@@ -41,7 +41,7 @@ mod files;
 mod flatgeobuf;
 #[cfg(feature = "geojson")]
 mod geojson;
-#[cfg(feature = "geojson")]
+#[cfg(all(feature = "geojson", not(target_family = "wasm")))]
 mod geojson_cut;
 #[cfg(feature = "geojson")]
 mod geojson_edit;

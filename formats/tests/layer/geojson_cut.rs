@@ -1,8 +1,8 @@
 //! Features of GeoJSON are cut out of the text and read at once: the outcome is that of the library, which reads byte by byte.
 
 use std::io::{self, Read};
-use twinedge::io::ReadError as TextError;
 use twinedge::io::geojson::{self, Documents, Part};
+use twinedge::io::{ReadError as TextError, ReadSummary};
 use twinedge::map::Feature;
 use twinedge_formats::layer::{Format, ReadError, ReadOptions, format_of, read, to_map};
 
@@ -29,7 +29,7 @@ fn whole(reader: impl Read) -> Outcome {
     let mut features = Vec::new();
     let options = ReadOptions { format: Some(Format::GeoJson), ..ReadOptions::default() };
     let read = read(&mut bytes, None, &options, &mut |feature| {
-        features.push(to_map(&feature, &mut Default::default()));
+        features.push(to_map(&feature, &mut ReadSummary::default()));
         Ok(())
     });
     (features, read.err().map(|error| error.to_string()))
@@ -109,7 +109,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
     let (mut judged, mut failed) = (0, 0);
     for round in 0..6_000 {
         let mut text = TEXTS[round % TEXTS.len()].as_bytes().to_vec();
-        for _ in 0..1 + random.below(2) {
+        for _ in 0..=random.below(2) {
             let at = random.below(text.len());
             match random.below(5) {
                 0 => text.truncate(at.max(1)),
@@ -143,7 +143,7 @@ fn wrong_texts_have_the_errors_and_places_of_byte_by_byte() {
 fn long() -> String {
     let feature = |i: usize| {
         let line: Vec<String> = (0..i % 40).map(|k| format!("[{i},{k}.5]")).collect();
-        let break_here = if i % 3 == 0 { "\n" } else { "" };
+        let break_here = if i.is_multiple_of(3) { "\n" } else { "" };
         format!(
             "{{\"type\":\"Feature\",\"properties\":{{\"name\":\"{i}\"}},{break_here}\"geometry\":{{\"type\":\"LineString\",\"coordinates\":[{}]}}}}",
             line.join(",")

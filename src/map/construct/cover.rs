@@ -100,7 +100,6 @@ const fn first_half_edge(segment: usize) -> usize {
 
 fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, singles: &[SetId]) {
     let mut state = State { inside: vec![false; parts.len()], polygons: vec![0; singles.len()] };
-    let mut begun = Vec::new();
     let mut known = vec![false; dcel.faces().last().map_or(0, |face| face.index() + 1)];
     let unbounded = dcel.unbounded_face();
     known[unbounded.index()] = true;
@@ -120,16 +119,12 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
         }
         let segment = (h.index() - first_half_edge(0)) / 2;
         // Those that begin come last: most faces have one feature, and no set of two is looked up between.
-        begun.clear();
-        let mut set = sets.of_face(h.twin().face().index());
+        let (mut set, mut begun) = (sets.of_face(h.twin().face().index()), SetId::default());
         state.cross(uses.of(segment), parts, |feature, begins| {
-            if begins {
-                begun.push(feature);
-            } else {
-                set = sets.differing(set, singles[feature as usize]);
-            }
+            let changed = if begins { &mut begun } else { &mut set };
+            *changed = sets.differing(*changed, singles[feature as usize]);
         });
-        set = begun.iter().fold(set, |set, feature| sets.differing(set, singles[*feature as usize]));
+        let set = sets.differing(set, begun);
         sets.put_face(face.index(), set);
         steps.push(Step::Leave(segment));
         steps.extend(
