@@ -22,7 +22,7 @@ fn comes_back(bytes: &[u8], format: Format) {
     let again = read(&once).expect("what was written is of the format");
     assert_eq!(found.features.len(), again.features.len());
     // Compared as bytes: a height may be NaN.
-    assert!(once == written(&again, format));
+    assert_eq!(once, written(&again, format));
 }
 
 /// Reads well-known binary, writes it, and reads it again as it was.

@@ -30,6 +30,6 @@ pub fn topojson(bytes: &[u8]) {
         let again = read_layer(&mut &*once, None, &options).expect("what was written is well-known binary");
         let mut twice = Vec::new();
         write(&again, &mut twice, Format::Wkb).expect("memory");
-        assert!(once == twice);
+        assert_eq!(once, twice);
     }
 }

@@ -214,8 +214,8 @@ impl<'r, F: FnMut(Box<Feature>) -> bool> Cutter<'r, F> {
     /// Cuts nothing out any more.
     fn end(&mut self) {
         self.is_over = true;
-        let is_empty = self.start.is_none() && !self.held.contains(&b',') && self.chunk.get(self.at) == Some(&b']');
-        if self.count > 0 && !is_empty {
+        let closes = self.start.is_none() && !self.held.contains(&b',') && self.chunk.get(self.at) == Some(&b']');
+        if self.count > 0 && !closes {
             self.has_marker = true;
             self.marks.set(true);
             self.seen_next.get_mut().extend_from_slice(MARKER);
