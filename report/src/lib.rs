@@ -5,8 +5,8 @@
 //! ```
 //!
 //! The program `twinedge`, the package for browsers and that for Python call [`audit`]: what one of them says of an input, the others say, too. Nothing here
-//! opens a file by itself or looks at the time. Where there are threads, a map is gathered on one of its own while
-//! its features are read on that of the caller.
+//! opens a file by itself or looks at the time. Where there are threads, features are read on that of the
+//! caller, noted on another one, and gathered into a map on a third.
 //!
 //! ```
 //! use twinedge_report::{Input, InputKind, Options, audit};

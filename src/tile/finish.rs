@@ -18,8 +18,8 @@ pub struct Outcome {
     pub counts: Counts,
     /// The least and the greatest corner of the box around the features; none, if there are none.
     pub corners: Option<[Point; 2]>,
-    /// In order, the exponents, as the bits of a double have them, of the extents of edges of polygons in x or y, the greater of both, and the number of these
-    /// edges, each as often as it is drawn.
+    /// The number of edges of polygons by their extent, the greater of those in x and y: pairs of its exponent, as the bits of a double have it, and the
+    /// number, in order. An edge counts as often as it is drawn.
     pub extents: Vec<(u16, u64)>,
     /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
     pub crossings: Vec<Crossing>,

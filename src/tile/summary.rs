@@ -44,7 +44,7 @@ pub struct Summary {
     pub(super) lengths: Vec<f64>,
     pub(super) areas: Vec<f64>,
     pub(super) claimed: Vec<Claimed>,
-    /// In order, the exponents of the extents of edges in x or y, the greater of both, and the number of these edges, of the polygons of features that begin in its tiles.
+    /// Those of an [`Outcome`](super::Outcome), of the features that begin in its tiles.
     pub(super) extents: Vec<(u16, u64)>,
     /// The features whose shapes are not valid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,

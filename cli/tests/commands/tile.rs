@@ -197,7 +197,7 @@ fn the_sum_of_tiles_whose_borders_cross_has_the_findings_of_the_whole() {
     }
 }
 
-/// C1 … C5 were "ok": the sum did not know how short the edges are that a coordinate far away makes impossible to cut.
+/// It said that it is not known how to cut borders: a summary did not say how short edges are.
 #[test]
 fn the_sum_of_tiles_says_as_the_audit_that_the_grid_for_cuts_is_too_wide() {
     let folder = scratch_folder("tiles-sum-far");

@@ -83,6 +83,7 @@ fn ids_are_the_same_in_any_order_of_the_features() {
     assert_eq!(in_order(&layer), before);
 }
 
+/// A cell is at least 10^17 / 2^50 wide, and edges of 10 are shorter than the next power of two.
 const TOO_WIDE: &str =
     "half of the edges are shorter than 16.0000, and the grid that cuts crossing borders has cells of at least 88.8178";
 

@@ -12,7 +12,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{Builder, scope};
 use twinedge::map::{Feature, Shape};
 use twinedge_formats::layer::{
-    Feature as LayerFeature, Geometry, Line, Members, ReadError, Shape as LayerShape, Value,
+    Feature as LayerFeature, Geometry, Id, Line, Members, Position, ReadError, Shape as LayerShape, Value,
 };
 
 /// The number of points from which on a batch is handed over.
@@ -38,7 +38,7 @@ fn of_json(value: &Json) -> usize {
     match value {
         Json::String(text) => of_text(text),
         Json::Array(values) => 1 + values.iter().map(of_json).sum::<usize>(),
-        Json::Object(members) => of_members(members),
+        Json::Object(members) => 1 + of_members(members),
         _ => 1,
     }
 }
@@ -61,14 +61,18 @@ impl Ahead for Feature {
 
 impl Ahead for LayerFeature {
     fn weight(&self) -> usize {
+        const fn of_position(position: &Position) -> usize {
+            1 + position.more.len()
+        }
         fn of_line(line: &Line) -> usize {
-            1 + line.iter().map(|position| 1 + position.more.len()).sum::<usize>()
+            1 + line.iter().map(of_position).sum::<usize>()
         }
         fn of_lines(lines: &[Line]) -> usize {
             1 + lines.iter().map(of_line).sum::<usize>()
         }
         fn of(geometry: &Geometry) -> usize {
             let of_shape = match &geometry.shape {
+                LayerShape::Point(Some(point)) => of_position(point),
                 LayerShape::MultiPoint(points) | LayerShape::Line(points) => of_line(points),
                 LayerShape::MultiLine(lines) | LayerShape::Polygon(lines) => of_lines(lines),
                 LayerShape::MultiPolygon(polygons) => 1 + polygons.iter().map(|lines| of_lines(lines)).sum::<usize>(),
@@ -84,7 +88,11 @@ impl Ahead for LayerFeature {
             _ => 1,
         };
         let of_attributes = self.attributes.iter().map(|(_, value)| of_value(value)).sum::<usize>();
-        1 + of_attributes + of_members(&self.members) + self.geometry.as_ref().map_or(0, of)
+        let of_id = match &self.id {
+            Some(Id::Text(text)) => of_text(text),
+            _ => 0,
+        };
+        1 + of_id + of_attributes + of_members(&self.members) + self.geometry.as_ref().map_or(0, of)
     }
 }
 
@@ -230,7 +238,10 @@ mod tests {
         for (feature, weight) in [
             (r#"{"type":"Feature","geometry":{"type":"MultiPoint","coordinates":[[1,2],[3,4,5,6]]}}"#.to_owned(), 6),
             (format!(r#"{{"type":"Feature","geometry":null,"properties":{{"a":"{long}"}}}}"#), 102),
-            (format!(r#"{{"type":"Feature","geometry":null,"properties":{{"a":{{"b":["{long}"]}}}}}}"#), 104),
+            (format!(r#"{{"type":"Feature","geometry":null,"properties":{{"a":{{"b":["{long}"]}}}}}}"#), 105),
+            (r#"{"type":"Feature","geometry":{"type":"Point","coordinates":[1,2,3,4,5]}}"#.to_owned(), 5),
+            (r#"{"type":"Feature","geometry":null,"properties":{"a":[{},{},{}]}}"#.to_owned(), 5),
+            (format!(r#"{{"type":"Feature","geometry":null,"id":"{long}"}}"#), 102),
             (format!(r#"{{"type":"Feature","geometry":null,"{long}":[[]]}}"#), 104),
             (
                 format!(
