@@ -52,6 +52,13 @@ describe("audit", () => {
     assert.deepEqual(finding.features.map(({ name }) => name), ["parcel 1", "parcel 2"]);
   });
 
+  it("finishes a layer of many equal squares, all of whose numbers repeat", async () => {
+    const side = 500;
+    const squares = Array.from({ length: side * side }, (_, i) => polygon(i, square(i % side, 1, 1).map(([x, y]) => [x, y + Math.floor(i / side)])));
+    const { valid, counts } = await twinedge.audit({ type: "FeatureCollection", features: squares });
+    assert.deepEqual([valid, counts.vertices, counts.edges, counts.faces], [true, (side + 1) ** 2, 2 * side * (side + 1), side ** 2 + 1]);
+  });
+
   it("says in the thread what it says in the worker", async () => {
     const timeless = ({ elapsed_ms, ...report }) => report;
     assert.deepEqual(timeless(await twinedge.audit(overlapping)), timeless(sync.audit(overlapping)));
