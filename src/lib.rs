@@ -48,15 +48,13 @@
 //! | validate a half-edge structure of your own | [`validate::validate`], after implementing [`validate::View`] | none |
 //! | validate its coordinates, too | [`validate::validate_embedding`], after implementing [`validate::Embedding`] | `geometry` |
 //! | validate after each change, in the time that the change took | `validate::near`; `dcel::Audited`, `map::Audited` | `near` (default) |
-//! | undo and redo changes, as an editor does | `dcel::History`, `map::History` | `near` (default) |
-//! | keep owners, taxes, names: values that follow changes | `dcel::Policy`, `add_attribute` of a `Dcel` or a map | `near` (default) |
 //! | write down a structure as tables, and corrupt them in tests | [`validate::Table`] | none |
 //! | convert a structure of your own into one of this crate | [`dcel::Dcel::from_view`] | `dcel` |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
 //! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
 //! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
-//! | undo and redo edits | `dcel::History`, `map::History` | `near` (default) |
-//! | keep owners, ids and the like that follow edits | `dcel::Policy`, [attributes](map::PlanarMap#attributes) | `near` (default) |
+//! | undo and redo changes, as an editor does | `dcel::History`, `map::History` | `near` (default) |
+//! | keep owners, taxes, names: values that follow changes | `dcel::Policy`, [attributes](map::PlanarMap#attributes) | `near` (default) |
 //! | save and load, with the keys; certified, if you like | [`map::PlanarMap`] by serde | `serde` |
 //! | compare two edited copies of a map, and merge them | `map::diff` | `near` (default) |
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
@@ -165,10 +163,9 @@
 //!
 //! # Rust versions
 //!
-//! Rust 1.85 without the feature `geometry` and what builds on it, 1.90 with it: the crate `rstar` needs that. These are the
-//! versions that the dependencies state; in this crate's own code clippy's `incompatible_msrv` finds no function of the standard
-//! library that is newer, and no condition joins a `let` by `&&`. It is built and tested with Rust 1.95; no older compiler was
-//! tried.
+//! Rust 1.85 without the feature `geometry` and what builds on it, 1.90 with it: the crate `rstar` needs that. The dependencies
+//! state these versions, and clippy's `incompatible_msrv` holds this crate to them. It is tested with Rust 1.95; no older compiler
+//! was tried.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
