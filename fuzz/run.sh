@@ -3,12 +3,14 @@
 #
 #     fuzz/run.sh [RUNS [TARGET…]]
 #     fuzz/run.sh still [RUNS] [TARGET…]    until coverage stands still: in rounds of RUNS (20,000), until three in a row reach no new code
+#     FOUND=FOLDER fuzz/run.sh …            the same, with the inputs that reach new code kept in a folder, from which the next run goes on
 #
 # Exit status: 0 nothing was found; 1 something was; 2 misuse.
 #
 # With cargo-fuzz and a nightly toolchain the targets have coverage feedback and, but for `still`, AddressSanitizer. Without, they are built as
 # plain binaries: libFuzzer then replays the corpus and mutates it blindly, which is less, but needs stable Rust only.
 set -euo pipefail
+found=${FOUND:+$(realpath -m "$FOUND")}
 cd "$(dirname "$0")"
 
 all=(programs in_step stale_keys validator_total certificates segments noding edits history geojson layer flatgeobuf shapefile topojson postgis)
@@ -50,8 +52,10 @@ else
 fi
 
 # New inputs go to a folder of their own, so that the corpus stays small.
-found=$(mktemp -d)
-trap 'rm -rf "$found"' EXIT
+if [ -z "$found" ]; then
+  found=$(mktemp -d)
+  trap 'rm -rf "$found"' EXIT
+fi
 mkdir -p artifacts
 
 # A number of runs of one target. The last line of its log has the coverage.
@@ -70,7 +74,7 @@ run() {
 }
 
 for target in "${targets[@]}"; do
-  mkdir "$found/$target"
+  mkdir -p "$found/$target"
   if [ "$runs" != still ]; then
     echo "==> $target, $runs runs"
     run "$target" "$runs" 1
@@ -78,10 +82,11 @@ for target in "${targets[@]}"; do
     continue
   fi
   echo "==> $target, until coverage stands still"
-  reached=0 since=0 round=0
+  # A run that goes on from what was found takes other random numbers.
+  reached=0 since=0 round=0 known=$(find "$found/$target" -type f | wc -l)
   while [ "$since" -lt 3 ]; do
     round=$((round + 1))
-    run "$target" "$round_of" "$round"
+    run "$target" "$round_of" $((known + round))
     now=$(sed -n 's/^#[0-9]*[[:space:]]DONE[[:space:]]*cov: \([0-9]*\) .*/\1/p' "$found/$target.log")
     since=$((now > reached ? 0 : since + 1))
     reached=$((now > reached ? now : reached))
