@@ -45,6 +45,8 @@ pub struct Cleaning<'a> {
     pub patch: Option<&'a str>,
     /// The changes that each feature has a part in.
     changes: BTreeMap<usize, Vec<&'a LayerChange>>,
+    /// The features whose vertices each feature has got.
+    neighbours: BTreeMap<usize, BTreeSet<usize>>,
     /// The time that it took, in milliseconds.
     pub elapsed_ms: f64,
 }
@@ -92,6 +94,10 @@ impl<'a> Cleaning<'a> {
                 changes.entry(feature).or_default().push(change);
             }
         }
+        let mut neighbours: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+        for vertex in &report.added {
+            neighbours.entry(vertex.to).or_default().insert(vertex.of);
+        }
         Self {
             name,
             features: 0,
@@ -104,6 +110,7 @@ impl<'a> Cleaning<'a> {
             tiles: None,
             patch: None,
             changes,
+            neighbours,
             elapsed_ms: 0.0,
         }
     }
@@ -150,10 +157,8 @@ impl Cleaning<'_> {
                 _ => None,
             });
         }
-        let of: BTreeSet<usize> =
-            self.report.added.iter().filter(|vertex| vertex.to == number).map(|vertex| vertex.of).collect();
-        if !of.is_empty() {
-            reasons.push(format!("vertices of {} added", self.labels(&of.into_iter().collect::<Vec<_>>())));
+        if let Some(of) = self.neighbours.get(&number) {
+            reasons.push(format!("vertices of {} added", self.labels(&of.iter().copied().collect::<Vec<_>>())));
         }
         if self.report.made == Some(number) {
             reasons.push("made for gaps".to_owned());
