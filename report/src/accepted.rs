@@ -81,7 +81,7 @@ impl Accepted {
     /// # Errors
     /// [`AcceptedError`].
     pub fn read(text: &str) -> Result<Self, AcceptedError> {
-        let read: Self = serde_json::from_slice(text.as_bytes())?;
+        let read: Self = serde_json::from_str(text)?;
         if read.schema != SCHEMA {
             return Err(AcceptedError::Schema(read.schema));
         }

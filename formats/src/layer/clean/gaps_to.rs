@@ -64,7 +64,7 @@ impl GapsTo {
         let of_kind = match field.kind {
             FieldKind::Text => Some(text()),
             // Numbers and truth values as JSON writes them.
-            kind => serde_json::from_slice(value.as_bytes()).ok().map(Value::of_json).filter(|value| {
+            kind => serde_json::from_str(value).ok().map(Value::of_json).filter(|value| {
                 kind_of(value) == Some(kind) || (kind, kind_of(value)) == (FieldKind::Real, Some(FieldKind::Integer))
             }),
         };
