@@ -44,12 +44,13 @@ enum Kind {
 
 const OPEN: u8 = u8::MAX;
 
-/// The records of one kind: the number of cells before them, and the number of cells of each.
-#[derive(Clone, Copy)]
+/// The records of one kind: the number of cells before them, the number of cells of each, and whether they can be vacant.
+#[derive(Clone, Copy, Default)]
 struct Records {
     count: usize,
     before: usize,
     width: usize,
+    vacant: bool,
 }
 
 /// A column of labels: the number of cells before it, and the most entries. The first cell is the number of entries.
@@ -194,10 +195,10 @@ impl OpenTable {
 
         let mut table = Self {
             parts,
-            vertices: Records { count: 0, before: 0, width: 0 },
-            half_edges: Records { count: 0, before: 0, width: 0 },
-            boundaries: Records { count: 0, before: 0, width: 0 },
-            faces: Records { count: 0, before: 0, width: 0 },
+            vertices: Records::default(),
+            half_edges: Records::default(),
+            boundaries: Records::default(),
+            faces: Records::default(),
             labels: [None; Column::ALL.len()],
             values: Vec::new(),
             numbers: Vec::new(),
@@ -227,7 +228,7 @@ impl OpenTable {
     /// Adds records with these cells, which can be set in so many ways.
     fn add(&mut self, count: usize, ways: u128, cells: &[Domain], vacant: bool) -> Option<Records> {
         let live = Domain::of(if vacant { vec![ways, 1] } else { vec![ways] })?;
-        let records = Records { count, before: self.values.len(), width: 1 + cells.len() };
+        let records = Records { count, before: self.values.len(), width: 1 + cells.len(), vacant };
         for _ in 0..count {
             self.agreeing.set(self.agreeing.get().checked_mul(live.all)?);
             self.domains.push(live.clone());
@@ -384,7 +385,7 @@ impl OpenTable {
     /// These slots, and that of the record that has the cell.
     fn with_owner(&self, mut slots: Slots, cell: usize) -> Slots {
         for kind in [Kind::Vertex, Kind::HalfEdge, Kind::Boundary, Kind::Face] {
-            let Records { count, before, width } = self.records(kind);
+            let Records { count, before, width, .. } = self.records(kind);
             if let Some(at) = cell.checked_sub(before).filter(|at| *at < count * width) {
                 slots[kind as usize] |= 1 << (at / width);
             }
@@ -412,7 +413,7 @@ impl OpenTable {
     /// True if the record is there. It is read first, as the other cells depend on it.
     fn is_live(&self, records: Records, record: usize) -> bool {
         let cell = records.before + record * records.width + cell::VACANT;
-        record < records.count && (self.domains[cell].ways.len() == 1 || self.value(cell) == 0)
+        record < records.count && (!records.vacant || self.value(cell) == 0)
     }
 
     /// The value of a cell of a record; nil if that is vacant.
