@@ -1,4 +1,4 @@
-(** * Table: a view as plain tables (table.rs)
+(** * Table: a view as plain tables (table/mod.rs)
 
     A row that is [None] is vacant. *)
 

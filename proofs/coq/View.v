@@ -1,4 +1,4 @@
-(** * View: what the validator asks of a structure (view.rs)
+(** * View: what the validator asks of a structure (structure/view.rs)
 
     The trait `View` as a record of Coq. A structure has slots for vertices, half-edges, boundary components and faces.
     It says which slots are live, and it answers questions about them. An answer may be nil, may lead nowhere, may lead
