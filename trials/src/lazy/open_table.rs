@@ -24,6 +24,8 @@ pub(super) struct OpenTable {
     numbers: Vec<Cell<u32>>,
     domains: Vec<Domain>,
     choices: RefCell<Vec<Choice>>,
+    /// For each of the first statements that hold, the number of choices by which it is known.
+    held: RefCell<Vec<usize>>,
     /// The number of tables that agree with the choices.
     agreeing: Cell<u128>,
     /// The slots of which a cell was read, or to which a link leads. The others of their kind are interchangeable. None if no slots are.
@@ -204,6 +206,7 @@ impl OpenTable {
             numbers: Vec::new(),
             domains: Vec::new(),
             choices: RefCell::default(),
+            held: RefCell::default(),
             agreeing: Cell::new(1),
             told_apart: None,
         };
@@ -248,6 +251,21 @@ impl OpenTable {
         let before = self.choices.borrow().len();
         while run(self) && self.advance(before) {}
         self.retract(before);
+    }
+
+    /// Tells whether all of so many statements hold of the table. They are tried in order.
+    ///
+    /// One that has held is not tried again while the cells that were read by then keep their values: it would read no others. So all
+    /// calls must be about the same statements.
+    pub(super) fn all_hold(&self, statements: usize, holds: impl Fn(usize) -> bool) -> bool {
+        let known = self.held.borrow().len();
+        (known..statements).all(|statement| {
+            let is_kept = holds(statement);
+            if is_kept {
+                self.held.borrow_mut().push(self.choices.borrow().len());
+            }
+            is_kept
+        })
     }
 
     /// The branches of the runs of a reader: their first choices, up to so many.
@@ -295,6 +313,9 @@ impl OpenTable {
                 }
             }
         }
+        let mut held = self.held.borrow_mut();
+        let known = held.partition_point(|choices| *choices <= depth);
+        held.truncate(known);
     }
 
     /// Reads the table, with the first value in each cell that is open.

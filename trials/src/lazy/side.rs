@@ -1,6 +1,6 @@
 //! All tables, judged by one judge and, where it accepts them, by the other.
 
-use super::acceptor::{Acceptor, Reference};
+use super::acceptor::{self, Acceptor};
 use super::labels::{LazyLabels, shapes};
 use super::open_table::{Branch, OpenTable};
 use super::work::{Claim, LazyError, LazyWork};
@@ -150,7 +150,7 @@ impl<'a> Side<'a> {
 
 /// The reference, which says the same of tables that differ in the numbers of their slots only.
 fn is_right(work: &LazyWork) -> Judge<'_> {
-    Box::new(|table| Reference.accepts(table, &work.expectation))
+    Box::new(|table| acceptor::is_right(table, &work.expectation))
 }
 
 /// True if the checker accepts the labels that are made for the table. All its cells are read.
