@@ -41,6 +41,8 @@ fn each_file_has_a_row_and_each_name_a_file() {
     let tables = tables(&fs::read_to_string(Path::new(ROOT).join("proofs/coq/README.md")).unwrap());
     assert_eq!(tables.keys().collect::<Vec<_>>(), ["", "src/dcel/", "src/validate/"]);
     let mut unused: Vec<&String> = tables.values().flatten().collect();
+    unused.sort();
+    assert!(unused.windows(2).all(|two| two[0] != two[1]), "a name is in two rows");
     for file in files {
         // The table of the innermost folder, and of its rows the one with the longest name.
         let (_, rows) = tables.iter().rfind(|(folder, _)| file.starts_with(folder.as_str())).unwrap();

@@ -40,7 +40,7 @@ fn bytes(dcel: &Dcel) -> String {
 }
 
 #[test]
-fn every_change_of_every_small_map_is_undone_and_redone() {
+fn random_programs_are_undone_and_redone_after_each_operator() {
     let summary = conformance::check(Rewound::default, &Expectation::plane()).unwrap();
     assert!(summary.of("contract_edge").unwrap().applied > 0);
 }
