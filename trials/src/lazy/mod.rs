@@ -12,6 +12,7 @@
 //!
 //! The sentences of the reference do not know numbers of slots. So where it reads a link to slots that nothing has told apart yet, one of them
 //! stands for all, and the tables that it accepts are counted with the number of those for which they stand. The validator reads every table as it is.
+//! A rule of the reference that has held is not asked again while the cells that it read keep their values.
 //!
 //! Each run counts the tables for which it stands: the product of the numbers of values of the cells that it has not read. They must add up to
 //! the number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes, the
