@@ -178,7 +178,6 @@ pub fn audit_layer(
     report.finding_count += found;
     report.json.has_findings = true;
     report.options.insert(option.to_owned(), value.into());
-    report.recount();
     Ok(told(report, Subject::Map(Box::new(imported)), options, InputKind::Map))
 }
 
@@ -219,9 +218,7 @@ fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKin
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options.extend(as_json(options, kind));
     report.identify();
-    if let Some(accepted) = &options.accepted {
-        report.accept(accepted);
-    }
+    report.settle(options.accepted.as_ref());
     Audited(Outcome::Report(Box::new(report), subject))
 }
 
@@ -253,9 +250,7 @@ pub fn audit_summary(
 ) -> Result<Audited, Error> {
     let mut report = tiles::audit_summary(summary, cut, has_other_crs, options)?.unexplained();
     report.identify();
-    if let Some(accepted) = &options.accepted {
-        report.accept(accepted);
-    }
+    report.settle(options.accepted.as_ref());
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Tiles)))
 }
 

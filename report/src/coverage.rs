@@ -1,14 +1,15 @@
 //! The rules of a coverage, C1 … C7, in the report of `audit` and as the answer of `query coverage`.
 
 use crate::coverage_words::explanation;
-use crate::diagnosis_text::{size, write, write_explanations};
+use crate::diagnosis_text::size;
 use crate::imported::Imported;
 use crate::judgement::{Judgement, judged};
 use crate::names::{named, numbered_name};
 use crate::trace::{of_finding, position};
 use crate::units::Units;
 use crate::words::style::{BAD, GOOD, QUIET};
-use crate::words::{counted, grouped, measure, plain};
+use crate::verdict::Verdict;
+use crate::words::{grouped, measure, plain};
 use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -17,9 +18,6 @@ use twinedge::algorithm::coverage::{self, CoverageRule, Defect, Finding, Limits}
 use twinedge::geometry::Point;
 use twinedge::map::{Builder, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
-
-/// The number of findings of each rule that the text shows unless asked.
-pub(crate) const SHOWN: usize = 3;
 
 /// The options by which a coverage is judged.
 #[derive(Clone, Debug, Default)]
@@ -248,21 +246,21 @@ impl Coverage {
     }
 
     /// The number of findings of each rule, in order.
-    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 7] {
+    pub(crate) fn counts(&self) -> [(CoverageRule, usize); 7] {
         [
-            (CoverageRule::Overlap, self.overlaps, "overlap"),
-            (CoverageRule::Gap, self.gaps, "gap"),
-            (CoverageRule::NearMiss, self.near_misses, "near miss"),
-            (CoverageRule::Sliver, self.slivers, "sliver"),
-            (CoverageRule::Duplicate, self.duplicates, "set of duplicates"),
-            (CoverageRule::Validity, self.ogc_invalid.unwrap_or_default(), "invalid feature"),
-            (CoverageRule::Mismatch, self.mismatches, "mismatch"),
+            (CoverageRule::Overlap, self.overlaps),
+            (CoverageRule::Gap, self.gaps),
+            (CoverageRule::NearMiss, self.near_misses),
+            (CoverageRule::Sliver, self.slivers),
+            (CoverageRule::Duplicate, self.duplicates),
+            (CoverageRule::Validity, self.ogc_invalid.unwrap_or_default()),
+            (CoverageRule::Mismatch, self.mismatches),
         ]
     }
 
     /// The number of findings.
     pub(crate) fn total(&self) -> usize {
-        self.counts().iter().map(|(_, count, _)| count).sum()
+        self.counts().iter().map(|(_, count)| count).sum()
     }
 
     /// The number of findings of a rule that were accepted.
@@ -275,11 +273,24 @@ impl Coverage {
         self.total() - self.findings.iter().filter(|one| one.accepted.is_some()).count()
     }
 
-    /// The number of findings beside violations, in words.
-    pub(crate) fn beside(&self) -> String {
-        match self.open() {
-            0 => String::new(),
-            n => format!("; C1 to C7 have {}, which --coverage counts as violations", counted(n, "finding")),
+    /// The causes that were found and not accepted, by their rules, in words, and whether rules were not checked; none, if all is well.
+    pub(crate) fn outcome_in_words(&self) -> Option<String> {
+        let of_rule = |(rule, count)| {
+            let listed = self.findings.iter().filter(|one| one.rule == Some(CoverageRule::id(rule)));
+            let others = listed.filter(|one| one.accepted.is_some() || one.follows_from.is_some()).count();
+            (count > others).then(|| words(rule, count - others))
+        };
+        let mut parts: Vec<String> = self.counts().into_iter().filter_map(of_rule).collect();
+        parts.extend(self.not_checked.as_ref().map(|_| "not checked".to_owned()));
+        Some(parts.join(", ")).filter(|all| !all.is_empty())
+    }
+
+    /// The verdict on the coverage alone.
+    pub(crate) fn verdict(&self) -> Verdict {
+        match (self.open(), &self.not_checked) {
+            (1.., _) => Verdict::Invalid,
+            (0, None) => Verdict::Valid,
+            (0, Some(_)) => Verdict::Unknown,
         }
     }
 
@@ -338,7 +349,7 @@ impl Coverage {
     /// # Errors
     /// None that happens: writing to a string does not fail.
     pub fn write_rules(&self, out: &mut String, is_rule: bool) -> std::fmt::Result {
-        for (rule, count, _) in self.counts() {
+        for (rule, count) in self.counts() {
             write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
             let limit = self.limit(rule).map_or_else(String::new, |limit| format!("  {QUIET}{limit}{QUIET:#}"));
             match (count, self.why_not(rule)) {
@@ -358,19 +369,11 @@ impl Coverage {
 
     /// The number of findings of a rule, with what they are called.
     fn found(&self, rule: CoverageRule) -> String {
-        let of_rule = self.counts().into_iter().find(|(other, ..)| *other == rule);
-        let (_, count, what) = of_rule.unwrap_or((rule, 0, "finding"));
-        let found = match (count, what) {
-            (1, _) => format!("1 {what}"),
-            (n, "near miss") => format!("{} near misses", grouped(n)),
-            (n, "mismatch") => format!("{} mismatches", grouped(n)),
-            (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
-            (n, what) => counted(n, what),
-        };
-        match self.accepted(rule) {
-            0 => found,
-            n => format!("{found}, {} accepted", grouped(n)),
-        }
+        let count = self.counts().into_iter().find(|(other, _)| *other == rule).map_or(0, |(_, count)| count);
+        let follow = |one: &&Diagnosis| one.rule == Some(rule.id()) && one.follows_from.is_some();
+        let beside = [(self.accepted(rule), "accepted"), (self.findings.iter().filter(follow).count(), "that follow")];
+        let beside = beside.into_iter().filter(|(count, _)| *count > 0);
+        beside.fold(words(rule, count), |found, (count, what)| format!("{found}, {} {what}", grouped(count)))
     }
 
     /// The outcome of a rule, in words.
@@ -408,21 +411,21 @@ impl Coverage {
         };
         Some(all.into_iter().filter_map(sentence).collect::<Vec<_>>().join(", ")).filter(|all| !all.is_empty())
     }
+}
 
-    /// The worst of each rule.
-    pub(crate) fn write_worst(&self, out: &mut String, list: usize, decimals: usize) -> std::fmt::Result {
-        for (rule, count, _) in self.counts() {
-            let of_rule = self.findings.iter().filter(|one| one.rule == Some(rule.id()) && one.accepted.is_none());
-            let shown: Vec<&Diagnosis> = of_rule.take(list).collect();
-            shown.iter().try_for_each(|one| write(out, one, decimals))?;
-            write_explanations(out, shown.iter().copied())?;
-            let more = count - self.accepted(rule) - shown.len();
-            if more > 0 && !shown.is_empty() {
-                writeln!(out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
-            }
-        }
-        Ok(())
-    }
+/// A number of findings of a rule.
+pub(crate) fn words(rule: CoverageRule, count: usize) -> String {
+    let [one, several] = match rule {
+        CoverageRule::Overlap => ["overlap", "overlaps"],
+        CoverageRule::Gap => ["gap", "gaps"],
+        CoverageRule::NearMiss => ["near miss", "near misses"],
+        CoverageRule::Sliver => ["sliver", "slivers"],
+        CoverageRule::Duplicate => ["set of duplicates", "sets of duplicates"],
+        CoverageRule::Validity => ["invalid feature", "invalid features"],
+        CoverageRule::Mismatch => ["mismatch", "mismatches"],
+        _ => ["finding", "findings"],
+    };
+    format!("{} {}", grouped(count), if count == 1 { one } else { several })
 }
 
 /// A finding of a map.

@@ -1,7 +1,7 @@
 //! Diagnoses as text for people.
 
 use crate::words::style::{BAD, GOOD, QUIET};
-use crate::words::{counted, grouped, measure, place, plain};
+use crate::words::{counted, decimals_of, grouped, measure, place, plain};
 use std::collections::HashSet;
 use std::fmt::{Result, Write as _};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Measures, Records, RuleLine};
@@ -22,27 +22,30 @@ pub fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Result {
             "{rule} {}{who}; {}; at {}{}",
             one.kind.name(),
             one.message,
-            place(at, decimals),
+            place(at, decimals.max(decimals_of(one.measures.width))),
             by_snapping(one)
         );
     }
     if let Some(line) = one.line {
         write!(out, "{QUIET}line {line}{QUIET:#}  ")?;
     }
-    writeln!(out, "{BAD}{rule}{BAD:#} {}", plain(&one.message))?;
+    match &one.sentence {
+        Some(sentence) => writeln!(out, "{BAD}{rule}{BAD:#} {sentence}\n   {QUIET}{}{QUIET:#}", plain(&one.message))?,
+        None => writeln!(out, "{BAD}{rule}{BAD:#} {}", plain(&one.message))?,
+    }
     let at: Vec<_> = one.places.iter().flatten().map(|[x, y]| format!("({x}, {y})")).collect();
     if !at.is_empty() {
         writeln!(out, "   at {}", at.join(" "))?;
     }
     let features: Vec<String> = one.features.iter().flatten().map(FeatureName::title).collect();
-    if !features.is_empty() {
+    if !features.is_empty() && one.sentence.is_none() {
         writeln!(out, "   on the border of {}", features.join(", "))?;
     }
     if let Some(sql) = &one.sql {
         writeln!(out, "   {QUIET}rows: {QUIET:#}{}", sql.show)?;
         sql.mend.iter().try_for_each(|mend| writeln!(out, "   {QUIET}mend: {QUIET:#}{mend}"))?;
     }
-    one.follows_from.map_or(Ok(()), |rule| writeln!(out, "   {QUIET}which follows from {}{QUIET:#}", source(rule)))
+    Ok(())
 }
 
 /// The words for a finding that snapping removed or made.
@@ -50,18 +53,16 @@ pub(crate) fn by_snapping(one: &Diagnosis) -> String {
     one.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"))
 }
 
-/// That from which something follows, in words.
-fn source(rule: &str) -> &str {
-    match rule {
-        "C7" => "the missing vertices (C7)",
-        _ => "the crossings (G4)",
-    }
+/// The message, and whether snapping removed or made it.
+pub(crate) fn message(one: &Diagnosis) -> String {
+    format!("{}{}", one.message, by_snapping(one))
 }
 
-/// The message with what stands beside it in text.
+/// The message in words about features, if there are any, and the id of the finding from which it follows.
 pub(crate) fn full_message(one: &Diagnosis) -> String {
-    let follows = one.follows_from.map_or_else(String::new, |rule| format!(", which follows from {}", source(rule)));
-    format!("{}{follows}{}", one.message, by_snapping(one))
+    let source = one.follows_from_id.as_deref().or(one.follows_from);
+    let follows = source.map_or_else(String::new, |source| format!(", which follows from {source}"));
+    format!("{}{follows}{}", one.sentence.as_deref().unwrap_or(&one.message), by_snapping(one))
 }
 
 /// The size of a finding of a coverage, in words.

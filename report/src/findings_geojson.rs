@@ -1,5 +1,6 @@
 //! The findings as a layer of GeoJSON.
 
+use crate::causes::has_place;
 use crate::diagnosis_text::full_message;
 use crate::error::Error;
 use crate::report::AuditReport;
@@ -54,7 +55,7 @@ fn looks_like_degrees(feature: &Feature) -> bool {
 }
 
 /// The names of the columns, which all features share.
-struct Columns([Arc<str>; 19]);
+struct Columns([Arc<str>; 22]);
 
 impl Columns {
     fn new() -> Self {
@@ -79,6 +80,9 @@ impl Columns {
                 "remedy",
                 "accepted",
                 "others",
+                "id",
+                "follows_from",
+                "follows_from_id",
             ]
             .map(Arc::from),
         )
@@ -112,10 +116,13 @@ impl Columns {
             one.remedy.map_or(Value::Null, text),
             one.accepted.as_deref().map_or(Value::Null, text),
             one.others.as_ref().map_or(Value::Null, |all| Value::Json(all.iter().map(FeatureName::key).collect())),
+            one.id.as_deref().map_or(Value::Null, text),
+            one.follows_from.map_or(Value::Null, text),
+            one.follows_from_id.as_deref().map_or(Value::Null, text),
         ];
         Feature {
             id: Some(Id::Number(number.into())),
-            geometry: shape(&one.trace, one.look).map(|shape| Geometry::new(Dimensions::default(), shape)),
+            geometry: shape(&one.trace, one.look).filter(|_| has_place(one)).map(|shape| Geometry::new(Dimensions::default(), shape)),
             attributes: self.0.iter().cloned().zip(values).collect(),
             members: Members::new(),
         }

@@ -3,7 +3,7 @@
 use crate::diagnosis_text::full_message;
 use crate::report::AuditReport;
 use crate::verdict::Verdict;
-use crate::words::{escaped, plain};
+use crate::words::{counted, escaped, plain};
 use std::fmt::Write as _;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
@@ -56,28 +56,37 @@ pub(crate) fn junit(report: &AuditReport) -> Result<String, std::fmt::Error> {
 
 fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
     let lines = |of: &dyn Fn(&Diagnosis) -> bool| {
-        report.listed().filter(|one| of(one)).map(line).collect::<Vec<_>>().join("\n")
+        let told = report.listed().filter(|one| of(one) && one.accepted.is_none());
+        told.map(line).collect::<Vec<_>>().join("\n")
+    };
+    let is_rule = report.style.is_rule;
+    // What follows from findings that fail a case of their own fails no other one.
+    let failed = |id: &str, count: u64| {
+        let of_rule = || report.listed().filter(|one| one.rule == Some(id) && one.accepted.is_none());
+        let follows = |one: &Diagnosis| one.follows_from.filter(|_| is_rule);
+        let listed = of_rule().count() as u64;
+        match of_rule().filter_map(follows).next() {
+            Some(source) if listed == count && of_rule().all(|one| follows(one).is_some()) => {
+                Outcome::Skipped(format!("{} that follow from {source} and others", counted(count as usize, "finding")))
+            }
+            _ if listed == 0 => Outcome::Failed(counted(count as usize, "finding")),
+            _ => Outcome::Failed(lines(&|one| one.rule == Some(id) && follows(one).is_none())),
+        }
     };
     let own = report.rules.iter().filter(|rule| rule.applies()).map(|rule| {
         let outcome = match (rule.violations, rule.not_checked()) {
             (0, None) => Outcome::Passed,
             (0, Some(why)) => Outcome::Skipped(why),
-            (n, _) => Outcome::Failed(match lines(&|one| one.rule == Some(rule.id) && one.accepted.is_none()) {
-                listed if listed.is_empty() => format!("{n} violations"),
-                listed => listed,
-            }),
+            (n, _) => failed(rule.id, n),
         };
         (format!("{} {}", rule.id, rule.name), outcome)
     });
-    let of_coverage = report.coverage.iter().filter(|_| report.style.is_rule).flat_map(|coverage| {
-        coverage.counts().map(|(rule, count, _)| {
+    let of_coverage = report.coverage.iter().filter(|_| is_rule).flat_map(|coverage| {
+        coverage.counts().map(|(rule, count)| {
             let outcome = match (count - coverage.accepted(rule), coverage.why_not(rule)) {
                 (_, Some(why)) => Outcome::Skipped(why.to_owned()),
                 (0, _) => Outcome::Passed,
-                (n, _) => Outcome::Failed(match lines(&|one| one.is_violation && one.rule == Some(rule.id())) {
-                    listed if listed.is_empty() => format!("{n} findings"),
-                    listed => listed,
-                }),
+                (n, _) => failed(rule.id(), n as u64),
             };
             (rule.to_string(), outcome)
         })

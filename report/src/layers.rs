@@ -98,7 +98,6 @@ pub(crate) fn judge(
         let against = json!({ "input": imported.name, "features": features.len() });
         report.json.extra.insert("against".to_owned(), against);
     }
-    report.recount();
     Ok(())
 }
 

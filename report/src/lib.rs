@@ -23,6 +23,7 @@
 mod accepted;
 mod audit;
 mod borders;
+mod causes;
 pub mod certificate;
 pub mod clean;
 mod coverage;

@@ -1,6 +1,6 @@
 //! The audit of a map.
 
-use crate::coverage::{Coverage, SHOWN};
+use crate::coverage::Coverage;
 use crate::error::Error;
 use crate::imported::Imported;
 use crate::map_json::extra;
@@ -11,7 +11,6 @@ use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, CoverageStyle, JsonForm, counts};
 use crate::trace::placed;
 use crate::units::Units;
-use crate::words::counted;
 use serde_json::to_value;
 use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
@@ -39,13 +38,11 @@ pub(crate) fn audit(
     let units = Units::of(imported, asked.geodesic)?;
     let coverage = Coverage::new(imported, builder, &asked.coverage, &units, list, stage);
     let is_rule = asked.coverage.is_rule;
-    let of_coverage = if is_rule { coverage.total() } else { 0 };
     // A rule that cannot be checked is not known to hold.
     let is_checked = !is_rule || coverage.not_checked().is_none();
     let warnings: Vec<String> = imported.warnings();
     Ok(AuditReport {
         valid: report.is_valid() && is_checked,
-        found: counted(report.violation_count() as usize + of_coverage, "violation"),
         json: JsonForm {
             counts: to_value(report.counts())?,
             bounds: report.figures().and_then(|figures| figures.bounds),
@@ -57,7 +54,7 @@ pub(crate) fn audit(
         rules: RuleLine::of(&report),
         violations: violations(imported, &report, &coverage),
         violation_count: report.violation_count(),
-        style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
+        style: CoverageStyle { is_rule, list: asked.list, decimals: noted.decimals() },
         crs: crs.clone(),
         coverage: Some(coverage),
         ..AuditReport::new(name)

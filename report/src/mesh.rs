@@ -41,12 +41,10 @@ pub(crate) fn audit(
 /// The report of a mesh that was judged.
 pub(crate) fn of_mesh(name: &str, first: usize, audit: &MeshAudit) -> Result<AuditReport, Error> {
     let (findings, report) = (audit.findings(), audit.report());
-    let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
     let mut extra = Map::new();
     extra.insert("messages_count_from".to_owned(), first.into());
     Ok(AuditReport {
         valid: audit.is_valid(),
-        found: numbers.map(|(count, name)| counted(count, name)).join(", "),
         counts: audit
             .count_lines()
             .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))

@@ -1,7 +1,7 @@
 //! Notes on features, taken while they are read, since a map does not keep them: ids, conditions met, defects, places.
 
 use crate::error::Error;
-use crate::words::{counted, decimals, measure, plain};
+use crate::words::{counted, decimals, decimals_of, measure, plain};
 use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
@@ -232,10 +232,21 @@ impl Noted {
         }
     }
 
-    /// With how many decimal places a place is shown in text.
+    /// The number of decimal places of a place in text: to a ten-millionth of the greatest coordinate, and to a thousandth of the median edge.
     #[must_use]
     pub fn decimals(&self) -> usize {
-        decimals(self.largest())
+        let edge = self.median_edge().map(|length| length / 10.0);
+        decimals(self.largest()).max(decimals_of(edge))
+    }
+
+    /// The least power of two that half of the edges of polygons do not reach, if there are any.
+    fn median_edge(&self) -> Option<f64> {
+        let (all, mut shorter) = (self.edges.iter().sum::<u64>(), 0);
+        let median = self.edges.iter().position(|count| {
+            shorter += count;
+            2 * shorter >= all
+        })?;
+        (all > 0).then(|| f64::from_bits((median as u64 + 1) << MANTISSA))
     }
 
     /// The largest coordinate.
@@ -247,14 +258,9 @@ impl Noted {
     /// The reason why borders cannot be cut where they cross, if the coordinates reach so far that the edges of most polygons are lost on
     /// the grid on which they would be.
     pub(crate) fn too_far_to_cut(&self) -> Option<String> {
-        let (all, mut shorter) = (self.edges.iter().sum::<u64>(), 0);
-        let median = self.edges.iter().position(|count| {
-            shorter += count;
-            2 * shorter >= all
-        })?;
-        let (largest, length) = (self.largest(), f64::from_bits((median as u64 + 1) << MANTISSA));
+        let (largest, length) = (self.largest(), self.median_edge()?);
         let cell = largest / Snap::AUTO_CELLS as f64;
-        (all > 0 && length < cell * RESOLVED).then(|| {
+        (length < cell * RESOLVED).then(|| {
             format!(
                 "half of the edges are shorter than {}, and the grid that cuts crossing borders has cells of at least {}",
                 measure(length),

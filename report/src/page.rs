@@ -4,14 +4,15 @@
 //! the script sets it as text.
 
 use crate::accepted::Accepted;
+use crate::causes::has_place;
 use crate::coverage_words::statement;
-use crate::diagnosis_text::full_message;
+use crate::diagnosis_text::message;
 use crate::packed::Picture;
-use crate::reader_words;
 use crate::report::{AuditReport, Note};
 use crate::verdict::Verdict;
 use crate::words::{counted, grouped, plain};
 use serde::Serialize;
+use std::collections::HashMap;
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -37,12 +38,16 @@ const SCRIPTS: [&str; 13] = [
     include_str!("html/main.js"),
 ];
 
+/// The shape of what has no place.
+static NOWHERE: Trace = Trace { points: Vec::new(), lines: Vec::new(), polygons: Vec::new() };
+
 /// The data of the script.
 #[derive(Serialize)]
 struct Data<'a> {
     input: &'a str,
     name: &'a str,
-    valid: bool,
+    /// Of the headline: `good`, `doubtful` if only the coverage has findings that are no violations, or `bad`.
+    tone: &'static str,
     verdict: &'a str,
     notes: Vec<String>,
     counts: &'a [(&'static str, String)],
@@ -75,7 +80,9 @@ struct Finding<'a> {
     kind: &'a str,
     message: String,
     /// The same in words about features.
-    sentence: Option<String>,
+    sentence: Option<&'a str>,
+    /// The number in the list of the finding from which it follows, counted from 0.
+    follows: Option<usize>,
     violation: bool,
     records: Vec<String>,
     features: Vec<usize>,
@@ -89,7 +96,7 @@ struct Finding<'a> {
 }
 
 impl<'a> Finding<'a> {
-    fn new(report: &AuditReport, one: &'a Diagnosis) -> Self {
+    fn new(report: &AuditReport, one: &'a Diagnosis, follows: Option<usize>) -> Self {
         let Measures { area, width, length } = one.measures;
         Self {
             id: one.id.as_deref(),
@@ -97,8 +104,9 @@ impl<'a> Finding<'a> {
             rule: one.rule.unwrap_or_default(),
             name: report.name_of_rule(one),
             kind: one.kind.name(),
-            message: full_message(one),
-            sentence: reader_words::sentence(one, report.style.decimals),
+            message: message(one),
+            sentence: one.sentence.as_deref(),
+            follows,
             violation: one.is_violation,
             records: one.records.names(),
             features: one.features.iter().flatten().map(|feature| feature.number).collect(),
@@ -107,17 +115,32 @@ impl<'a> Finding<'a> {
             length,
             cause: one.cause,
             remedy: one.remedy,
-            at: one.look,
-            trace: &one.trace,
+            at: one.look.filter(|_| has_place(one)),
+            trace: if has_place(one) { &one.trace } else { &NOWHERE },
         }
     }
 }
 
-/// The listed diagnoses. Findings of a coverage come first: they say what the clashes of borders mean.
+/// The listed diagnoses: causes, those in words of features first, each with what follows from it behind it.
 fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
-    let mut listed: Vec<&Diagnosis> = report.listed().collect();
-    listed.sort_by_key(|one| !one.rule.is_some_and(|rule| rule.starts_with('C')));
-    listed.into_iter().map(|one| Finding::new(report, one)).collect()
+    let mut follow: HashMap<&str, Vec<&Diagnosis>> = HashMap::new();
+    let (mut causes, mut others) = (Vec::new(), Vec::new());
+    for one in report.listed() {
+        match (&one.follows_from_id, one.follows_from) {
+            (Some(id), _) => follow.entry(id).or_default().push(one),
+            (None, Some(_)) => others.push(one),
+            (None, None) => causes.push(one),
+        }
+    }
+    let mut found: Vec<Finding<'_>> = Vec::new();
+    for one in causes {
+        let number = found.len();
+        found.push(Finding::new(report, one, None));
+        let all = one.id.as_deref().and_then(|id| follow.remove(id)).unwrap_or_default();
+        found.extend(all.into_iter().map(|one| Finding::new(report, one, Some(number))));
+    }
+    found.extend(others.into_iter().map(|one| Finding::new(report, one, None)));
+    found
 }
 
 /// The rules of the validator and the format, and C1 … C7 where there are polygons.
@@ -134,7 +157,7 @@ fn rules(report: &AuditReport) -> Vec<Rule> {
         Rule { id, name, statement, outcome, found }
     });
     let of_coverage = report.coverage.iter().filter(|coverage| coverage.has_polygons()).flat_map(|coverage| {
-        coverage.counts().map(|(rule, count, _)| Rule {
+        coverage.counts().map(|(rule, count)| Rule {
             id: rule.id(),
             name: rule.name(),
             statement: statement(rule),
@@ -153,6 +176,15 @@ fn note(note: &Note) -> Option<String> {
     }
 }
 
+fn tone(report: &AuditReport) -> &'static str {
+    let is_doubtful = report.coverage.as_ref().is_some_and(|coverage| coverage.outcome_in_words().is_some());
+    match report.verdict() {
+        Verdict::Valid if is_doubtful => "doubtful",
+        Verdict::Valid => "good",
+        _ => "bad",
+    }
+}
+
 /// The page.
 pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Result<String> {
     let verdict = report.sentence();
@@ -160,7 +192,7 @@ pub(crate) fn page(report: &AuditReport, picture: &Picture) -> serde_json::Resul
     let data = Data {
         input: &report.input,
         name,
-        valid: report.verdict() == Verdict::Valid,
+        tone: tone(report),
         verdict: &verdict,
         notes: report.notes.iter().filter_map(note).collect(),
         counts: &report.counts,
@@ -223,7 +255,7 @@ mod tests {
         let finding = |rule, id: &str| Diagnosis { rule: Some(rule), id: Some(id.to_owned()), ..Diagnosis::default() };
         let findings = vec![finding("X1", "X1-1"), finding("X2", "X2-1"), finding("M9", "M9-1")];
         let mut report = AuditReport { findings, finding_count: 3, ..AuditReport::new("layer") };
-        report.accept(&known);
+        report.settle(Some(&known));
         let page = page(&report, &Picture::default()).expect("it can be written");
         let (_, data) = page.split_once("type=\"application/json\">").expect("the data are there");
         let data: Value = serde_json::from_str(data.split_once("</script>").expect("they end").0).expect("it is JSON");
@@ -241,7 +273,7 @@ mod tests {
     #[test]
     fn what_comes_from_the_input_ends_no_element() {
         let hostile = "</script><script>alert(1)</script><!--\u{2028}\"'&amp; {data} \u{1b}[31m";
-        let report = AuditReport { found: hostile.to_owned(), ..AuditReport::new(hostile) };
+        let report = AuditReport { doubts: vec![hostile.to_owned()], ..AuditReport::new(hostile) };
         let page = page(&report, &Picture::default()).expect("it can be written");
         assert_eq!(page.matches("</script>").count(), 2);
         assert!(!page.contains("alert(1)</script>") && !page.contains("{script}") && !page.contains('\u{1b}'));

@@ -1,24 +1,22 @@
 //! Clashes of borders in the words of somebody who knows the features of a map, and not its half-edges.
 
 use crate::words::place;
-use twinedge::validate::Violation;
-use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Position};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Position};
 
 /// The number of features that are named.
 const NAMED: usize = 3;
 
-/// The sentence; none for other violations, and where no feature is known. Places have so many decimal places at most.
+/// Returns the sentence; `None` for other violations, and if no feature is known. Places have at most `decimals` decimal places.
 pub(crate) fn sentence(one: &Diagnosis, decimals: usize) -> Option<String> {
-    let Kind::Of(violation) = one.kind else { return None };
     let features = one.features.as_deref().filter(|features| !features.is_empty())?;
     let at = place(one.look?, decimals);
-    let (alone, together, where_) = match violation {
-        Violation::Cross { .. } | Violation::SegmentsCross { .. } => ("crosses itself", "cross", format!("at {at}")),
-        Violation::Overlap { .. } | Violation::SegmentsOverlap { .. } => {
+    let (alone, together, where_) = match one.kind.name() {
+        "cross" | "segments_cross" => ("crosses itself", "cross", format!("at {at}")),
+        "overlap" | "segments_overlap" => {
             let [from, to] = common(one.places.as_deref()?)?.map(|end| place(end, decimals));
             ("overlaps itself", "overlap", format!("from {from} to {to}"))
         }
-        Violation::Touch { .. } | Violation::VertexInSegment { .. } | Violation::BendInSegment { .. } => {
+        "touch" | "vertex_in_segment" | "bend_in_segment" => {
             ("touches itself", "touch", format!("at {at}, where only one has a vertex"))
         }
         _ => return None,

@@ -1,24 +1,27 @@
 //! The report of an audit, which all writers take.
 
 use crate::accepted::{Accepted, AcceptedSummary};
+use crate::causes;
 use crate::coverage::Coverage;
 use crate::identity::Identities;
 use crate::iso_measure::measure_of;
 use crate::packed::Window;
+use crate::reader_words;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, grouped, not_checked};
 use serde::Serialize;
 use serde_json::{Map, Value};
+use std::collections::HashMap;
 use twinedge::algorithm::coverage::CoverageRule;
-use twinedge::validate::{Bounds, Counts};
-use twinedge_formats::diagnosis::{Diagnosis, Document, Position, RuleLine, Trace};
+use twinedge::validate::{Bounds, Counts, Rule};
+use twinedge_formats::diagnosis::{Diagnosis, Document, Position, Reason, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
 /// The report of an audit.
 #[derive(Debug)]
 pub(crate) struct AuditReport {
     pub(crate) input: String,
-    /// Every rule that applies was checked, and holds.
+    /// Every rule that applies was checked, and holds, whatever was accepted.
     pub(crate) valid: bool,
     /// The reason why more is to be known, in sentences, whatever the rules say.
     pub(crate) doubts: Vec<String>,
@@ -31,8 +34,6 @@ pub(crate) struct AuditReport {
     pub(crate) accepted: Option<AcceptedSummary>,
     /// The options, as JSON.
     pub(crate) options: Map<String, Value>,
-    /// The numbers of findings, if it is not valid.
-    pub(crate) found: String,
     pub(crate) notes: Vec<Note>,
     /// The counts in words.
     pub(crate) counts: Vec<(&'static str, String)>,
@@ -58,8 +59,8 @@ pub(crate) struct AuditReport {
 pub(crate) struct CoverageStyle {
     /// They count as violations.
     pub(crate) is_rule: bool,
-    /// The number of findings of each rule that are shown.
-    pub(crate) worst: usize,
+    /// The number of findings of each rule that are shown; none: a few, and what follows from others is only counted.
+    pub(crate) list: Option<usize>,
     /// Places have so many decimal places at most.
     pub(crate) decimals: usize,
 }
@@ -99,7 +100,6 @@ impl AuditReport {
             accepted_before: None,
             judged_by: None,
             options: Map::new(),
-            found: String::new(),
             notes: Vec::new(),
             counts: Vec::new(),
             rules: Vec::new(),
@@ -132,12 +132,37 @@ impl AuditReport {
         self.violation_count + self.finding_count + self.coverage.as_ref().map_or(0, |found| found.total() as u64)
     }
 
-    /// The listed diagnoses. Those that follow from others come last.
+    /// The listed diagnoses: causes first, those in words of features before those of the structure; then what follows from others.
     pub(crate) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
-        let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
-        let [first, last] = [false, true]
-            .map(|follows| self.violations.iter().filter(move |violation| violation.follows_from.is_some() == follows));
-        first.chain(&self.findings).chain(of_coverage).chain(last)
+        let all = || {
+            let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
+            self.findings.iter().chain(of_coverage).chain(&self.violations)
+        };
+        all().filter(|one| one.follows_from.is_none()).chain(all().filter(|one| one.follows_from.is_some()))
+    }
+
+    /// The listed diagnoses that follow from others, by the ids of these.
+    pub(crate) fn consequences(&self) -> HashMap<&str, Vec<&Diagnosis>> {
+        let mut found: HashMap<&str, Vec<&Diagnosis>> = HashMap::new();
+        for one in self.listed().filter(|one| one.accepted.is_none()) {
+            if let Some(id) = &one.follows_from_id {
+                found.entry(id).or_default().push(one);
+            }
+        }
+        found
+    }
+
+    /// The number of listed diagnoses that are not accepted and follow from no other one, and the number of those that follow from others.
+    pub(crate) fn causes(&self) -> [usize; 2] {
+        let open = |follows: bool| {
+            self.listed().filter(move |one| one.accepted.is_none() && one.follows_from.is_some() == follows).count()
+        };
+        [false, true].map(open)
+    }
+
+    /// The number of violations that are not accepted.
+    fn open_violations(&self) -> u64 {
+        self.violation_count - self.violations.iter().filter(|one| one.accepted.is_some()).count() as u64
     }
 
     /// The verdict.
@@ -146,23 +171,27 @@ impl AuditReport {
         // Those of a mesh may be no faults, if they are listed.
         let of_faces = self.finding_count > 0
             && (self.findings.is_empty() || self.findings.iter().any(|finding| finding.is_violation));
-        if self.violation_count > 0 || of_coverage > 0 || of_faces {
+        if self.open_violations() > 0 || of_coverage > 0 || of_faces {
             Verdict::Invalid
-        } else if self.valid && self.doubts.is_empty() {
+        } else if self.holds() && self.doubts.is_empty() {
             Verdict::Valid
         } else {
             Verdict::Unknown
         }
     }
 
-    /// The first thing that is wrong. What follows from something else is not, if that is listed.
+    /// Returns true if every rule that applies was checked and holds, apart from what was accepted.
+    fn holds(&self) -> bool {
+        let is_accepted = self.violation_count > 0 && self.open() == 0;
+        self.valid || is_accepted
+    }
+
+    /// The first cause of what is wrong.
     pub(crate) fn first(&self) -> Option<&Diagnosis> {
         if self.verdict() != Verdict::Invalid {
             return None;
         }
-        let source = self.violations.iter().find_map(|violation| violation.follows_from);
-        let is_first = |one: &&Diagnosis| one.is_violation || one.rule.is_some() && one.rule == source;
-        self.listed().find(is_first)
+        self.listed().find(|one| one.is_violation)
     }
 
     /// Gives their ids to all findings that are listed.
@@ -181,32 +210,38 @@ impl AuditReport {
         self.coverage.iter().flat_map(Coverage::findings).chain(between)
     }
 
-    /// Marks the findings that are accepted: they make nothing invalid.
-    pub(crate) fn accept(&mut self, accepted: &Accepted) {
-        let between = self.findings.iter_mut().filter(|one| is_between_layers(one));
-        let (summary, lines) = accepted.mark(self.coverage.iter_mut().flat_map(Coverage::findings_mut).chain(between));
-        for rule in &mut self.rules {
-            let accepted = self.findings.iter().filter(|one| one.rule == Some(rule.id) && one.accepted.is_some());
-            rule.violations -= accepted.count() as u64;
+    /// Marks the findings that are accepted: they make nothing invalid. Then notes what follows from what.
+    pub(crate) fn settle(&mut self, accepted: Option<&Accepted>) {
+        if let Some(accepted) = accepted {
+            let between = self.findings.iter_mut().filter(|one| is_between_layers(one));
+            let of_coverage = self.coverage.iter_mut().flat_map(Coverage::findings_mut);
+            let (summary, lines) = accepted.mark(of_coverage.chain(between));
+            self.notes.push(Note::Plain(format!("{} accepted", counted(summary.count, "finding"))));
+            self.notes.extend(lines.into_iter().map(Note::Plain));
+            self.accepted = Some(summary);
+            self.accepted_before = Some(accepted.clone());
         }
-        self.notes.push(Note::Plain(format!("{} accepted", counted(summary.count, "finding"))));
-        self.notes.extend(lines.into_iter().map(Note::Plain));
-        self.recount();
-        self.accepted = Some(summary);
-        self.accepted_before = Some(accepted.clone());
+        for one in &mut self.violations {
+            one.sentence = reader_words::sentence(one, self.style.decimals);
+        }
+        causes::trace(self);
+        for rule in &mut self.rules {
+            let all = self.findings.iter().chain(&self.violations);
+            rule.violations -= all.filter(|one| one.rule == Some(rule.id) && one.accepted.is_some()).count() as u64;
+        }
     }
 
-    /// Counts the violations of a map anew, as the findings of its coverage and those between layers are now.
-    pub(crate) fn recount(&mut self) {
-        let open = self.coverage.as_ref().filter(|_| self.style.is_rule).map_or(0, Coverage::open);
-        let accepted = self.findings.iter().filter(|one| one.accepted.is_some()).count();
-        let between = self.finding_count as usize - accepted;
-        self.found = counted(self.violation_count as usize + open + between, "violation");
-    }
-
-    /// The number of rules that were not checked.
+    /// The number of rules that were not checked. What relies on a rule whose violations are all accepted is accepted with them.
     fn open(&self) -> usize {
-        let open = self.rules.iter().filter(|rule| rule.is_open()).count();
+        let is_accepted = |rule: Rule| {
+            let line = self.rules.iter().find(|line| line.id == rule.id());
+            line.is_some_and(|line| line.violations == 0 && line.unchecked.is_none())
+        };
+        let is_open = |line: &&RuleLine| {
+            let broken = line.unchecked.and_then(Reason::broken);
+            line.is_open() && !broken.is_some_and(is_accepted)
+        };
+        let open = self.rules.iter().filter(is_open).count();
         // All but C6.
         let is_open = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_some());
         open + if self.style.is_rule && is_open { CoverageRule::ALL.len() - 1 } else { 0 }
@@ -225,16 +260,54 @@ impl AuditReport {
         open.into_iter().chain(self.doubts.iter().cloned()).collect()
     }
 
-    /// The verdict, in a sentence.
+    /// The verdict, in a sentence; of a coverage in which something was found, that on the structure and that on the coverage.
     pub(crate) fn sentence(&self) -> String {
-        if self.verdict() == Verdict::Valid {
-            let beside = self.coverage.as_ref().map(Coverage::beside).unwrap_or_default();
-            return format!("valid: every rule that applies holds{beside}");
+        let verdict = self.verdict();
+        let accepted = match self.accepted.as_ref().map_or(0, |summary| summary.count) {
+            0 => String::new(),
+            n => format!(" ({} accepted)", grouped(n)),
+        };
+        let coverage = self.coverage.as_ref().filter(|coverage| coverage.has_polygons());
+        let of_coverage = coverage.and_then(Coverage::outcome_in_words);
+        let of_structure = match self.open_violations() {
+            0 => "structure valid",
+            _ => "structure not valid",
+        };
+        match verdict {
+            Verdict::Unknown => {
+                let beside = of_coverage.map_or_else(String::new, |coverage| format!(" · coverage: {coverage}"));
+                format!("unknown: nothing wrong was found, and {}{beside}", self.unknown().join("; "))
+            }
+            Verdict::Valid => match of_coverage {
+                None => format!("valid{accepted}: every rule that applies holds"),
+                Some(coverage) => format!("{of_structure}{accepted} · coverage: {coverage}"),
+            },
+            Verdict::Invalid => {
+                let [causes, others] = self.causes();
+                let noun = if coverage.is_some() || self.finding_count > 0 { "finding" } else { "violation" };
+                let unlisted = self.total() - self.listed().count() as u64;
+                let more = if unlisted > 0 { "at least " } else { "" };
+                let follow = match others {
+                    0 => String::new(),
+                    1 => ", from which 1 other follows".to_owned(),
+                    n => format!(", from which {} others follow", grouped(n)),
+                };
+                let parts = of_coverage.map_or_else(String::new, |coverage| format!(" · {of_structure} · coverage: {coverage}"));
+                format!("not valid{accepted}: {more}{}{follow}{parts}{}", counted(causes, noun), not_checked(self.open()))
+            }
         }
-        if self.verdict() == Verdict::Unknown {
-            return format!("unknown: nothing wrong was found, and {}", self.unknown().join("; "));
-        }
-        format!("not valid: {}{}", self.found, not_checked(self.open()))
+    }
+
+    /// What to do where all clashes of borders are vertices that are missing, or borders closer than a cell of the finest grid: no overlap and no gap
+    /// explains these.
+    pub(crate) fn advice(&self) -> Option<&'static str> {
+        let clashes = || self.violations.iter().filter(|one| one.rule == Some(Rule::G4.id()) && one.accepted.is_none());
+        let is_small = |one: &Diagnosis| one.follows_from.is_none_or(|rule| rule == CoverageRule::Mismatch.id());
+        let is_judged = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_none());
+        (is_judged && clashes().count() > 0 && clashes().all(is_small)).then_some(
+            "all clashes of borders are missing vertices or smaller than a cell of the finest grid: --snap auto audits the map as if \
+borders met, and `twinedge clean` makes them meet",
+        )
     }
 
     /// The name of the rule that a finding breaks.
@@ -266,6 +339,8 @@ impl AuditReport {
             verdict: Verdict,
             #[serde(skip_serializing_if = "Vec::is_empty")]
             unknown: Vec<String>,
+            causes: usize,
+            consequences: usize,
             first: Option<First<'a>>,
             judged: Option<&'a Judged>,
             #[serde(skip_serializing_if = "Option::is_none")]
@@ -279,11 +354,18 @@ impl AuditReport {
             #[serde(flatten)]
             extra: &'a Map<String, Value>,
             #[serde(skip_serializing_if = "Option::is_none")]
-            coverage: Option<&'a Coverage>,
+            coverage: Option<OfCoverage<'a>>,
             elapsed_ms: f64,
+        }
+        #[derive(Serialize)]
+        struct OfCoverage<'a> {
+            verdict: Verdict,
+            #[serde(flatten)]
+            found: &'a Coverage,
         }
         let JsonForm { counts, bounds, is_named, has_findings, extra } = &self.json;
         let verdict = self.verdict();
+        let [causes, consequences] = self.causes();
         let mut document = Document::new(verdict == Verdict::Valid, counts, &self.rules)
             .bounds(*bounds)
             .violations(&self.violations, self.violation_count);
@@ -297,6 +379,8 @@ impl AuditReport {
             input: &self.input,
             verdict,
             unknown: self.unknown(),
+            causes,
+            consequences,
             first: self.first().map(|one| First { rule: one.rule, id: one.id.as_deref(), at: one.look }),
             judged: self.judged.as_ref(),
             judged_by: self.judged_by.as_ref(),
@@ -305,7 +389,7 @@ impl AuditReport {
             options: &self.options,
             document,
             extra,
-            coverage: self.coverage.as_ref(),
+            coverage: self.coverage.as_ref().map(|found| OfCoverage { verdict: found.verdict(), found }),
             elapsed_ms: self.elapsed_ms,
         }
     }

@@ -1,15 +1,22 @@
 //! An audit as text.
 
+use crate::coverage::words;
 use crate::diagnosis_text::{write, write_explanations, write_more, write_rule};
 use crate::report::{AuditReport, CoverageStyle, Note};
 use crate::verdict::Verdict;
-use crate::words::plain;
-use crate::words::style::{BAD, GOOD, QUIET};
-use std::fmt::Write as _;
+use crate::words::style::{BAD, DOUBTFUL, GOOD, QUIET};
+use crate::words::{counted, grouped, plain};
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::{Result, Write as _};
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_formats::diagnosis::Diagnosis;
 
-/// The audit for people.
-pub(crate) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
-    let CoverageStyle { is_rule, worst, decimals } = report.style;
+/// The number of findings of each rule that are shown unless asked.
+const SHOWN: usize = 3;
+
+/// The audit for people: causes, each with the number of findings that follow from it.
+pub(crate) fn text(report: &AuditReport) -> std::result::Result<String, std::fmt::Error> {
+    let CoverageStyle { is_rule, list, decimals } = report.style;
     let mut out = String::new();
     writeln!(out, "{}", plain(&report.input))?;
     for note in &report.notes {
@@ -30,24 +37,79 @@ pub(crate) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
         coverage.write_rules(&mut out, is_rule)?;
     }
     out.push('\n');
-    for (listed, total) in [(&report.findings, report.finding_count), (&report.violations, report.violation_count)] {
-        for one in listed.iter().filter(|one| one.follows_from.is_none() && one.accepted.is_none()) {
-            write(&mut out, one, decimals)?;
-        }
-        write_more(&mut out, total, listed.len())?;
-        write_explanations(&mut out, listed)?;
-    }
+    let mut causes = Causes { out: &mut out, follow: report.consequences(), is_listed: list.is_some(), decimals };
     if let Some(coverage) = coverage {
-        coverage.write_worst(&mut out, worst, decimals)?;
+        for (rule, count) in coverage.counts() {
+            let of_rule = coverage.findings().iter().filter(|one| one.rule == Some(rule.id()));
+            let others = of_rule.clone().filter(|one| !is_cause(one)).count();
+            let shown: Vec<&Diagnosis> = of_rule.filter(|one| is_cause(one)).take(list.unwrap_or(SHOWN)).collect();
+            shown.iter().try_for_each(|one| causes.write(one))?;
+            write_explanations(causes.out, shown.iter().copied())?;
+            let more = count - others - shown.len();
+            if more > 0 && !shown.is_empty() {
+                writeln!(causes.out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
+            }
+        }
     }
-    for one in report.violations.iter().filter(|one| one.follows_from.is_some()) {
-        write(&mut out, one, decimals)?;
+    for (listed, total) in [(&report.findings, report.finding_count), (&report.violations, report.violation_count)] {
+        listed.iter().filter(|one| is_cause(one)).try_for_each(|one| causes.write(one))?;
+        write_more(causes.out, total, listed.len())?;
+        write_explanations(causes.out, listed.iter().filter(|one| is_cause(one)))?;
     }
-    report.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}"))?;
-    // The first word is coloured.
+    report.remarks.iter().chain(&report.advice()).try_for_each(|remark| writeln!(out, "{remark}"))?;
     let verdict = report.sentence();
-    let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
-    let style = if report.verdict() == Verdict::Valid { GOOD } else { BAD };
-    writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", report.elapsed_ms)?;
+    // The first words are coloured.
+    let (words, rest) = verdict.split_at(verdict.find([':', '\u{b7}']).unwrap_or(verdict.len()));
+    let style = match report.verdict() {
+        Verdict::Valid if rest.starts_with(':') => GOOD,
+        Verdict::Valid => DOUBTFUL,
+        _ => BAD,
+    };
+    writeln!(out, "{style}{words}{style:#}{rest} ({:.0} ms)", report.elapsed_ms)?;
     Ok(out)
+}
+
+/// Returns true if it is told by itself, and not with another one.
+fn is_cause(one: &Diagnosis) -> bool {
+    one.follows_from.is_none() && one.accepted.is_none()
+}
+
+/// Writes causes, each with what follows from it.
+struct Causes<'a> {
+    out: &'a mut String,
+    follow: HashMap<&'a str, Vec<&'a Diagnosis>>,
+    /// What follows is written, and not only counted.
+    is_listed: bool,
+    decimals: usize,
+}
+
+impl Causes<'_> {
+    fn write(&mut self, one: &Diagnosis) -> Result {
+        write(self.out, one, self.decimals)?;
+        let all = one.id.as_deref().and_then(|id| self.follow.get(id)).map(Vec::as_slice).unwrap_or_default();
+        if all.is_empty() {
+            return Ok(());
+        }
+        writeln!(self.out, "   {QUIET}from which follow {}{QUIET:#}", by_rule(all))?;
+        for one in all.iter().filter(|_| self.is_listed) {
+            let mut lines = String::new();
+            write(&mut lines, one, self.decimals)?;
+            lines.lines().try_for_each(|line| writeln!(self.out, "   {line}"))?;
+        }
+        Ok(())
+    }
+}
+
+/// The numbers of diagnoses of each rule, in words.
+fn by_rule(all: &[&Diagnosis]) -> String {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for one in all {
+        *counts.entry(one.rule.unwrap_or_default()).or_default() += 1;
+    }
+    let of_coverage = |id: &str| CoverageRule::ALL.into_iter().find(|rule| rule.id() == id);
+    let words = counts.into_iter().map(|(id, count)| match of_coverage(id) {
+        Some(rule) => words(rule, count),
+        None => format!("{} of {id}", counted(count, "violation")),
+    });
+    words.collect::<Vec<_>>().join(", ")
 }

@@ -6,7 +6,6 @@ use crate::options::Options;
 use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, JsonForm, Note, counts};
 use crate::trace::placed;
-use crate::words::counted;
 use serde_json::json;
 use std::io::Read;
 use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
@@ -46,7 +45,6 @@ pub(crate) fn audit(Input { name, mut reader, .. }: Input, asked: &Options) -> R
     });
     let report = AuditReport {
         valid: report.is_valid(),
-        found: counted(report.violation_count() as usize, "violation"),
         notes: notes.into_iter().flatten().map(|note| Note::Plain(note.to_owned())).collect(),
         counts: counts(report.counts()),
         rules: RuleLine::of(&report),

@@ -1,6 +1,6 @@
 //! The audit of a map by its tiles, and of tiles whose summaries were saved.
 
-use crate::coverage::{Coverage, CoverageOptions, SHOWN};
+use crate::coverage::{Coverage, CoverageOptions};
 use crate::error::Error;
 use crate::imported::{Imported, names};
 use crate::left_out::{reason, refuse_missing, without_cuts};
@@ -74,7 +74,7 @@ pub(crate) fn audit(
         notes: notes(&imported, warnings),
         style: CoverageStyle {
             is_rule: asked.coverage.is_rule,
-            worst: asked.list.unwrap_or(SHOWN),
+            list: asked.list,
             decimals: noted.decimals(),
         },
         crs: imported.crs.clone(),
@@ -193,7 +193,7 @@ pub(crate) fn audit_summary(
     let extra: Map<String, Value> = [("tiles".to_owned(), size(&grid))].into_iter().collect();
     let decimals = imported.noted.decimals();
     Ok(AuditReport {
-        style: CoverageStyle { worst: SHOWN, decimals, is_rule: asked.coverage.is_rule },
+        style: CoverageStyle { list: None, decimals, is_rule: asked.coverage.is_rule },
         json: JsonForm { extra, ..found.json },
         ..found
     })
@@ -307,7 +307,6 @@ fn report(
     let is_coverage = of_coverage == 0 && (!asked.is_rule || coverage.not_checked().is_none());
     Ok(AuditReport {
         valid: is_valid && is_coverage,
-        found: counted(violation_count as usize + of_coverage, "violation"),
         json: JsonForm { counts: to_value(found)?, bounds, ..JsonForm::default() },
         counts: counts(&found),
         rules,

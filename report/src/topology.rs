@@ -5,7 +5,7 @@ use crate::input::Input;
 use crate::options::Options;
 use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, JsonForm, Note};
-use crate::words::{counted, grouped};
+use crate::words::grouped;
 use serde_json::to_value;
 use twinedge::validate::{Embedding, Record};
 use twinedge_formats::layer::topojson::{self, ArcTopology};
@@ -68,7 +68,6 @@ fn report(name: &str, audit: &TopologyAudit, words: &Words) -> Result<AuditRepor
     let json = to_value(audit)?;
     Ok(AuditReport {
         valid: audit.is_valid(),
-        found: counted(audit.violation_count() as usize, "violation"),
         notes: vec![Note::Plain(words.note.to_owned())],
         counts: vec![
             (words.nodes, grouped(counts.nodes)),

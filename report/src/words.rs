@@ -45,6 +45,13 @@ pub fn decimals(greatest: f64) -> usize {
     (0_u8..15).take_while(|places| f64::from(*places) < 7.0 - before).count()
 }
 
+/// The number of decimal places at which a place stays inside something of this width.
+#[must_use]
+pub fn decimals_of(width: Option<f64>) -> usize {
+    let width = width.filter(|width| *width > 0.0 && width.is_finite());
+    width.map_or(0, |width| (2.0 - width.log10()).ceil().clamp(0.0, 17.0) as usize)
+}
+
 /// A place in text, with so many decimal places at most.
 #[must_use]
 pub fn place([x, y]: [f64; 2], decimals: usize) -> String {
@@ -110,6 +117,8 @@ pub mod style {
     pub const GOOD: Style = AnsiColor::Green.on_default().bold();
     /// Of what is wrong.
     pub const BAD: Style = AnsiColor::Red.on_default().bold();
+    /// Of a structure that is valid, where something else was found.
+    pub const DOUBTFUL: Style = AnsiColor::Yellow.on_default().bold();
     /// Of what is said beside.
     pub const QUIET: Style = AnsiColor::BrightBlack.on_default();
 }

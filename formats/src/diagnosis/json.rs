@@ -42,7 +42,11 @@ struct Entry<'a> {
     accepted: Option<&'a str>,
     message: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
+    sentence: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     follows_from: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    follows_from_id: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     cause: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,7 +104,9 @@ impl Serialize for Diagnosis {
             iso_19157: self.iso,
             accepted: self.accepted.as_deref(),
             message: &self.message,
+            sentence: self.sentence.as_deref(),
             follows_from: self.follows_from,
+            follows_from_id: self.follows_from_id.as_deref(),
             cause: self.cause,
             remedy: self.remedy,
             sql: self.sql.as_ref(),

@@ -81,8 +81,12 @@ pub struct Diagnosis {
     pub snapping: Option<&'static str>,
     /// The number of the measure of ISO 19157 that counts it.
     pub iso: Option<u32>,
-    /// The id of the rule from whose violations this one follows.
+    /// The id of the rule of the finding from which this one follows.
     pub follows_from: Option<&'static str>,
+    /// The id of that finding, if it is known.
+    pub follows_from_id: Option<String>,
+    /// The message in words about features, where there are features.
+    pub sentence: Option<String>,
     /// The reason for which it was accepted, if it was.
     pub accepted: Option<String>,
     /// It makes the input invalid.

@@ -46,6 +46,15 @@ impl Reason {
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Validator(why) if why.is_by_design())
     }
+
+    /// Returns the rule of the validator that it relies on and that is broken, if that is the reason.
+    #[must_use]
+    pub const fn broken(self) -> Option<Rule> {
+        match self {
+            Self::Validator(Unchecked::Broken(rule)) => Some(rule),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Display for Reason {

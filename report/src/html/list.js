@@ -25,6 +25,8 @@ class FindingList {
     Object.assign(this, { data, structure, onChoose, onFilter, chosen: null, rendered: 0 });
     this.list = document.getElementById("list");
     this.all = data.findings.map((finding, number) => Object.assign(finding, { number: number + 1 }));
+    this.following = new Map();
+    for (const { follows } of this.all) this.following.set(follows, (this.following.get(follows) ?? 0) + 1);
     this.left = this.all;
     this.rulesOff = new Set();
     this.makeFilters();
@@ -52,6 +54,11 @@ class FindingList {
       rules.append(element("label", { title: of?.statement?.replaceAll("`", "") ?? "" }, box, ` ${rule} ${name} (${count})`));
     }
     rules.closest("fieldset").hidden = counts.size === 0;
+    const following = this.all.length - (this.following.get(null) ?? 0);
+    const follow = document.getElementById("follow");
+    follow.hidden = following === 0;
+    follow.querySelector("span").textContent = `Show the ${following.toLocaleString("en")} that follow from others`;
+    document.getElementById("follow-on").addEventListener("change", () => this.filter());
     const input = document.getElementById("feature");
     const { features } = this.data;
     input.hidden = document.querySelector("label[for=feature]").hidden = this.structure.chains === 0;
@@ -73,7 +80,9 @@ class FindingList {
     const isNamed = (one) =>
       one.features.some((number) => matching.has(number)) ||
       (half >= 0 && one.records.some((record) => isSameEdge(this.structure, half, halfEdgeCalled(this.structure, record))));
-    this.left = this.all.filter((one) => !this.rulesOff.has(one.rule) && (text === "" || isNamed(one)));
+    const isUnfolded = document.getElementById("follow-on").checked;
+    const isTold = (one) => one.follows === null || isUnfolded;
+    this.left = this.all.filter((one) => isTold(one) && !this.rulesOff.has(one.rule) && (text === "" || isNamed(one)));
     const listed = this.all.length < total ? ` (${total.toLocaleString("en")} were found; --list N lists more)` : "";
     document.getElementById("shown").textContent =
       this.all.length === 0 ? "Nothing was found." : `${this.left.length} of ${this.all.length} findings shown${listed}`;
@@ -117,6 +126,9 @@ class FindingList {
       option.append(who);
     }
     option.append(element("span", { className: "what", textContent: sentence ?? message }));
+    const following = this.following.get(finding.number - 1);
+    if (following) option.append(element("span", { className: "follow", textContent: `${following.toLocaleString("en")} others follow from it.` }));
+    option.classList.toggle("follows", finding.follows !== null);
     if (finding.accepted) option.append(element("span", { className: "accepted", textContent: `Accepted: ${finding.accepted}` }));
     return option;
   }
@@ -198,6 +210,10 @@ class FindingList {
     const statement = this.data.rules.find((one) => one.id === rule)?.statement?.replaceAll("`", "");
     panel.append(element("h2", { textContent: `${rule} ${name}` }), element("p", { textContent: sentence ?? message }));
     if (sentence) panel.append(element("p", { textContent: `In the structure: ${message}.` }));
+    if (this.chosen.follows !== null) {
+      const source = this.all[this.chosen.follows];
+      panel.append(element("p", { textContent: `It follows from number ${source.number}: ${source.rule} ${source.name}.` }));
+    }
     if (statement) panel.append(element("p", { textContent: `Rule: ${statement}.` }));
     panel.append(facts, element("p", { textContent: `Number ${number} of ${this.all.length}: ${counted}.` }));
   }

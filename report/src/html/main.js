@@ -263,7 +263,7 @@ function addTexts() {
   byId("input").title = data.input;
   // Who asks about features asks about half-edges later, if at all.
   byId("links-on").checked = data.features.length === 0;
-  byId("verdict").classList.toggle("bad", !data.valid);
+  byId("verdict").className = data.tone;
   for (const [what, count] of data.counts) {
     byId("counts").append(element("div", {}, element("dt", { textContent: what }), element("dd", { textContent: count })));
   }

@@ -4,7 +4,7 @@ mod clash;
 mod finding;
 mod lines;
 
-use crate::coverage::{Coverage, SHOWN};
+use crate::coverage::Coverage;
 use crate::error::Error;
 use crate::imported::Imported;
 use crate::map_json::extra;
@@ -44,7 +44,6 @@ pub(crate) fn audit(
     let rules = rules(&drawing, &clashes, of_map);
     let own: u64 = rules.iter().filter(|rule| rule.id.starts_with('G')).map(|rule| rule.violations).sum();
     let is_rule = asked.coverage.is_rule;
-    let of_coverage = if is_rule { coverage.total() } else { 0 };
     let is_checked = report.is_some() && (!is_rule || coverage.not_checked().is_none());
     let undrawn = drawing.undrawn().iter().map(|one| antipodal(imported, one));
     let clashing = clashes.iter().map(|one| clashing(imported, &drawing, one, &coverage));
@@ -55,7 +54,6 @@ pub(crate) fn audit(
     more.insert("edges".to_owned(), json!({ "kind": "great circles", "radius": RADIUS }));
     Ok(AuditReport {
         valid: own == 0 && is_checked && report.as_ref().is_some_and(Report::is_valid),
-        found: counted((of_structure + own) as usize + of_coverage, "violation"),
         doubts: map.as_ref().err().map(ToString::to_string).into_iter().collect(),
         json: JsonForm {
             counts: report.as_ref().map(|report| to_value(report.counts())).transpose()?.unwrap_or_default(),
@@ -68,7 +66,7 @@ pub(crate) fn audit(
         rules,
         violations,
         violation_count: of_structure + own,
-        style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
+        style: CoverageStyle { is_rule, list: asked.list, decimals: noted.decimals() },
         crs: imported.crs.clone(),
         coverage: Some(coverage),
         ..AuditReport::new(name)

@@ -1,0 +1,236 @@
+//! Which findings follow from others: one mistake in a layer breaks several rules around one place.
+//!
+//! ```text
+//!   a corner was moved ─┬─ C1 overlap, the largest: the cause
+//!                       ├─ C1, C2, C4 overlaps, gaps and slivers that touch it
+//!                       ├─ G4 borders of its features that cross
+//!                       └─ T3 the genus of a map whose borders cross
+//! ```
+//!
+//! Findings of a coverage form a group where they touch and have two features in common: a border that was drawn twice. A group follows from a greater
+//! one that it touches if they have a feature in common. The cause is an invalid feature (C6), or else the largest finding. Duplicates (C5) are a cause
+//! each. Clashes of borders (G4) follow from the nearest finding about their features, and T3 from them. A map that was seen by its tiles has findings
+//! without shapes, so none is known to touch another one.
+
+use crate::report::AuditReport;
+use std::cmp::Ordering;
+use std::collections::HashMap;
+use twinedge::algorithm::coverage::CoverageRule;
+use twinedge::validate::Rule;
+use twinedge_formats::diagnosis::{Diagnosis, Position};
+
+/// Points touch if they are closer than this part of the largest coordinate: C6 computes a crossing of borders in another way than a map.
+const NEAR: f64 = 1.0 / (1_u64 << 36) as f64;
+
+/// The number of findings at one point that are looked at.
+const AT_A_POINT: usize = 32;
+
+/// Notes of each listed finding what it follows from. What follows from an accepted finding is accepted with it, unless it can be accepted by itself.
+/// O(n log n) for the n corners of all findings.
+pub(crate) fn trace(report: &mut AuditReport) {
+    let Some(coverage) = &mut report.coverage else { return };
+    let findings = coverage.findings_mut();
+    let sources = Findings::new(findings).sources();
+    for (number, source) in sources.iter().enumerate() {
+        let (rule, id) = source.map(|source| (findings[source].rule, findings[source].id.clone())).unzip();
+        (findings[number].follows_from, findings[number].follows_from_id) = (rule.flatten(), id.flatten());
+    }
+    let explained: Vec<Option<Explanation>> = {
+        let findings = Findings::new(findings);
+        report.violations.iter().map(|one| findings.explanation(one)).collect()
+    };
+    let (mut first, mut listed, mut is_accepted) = (None, 0, true);
+    for (clash, explained) in report.violations.iter_mut().zip(explained).filter(|(one, _)| is_clash(one)) {
+        if let Some(Explanation { nearest, is_accepted }) = explained {
+            let of = &mut findings[sources[nearest].unwrap_or(nearest)];
+            (clash.follows_from, clash.follows_from_id) = (of.rule, of.id.clone());
+            clash.accepted = of.accepted.clone().filter(|_| is_accepted);
+            clash.is_violation = clash.accepted.is_none();
+            of.is_violation |= clash.is_violation;
+        }
+        listed += 1;
+        is_accepted &= clash.accepted.is_some();
+        first.get_or_insert_with(|| (clash.follows_from_id.clone().or_else(|| clash.id.clone()), clash.accepted.clone()));
+    }
+    let Some((source, reason)) = first else { return };
+    // Where not all clashes are listed, one of the others may be a cause.
+    let all = report.rules.iter().find(|rule| rule.id == Rule::G4.id()).map_or(0, |rule| rule.violations);
+    let reason = reason.filter(|_| is_accepted && listed == all);
+    let follows = |one: &&mut Diagnosis| one.rule == Some(Rule::T3.id()) && one.follows_from.is_some();
+    for genus in report.violations.iter_mut().filter(follows) {
+        genus.follows_from_id.clone_from(&source);
+        genus.accepted.clone_from(&reason);
+        genus.is_violation = genus.accepted.is_none();
+    }
+}
+
+/// Returns false for a component that does not fit in the plane as its borders cross: the corner that stands for it is not at fault.
+pub(crate) fn has_place(one: &Diagnosis) -> bool {
+    one.rule != Some(Rule::T3.id()) || one.follows_from.is_none()
+}
+
+fn is_clash(one: &Diagnosis) -> bool {
+    one.rule == Some(Rule::G4.id())
+}
+
+fn is_rule(one: &Diagnosis, rule: CoverageRule) -> bool {
+    one.rule == Some(rule.id())
+}
+
+/// The numbers of the features of a finding, sorted.
+fn numbers(one: &Diagnosis) -> Vec<usize> {
+    let mut numbers: Vec<usize> = one.features.iter().flatten().map(|feature| feature.number).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
+}
+
+/// The size of the common part of two sorted lists.
+fn in_common(a: &[usize], b: &[usize]) -> usize {
+    let [short, long] = if a.len() < b.len() { [a, b] } else { [b, a] };
+    short.iter().filter(|one| long.binary_search(one).is_ok()).count()
+}
+
+/// The corners of the shape of a finding. A single point is only a place to look at, but for what is wrong at points.
+fn corners(one: &Diagnosis) -> impl Iterator<Item = Position> {
+    let is_at_points = is_rule(one, CoverageRule::Validity) || is_rule(one, CoverageRule::Mismatch);
+    let rings = one.trace.polygons.iter().flatten().chain(&one.trace.lines).flatten();
+    rings.chain(one.trace.points.iter().filter(move |_| is_at_points)).copied()
+}
+
+/// The findings of a coverage that can be causes.
+struct Findings<'a> {
+    all: &'a [Diagnosis],
+    /// The features of each.
+    features: Vec<Vec<usize>>,
+    /// The findings about each feature.
+    about: HashMap<usize, Vec<usize>>,
+}
+
+impl<'a> Findings<'a> {
+    fn new(all: &'a [Diagnosis]) -> Self {
+        let features: Vec<Vec<usize>> = all.iter().map(numbers).collect();
+        let mut about: HashMap<usize, Vec<usize>> = HashMap::new();
+        for (number, one) in all.iter().enumerate().filter(|(_, one)| !is_rule(one, CoverageRule::Duplicate)) {
+            for feature in numbers(one) {
+                about.entry(feature).or_default().push(number);
+            }
+        }
+        Self { all, features, about }
+    }
+
+    /// The order of causes: an invalid feature first, then by area; missing vertices last.
+    fn greater(&self, a: usize, b: usize) -> Ordering {
+        let weight = |one: usize| match &self.all[one] {
+            one if is_rule(one, CoverageRule::Validity) => f64::INFINITY,
+            one => one.measures.area.unwrap_or(-1.0),
+        };
+        weight(b).total_cmp(&weight(a)).then(a.cmp(&b))
+    }
+
+    /// The pairs of findings that touch, and the number of features that they have in common, if there is one.
+    fn touching(&self) -> Vec<([usize; 2], usize)> {
+        let largest = self.all.iter().flat_map(corners).flatten().map(f64::abs).fold(0.0, f64::max);
+        let cell = (largest * NEAR).max(f64::MIN_POSITIVE);
+        let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
+        let mut pairs = Vec::new();
+        for (number, one) in self.all.iter().enumerate() {
+            if one.accepted.is_some() || is_rule(one, CoverageRule::Duplicate) {
+                continue;
+            }
+            for corner in corners(one) {
+                let [x, y] = corner.map(|x| (x / cell).round() as i64);
+                for beside in [-1, 0, 1].into_iter().flat_map(|dx| [-1, 0, 1].map(|dy| [x + dx, y + dy])) {
+                    pairs.extend(at.get(&beside).into_iter().flatten().map(|other| [*other, number]));
+                }
+                let here = at.entry([x, y]).or_default();
+                if here.last() != Some(&number) && here.len() < AT_A_POINT {
+                    here.push(number);
+                }
+            }
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        let counted = |[a, b]: [usize; 2]| ([a, b], in_common(&self.features[a], &self.features[b]));
+        pairs.into_iter().filter(|[a, b]| a != b).map(counted).filter(|(_, count)| *count > 0).collect()
+    }
+
+    /// Of each finding the one that it follows from, if there is one.
+    fn sources(&self) -> Vec<Option<usize>> {
+        let pairs = self.touching();
+        let mut groups = Groups((0..self.all.len()).collect());
+        for ([a, b], _) in pairs.iter().filter(|(_, count)| *count > 1) {
+            let heads = [*a, *b].map(|one| groups.head(one));
+            let [first, second] = self.sorted(heads);
+            groups.0[second] = first;
+        }
+        let mut beside: HashMap<usize, Vec<usize>> = HashMap::new();
+        for ([a, b], _) in pairs {
+            let heads = [a, b].map(|one| groups.head(one));
+            if heads[0] != heads[1] {
+                let [first, second] = self.sorted(heads);
+                beside.entry(second).or_default().push(first);
+            }
+        }
+        let mut lesser: Vec<usize> = beside.keys().copied().collect();
+        lesser.sort_unstable_by(|a, b| self.greater(*a, *b));
+        let mut causes: Vec<Option<usize>> = vec![None; self.all.len()];
+        for group in lesser {
+            // A group that follows from another one is no cause.
+            let greater = beside[&group].iter().copied().filter(|other| causes[*other].is_none());
+            causes[group] = greater.min_by(|a, b| self.greater(*a, *b));
+        }
+        let source = |one: usize| {
+            let group = groups.head(one);
+            Some(causes[group].unwrap_or(group)).filter(|source| *source != one)
+        };
+        (0..self.all.len()).map(source).collect()
+    }
+
+    fn sorted(&self, [a, b]: [usize; 2]) -> [usize; 2] {
+        if self.greater(a, b).is_le() { [a, b] } else { [b, a] }
+    }
+
+    /// What explains a clash of borders: findings about two of its features, or one that is invalid. Missing vertices explain only the clashes at them.
+    fn explanation(&self, clash: &Diagnosis) -> Option<Explanation> {
+        let is_at_missing_vertex = clash.follows_from == Some(CoverageRule::Mismatch.id());
+        let (features, [x, y]) = (numbers(clash), clash.look?);
+        let about = features.iter().filter_map(|feature| self.about.get(feature)).flatten().copied();
+        let explains = |one: &usize| {
+            let (shared, one) = (in_common(&self.features[*one], &features), &self.all[*one]);
+            let is_enough = shared > usize::from(!is_rule(one, CoverageRule::Validity));
+            is_enough && is_rule(one, CoverageRule::Mismatch) == is_at_missing_vertex
+        };
+        let key = |one: usize| {
+            let distance = self.all[one].look.map_or(f64::INFINITY, |[a, b]| (a - x).hypot(b - y));
+            (is_rule(&self.all[one], CoverageRule::Validity), distance)
+        };
+        let is_accepted = about.clone().filter(explains).all(|one| self.all[one].accepted.is_some());
+        let nearest = about.filter(explains).min_by(|a, b| {
+            let ((is_of_one, near), (is_other_of_one, far)) = (key(*a), key(*b));
+            is_of_one.cmp(&is_other_of_one).then(near.total_cmp(&far)).then(a.cmp(b))
+        })?;
+        Some(Explanation { nearest, is_accepted })
+    }
+}
+
+/// What explains a clash of borders.
+struct Explanation {
+    /// The nearest finding, those about two of the features first.
+    nearest: usize,
+    /// All findings that explain it are accepted.
+    is_accepted: bool,
+}
+
+/// Groups of findings. Each finding has one that is greater, or is the greatest of its group itself.
+struct Groups(Vec<usize>);
+
+impl Groups {
+    fn head(&mut self, mut one: usize) -> usize {
+        while self.0[one] != one {
+            self.0[one] = self.0[self.0[one]];
+            one = self.0[one];
+        }
+        one
+    }
+}
