@@ -1,6 +1,7 @@
 //! A map that is edited: changes that are undone and redone, each validated.
 
 use crate::attributes::{Column, Raised, add};
+use crate::maps::{Map, Polygons, of_faces};
 use pyo3::exceptions::{PyKeyError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use slotmap::KeyData;
@@ -11,8 +12,9 @@ use std::thread;
 use twinedge::algorithm::area::face_area;
 use twinedge::dcel::{Face, HalfEdge, OperatorError, StaleKey, Vertex};
 use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
 use twinedge::map::edit::{At, EditError, Edited};
-use twinedge::map::{History, Located, PlanarMap};
+use twinedge::map::{FeatureId, History, Located, PlanarMap};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 
@@ -73,10 +75,40 @@ fn lists(edited: Edited) -> Lists {
 }
 
 fn stale(error: StaleKey) -> PyErr {
-    PyKeyError::new_err(error.to_string())
+    PyKeyError::new_err(in_keys_of_python(&error.to_string()))
+}
+
+/// A message of the library, in which `VertexKey(3v1)` is `vertex 4294967299`: keys are integers in Python.
+fn in_keys_of_python(message: &str) -> String {
+    let mut told = message.to_owned();
+    for (debug, word) in [("VertexKey(", "vertex"), ("HalfEdgeKey(", "half-edge"), ("BoundaryKey(", "boundary component"), ("FaceKey(", "face")] {
+        while let Some(at) = told.find(debug) {
+            let rest = &told[at + debug.len()..];
+            let Some((number, end)) = rest.split_once(')').and_then(|(key, _)| Some((integer(key)?, key.len() + 1))) else { break };
+            told.replace_range(at..at + debug.len() + end, &format!("{word} {number}"));
+        }
+    }
+    told
+}
+
+/// The integer of a key whose debug form is its index, `v`, and its version.
+fn integer(key: &str) -> Option<u64> {
+    let (index, version) = key.split_once('v')?;
+    Some(version.parse::<u64>().ok()? << 32 | index.parse::<u64>().ok()?)
 }
 
 impl Editor {
+    fn begin(map: PlanarMap) -> PyResult<Self> {
+        let baseline = EmbeddingBaseline::new(&map, &Expectation::plane());
+        Ok(Self {
+            baseline: baseline.map_err(|error| PyRuntimeError::new_err(error.to_string()))?,
+            history: Some(History::new(map)),
+            open: None,
+            attributes: BTreeMap::new(),
+            raised: Raised::default(),
+        })
+    }
+
     fn map(&self) -> PyResult<&PlanarMap> {
         self.open.as_ref().or(self.history.as_ref().map(History::get)).ok_or_else(busy)
     }
@@ -90,7 +122,7 @@ impl Editor {
         let raised = self.raised.lock().ok().and_then(|mut raised| raised.take());
         raised.unwrap_or_else(|| match error {
             EditError::Operator(OperatorError::Stale(error)) => stale(error),
-            error => PyValueError::new_err(error.to_string()),
+            error => PyValueError::new_err(in_keys_of_python(&error.to_string())),
         })
     }
 
@@ -143,15 +175,13 @@ fn claimed<'py>(editor: &Bound<'py, Editor>) -> PyRefMut<'py, Editor> {
 impl Editor {
     #[new]
     fn new() -> PyResult<Self> {
-        let map = PlanarMap::new();
-        let baseline = EmbeddingBaseline::new(&map, &Expectation::plane());
-        Ok(Self {
-            baseline: baseline.map_err(|error| PyRuntimeError::new_err(error.to_string()))?,
-            history: Some(History::new(map)),
-            open: None,
-            attributes: BTreeMap::new(),
-            raised: Raised::default(),
-        })
+        Self::begin(PlanarMap::new())
+    }
+
+    /// An editor of a copy of a map.
+    #[staticmethod]
+    fn of(map: &Map) -> PyResult<Self> {
+        Self::begin(map.plane()?.clone())
     }
 
     /// Adds an attribute.
@@ -226,6 +256,12 @@ impl Editor {
         self.edit("insert a segment", |map| map.insert_segment(start, end)).map(lists)
     }
 
+    /// A `cell` of 0 chooses the grid.
+    fn insert_segment_snapped(&mut self, start: Place, end: Place, cell: f64) -> PyResult<Lists> {
+        let snap = if cell == 0.0 { Snap::Auto } else { Snap::Size(cell) };
+        self.edit("insert a segment", |map| map.insert_segment_snapped(start, end, snap)).map(lists)
+    }
+
     fn insert_ring(&mut self, points: Vec<Place>) -> PyResult<Lists> {
         self.edit("insert a ring", |map| map.insert_ring(points)).map(lists)
     }
@@ -294,6 +330,17 @@ impl Editor {
             None => ring(boundary.half_edges().collect()),
         });
         Ok(rings.collect())
+    }
+
+    /// The features that cover a face.
+    fn features_of(&self, face: u64) -> PyResult<Vec<usize>> {
+        let features = self.map()?.features_of(KeyData::from_ffi(face).into()).map_err(stale)?;
+        Ok(features.into_iter().map(FeatureId::index).collect())
+    }
+
+    /// The polygons of a face.
+    fn polygons(&self, face: u64) -> PyResult<Polygons> {
+        of_faces(self.map()?, vec![KeyData::from_ffi(face).into()])
     }
 
     /// The kind of record at a point, and its key.

@@ -26,7 +26,7 @@ const LEGIBLE: usize = 1_000;
 pub(crate) struct Map(Arc<Imported>);
 
 /// Polygons, each as its rings.
-type Polygons = Vec<Vec<Vec<[f64; 2]>>>;
+pub(crate) type Polygons = Vec<Vec<Vec<[f64; 2]>>>;
 
 /// A part of an overlay: the features that cover it in either map, and its polygons, each as its rings.
 type Piece = (Vec<usize>, Vec<usize>, Polygons);
@@ -51,7 +51,7 @@ pub(crate) fn build_map(py: Python<'_>, source: Source, cell: Option<f64>) -> Py
 
 impl Map {
     /// The map, if its edges meet at shared ends only.
-    fn plane(&self) -> PyResult<&PlanarMap> {
+    pub(crate) fn plane(&self) -> PyResult<&PlanarMap> {
         if self.0.map.is_plane() {
             return Ok(&self.0.map);
         }
@@ -70,7 +70,7 @@ fn polygons(contour: Contour) -> Polygons {
     contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect()
 }
 
-fn of_faces(map: &PlanarMap, faces: Vec<FaceKey>) -> PyResult<Polygons> {
+pub(crate) fn of_faces(map: &PlanarMap, faces: Vec<FaceKey>) -> PyResult<Polygons> {
     let contour = contour::of_faces(map, faces).map_err(|error| PyValueError::new_err(error.to_string()))?;
     Ok(polygons(contour))
 }

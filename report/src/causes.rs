@@ -50,7 +50,9 @@ pub(crate) fn trace(report: &mut AuditReport) {
         }
         listed += 1;
         is_accepted &= clash.accepted.is_some();
-        first.get_or_insert_with(|| (clash.follows_from_id.clone().or_else(|| clash.id.clone()), clash.accepted.clone()));
+        first.get_or_insert_with(|| {
+            (clash.follows_from_id.clone().or_else(|| clash.id.clone()), clash.accepted.clone())
+        });
     }
     let Some((source, reason)) = first else { return };
     // Where not all clashes are listed, one of the others may be a cause.

@@ -122,7 +122,9 @@ impl Columns {
         ];
         Feature {
             id: Some(Id::Number(number.into())),
-            geometry: shape(&one.trace, one.look).filter(|_| has_place(one)).map(|shape| Geometry::new(Dimensions::default(), shape)),
+            geometry: shape(&one.trace, one.look)
+                .filter(|_| has_place(one))
+                .map(|shape| Geometry::new(Dimensions::default(), shape)),
             attributes: self.0.iter().cloned().zip(values).collect(),
             members: Members::new(),
         }

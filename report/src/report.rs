@@ -138,7 +138,10 @@ impl AuditReport {
             let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
             self.findings.iter().chain(of_coverage).chain(&self.violations)
         };
-        all().filter(|one| one.follows_from.is_none()).chain(all().filter(|one| one.follows_from.is_some()))
+        let follows = |has_place: bool| {
+            all().filter(move |one| one.follows_from.is_some() && causes::has_place(one) == has_place)
+        };
+        all().filter(|one| one.follows_from.is_none()).chain(follows(true)).chain(follows(false))
     }
 
     /// The listed diagnoses that follow from others, by the ids of these.
@@ -292,8 +295,13 @@ impl AuditReport {
                     1 => ", from which 1 other follows".to_owned(),
                     n => format!(", from which {} others follow", grouped(n)),
                 };
-                let parts = of_coverage.map_or_else(String::new, |coverage| format!(" · {of_structure} · coverage: {coverage}"));
-                format!("not valid{accepted}: {more}{}{follow}{parts}{}", counted(causes, noun), not_checked(self.open()))
+                let parts = of_coverage
+                    .map_or_else(String::new, |coverage| format!(" · {of_structure} · coverage: {coverage}"));
+                format!(
+                    "not valid{accepted}: {more}{}{follow}{parts}{}",
+                    counted(causes, noun),
+                    not_checked(self.open())
+                )
             }
         }
     }
@@ -337,6 +345,7 @@ borders met, and `twinedge clean` makes them meet",
         struct Json<'a> {
             input: &'a str,
             verdict: Verdict,
+            headline: String,
             #[serde(skip_serializing_if = "Vec::is_empty")]
             unknown: Vec<String>,
             causes: usize,
@@ -378,6 +387,7 @@ borders met, and `twinedge clean` makes them meet",
         Json {
             input: &self.input,
             verdict,
+            headline: self.sentence(),
             unknown: self.unknown(),
             causes,
             consequences,

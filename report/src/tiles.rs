@@ -72,11 +72,7 @@ pub(crate) fn audit(
     let found = report(&imported, outcome, None, &asked.coverage, &units, asked.most())?;
     Ok(AuditReport {
         notes: notes(&imported, warnings),
-        style: CoverageStyle {
-            is_rule: asked.coverage.is_rule,
-            list: asked.list,
-            decimals: noted.decimals(),
-        },
+        style: CoverageStyle { is_rule: asked.coverage.is_rule, list: asked.list, decimals: noted.decimals() },
         crs: imported.crs.clone(),
         json: JsonForm { extra, ..found.json },
         ..found

@@ -24,15 +24,44 @@ export async function moduleOf(source) {
   return WebAssembly.compile(await readFile(url));
 }
 
+/** Types of GeoJSON objects that are parts of a collection. */
+const GEOMETRIES = ["Point", "MultiPoint", "LineString", "MultiLineString", "Polygon", "MultiPolygon", "GeometryCollection"];
+
+const isObject = (input) => typeof input?.type === "string" && input.bytes === undefined && !isBlob(input);
+
+/** Several features or geometries of GeoJSON are one collection. */
+function collectionOf(parts) {
+  const features = parts.flatMap((part) => {
+    if (part.type === "Feature") return [part];
+    if (part.type === "FeatureCollection") return part.features;
+    if (GEOMETRIES.includes(part.type)) return [{ type: "Feature", properties: null, geometry: part }];
+    throw new OptionError("option", `an array of objects is features of GeoJSON, and one has the type ${part.type}`);
+  });
+  return { type: "FeatureCollection", features };
+}
+
+/** A file of a browser, or its content. */
+export const isBlob = (input) => typeof Blob === "function" && input instanceof Blob;
+
+/** An input whose files of a browser are read. */
+export async function read(input) {
+  const isFile = (one) => isBlob(one) || isBlob(one?.bytes);
+  if (Array.isArray(input)) return input.some(isFile) ? Promise.all(input.map(read)) : input;
+  if (!isFile(input)) return input;
+  const file = isBlob(input) ? input : input.bytes;
+  return { name: input.webkitRelativePath || (input.name ?? "blob"), bytes: await file.arrayBuffer() };
+}
+
 /** The bytes of an input and its name. */
 export function fileOf(input, name) {
+  if (isBlob(input)) throw new OptionError("option", "a File or a Blob cannot be read at once: give its bytes, await file.arrayBuffer()");
   if (typeof input === "string") return { name: name ?? "text", bytes: encoder.encode(input) };
   if (input instanceof ArrayBuffer) return { name: name ?? "bytes", bytes: new Uint8Array(input) };
   // A buffer of Node turns into numbers in JSON, and is none here.
   if (ArrayBuffer.isView(input)) return { name: name ?? "bytes", bytes: new Uint8Array(input.buffer, input.byteOffset, input.byteLength) };
   if (typeof input?.name === "string" && input.bytes !== undefined) return fileOf(input.bytes, input.name);
   if (typeof input?.type === "string") return { name: name ?? input.type, bytes: encoder.encode(JSON.stringify(input)) };
-  throw new OptionError("option", "an input is a text, bytes, an object of GeoJSON or TopoJSON, or files with names and bytes");
+  throw new OptionError("option", "an input is a text, bytes, an object of GeoJSON or TopoJSON, features of GeoJSON, or a file");
 }
 
 /** A column of links as 32-bit integers. What is no index of an array, such as −1, stays what it is. */
@@ -62,10 +91,16 @@ function plain({ progress, signal, name, ...options }) {
 /** A request about files. */
 const about = (op, rest = {}) => (input, options = {}) => ({
   op,
-  files: Array.isArray(input) ? input.map((one) => fileOf(one)) : [fileOf(input, options.name)],
+  files: filesOf(input, options.name),
   options: plain(options),
   ...rest,
 });
+
+function filesOf(input, name) {
+  if (!Array.isArray(input)) return [fileOf(input, name)];
+  if (input.length > 0 && input.every(isObject)) return [fileOf(collectionOf(input), name)];
+  return input.map((one) => fileOf(one, input.length === 1 ? name : undefined));
+}
 
 /** An audit that writes findings as accepted, today: the module has no clock. */
 const accepting = (want) => (input, options) => about("audit", { want, date: new Date().toISOString().slice(0, 10) })(input, options);

@@ -79,13 +79,32 @@ fn what_was_accepted_breaks_nothing_until_it_grows() {
 }
 
 #[test]
-fn a_violation_of_the_structure_cannot_be_accepted() {
+fn what_follows_from_accepted_findings_is_accepted_with_them() {
     let folder = TempDir::new().unwrap();
     let list = folder.path().join("accepted.json").to_str().unwrap().to_owned();
     let file = layer(&folder, "may.geojson", 4, [0, 1, 2]);
     run(&["audit", &file, "--format", "json", "--accept-all", &list]);
     let (status, found) = run(&["audit", &file, "--format", "json", "--coverage", "--accept", &list]);
-    assert_eq!((status, &found["verdict"], &found["accepted"]["count"]), (Some(1), &json!("invalid"), &json!(2)));
+    assert_eq!((status, &found["verdict"], &found["accepted"]["count"]), (Some(0), &json!("valid"), &json!(2)));
+    assert_eq!(found["headline"], "valid (2 accepted): every rule that applies holds");
+    let clashes: Vec<&Value> = found["violations"].as_array().unwrap().iter().map(|one| &one["accepted"]).collect();
+    assert_eq!(clashes, vec!["accepted as it is"; clashes.len()]);
+    // Without one of both, the clashes may follow from the other.
+    let mut lists = read(&list);
+    lists["accepted"].as_array_mut().unwrap().remove(0);
+    fs::write(&list, lists.to_string()).unwrap();
+    let (status, found) = run(&["audit", &file, "--format", "json", "--accept", &list]);
+    assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")));
+}
+
+#[test]
+fn a_violation_of_the_structure_that_follows_from_nothing_cannot_be_accepted() {
+    let folder = TempDir::new().unwrap();
+    let [file, list] = ["lines.wkt", "accepted.json"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    fs::write(&file, "LINESTRING(0 0,2 2)\nLINESTRING(0 2,2 0)\n").unwrap();
+    run(&["audit", &file, "--format", "json", "--accept-all", &list]);
+    let (status, found) = run(&["audit", &file, "--format", "json", "--accept", &list]);
+    assert_eq!((status, &found["verdict"], &found["causes"]), (Some(1), &json!("invalid"), &json!(1)));
 }
 
 #[test]
@@ -226,7 +245,8 @@ fn sarif_has_its_form_and_all_findings() {
     let cases = [
         (&["--snap", "auto", "--coverage", "--accept", &list][..], 2, "error"),
         (&["--coverage"], 8, "error"),
-        (&[], 8, "warning"),
+        // Borders cross, which follows from it.
+        (&[], 8, "error"),
     ];
     for (options, count, level) in cases {
         let (_, found) = run(&[&["audit", &file, "--format", "sarif"], options].concat());

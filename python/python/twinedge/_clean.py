@@ -13,6 +13,10 @@ from . import _twinedge
 from ._audit import _cell, _input, _limits, _refused
 
 
+#: The number of changes, and of findings that are left, that ``repr`` shows.
+_SHOWN = 4
+
+
 class Cleaned(NamedTuple):
     """A layer that was cleaned."""
 
@@ -26,6 +30,13 @@ class Cleaned(NamedTuple):
     def is_clean(self) -> bool:
         """Nothing that breaks C1 to C7 is left."""
         return bool(self.report["clean"])
+
+    def __repr__(self) -> str:
+        changed, left = self.report["changed"], (self.report.get("left") or {}).get("findings", [])
+        head = f"<twinedge.Cleaned {'clean' if self.is_clean else 'not clean'}: {len(changed):,} of {len(self.layer):,} features changed, {len(left):,} findings left>"
+        told = [f"  {one.get('name') or one.get('id') or one['number']}: {'; '.join(one['reasons'])}" for one in changed[:_SHOWN]]
+        told += [f"  left: {one['message']}" for one in left[:_SHOWN]]
+        return "\n".join([head, *told])
 
 
 def clean(

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import os
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from . import _twinedge
+from ._audit import _cell
+from ._map import Map, _multi
 
 _T = TypeVar("_T")
 
@@ -30,7 +35,7 @@ class Edited(NamedTuple):
 
 
 class Editor:
-    """A planar map that begins empty and is edited.
+    """A planar map that is edited: an empty one, or that of a layer.
 
     Each edit is one change, or a part of one (:meth:`change`); all of it is done or, if an exception is raised, none. After each change, and
     after :meth:`undo` and :meth:`redo`, what was written is validated. Vertices, half-edges and faces are named by keys, which
@@ -38,8 +43,16 @@ class Editor:
     the map or an attribute refuses are a ``ValueError``. Places are points ``(x, y)`` or keys of vertices.
     """
 
-    def __init__(self) -> None:
-        self._editor = _twinedge.Editor()
+    def __init__(self, layer: Any = None, *, snap: float | str | None = None) -> None:
+        """An empty map, or that of a layer or a file, as :func:`twinedge.audit` takes one.
+
+        Borders may only meet at their ends: ``snap`` cuts them, as in :func:`twinedge.audit`. A layer whose borders cross is a ``ValueError`` without it.
+        """
+        if layer is None:
+            self._editor = _twinedge.Editor()
+        else:
+            self._editor = _twinedge.Editor.of(Map(layer, snap=snap)._map)
+        self._attributes: list[str] = []
 
     def attribute(
         self,
@@ -63,10 +76,14 @@ class Editor:
         A function that raises refuses the edit. It must not use the editor. Values are any objects; do not change them in place, as undoing cannot bring that back.
         """
         self._editor.attribute(name, of, split, merge, None)
+        if of == "faces":
+            self._attributes.append(name)
 
     def ids(self, name: str = "id", *, of: str = "faces", first: int = 1) -> None:
-        """Adds an attribute that numbers the records, each for good, before the first change. The unbounded face has no number."""
+        """Adds an attribute that numbers the records, each permanently, before the first change. The unbounded face has no number."""
         self._editor.attribute(name, of, "keep", "keep", first)
+        if of == "faces":
+            self._attributes.append(name)
 
     def change(self, name: str, change: Callable[[], _T]) -> _T:
         """Calls a function, whose edits are one change with this name. Returns what it returns.
@@ -102,6 +119,13 @@ class Editor:
         """Draws edges along a segment, through what lies exactly on it; it may not cross an edge."""
         return Edited(*self._editor.insert_segment(_place(start), _place(end)))
 
+    def insert_segment_snapped(
+        self, start: Sequence[float] | int, end: Sequence[float] | int, *, snap: float | str = "auto"
+    ) -> Edited:
+        """Draws edges along a segment that may cross edges. It is cut where it meets them, and new points lie on a grid of cells that are at most as
+        wide as ``snap``; vertices must lie on that grid."""
+        return Edited(*self._editor.insert_segment_snapped(_place(start), _place(end), _cell(snap) or 0.0))
+
     def insert_ring(self, points: Iterable[Sequence[float] | int]) -> Edited:
         """Draws edges along a closed chain; it may not cross an edge, nor itself."""
         return Edited(*self._editor.insert_ring([_place(at) for at in points]))
@@ -134,6 +158,32 @@ class Editor:
     def find(self, name: str, value: int) -> int | None:
         """The record with this id, or ``None``: of attributes made by :meth:`ids`."""
         return self._editor.find(name, value)
+
+    def features_of(self, face: int) -> tuple[int, ...]:
+        """The positions of the features of the layer that cover a face."""
+        return tuple(self._editor.features_of(face))
+
+    def to_geojson(self) -> dict[str, Any]:
+        """The faces as a collection of GeoJSON: a feature for each bounded face that a feature of the layer covers, or for each bounded face of a map without
+        a layer.
+
+        Properties are the values of the attributes of faces, and ``features``, the positions of the features of the layer that cover the face.
+        """
+        faces = [face for face in self.faces if face != self.unbounded]
+        covered = {face: self.features_of(face) for face in faces}
+        if any(covered.values()):
+            faces = [face for face in faces if covered[face]]
+        return {"type": "FeatureCollection", "features": [self._feature(face, covered[face]) for face in faces]}
+
+    def _feature(self, face: int, features: tuple[int, ...]) -> dict[str, Any]:
+        values = {name: self.get(name, face) for name in self._attributes}
+        properties = values | ({"features": [*features]} if features else {})
+        return {"type": "Feature", "properties": properties, "geometry": _multi(self._editor.polygons(face))}
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes :meth:`to_geojson` to a file. A value that JSON does not have is a ``TypeError``, and nothing is written then."""
+        text = json.dumps(self.to_geojson())
+        Path(path).write_text(text, encoding="utf-8")
 
     @property
     def vertices(self) -> list[int]:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ._audit import audit
+from ._audit import AuditOptions, audit
 from ._report import Finding, First, InvalidStructure, Report, Violation
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Expectation:
     """The outcome of :func:`twinedge.expect`. Its truth is ``success``."""
 
@@ -19,7 +22,7 @@ class Expectation:
     verdict: str
     #: The first thing that is wrong.
     first: First | None
-    #: What is wrong: violations, and findings that are not accepted.
+    #: What is wrong and not accepted: causes first, then what follows from them.
     findings: list[Violation | Finding]
     #: The positions of the features that are concerned, in order.
     features: list[int]
@@ -28,6 +31,10 @@ class Expectation:
 
     def __bool__(self) -> bool:
         return self.success
+
+    def __repr__(self) -> str:
+        head, _, rest = str(self.report).partition("\n")
+        return f"<twinedge.Expectation {'met' if self.success else 'not met'}: {head}>" + (f"\n{rest}" if rest else "")
 
     def to_dict(self) -> dict[str, Any]:
         """As JSON, with the keys that Great Expectations has: ``success`` and ``result``."""
@@ -44,7 +51,9 @@ class Expectation:
         }
 
 
-def expect(layer: Any, *, raises: bool = True, coverage: bool = True, **options: Any) -> Expectation:
+def expect(
+    layer: Any, *, raises: bool = True, coverage: bool = True, allow_empty: bool = False, **options: Unpack[AuditOptions]
+) -> Expectation:
     """Expect that a layer is right, and that this is known: a gate to put in front of data.
 
     Parameters
@@ -54,6 +63,8 @@ def expect(layer: Any, *, raises: bool = True, coverage: bool = True, **options:
         ``timeout`` ends what takes too long: the verdict is then ``"unknown"``, which is no success.
     raises : bool
         Raise :class:`InvalidStructure`, a ``ValueError``, where the verdict is not ``"valid"``.
+    allow_empty : bool
+        Accept a layer without lines and polygons. Without it, such a layer is a ``ValueError``, whatever ``raises`` says: nothing was judged.
 
     Returns
     -------
@@ -61,10 +72,11 @@ def expect(layer: Any, *, raises: bool = True, coverage: bool = True, **options:
         True if the verdict is ``"valid"``.
     """
     report = audit(layer, coverage=coverage, **options)
+    if not allow_empty and report.counts.get("edges") == 0:
+        raise ValueError("the layer has no lines and no polygons, so there is nothing to expect of it: allow_empty=True accepts it")
     if raises:
         report.raise_if_invalid()
-    open_ones: list[Violation | Finding] = [*report.violations]
-    open_ones += [finding for finding in report.findings if finding.accepted is None]
+    open_ones = [one for one in report._listed() if one.accepted is None]
     features = sorted({feature for one in open_ones for feature in one.features})
     return Expectation(report.valid, report.verdict, report.first, open_ones, features, report)
 

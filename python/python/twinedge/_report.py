@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from datetime import date as _date
 from pathlib import Path
@@ -20,8 +20,11 @@ if TYPE_CHECKING:
     import pandas as pd
     import pyarrow as pa
 
-#: The number of violations that ``repr`` shows.
+#: The number of causes that ``repr`` shows.
 _SHOWN = 5
+
+#: The most edges of a map that a notebook shows.
+_DRAWN = 20_000
 
 
 @dataclass(frozen=True)
@@ -77,8 +80,14 @@ class Violation:
     labels: tuple[Any, ...] = ()
     #: An id that is the same from run to run, and whatever the order of the features; ``None`` for links in arrays.
     id: str | None = None
-    #: The id of the rule from whose findings this one follows, as from ``"C7"``; ``None`` if it does not.
+    #: The id of the rule of the finding from which this one follows, as ``"C7"``; ``None`` if it does not.
     follows_from: str | None = None
+    #: The id of that finding, if it is known.
+    follows_from_id: str | None = None
+    #: The message in words about features, of a clash of borders of a map.
+    sentence: str | None = None
+    #: The reason for which the finding was accepted from which this one follows; ``None`` if it was not.
+    accepted: str | None = None
 
     def _explained(self) -> tuple[str, str]:
         if not self.records and self.kind in ON_GLOBE:
@@ -100,8 +109,10 @@ class Violation:
         return own or self._explained()[1]
 
     def __str__(self) -> str:
+        if self.sentence is not None:
+            return f"{self.rule}: {self.sentence}"
         called = [f"{record} is {_told(name)}" for record, name in zip(self.records, self.names, strict=False) if name != record.index]
-        return f"{self.rule}: {self.message}{_aside(called)}{_labelled(self.labels)}"
+        return f"{self.rule}: {self.message}{_aside(called)}{_aside([*map(str, self.labels)])}"
 
 
 def _told(name: Any) -> str:
@@ -113,7 +124,7 @@ def _aside(parts: list[str]) -> str:
 
 
 def _labelled(labels: tuple[Any, ...]) -> str:
-    return _aside([f"feature{'s' if len(labels) > 1 else ''} {', '.join(map(repr, labels))}"] if labels else [])
+    return f" of {', '.join(map(str, labels))}" if labels else ""
 
 
 @dataclass(frozen=True)
@@ -151,12 +162,16 @@ class Finding:
     id: str | None = None
     #: The reason for which it was accepted; ``None`` if it was not.
     accepted: str | None = None
+    #: The id of the rule of the finding from which this one follows; ``None`` if it is a cause itself.
+    follows_from: str | None = None
+    #: The id of that finding.
+    follows_from_id: str | None = None
 
     def __str__(self) -> str:
         if self.rule is None:
             return f"{self.kind}: {self.message}"
-        of = f" of features {[*self.features]}" if self.features else ""
-        return f"{self.rule}: {self.fields['kind']}{of}, {self.message}{_labelled(self.labels)}"
+        of = _labelled(self.labels) or (f" of features {[*self.features]}" if self.features else "")
+        return f"{self.rule}: {self.fields['kind']}{of}, {self.message}"
 
 
 def finding_kind(name: str) -> str:
@@ -172,13 +187,15 @@ def _row_types() -> dict[str, str]:
     return {
         **dict.fromkeys(("rule", "kind"), "object"),
         **dict.fromkeys(_KINDS, "Int64"),
-        **dict.fromkeys(("features", "names"), "object"),
+        **dict.fromkeys(("features", "names", "follows_from"), "object"),
         **dict.fromkeys(("x", "y", "area", "width", "length"), "float64"),
     }
 
 
 def _row(one: Violation | Finding) -> dict[str, Any]:
-    row: dict[str, Any] = {"rule": one.rule, "kind": one.kind, "features": one.features, "message": one.message}
+    row: dict[str, Any] = {
+        "rule": one.rule, "kind": one.kind, "features": one.features, "follows_from": one.follows_from, "message": one.message,
+    }
     if isinstance(one, Violation):
         row |= {record.kind: record.index for record in reversed(one.records)}
         places: tuple[tuple[float, float], ...] = one.at
@@ -314,6 +331,8 @@ class Report:
         self._names: dict[str, Names] = dict(names or {})
         self._layer: _Layer | None = None
         self._acceptable: str | None = None
+        # Makes a picture of the layer. It is not kept when a report is pickled.
+        self._picture: Callable[[], str] | None = None
 
     @classmethod
     def _told(cls, told: tuple[str, str | None, list[str], str], names: Mapping[str, Names] | None = None, crs: Any = None) -> Report:
@@ -419,6 +438,9 @@ class Report:
             labels=self._labels(features) or _own_titles(features, entry.get("features", ())),
             id=entry.get("id"),
             follows_from=entry.get("follows_from"),
+            follows_from_id=entry.get("follows_from_id"),
+            sentence=entry.get("sentence"),
+            accepted=entry.get("accepted"),
         )
 
     @property
@@ -454,7 +476,26 @@ class Report:
             length=entry.get("length"),
             id=entry.get("id"),
             accepted=entry.get("accepted"),
+            follows_from=entry.get("follows_from"),
+            follows_from_id=entry.get("follows_from_id"),
         )
+
+    @property
+    def causes(self) -> list[Violation | Finding]:
+        """The listed findings and violations that follow from no other one and are not accepted, findings first.
+
+        ``len(report.causes)`` is the number of the headline, if all are listed.
+        """
+        return [one for one in (*self.findings, *self.violations) if one.follows_from is None and one.accepted is None]
+
+    def consequences(self, cause: Violation | Finding) -> list[Violation | Finding]:
+        """The listed findings and violations that follow from one."""
+        both = (*self.findings, *self.violations)
+        return [one for one in both if cause.id is not None and one.follows_from_id == cause.id and one.accepted is None]
+
+    def _listed(self) -> list[Violation | Finding]:
+        """All that is listed: causes, then what follows from them; findings first."""
+        return sorted((*self.findings, *self.violations), key=lambda one: one.follows_from is not None)
 
     @property
     def finding_count(self) -> int:
@@ -487,16 +528,16 @@ class Report:
         return json.dumps(self._document)
 
     def to_frame(self) -> pd.DataFrame:
-        """The violations and the findings that are listed as a pandas frame, a row for each, violations first.
+        """The violations and the findings that are listed as a pandas frame, a row for each: causes first, then what follows from them.
 
         The columns are ``rule`` (missing for findings of a mesh), ``kind``, ``vertex``, ``half_edge``, ``boundary``, ``face`` (the first record
         of each kind, or missing), ``features`` (positions), ``names`` (the labels of the features, or the names of the records, if
-        there are some), ``x``, ``y`` (the first place, or missing), ``area``, ``width``, ``length`` (of findings of a coverage), and
+        there are some), ``follows_from`` (the rule of the cause, or missing), ``x``, ``y`` (the first place, or missing), ``area``, ``width``, ``length`` (of findings of a coverage), and
         ``message``. Needs pandas.
         """
         import pandas as pd
 
-        rows = [*map(_row, self.violations), *map(_row, self.findings)]
+        rows = [*map(_row, self._listed())]
         frame = pd.DataFrame(rows, columns=[*_row_types(), "message"])
         return frame.astype(_row_types())
 
@@ -507,8 +548,7 @@ class Report:
 
         real = dict.fromkeys(("x", "y", "area", "width", "length"), pa.float64())
         columns = {"rule": pa.string(), "kind": pa.string(), "features": pa.list_(pa.int64()), **real, "id": pa.string(), "message": pa.string()}
-        listed: list[Violation | Finding] = [*self.violations, *self.findings]
-        rows = [_row(one) | {"id": one.id} for one in listed]
+        rows = [_row(one) | {"id": one.id} for one in self._listed()]
         return pa.Table.from_pylist([{name: row.get(name) for name in columns} for row in rows], pa.schema([*columns.items()]))
 
     def to_geodataframe(self) -> gpd.GeoDataFrame:
@@ -550,19 +590,17 @@ class Report:
             raise InvalidStructure(self)
         return self
 
-    def _verdict(self) -> str:
+    @property
+    def headline(self) -> str:
+        """The verdict in a sentence, with the number of causes; of a map on the structure and on the coverage."""
         missing = len(self.without_geometry)
         aside = f"; {missing:,} feature{'s have' if missing != 1 else ' has'} no geometry" if missing else ""
-        if self.valid:
-            return f"valid{aside}"
-        if self.verdict == "unknown" and self.unknown:
-            return f"unknown: nothing wrong was found, and {'; '.join(self.unknown)}{aside}"
-        counted = [
-            f"{n:,} {name}{'s' if n != 1 else ''}"
-            for n, name in [(self.violation_count, "violation"), (self.finding_count, "finding")]
-            if n
-        ]
-        return "not valid: " + (", ".join(counted) or "a rule could not be checked") + aside
+        found = self._document.get("headline")
+        if found is None:
+            count = self.violation_count
+            words = f"not valid: {count:,} violation{'s' if count != 1 else ''}" if count else "not valid: a rule could not be checked"
+            found = "valid" if self.valid else words
+        return f"{found}{aside}"
 
     def _counted(self) -> str:
         names = ["vertices", "edges", "faces", "components", "genus"]
@@ -570,12 +608,16 @@ class Report:
         return ", ".join(f"{name} {count:,}" for name, count in known if count is not None)
 
     def _shown(self) -> tuple[list[str], int]:
-        lines = [str(v) for v in self.violations] + [str(f) for f in self.findings]
-        return lines[:_SHOWN], self.violation_count + self.finding_count - len(lines[:_SHOWN])
+        causes = self.causes
+        lines = []
+        for one in causes[:_SHOWN]:
+            count = len(self.consequences(one))
+            lines.append(str(one) + (f"; {count:,} {'follows' if count == 1 else 'follow'} from it" if count else ""))
+        return lines, len(causes) - len(lines)
 
     def __str__(self) -> str:
         lines, more = self._shown()
-        text = [self._verdict(), *lines] + ([f"… and {more:,} more"] if more > 0 else [])
+        text = [self.headline, *lines] + ([f"… and {more:,} more causes"] if more > 0 else [])
         return "\n".join(text)
 
     def __repr__(self) -> str:
@@ -585,19 +627,26 @@ class Report:
 
     def _repr_html_(self) -> str:
         lines, more = self._shown()
-        colour = "#1a7f37" if self.valid else "#cf222e"
+        is_doubtful = self.valid and bool(self.causes)
+        colour = "#8a5a00" if is_doubtful else "#1a7f37" if self.valid else "#cf222e"
         rules = "".join(
             f"<tr><td>{rule.id}</td><td>{'broken' if rule.violations else 'not checked' if rule.unchecked else 'ok'}</td>"
             f"<td>{rule.checked:,}</td><td>{rule.violations:,}</td></tr>"
             for rule in self.rules
         )
         items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
-        items += f"<li>… and {more:,} more</li>" if more > 0 else ""
+        items += f"<li>… and {more:,} more causes</li>" if more > 0 else ""
         return (
-            f"<div><b style='color:{colour}'>{html.escape(self._verdict())}</b> {html.escape(self._counted())}"
-            f"<ul>{items}</ul><details><summary>rules</summary><table><thead><tr><th>rule</th><th></th><th>checked</th>"
+            f"<div><b style='color:{colour}'>{html.escape(self.headline)}</b> {html.escape(self._counted())}"
+            f"<ul>{items}</ul>{self._svg()}<details><summary>rules</summary><table><thead><tr><th>rule</th><th></th><th>checked</th>"
             f"<th>violations</th></tr></thead><tbody>{rules}</tbody></table></details></div>"
         )
+
+    def _svg(self) -> str:
+        """A small picture of a map, if it has not too many edges."""
+        if self._picture is None or not 0 < (self.counts.get("edges") or 0) <= _DRAWN:
+            return ""
+        return self._picture()
 
     def __bool__(self) -> bool:
         raise TypeError("the truth of a report is ambiguous: ask for report.valid")

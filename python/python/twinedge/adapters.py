@@ -27,15 +27,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import chain, repeat
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ._audit import audit, audit_faces
+from ._audit import AuditOptions, audit, audit_faces
 from ._names import Pairs
 from ._report import Report
 from ._validate import validate
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 __all__ = ["Columns", "compas", "compas_columns", "geopandas", "networkx", "networkx_columns", "shapely", "trimesh"]
 
@@ -227,7 +230,7 @@ def trimesh(mesh: Any, **expected: Any) -> Report:
     return audit_faces(np.asarray(mesh.faces), len(mesh.vertices), **{"sides": 3} | expected)
 
 
-def shapely(polygons: Any, **limits: Any) -> Report:
+def shapely(polygons: Any, *, coverage: bool = True, **limits: Unpack[AuditOptions]) -> Report:
     """Judge shapely polygons as a coverage: without overlaps, gaps, near misses, slivers and duplicates, each valid.
 
     ``limits`` are those of :func:`twinedge.audit`. Compare ``shapely.coverage_is_valid`` and ``shapely.is_valid``. Findings make the
@@ -238,10 +241,10 @@ def shapely(polygons: Any, **limits: Any) -> Report:
     >>> [(finding.rule, finding.kind, finding.features) for finding in report.findings]
     [('C5', 'duplicate', (0, 1))]
     """
-    return audit(polygons, **{"coverage": True} | limits)
+    return audit(polygons, coverage=coverage, **limits)
 
 
-def geopandas(layer: Any, **limits: Any) -> Report:
+def geopandas(layer: Any, *, coverage: bool = True, **limits: Unpack[AuditOptions]) -> Report:
     """Judge the polygons of a GeoDataFrame or GeoSeries as a coverage, as :func:`shapely` does.
 
     ``features`` of the report are positions: ``layer.iloc[list(features)]``. ``labels`` are those of the index, or of the column that
@@ -253,4 +256,4 @@ def geopandas(layer: Any, **limits: Any) -> Report:
     >>> twinedge.adapters.geopandas(layer, name="parcel").findings[0].labels
     ('north', 'south')
     """
-    return audit(layer, **{"coverage": True} | limits)
+    return audit(layer, coverage=coverage, **limits)

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 use std::fmt::Display;
+use std::path::PathBuf;
 use twinedge_formats::{layer, mesh, postgis};
 use twinedge_report as report;
 
@@ -21,6 +22,13 @@ impl CallError {
     /// An option that is wrong.
     pub(crate) fn option(message: impl Display) -> Self {
         Self::new("option", message)
+    }
+
+    /// Several files, of which one can be read.
+    pub(crate) fn several(files: &[&PathBuf]) -> Self {
+        let names: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
+        let message = format!("these are {} maps, and one is read at a time: {}", names.len(), names.join(", "));
+        Self::new("layer", message).at([("layers", names.into())])
     }
 
     fn at(mut self, places: impl IntoIterator<Item = (&'static str, Value)>) -> Self {

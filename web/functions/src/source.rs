@@ -6,6 +6,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use twinedge_formats::layer::{Files, Format, Header, Layer, read_layer, unpack_bytes};
+use twinedge_formats::mesh::Format as MeshFormat;
 use twinedge_report::Input;
 use twinedge_web_bridge::{Buffers, Id};
 
@@ -32,21 +33,35 @@ pub(crate) struct NamedFile {
     pub(crate) bytes: Buffer,
 }
 
-/// The main file of several: that of a layer, if there is one, and not a part of it.
-fn main_of(names: &[PathBuf]) -> Option<&PathBuf> {
-    let is_main = |path: &&PathBuf| {
+/// The parts of layers and meshes that are read with another file.
+const PARTS: [&str; 13] = ["dbf", "shx", "prj", "cpg", "sbn", "sbx", "qix", "qpj", "qmd", "xml", "mtl", "bin", "lyr"];
+
+/// The main file of several: the one that is no part of another one, or the only map or mesh among these. Of several maps one is meant if `layer` is its
+/// name.
+fn main_of<'a>(names: &'a [PathBuf], layer: Option<&str>) -> Result<&'a PathBuf, CallError> {
+    let is_part = |path: &&PathBuf| {
         let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
-        !["dbf", "shx", "prj", "cpg", "sbn", "sbx", "qix", "qpj", "xml", "mtl"]
-            .contains(&extension.as_deref().unwrap_or_default())
+        PARTS.contains(&extension.as_deref().unwrap_or_default())
     };
-    names.iter().find(is_main).or(names.first())
+    let is_known = |path: &&PathBuf| Format::of_path(path).is_some() || MeshFormat::of_name(path).is_some();
+    let mains: Vec<&PathBuf> = names.iter().filter(|path| !is_part(path)).collect();
+    let known: Vec<&PathBuf> = mains.iter().copied().filter(is_known).collect();
+    let several = match (&mains[..], &known[..]) {
+        ([one], _) | (_, [one]) => return Ok(one),
+        ([], _) => return names.first().ok_or_else(|| CallError::option("there are no files")),
+        (_, []) => mains,
+        _ => known,
+    };
+    let is_meant = |path: &&&PathBuf| layer.is_some_and(|layer| path.as_os_str() == layer);
+    several.iter().find(is_meant).copied().ok_or_else(|| CallError::several(&several))
 }
 
 /// The input that these files are: one of them, which others may belong to. Archives are unpacked.
 pub(crate) fn input(files: Vec<NamedFile>, layer: Option<&str>, buffers: &mut Buffers) -> Result<Input, CallError> {
     let names: Vec<PathBuf> = files.iter().map(|file| PathBuf::from(&file.name)).collect();
-    let main = main_of(&names).cloned().ok_or_else(|| CallError::option("there are no files"))?;
+    let main = main_of(&names, layer)?.clone();
     let name = main.display().to_string();
+    let layer = layer.filter(|layer| *layer != name);
     let mut all: Files = files.into_iter().map(|file| (file.name.into(), file.bytes.take(buffers))).collect();
     let (mut path, mut wanted) = (main, layer.map(str::to_owned));
     let packed = all.get(&path).unwrap_or_default();

@@ -1,0 +1,127 @@
+//! Layers with planted faults: as many causes are counted as there are faults.
+
+use crate::support::{json, twinedge};
+use serde_json::{Value, json as value};
+use std::fs;
+use tempfile::TempDir;
+
+type Ring = Vec<[f64; 2]>;
+
+/// The corner of a grid of parcels, 100 by 80, in the coordinates of a national grid. No side is parallel to an axis.
+fn corner(column: usize, row: usize) -> [f64; 2] {
+    let (x, y) = (column as f64, row as f64);
+    [2_683_000.0 + 100.0 * x + 7.0 * (y % 3.0), 1_247_000.0 + 80.0 * y + 5.0 * (x % 2.0)]
+}
+
+/// The parcels by column and row.
+fn parcels() -> Vec<([usize; 2], Ring)> {
+    let around =
+        |[c, r]: [usize; 2]| [[c, r], [c + 1, r], [c + 1, r + 1], [c, r + 1]].map(|[c, r]| corner(c, r)).to_vec();
+    let places = (0..6).flat_map(|column| (0..6).map(move |row| [column, row]));
+    places.map(|place| (place, around(place))).collect()
+}
+
+fn ring(parcels: &mut [([usize; 2], Ring)], place: [usize; 2]) -> &mut Ring {
+    let found = parcels.iter_mut().find(|(other, _)| *other == place);
+    &mut found.expect("it is on the grid").1
+}
+
+/// A fault, by its rule, and what plants it.
+type Fault = (&'static str, fn(&mut Vec<([usize; 2], Ring)>));
+
+const FAULTS: [Fault; 5] = [
+    ("C1", |all| {
+        // A side is moved into the neighbour.
+        let ring = ring(all, [1, 1]);
+        ring[1][0] += 3.0;
+        ring[2][0] += 3.0;
+    }),
+    ("C2", |all| ring(all, [4, 1])[1][0] -= 2.0),
+    ("C6", |all| ring(all, [1, 4]).swap(2, 3)),
+    ("C5", |all| {
+        let copy = ring(all, [4, 4]).clone();
+        all.push(([9, 9], copy));
+    }),
+    ("C7", |all| {
+        let ring = ring(all, [3, 3]);
+        let middle = [0, 1].map(|axis| f64::midpoint(ring[0][axis], ring[1][axis]));
+        ring.insert(1, middle);
+    }),
+];
+
+/// A Shapefile with these faults.
+fn planted(folder: &TempDir, faults: &[Fault]) -> String {
+    let mut all = parcels();
+    for (_, plant) in faults {
+        plant(&mut all);
+    }
+    let feature = |(place, ring): &([usize; 2], Ring)| {
+        let closed: Ring = ring.iter().chain(&ring[..1]).copied().collect();
+        value!({
+            "type": "Feature",
+            "properties": { "name": format!("P{}-{}", place[0], place[1]) },
+            "geometry": { "type": "Polygon", "coordinates": [closed] },
+        })
+    };
+    let features: Vec<Value> = all.iter().map(feature).collect();
+    let [text, shapefile] =
+        ["parcels.geojson", "parcels.shp"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    fs::write(&text, value!({ "type": "FeatureCollection", "features": features }).to_string()).unwrap();
+    let written = twinedge(&["convert", &text, "--lossy", "-o", &shapefile]);
+    assert!(written.status.success(), "{written:?}");
+    shapefile
+}
+
+#[test]
+fn a_layer_with_n_faults_has_n_causes() {
+    let folder = TempDir::new().unwrap();
+    for count in 0..=FAULTS.len() {
+        let file = planted(&folder, &FAULTS[..count]);
+        let (_, found) = json(&["audit", &file, "--format", "json", "--coverage"]);
+        assert_eq!(found["causes"], count, "{found}");
+        let findings = found["coverage"]["findings"].as_array().unwrap();
+        let mut causes: Vec<&str> = findings
+            .iter()
+            .filter(|one| one.get("follows_from").is_none())
+            .map(|one| one["rule"].as_str().unwrap())
+            .collect();
+        let mut rules: Vec<&str> = FAULTS[..count].iter().map(|(rule, _)| *rule).collect();
+        rules.sort_unstable();
+        causes.sort_unstable();
+        assert_eq!(causes, rules, "{found}");
+        assert!(
+            found["violations"].as_array().unwrap().iter().all(|one| one["follows_from_id"].is_string()),
+            "{found}"
+        );
+    }
+}
+
+#[test]
+fn each_form_of_a_report_counts_causes() {
+    let folder = TempDir::new().unwrap();
+    let file = planted(&folder, &FAULTS);
+    let output = |format: &str| {
+        let output = twinedge(&["audit", &file, "--coverage", "--format", format]);
+        assert_eq!(output.status.code(), Some(1));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(output("text").contains("\nnot valid: 5 findings, from which "), "{}", output("text"));
+    let headline = output("html").split_once("<p id=\"verdict\">").unwrap().1.to_owned();
+    assert!(headline.starts_with("not valid: 5 findings, from which "));
+    let cases = output("junit").matches("<failure ").count();
+    assert_eq!(cases, 5, "{}", output("junit"));
+    let sarif: Value = serde_json::from_str(&output("sarif")).unwrap();
+    let errors = sarif["runs"][0]["results"].as_array().unwrap().iter().filter(|one| one["level"] == "error").count();
+    assert_eq!(errors, 5, "{sarif}");
+}
+
+#[test]
+fn a_headline_has_the_structure_and_the_coverage() {
+    let folder = TempDir::new().unwrap();
+    // Neither a missing parcel nor a copy makes borders cross.
+    let file = planted(&folder, &[("C2", |all| all.retain(|(place, _)| *place != [3, 3])), FAULTS[3]]);
+    let (status, found) = json(&["audit", &file, "--format", "json"]);
+    let verdicts = [&found["verdict"], &found["coverage"]["verdict"]];
+    assert_eq!((status, verdicts), (Some(0), [&value!("valid"), &value!("invalid")]));
+    assert_eq!(found["headline"], "structure valid · coverage: 1 gap, 1 set of duplicates");
+}
