@@ -219,6 +219,9 @@ fn told(report: AuditReport, subject: Subject, options: &Options, kind: InputKin
     report.options.extend(as_json(options, kind));
     report.identify();
     report.settle(options.accepted.as_ref());
+    if let Subject::Mesh(mesh) = &subject {
+        mesh::trace(&mut report, mesh);
+    }
     Audited(Outcome::Report(Box::new(report), subject))
 }
 
@@ -231,6 +234,7 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
     let mut report = if options.explain { report } else { report.unexplained() };
     report.options = of_mesh(options);
     report.identify();
+    report.settle(None);
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Mesh(mesh))))
 }
 
@@ -401,7 +405,7 @@ impl Audited {
         findings_geojson::layer(self.drawn()?.0)
     }
 
-    /// The structure and what was found in one file, which a browser shows. A mesh is not drawn.
+    /// The structure and what was found in one file, which a browser shows. A mesh is drawn as it is seen along the axis in which it extends least.
     ///
     /// # Errors
     /// [`Error::NoPicture`] for files of tables, and [`Error::Json`].
@@ -414,7 +418,8 @@ impl Audited {
             Subject::Textbook(tables) => textbook::picture(tables, report),
             Subject::Postgis(topology) => topology::picture(&**topology, |record| topology.name(record), report),
             Subject::Arcs(topology) => topology::picture(&**topology, |record| topology.name(record), report),
-            Subject::Mesh(_) | Subject::Tiles | Subject::None => Picture::default(),
+            Subject::Mesh(mesh) => mesh::picture(mesh, report),
+            Subject::Tiles | Subject::None => Picture::default(),
         };
         Ok(page::page(report, &picture)?)
     }

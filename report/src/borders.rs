@@ -43,7 +43,7 @@ pub fn borders(map: &PlanarMap, noted: &Noted, units: &Units) -> Vec<Border> {
         let border = pair.border;
         let plane = border.length;
         let (length, overlap) = match units {
-            Units::Plane { .. } => (plane, pair.overlap),
+            Units::Plane(_) => (plane, pair.overlap),
             Units::Geodesic(_) => {
                 let covers = |face: Face<'_>, of| map.features_of(face.key()).into_iter().flatten().any(|f| f == of);
                 let both = map.dcel().faces().filter(|f| pair.overlap > 0.0 && covers(*f, one) && covers(*f, other));

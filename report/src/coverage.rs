@@ -56,6 +56,9 @@ pub struct Coverage {
     greatest_gap: Option<f64>,
     /// Gaps that were accepted by their place. They are not among the findings either.
     accepted_gaps: usize,
+    /// The accepted places in which there is no gap.
+    #[serde(skip)]
+    unmet: Vec<Point>,
     /// The first of each rule, the largest first.
     findings: Vec<Diagnosis>,
     #[serde(skip)]
@@ -113,6 +116,7 @@ impl Coverage {
         let judgement = |found: coverage::Coverage| Judgement {
             wider_gaps: found.wider_gaps.len(),
             accepted_gaps: found.accepted_gaps.len(),
+            unmet: Vec::new(),
             gap_width: found.gap_width,
             sliver_area: found.sliver_area,
             findings: found.findings.into_iter().map(|finding| (finding, None)).collect(),
@@ -122,7 +126,7 @@ impl Coverage {
     }
 
     /// Nothing was found yet.
-    fn empty(imported: &Imported, asked: &CoverageOptions, unit: &'static str) -> Self {
+    fn empty(imported: &Imported, asked: &CoverageOptions, units: &Units) -> Self {
         Self {
             overlaps: 0,
             gaps: 0,
@@ -131,13 +135,14 @@ impl Coverage {
             duplicates: 0,
             ogc_invalid: Some(imported.noted.defects.len()),
             mismatches: 0,
-            unit,
+            unit: units.name(),
             not_checked: None,
             gap_width: None,
             sliver_area: None,
             wider_gaps: 0,
             greatest_gap: asked.limits.lake_width.or(asked.limits.gap_width),
             accepted_gaps: 0,
+            unmet: Vec::new(),
             findings: Vec::new(),
             missing: Vec::new(),
             has_polygons: imported.read.polygons > 0,
@@ -145,13 +150,18 @@ impl Coverage {
             kickbacks: imported.noted.kickbacks,
             of_input: None,
             // Limits are in the units of the coordinates.
-            limits_in: if unit == Units::METRES { " degrees" } else { "" },
+            limits_in: if matches!(units, Units::Geodesic(_)) { " degrees" } else { "" },
         }
     }
 
     /// Nothing was found yet on a map whose edges are great circles. Limits are in metres.
     pub(crate) fn of_great_circles(imported: &Imported, asked: &CoverageOptions) -> Self {
-        Self { ogc_invalid: None, kickbacks: 0, limits_in: " metres", ..Self::empty(imported, asked, Units::METRES) }
+        Self {
+            ogc_invalid: None,
+            kickbacks: 0,
+            limits_in: " metres",
+            ..Self::empty(imported, asked, &Units::Plane(Units::METRES))
+        }
     }
 
     /// Says why nothing but C6 was checked.
@@ -195,9 +205,9 @@ impl Coverage {
         list: usize,
         judgement: Result<Judgement, String>,
     ) -> Self {
-        let mut found = Self::empty(imported, asked, units.name());
+        let mut found = Self::empty(imported, asked, units);
         match judgement {
-            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
+            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, unmet, of_input }) => {
                 found.limit_by([gap_width, sliver_area], [wider_gaps, accepted_gaps]);
                 for (finding, snapping) in &findings {
                     let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
@@ -207,6 +217,7 @@ impl Coverage {
                 }
                 found.sort_missing();
                 found.of_input = of_input;
+                found.unmet = unmet;
             }
             Err(why) => found.not_checked = Some(why),
         }
@@ -292,6 +303,11 @@ impl Coverage {
             (0, None) => Verdict::Valid,
             (0, Some(_)) => Verdict::Unknown,
         }
+    }
+
+    /// A warning for each accepted place in which there is no gap.
+    pub(crate) fn warnings(&self) -> impl Iterator<Item = String> {
+        self.unmet.iter().map(|at| format!("there is no gap at the accepted place ({}, {})", at.x, at.y))
     }
 
     /// Returns true if there is anything that could be a coverage.

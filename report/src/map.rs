@@ -40,7 +40,7 @@ pub(crate) fn audit(
     let is_rule = asked.coverage.is_rule;
     // A rule that cannot be checked is not known to hold.
     let is_checked = !is_rule || coverage.not_checked().is_none();
-    let warnings: Vec<String> = imported.warnings();
+    let warnings: Vec<String> = imported.warnings().into_iter().chain(coverage.warnings()).collect();
     Ok(AuditReport {
         valid: report.is_valid() && is_checked,
         json: JsonForm {

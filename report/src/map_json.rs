@@ -18,7 +18,7 @@ pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Val
     };
     let is_one = |one: &&Irregularity| *orients_rings || one.kind != IrregularityKind::WoundWrongly;
     let irregularities: Vec<Value> = summary.irregularities.iter().filter(is_one).map(irregularity).collect();
-    let import = json!({
+    let mut import = json!({
         "features": summary.features,
         "segments": summary.segments,
         "repeated_segments": summary.duplicate_segments,
@@ -33,6 +33,10 @@ pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Val
         "dropped_empty": read.dropped_empty,
         "irregularities": irregularities,
     });
+    let columns: Vec<&str> = imported.noted.name_columns().collect();
+    if !columns.is_empty() {
+        import["name_columns"] = json!(columns);
+    }
     let noding = map.noding().map(|noding| {
         json!({
             "cell": noding.cell,

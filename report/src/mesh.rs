@@ -3,12 +3,14 @@
 use crate::error::Error;
 use crate::input::Input;
 use crate::options::Options;
+use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, JsonForm, Note};
+use crate::trace::{placed, position};
 use crate::words::{counted, grouped};
-use serde_json::{Map, to_value};
-use twinedge::validate::{Collect, Violation};
-use twinedge_formats::diagnosis::Diagnosis;
-use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, IndexedMesh, MeshAudit, MeshFile};
+use serde_json::to_value;
+use twinedge::validate::{Collect, Embedding as _, Record, View as _, Violation};
+use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, HalfEdgeMesh, IndexedMesh, MeshAudit, MeshFile};
 
 /// A way to judge a mesh.
 pub(crate) type Judge = fn(&IndexedMesh, &Options) -> MeshAudit;
@@ -41,7 +43,7 @@ pub(crate) fn audit(
 /// The report of a mesh that was judged.
 pub(crate) fn of_mesh(name: &str, first: usize, audit: &MeshAudit) -> Result<AuditReport, Error> {
     let (findings, report) = (audit.findings(), audit.report());
-    let mut extra = Map::new();
+    let mut extra = serde_json::Map::new();
     extra.insert("messages_count_from".to_owned(), first.into());
     Ok(AuditReport {
         valid: audit.is_valid(),
@@ -58,6 +60,49 @@ pub(crate) fn of_mesh(name: &str, first: usize, audit: &MeshAudit) -> Result<Aud
         json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
         ..AuditReport::new(name)
     })
+}
+
+/// Gives their shapes to what was found, on the plane on which the mesh is drawn. O(points and corners).
+pub(crate) fn trace(report: &mut AuditReport, mesh: &IndexedMesh) {
+    let (drawn, _) = HalfEdgeMesh::link(mesh, Collect::First);
+    let at = |vertex: &usize| position(drawn.point(*vertex));
+    for one in &mut report.violations {
+        if let Kind::Of(violation) = &one.kind {
+            one.trace = placed(&drawn, violation).trace;
+        }
+    }
+    for one in &mut report.findings {
+        if let Records::OfMesh { faces, vertices } = &one.records {
+            let ring = |face: &usize| {
+                let corners = mesh.face(*face).iter().map(|vertex| *vertex as usize);
+                let ring: Vec<usize> = corners.collect();
+                ring.iter().chain(ring.first()).map(at).collect()
+            };
+            one.trace.lines = faces.iter().map(ring).collect();
+            one.trace.points = vertices.iter().map(at).collect();
+        }
+    }
+}
+
+/// The mesh, as it is seen along the axis in which it extends least; nothing if all points are one.
+pub(crate) fn picture(mesh: &IndexedMesh, report: &AuditReport) -> Picture {
+    let mut points = mesh.points().iter();
+    let first = points.next();
+    if points.all(|point| Some(point) == first) {
+        return Picture::default();
+    }
+    let (drawn, _) = HalfEdgeMesh::link(mesh, Collect::First);
+    let name = |record: Record| record.to_string();
+    let slots = 0..drawn.half_edge_slots();
+    let mutual = |h: &usize| drawn.twin(*h).filter(|t| drawn.twin(*t) == Some(*h));
+    let names = Names::Own {
+        vertices: (0..drawn.vertex_slots()).map(|v| name(Record::Vertex(v))).collect(),
+        half_edges: slots.clone().map(|h| name(Record::HalfEdge(h))).collect(),
+        faces: (0..drawn.face_slots()).map(|f| name(Record::Face(f))).collect(),
+        twins: slots.map(|h| mutual(&h)).collect(),
+    };
+    let map = Map::pack(&drawn, Beside { features: &|_| Vec::new(), names, windows: &report.windows() });
+    Picture { map, ..Picture::default() }
 }
 
 /// A violation with the numbers of the file in its message.

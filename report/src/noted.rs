@@ -209,9 +209,13 @@ impl Noted {
     }
 
     /// The columns that could name the features, if none has a name.
+    pub(crate) fn name_columns(&self) -> impl Iterator<Item = &str> {
+        self.unique.iter().filter(|_| self.ids.len() > 1).flatten().map(|(column, _)| column.as_str())
+    }
+
+    /// Advises to name the features by a column, if none has a name.
     pub(crate) fn hint(&self) -> Option<String> {
-        let columns = self.unique.as_ref().filter(|_| self.ids.len() > 1)?;
-        let mut names = columns.iter().map(|(column, _)| plain(column));
+        let mut names = self.name_columns().map(plain);
         let first = names.next()?;
         let others: Vec<String> = names.collect();
         let or = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };

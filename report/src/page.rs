@@ -115,10 +115,17 @@ impl<'a> Finding<'a> {
             length,
             cause: one.cause,
             remedy: one.remedy,
-            at: one.look.filter(|_| has_place(one)),
+            at: one.look.or_else(|| middle_of(&one.trace)).filter(|_| has_place(one)),
             trace: if has_place(one) { &one.trace } else { &NOWHERE },
         }
     }
+}
+
+/// The middle of the corners of a shape.
+fn middle_of(Trace { points, lines, polygons }: &Trace) -> Option<Position> {
+    let all: Vec<Position> = polygons.iter().flatten().chain(lines).flatten().chain(points).copied().collect();
+    let count = all.len() as f64;
+    (!all.is_empty()).then(|| [0, 1].map(|axis| all.iter().map(|at| at[axis] / count).sum()))
 }
 
 /// The listed diagnoses: causes, those in words of features first, each with what follows from it behind it.

@@ -11,22 +11,24 @@ use twinedge::dcel::{Face, FaceKey, Vertex};
 use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
+use twinedge_formats::layer::Crs;
 
 /// The units of lengths and areas.
 #[derive(Debug)]
 pub enum Units {
-    /// Those of the coordinates.
-    Plane {
-        /// True if these look like degrees.
-        degrees: bool,
-    },
-    /// Metres.
+    /// The unit of the coordinates, by its name.
+    Plane(&'static str),
+    /// Metres along the earth.
     Geodesic(Box<Geodesic>),
 }
 
 impl Units {
     /// The unit of lengths along the earth.
     pub const METRES: &'static str = "metres";
+    /// The unit of longitudes and latitudes.
+    pub const DEGREES: &'static str = "degrees";
+    /// The unit of coordinates of which nothing is known.
+    pub const UNKNOWN: &'static str = "units of the coordinates";
 
     /// Those for a map: metres along the earth, or those of the coordinates.
     ///
@@ -34,8 +36,10 @@ impl Units {
     /// [`Error::NotDegrees`].
     pub fn of(imported: &Imported, geodesic: bool) -> Result<Self, Error> {
         let degrees = imported.noted.look_like_degrees(&imported.read);
+        let of_crs = imported.crs.as_ref().and_then(Crs::unit).unwrap_or(Self::UNKNOWN);
         match (geodesic, degrees) {
-            (false, degrees) => Ok(Self::Plane { degrees }),
+            (false, true) => Ok(Self::Plane(Self::DEGREES)),
+            (false, false) => Ok(Self::Plane(of_crs)),
             (true, true) => Ok(Self::Geodesic(Box::new(Geodesic::wgs84()))),
             (true, false) => Err(Error::NotDegrees),
         }
@@ -45,21 +49,21 @@ impl Units {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
-            Self::Plane { degrees: true } => "degrees",
-            Self::Plane { degrees: false } => "units of the coordinates",
+            Self::Plane(unit) => unit,
             Self::Geodesic(_) => Self::METRES,
         }
     }
 
     /// A sentence about the units, with the offer of others.
     #[must_use]
-    pub const fn sentence(&self) -> &'static str {
+    pub fn sentence(&self) -> String {
         match self {
-            Self::Plane { degrees: true } => {
-                "lengths in degrees and areas in square degrees, if the coordinates are what they look like; --geodesic: metres"
+            Self::Plane(Self::DEGREES) => {
+                "lengths in degrees and areas in square degrees, if the coordinates are what they look like; --geodesic: metres".to_owned()
             }
-            Self::Plane { degrees: false } => "lengths and areas in the units of the coordinates",
-            Self::Geodesic(_) => "lengths in metres and areas in square metres, on the ellipsoid WGS 84",
+            Self::Plane(Self::UNKNOWN) => "lengths and areas in the units of the coordinates".to_owned(),
+            Self::Plane(unit) => format!("lengths in {unit} and areas in square {unit}, the units of the reference system"),
+            Self::Geodesic(_) => "lengths in metres and areas in square metres, on the ellipsoid WGS 84".to_owned(),
         }
     }
 
@@ -71,7 +75,7 @@ impl Units {
 
     fn distance(&self, a: Point, b: Point) -> f64 {
         match self {
-            Self::Plane { .. } => (b.x - a.x).hypot(b.y - a.y),
+            Self::Plane(_) => (b.x - a.x).hypot(b.y - a.y),
             Self::Geodesic(earth) => earth.inverse(a.y, a.x, b.y, b.x),
         }
     }
@@ -182,7 +186,7 @@ mod tests {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
         let points = square.map(Point::from);
         assert!((earth().length(&points) - 443_770.917).abs() < 1e-3);
-        assert!((Units::Plane { degrees: true }.length(&points) - 4.0).abs() < 1e-12);
+        assert!((Units::Plane(Units::DEGREES).length(&points) - 4.0).abs() < 1e-12);
         assert!((area(&square) - 12_308_463_893.975).abs() < 0.05, "{}", area(&square));
     }
 

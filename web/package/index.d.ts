@@ -1,7 +1,7 @@
 /** A file with its name. */
 export interface NamedFile {
   name: string;
-  bytes: Uint8Array | ArrayBuffer;
+  bytes: Uint8Array | ArrayBuffer | Blob;
 }
 
 /** An object of GeoJSON or TopoJSON: a `FeatureCollection`, a `Topology`. */
@@ -9,8 +9,11 @@ export interface JsonObject {
   type: string;
 }
 
-/** A text, bytes, an object of GeoJSON or TopoJSON, or files: the parts of a Shapefile, or one of them zipped. */
-export type Input = string | Uint8Array | ArrayBuffer | JsonObject | NamedFile | NamedFile[];
+/**
+ * A text, bytes, an object of GeoJSON or TopoJSON, features or geometries of GeoJSON, or a file, or the files of one Shapefile. Several maps are an error,
+ * unless the option `layer` is the name of one of them. The functions without a worker take no `File` or `Blob`.
+ */
+export type Input = string | Uint8Array | ArrayBuffer | Blob | JsonObject | JsonObject[] | NamedFile | (NamedFile | File)[];
 
 export type Position = [number, number];
 
@@ -26,7 +29,7 @@ export interface Work {
 export interface InputOptions extends Work {
   /** The name of the input, in messages; its extension tells the format, where the content does not. */
   name?: string;
-  /** The layer of a file with several: the object of a TopoJSON, the file of a zip archive. */
+  /** The layer of a file with several: the object of a TopoJSON, the file of a zip archive; the name of one of several files. */
   layer?: string;
 }
 
@@ -51,6 +54,15 @@ export interface GapOptions {
   acceptGaps?: Position[];
   /** Area below which a thin part of a feature is a sliver. */
   sliver?: number;
+}
+
+/** The way in which rings of the result turn. */
+export interface WindingOptions {
+  /**
+   * `"rfc7946"`, the default: outer rings turn counter-clockwise on the map. `"d3"`: clockwise, as the spherical projections of d3 want them, which fill
+   * everything but the inside of other rings. `clean` without it keeps the way in which the rings of each feature turn.
+   */
+  winding?: "rfc7946" | "d3";
 }
 
 export interface AuditOptions extends MapOptions, GapOptions {
@@ -112,6 +124,11 @@ export interface Finding {
   rule: string;
   kind: string;
   message: string;
+  /** The message in words about features, of borders that cross. */
+  sentence?: string;
+  /** The rule and the id of the finding from which it follows. A finding without it is a cause. */
+  follows_from?: string;
+  follows_from_id?: string;
   features?: FeatureName[];
   at?: Position | Position[] | null;
   area?: number;
@@ -123,6 +140,8 @@ export interface Finding {
 }
 
 export interface Coverage {
+  /** The verdict on C1 to C7 alone, whether they count as violations or not. */
+  verdict: "valid" | "invalid" | "unknown";
   overlaps: number;
   gaps: number;
   near_misses: number;
@@ -146,6 +165,11 @@ export interface Report {
   /** `unknown` if a rule could not be checked or a part was not read. `valid` is true for the first alone. */
   verdict: "valid" | "invalid" | "unknown";
   valid: boolean;
+  /** The verdict in a sentence, of a map on the structure and on the coverage; not there for half-edges in columns. */
+  headline?: string;
+  /** The number of listed findings that follow from no other one, and of those that do; not there for half-edges in columns. */
+  causes?: number;
+  consequences?: number;
   /** The first rule that fails, with the id of its finding and its place. */
   first?: { rule: string | null; id: string; at: Position | null } | null;
   /** The bytes that were judged. */
@@ -161,10 +185,25 @@ export interface Report {
   [key: string]: unknown;
 }
 
+/** A geometry of GeoJSON, as `@types/geojson` has it. */
+export type Geometry =
+  | { type: "Point"; coordinates: number[] }
+  | { type: "MultiPoint" | "LineString"; coordinates: number[][] }
+  | { type: "MultiLineString" | "Polygon"; coordinates: number[][][] }
+  | { type: "MultiPolygon"; coordinates: number[][][][] }
+  | { type: "GeometryCollection"; geometries: Geometry[] };
+
+export interface Feature {
+  type: "Feature";
+  id?: string | number;
+  /** Typed as never missing, as `GeoJSON.Feature` is; a finding without a place has `null`. */
+  geometry: Geometry;
+  properties: Record<string, any> | null;
+}
+
 export interface FeatureCollection {
   type: "FeatureCollection";
-  features: { type: "Feature"; id?: string | number; geometry: unknown; properties: Record<string, unknown> | null }[];
-  [key: string]: unknown;
+  features: Feature[];
 }
 
 export type Format = "geojson" | "geojsonl" | "wkt" | "wkb" | "shapefile" | "flatgeobuf";
@@ -176,7 +215,7 @@ export interface WriteOptions {
   lossy?: boolean;
 }
 
-export interface CleanOptions extends InputOptions, GapOptions, WriteOptions {
+export interface CleanOptions extends InputOptions, GapOptions, WriteOptions, WindingOptions {
   /** The format of the result. Without one it is an object of GeoJSON. */
   to?: Format;
   snap?: "auto" | number;
@@ -245,7 +284,7 @@ export interface Neighbours {
   }[];
 }
 
-export interface VoronoiOptions extends InputOptions {
+export interface VoronoiOptions extends InputOptions, WindingOptions {
   /** The box that closes the cells: x0, y0, x1, y1. */
   bounds?: [number, number, number, number];
   /** Make the triangles instead. */
@@ -291,7 +330,7 @@ export interface Functions {
   /** All findings of C1 to C7, as accepted ones. Those in `accept` keep their reason and date. */
   acceptAll(input: Input, options?: AcceptOptions): Promise<AcceptedFindings>;
   /** What was found as a layer of points, lines and polygons, with warnings about it. */
-  findings(input: Input, options?: AuditOptions): Promise<FeatureCollection & { warnings: string[] }>;
+  findings(input: Input, options?: AuditOptions & WindingOptions): Promise<FeatureCollection & { warnings: string[] }>;
   /** Repairs a layer of polygons. */
   clean(input: Input, options: CleanOptions & { to: Format }): Promise<{ report: CleanReport; file: NamedFile }>;
   clean(input: Input, options?: CleanOptions): Promise<{ report: CleanReport; layer: FeatureCollection }>;

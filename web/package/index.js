@@ -1,7 +1,7 @@
 // The functions, in a worker: the page stays usable, and work can be cancelled.
 
 import { errorOf, InternalError } from "./errors.js";
-import { answers, moduleOf, progressOf, read, requests } from "./sync.js";
+import { moduleOf, progressOf, read, requests, returned } from "./sync.js";
 
 export * from "./errors.js";
 
@@ -45,7 +45,7 @@ export class TwinedgeWorker {
     this.#source = source;
     this.#spawn = spawn;
     for (const name of Object.keys(requests)) {
-      this[name] = async (input, ...rest) => answers[name](await this.#ask(requests[name](await read(input), ...rest), rest));
+      this[name] = async (input, ...rest) => returned(name, await this.#ask(requests[name](await read(input), ...rest), rest), rest.at(-1));
     }
   }
 

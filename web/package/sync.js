@@ -84,9 +84,28 @@ function columnOf(name, column) {
 const COLUMNS = ["origin", "target", "twin", "next", "prev", "face", "leaving", "outerHalfEdge"];
 
 /** Options as the module takes them: what JavaScript alone looks at stays here. */
-function plain({ progress, signal, name, ...options }) {
+function plain({ progress, signal, name, winding, ...options }) {
+  if (![undefined, ...WINDINGS].includes(winding)) throw new OptionError("option", `winding: ${winding} is none of ${WINDINGS.join(", ")}`);
   return options;
 }
+
+/** The ways in which rings of GeoJSON turn: outer ones counter-clockwise on the map, or, for d3's spherical projections, clockwise. */
+const WINDINGS = ["rfc7946", "d3"];
+
+const isClockwise = (ring) => ring.reduce((sum, [x, y], i) => sum + (x - ring[0][0]) * (ring[(i + 1) % ring.length][1] - y) - (ring[(i + 1) % ring.length][0] - x) * (y - ring[0][1]), 0) < 0;
+
+/** The rings of a polygon, the first of them clockwise and the others counter-clockwise. */
+const turned = (rings) => rings.map((ring, i) => (isClockwise(ring) === (i === 0) ? ring : [...ring].reverse()));
+
+/** A geometry of GeoJSON with rings that turn as d3's spherical projections want them. */
+function forD3(geometry) {
+  if (geometry?.type === "Polygon") return { ...geometry, coordinates: turned(geometry.coordinates) };
+  if (geometry?.type === "MultiPolygon") return { ...geometry, coordinates: geometry.coordinates.map(turned) };
+  if (geometry?.type === "GeometryCollection") return { ...geometry, geometries: geometry.geometries.map(forD3) };
+  return geometry;
+}
+
+const collectionForD3 = (layer) => ({ ...layer, features: layer.features.map((one) => ({ ...one, geometry: forD3(one.geometry) })) });
 
 /** A request about files. */
 const about = (op, rest = {}) => (input, options = {}) => ({
@@ -133,7 +152,7 @@ export const requests = {
 const texts = new TextDecoder();
 const parsed = (bytes) => JSON.parse(texts.decode(bytes));
 
-export const answers = {
+const answers = {
   audit: ({ report }) => parsed(report),
   auditPage: ({ page }) => texts.decode(page),
   auditWithPage: ({ report, page, accept_all }) => ({ report: parsed(report), page: texts.decode(page), acceptAll: parsed(accept_all) }),
@@ -143,15 +162,29 @@ export const answers = {
   convert: ({ file, losses }) => ({ ...file, losses }),
   neighbours: ({ answer }) => parsed(answer),
   voronoi: ({ answer }) => parsed(answer),
-  validate: ({ report }) => parsed(report),
+  validate: ({ report }) => judged(parsed(report)),
   check: (answer) => answer,
 };
+
+/** A report of the validator with its verdict. */
+function judged(report) {
+  const isInvalid = report.violation_count > 0;
+  return { ...report, verdict: report.valid ? "valid" : isInvalid ? "invalid" : "unknown" };
+}
+
+/** What a function returns: the answer of the module, with rings that turn as was asked. */
+export function returned(name, ok, options) {
+  const made = answers[name](ok);
+  if (options?.winding !== "d3") return made;
+  if (made.type === "FeatureCollection") return collectionForD3(made);
+  return made.layer ? { ...made, layer: collectionForD3(made.layer) } : made;
+}
 
 /** The functions, over one module. */
 export class Twinedge {
   constructor(engine) {
     for (const [name, request] of Object.entries(requests)) {
-      this[name] = (...args) => answers[name](engine.call(request(...args), progressOf(args)));
+      this[name] = (...args) => returned(name, engine.call(request(...args), progressOf(args)), args.at(-1));
     }
   }
 }

@@ -66,23 +66,26 @@ function showError(error) {
       button.addEventListener("click", () => open(lastFiles, layer));
       return element("li", {}, button);
     });
-    parts.push(element("p", { textContent: "Open one of its layers:" }), element("ul", {}, ...buttons));
+    parts.push(element("p", { textContent: "Open one of these:" }), element("ul", {}, ...buttons));
   }
   const command = lastFiles && commandFor(error, lastFiles[0]);
   if (command) parts.push(element("p", { textContent: "The program takes it. Run this instead:" }), element("pre", { textContent: command }));
-  if (history.now) {
-    const back = element("button", { type: "button", textContent: "Back to the report" });
-    back.addEventListener("click", show);
-    parts.push(element("p", {}, back));
-  }
-  showMessage(...parts);
+  showMessage(...parts, ...wayBack());
+}
+
+/** A button that shows the report again, if there is one. */
+function wayBack() {
+  if (!history.now) return [];
+  const back = element("button", { type: "button", textContent: "Back to the report" });
+  back.addEventListener("click", show);
+  return [element("p", {}, back)];
 }
 
 const accepting = (list) => (list.all().length ? list.list() : null);
 
 /** The report of files, the page that shows it, and the findings that can be accepted; with these, which are. */
 async function audited(files, options, how, list = accepted) {
-  const found = await twinedge.auditWithPage(files, { ...options, explain: true, accept: accepting(list), ...how });
+  const found = await twinedge.auditWithPage(files, { ...options, coverage: true, explain: true, accept: accepting(list), ...how });
   return { ...found, accepted: list.text() };
 }
 
@@ -119,10 +122,9 @@ async function open(files, layer) {
   if (rest.some(({ name }) => name.split("/").at(-1) === "claim.txt")) return check(rest);
   const refused = refusal(rest);
   if (refused) {
-    history.clear();
-    showTools();
     say("");
-    return showMessage(...refused.map((part) => element(part.code ? "pre" : "p", { textContent: part.code ?? part.text })));
+    const told = refused.map((part) => element(part.code ? "pre" : "p", { textContent: part.code ?? part.text }));
+    return showMessage(...told, ...wayBack());
   }
   const options = layer ? { layer } : {};
   const found = await working(`Reading ${rest[0].name}`, (how) => audited(rest, options, how, list));
@@ -130,12 +132,34 @@ async function open(files, layer) {
   accepted = list;
   history.begin({ files: rest, options, ...found });
   closePanel();
+  byId("format").value = isShapefile(rest) ? "shapefile" : "geojson";
   show();
 }
 
+const isShapefile = (files) => files.some(({ name }) => /\.(zip|shp)$/i.test(name));
+
+/** Judges the version that is looked at again, with the names of its features from another column. */
+async function nameFrom(column) {
+  const version = history.now;
+  const options = { ...version.options, nameFrom: column || undefined };
+  const found = await working("Reading the names", (how) => audited(version.files, options, how));
+  if (!found) return;
+  Object.assign(version, found, { options });
+  show();
+}
+
+/** Offers the columns that can name the features, if they have no names of their own. */
+function offerNames({ options, report }) {
+  const columns = report.import?.name_columns ?? (options.nameFrom ? [options.nameFrom] : []);
+  const known = [...byId("name-from").options].map(({ value }) => value).slice(1);
+  if (columns.some((column) => !known.includes(column)) || columns.length === 0) {
+    byId("name-from").replaceChildren(...["", ...columns].map((value) => element("option", { value, textContent: value || "their numbers" })));
+  }
+  byId("name-from").value = options.nameFrom ?? "";
+  byId("names").hidden = columns.length === 0;
+}
+
 async function check(files) {
-  history.clear();
-  showTools();
   const entries = Object.fromEntries(files.map(({ name, bytes }) => [name, bytes]));
   const found = await working("Checking the certificate", (how) => twinedge.check(entries, how));
   if (!found) return;
@@ -144,6 +168,7 @@ async function check(files) {
     element("h2", { textContent: "Certificate" }),
     element("p", found.valid ? { className: "good", textContent: `Valid: ${found.claim}.` } : { className: "bad", textContent: "Not valid." }),
     element("ul", {}, ...found.failures.map((failure) => element("li", { textContent: failure }))),
+    ...wayBack(),
   );
 }
 
@@ -178,22 +203,19 @@ async function show() {
   frame.onload = () => watch(frame.contentDocument);
   frame.srcdoc = version.page;
   showTools();
+  offerNames(version);
   summarise(version);
 }
 
 function summarise(version) {
   const { report, name = version.files[0].name } = version;
-  const coverage = report.coverage;
-  const found = (report.violation_count ?? 0) + (report.finding_count ?? 0) + (coverage ? countOf(coverage) : 0);
-  const left = found - reasons.size;
-  const findings = found === 0 ? "nothing was found" : `${found} ${found === 1 ? "finding" : "findings"}`;
+  const all = [report.violations, report.findings, report.coverage?.findings].flatMap((list) => list ?? []);
+  const causes = all.filter((one) => one.follows_from === undefined);
+  const left = causes.filter(({ id }) => !reasons.has(id)).length;
+  const findings = causes.length === 0 ? "nothing was found" : `${causes.length} ${causes.length === 1 ? "finding" : "findings"}`;
   const beside = reasons.size ? `, ${reasons.size} accepted, ${left} left` : "";
   say(`${name}: ${findings}${beside}${preview && version === preview ? " (preview)" : ""}`);
 }
-
-const countOf = (coverage) =>
-  Object.entries(coverage).reduce((sum, [key, value]) => (typeof value === "number" && COUNTS.includes(key) ? sum + value : sum), 0);
-const COUNTS = ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "mismatches", "ogc_invalid"];
 
 /** The findings of the report that is shown. */
 function findingsOf(page) {
@@ -210,6 +232,10 @@ function watch(page) {
     describeChosen();
   };
   new MutationObserver(note).observe(stage, { attributes: true, attributeFilter: ["data-finding"] });
+  // Keys and files reach the report while it has the focus or the pointer.
+  page.addEventListener("keydown", undoKey);
+  page.addEventListener("dragenter", beginDrop);
+  for (const name of ["repair", "accept"]) page.addEventListener(`remedy-${name}`, () => openPanel === name || togglePanel(name));
   note();
   listAccepted();
 }
@@ -280,8 +306,7 @@ const stemOf = ({ files }) => files[0].name.split("/").at(-1).replace(/\.(zip|gz
 
 /** Cleans a layer and keeps its format, with the reference system that it may have; what that cannot hold is GeoJSON. */
 async function cleaned(files, asked, how) {
-  const names = files.map(({ name }) => name.toLowerCase());
-  const own = names.some((name) => /\.(zip|shp)$/.test(name)) ? "shapefile" : names[0].endsWith(".fgb") ? "flatgeobuf" : "geojson";
+  const own = isShapefile(files) ? "shapefile" : files[0].name.toLowerCase().endsWith(".fgb") ? "flatgeobuf" : "geojson";
   try {
     return await twinedge.clean(files, { ...asked, to: own, lossy: own === "geojson", ...how });
   } catch (error) {
@@ -382,20 +407,28 @@ async function dropped({ items, files }) {
   return found;
 }
 
+/** Covers the page, the report included, while files are dragged over it: the cover takes all that follows. */
+function beginDrop(event) {
+  event.preventDefault();
+  byId("drop").hidden = false;
+}
+
 function addDrop() {
-  addEventListener("dragover", (event) => {
-    event.preventDefault();
-    document.body.classList.add("over");
-  });
-  addEventListener("dragleave", (event) => event.relatedTarget ?? document.body.classList.remove("over"));
+  const cover = byId("drop");
+  addEventListener("dragenter", beginDrop);
+  addEventListener("dragover", (event) => event.preventDefault());
+  cover.addEventListener("dragleave", () => (cover.hidden = true));
   addEventListener("drop", async (event) => {
     event.preventDefault();
-    document.body.classList.remove("over");
+    cover.hidden = true;
     open(await dropped(event.dataTransfer));
   });
-  // A drag over the report goes to the report, unless the pointer passes through.
-  addEventListener("dragenter", () => (byId("report").style.pointerEvents = "none"));
-  for (const end of ["dragleave", "drop"]) addEventListener(end, () => (byId("report").style.pointerEvents = ""));
+}
+
+function undoKey(event) {
+  if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input")) return;
+  event.preventDefault();
+  byId(event.shiftKey ? "redo" : "undo").click();
 }
 
 function addButtons() {
@@ -443,11 +476,8 @@ function addButtons() {
     field.value = "";
     mark(finding.id, reason);
   });
-  addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input")) return;
-    event.preventDefault();
-    byId(event.shiftKey ? "redo" : "undo").click();
-  });
+  byId("name-from").addEventListener("change", ({ target }) => nameFrom(target.value));
+  addEventListener("keydown", undoKey);
 }
 
 addDrop();

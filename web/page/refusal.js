@@ -12,8 +12,7 @@ const run = (name) => ({ code: `twinedge audit ${name} -o report.html\ntwinedge 
 const quoted = (name) => (name.includes(" ") ? `"${name}"` : name);
 
 /** The command for what only the program reads, if an error is about that: a database in an archive, a map without end. */
-export const commandFor = ({ code, message }, file) =>
-  code === "too-large" || (code === "format" && /SQLite|GeoParquet/.test(message)) ? run(quoted(file.name)).code : null;
+export const commandFor = ({ code }, file) => (["too-large", "needs-program"].includes(code) ? run(quoted(file.name)).code : null);
 
 /** The parts of a message, if these files are refused. */
 export function refusal(files) {

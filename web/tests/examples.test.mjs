@@ -51,6 +51,14 @@ test("topojson-map.mjs draws the borders, and the overlap in red", async () => {
   assert.match(stdout, /<path d="M[^"]*" fill="red"[^>]*><title>C1 overlap of West, East: area 10/);
 });
 
+test("topojson-map.mjs fills the faults and not the globe in a projection of d3", () => {
+  const { status, stdout, stderr } = run(["topojson-map.mjs", path, "parcels", "geoEqualEarth"]);
+  assert.equal(status, 0, stderr);
+  const [, overlap] = stdout.match(/<path d="([^"]*)" fill="red"[^>]*><title>C1/);
+  // A path around the globe goes along its edge as well, in a second part.
+  assert.equal(overlap.match(/M/g).length, 1, overlap);
+});
+
 test("maplibre.mjs has a style that MapLibre takes, and puts the findings in it", async () => {
   const { LAYERS, showFindings } = await load("maplibre.mjs");
   const { validateStyleMin } = await load("node_modules/@maplibre/maplibre-gl-style-spec/dist/index.mjs");

@@ -106,7 +106,7 @@ impl Query {
         }
         let units = match &self.question {
             Question::Neighbours(question) => question.measured().units(&imported)?,
-            _ => Units::Plane { degrees: false },
+            _ => Units::Plane(Units::UNKNOWN),
         };
         let Imported { name: input, map, noted, .. } = imported;
         let asked = Source { input, map, noted };

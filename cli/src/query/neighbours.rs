@@ -125,7 +125,7 @@ impl<'a> NeighboursAnswer<'a> {
         let neighbours = of_feature(map, feature).into_iter().map(|n| Border {
             with: named(n.neighbour),
             length: match units {
-                Units::Plane { .. } => n.length,
+                Units::Plane(_) => n.length,
                 Units::Geodesic(_) => n.borders.iter().map(|chain| units.length(chain)).sum(),
             },
             borders: n.borders.into_iter().map(|chain| chain.into_iter().map(Into::into).collect()).collect(),

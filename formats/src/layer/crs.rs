@@ -94,6 +94,30 @@ impl Crs {
         epsg::wkt(code.or((!self.is_other()).then_some(WGS_84))?)
     }
 
+    /// The unit of lengths of a projected system, in the plural, if its definition names metres or feet. O(length of the definition).
+    ///
+    /// ```
+    /// use twinedge_formats::layer::Crs;
+    ///
+    /// let prj = "PROJCS[\"a\",GEOGCS[\"b\",UNIT[\"Degree\",0.0174532925199433]],UNIT[\"Meter\",1.0]]";
+    /// assert_eq!(Crs::of_wkt(prj.to_owned()).unit(), Some("metres"));
+    /// assert_eq!(Crs::of_wkt("GEOGCS[\"b\",UNIT[\"Degree\",0.0174532925199433]]".to_owned()).unit(), None);
+    /// ```
+    #[must_use]
+    pub fn unit(&self) -> Option<&'static str> {
+        let wkt = self.wkt.clone().or_else(|| self.wkt1())?;
+        if !wkt.trim_start().starts_with("PROJ") {
+            return None;
+        }
+        // The last one is that of the projected coordinates.
+        let (_, last) = wkt.rsplit_once("UNIT[\"")?;
+        match last.split('"').next()?.to_lowercase().as_str() {
+            "metre" | "meter" | "metres" | "meters" | "m" => Some("metres"),
+            "us survey foot" | "us_survey_foot" | "foot_us" | "foot" | "feet" | "ft" => Some("feet"),
+            _ => None,
+        }
+    }
+
     /// The name of it in a message.
     #[must_use]
     pub fn name(&self) -> String {

@@ -1,7 +1,8 @@
 //! The half-edges of an indexed mesh, as the validator sees them.
 
 use super::IndexedMesh;
-use twinedge::validate::{Expectation, Link, Part, Parts, View};
+use twinedge::geometry::Point;
+use twinedge::validate::{Embedding, Expectation, Link, Part, Parts, View};
 
 pub(super) const NIL: u32 = u32::MAX;
 
@@ -26,6 +27,8 @@ pub struct HalfEdgeMesh<'a> {
     pub(super) edges: usize,
     pub(super) border_edges: usize,
     pub(super) orientable: bool,
+    /// The axes of the plane on which it is drawn.
+    pub(super) axes: [usize; 2],
 }
 
 impl HalfEdgeMesh<'_> {
@@ -97,6 +100,28 @@ impl HalfEdgeMesh<'_> {
     pub(super) fn prev_of(&self, h: u32) -> u32 {
         let (offsets, face) = (self.mesh.offsets(), self.face_of[h as usize] as usize);
         if h == offsets[face] { offsets[face + 1] - 1 } else { h - 1 }
+    }
+}
+
+/// Drawn along the axis in which it extends least.
+impl Embedding for HalfEdgeMesh<'_> {
+    fn point(&self, vertex: usize) -> Point {
+        let point = self.mesh.points()[vertex];
+        self.axes.map(|axis| point[axis]).into()
+    }
+}
+
+/// The two axes in which points extend most, in their order. O(points).
+pub(super) fn widest(points: &[[f64; 3]]) -> [usize; 2] {
+    let extent = [0, 1, 2].map(|axis| {
+        let all = points.iter().map(|point| point[axis]).filter(|x| x.is_finite());
+        let [low, high] = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        high - low
+    });
+    match [0, 1, 2].into_iter().min_by(|a, b| extent[*a].total_cmp(&extent[*b]).then(b.cmp(a))) {
+        Some(0) => [1, 2],
+        Some(1) => [0, 2],
+        _ => [0, 1],
     }
 }
 

@@ -15,7 +15,7 @@
 //!
 //! Sorting is by counting, with one array over the vertices, so that everything is linear.
 
-use super::half_edges::NIL;
+use super::half_edges::{NIL, widest};
 use super::{Finding, Findings, HalfEdgeMesh, IndexedMesh, Kind, repeated};
 use petgraph::unionfind::UnionFind;
 use twinedge::validate::Collect;
@@ -74,6 +74,7 @@ impl<'a> HalfEdgeMesh<'a> {
             edges: 0,
             border_edges: 0,
             orientable: true,
+            axes: widest(mesh.points()),
         };
         let degrees = this.number_corners();
         let flipped = this.join(&mut findings);

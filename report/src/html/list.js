@@ -205,7 +205,8 @@ class FindingList {
     fact("Records", records.join(", "));
     fact("Place", at ? `(${at[0]}, ${at[1]})` : "none: the record has no coordinates");
     fact("Cause", cause);
-    fact("Remedy", remedy);
+    const isSite = window.self !== window.top;
+    fact("Remedy", isSite && remedy?.includes("twinedge clean") ? [remedyButton("repair", "Repair…"), " ", remedyButton("accept", "Accept…")] : remedy);
     const counted = violation ? "a violation" : "a finding that does not make the map invalid";
     const statement = this.data.rules.find((one) => one.id === rule)?.statement?.replaceAll("`", "");
     panel.append(element("h2", { textContent: `${rule} ${name}` }), element("p", { textContent: sentence ?? message }));
@@ -217,6 +218,13 @@ class FindingList {
     if (statement) panel.append(element("p", { textContent: `Rule: ${statement}.` }));
     panel.append(facts, element("p", { textContent: `Number ${number} of ${this.all.length}: ${counted}.` }));
   }
+}
+
+/** A button for what the page around this one does. */
+function remedyButton(name, textContent) {
+  const button = element("button", { type: "button", textContent });
+  button.addEventListener("click", () => document.dispatchEvent(new CustomEvent(`remedy-${name}`)));
+  return button;
 }
 
 /** A measure with seven digits. */

@@ -71,10 +71,9 @@ impl From<layer::ReadError> for CallError {
             _ => Vec::new(),
         };
         let code = match &error {
-            layer::ReadError::Foreign(_)
-            | layer::ReadError::Unrecognised
-            | layer::ReadError::FeatureOff(_)
-            | layer::ReadError::NeedsFile(_) => "format",
+            // Only the program reads it.
+            layer::ReadError::FeatureOff(_) | layer::ReadError::NeedsFile(_) => "needs-program",
+            layer::ReadError::Foreign(_) | layer::ReadError::Unrecognised => "format",
             layer::ReadError::Layers { .. } => "layer",
             layer::ReadError::Empty => "empty",
             _ => "content",
