@@ -424,12 +424,12 @@ impl Audited {
         Ok(page::page(report, &picture)?)
     }
 
-    /// The verdict, and how many findings there are, in a line.
+    /// The verdict, and how many findings are listed, in a line.
     ///
     /// # Errors
-    /// [`Error::NoPicture`] for meshes and files of tables.
+    /// [`Error::NoReport`] for files of tables.
     pub fn summary(&self) -> Result<String, Error> {
-        let report = self.drawn()?.0;
+        let report = self.of_structure()?;
         let listed = match (report.listed().count(), report.total()) {
             (listed, total) if listed as u64 == total => counted(listed, "finding"),
             (listed, total) => format!("{listed} of {}", counted(total as usize, "finding")),

@@ -14,8 +14,10 @@ enum Options {
     Coverage,
     /// Those under "Meshes".
     Mesh,
-    /// `--format geojson` and `html`.
-    Picture,
+    /// `--format html`.
+    Page,
+    /// `--format geojson`.
+    Findings,
     /// `--tiles` and `--memory`.
     Tiles,
     /// `--against` and `--parent-column`.
@@ -23,14 +25,15 @@ enum Options {
 }
 
 impl Options {
-    const ALL: [Self; 6] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture, Self::Tiles, Self::Layers];
+    const ALL: [Self; 7] =
+        [Self::Snap, Self::Coverage, Self::Mesh, Self::Page, Self::Findings, Self::Tiles, Self::Layers];
 
     /// Those that a kind of inputs takes.
     const fn of(kind: InputKind) -> &'static [Self] {
         match kind {
-            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Picture, Self::Tiles, Self::Layers],
-            InputKind::Mesh(_) => &[Self::Mesh],
-            InputKind::Textbook | InputKind::Postgis | InputKind::Arcs => &[Self::Picture],
+            InputKind::Map => &[Self::Snap, Self::Coverage, Self::Page, Self::Findings, Self::Tiles, Self::Layers],
+            InputKind::Mesh(_) => &[Self::Mesh, Self::Page],
+            InputKind::Textbook | InputKind::Postgis | InputKind::Arcs => &[Self::Page, Self::Findings],
             InputKind::Tables => &[],
         }
     }
@@ -43,7 +46,8 @@ impl Options {
                 asked.coverage.is_any() || asked.measured.is_geodesic() || asked.edges.is_some() || of_lists
             }
             Self::Mesh => asked.mesh.is_any(),
-            Self::Picture => matches!(to.format, ReportFormat::Geojson | ReportFormat::Html),
+            Self::Page => to.format == ReportFormat::Html,
+            Self::Findings => to.format == ReportFormat::Geojson,
             Self::Tiles => asked.tiles.is_some() || asked.memory.is_some(),
             Self::Layers => asked.against.is_some() || asked.parent_column.is_some(),
         }
@@ -59,8 +63,9 @@ impl Options {
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Tiles => format!("--tiles and --memory are for maps, and this is {what}"),
             Self::Layers => format!("--against and --parent-column are for maps, and this is {what}"),
-            Self::Picture => format!(
-                "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
+            Self::Page => format!("the format html is for what can be drawn, and this is {what}"),
+            Self::Findings => format!(
+                "the format geojson is for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
             ),
         }
     }

@@ -125,3 +125,34 @@ fn a_headline_has_the_structure_and_the_coverage() {
     assert_eq!((status, verdicts), (Some(0), [&value!("valid"), &value!("invalid")]));
     assert_eq!(found["headline"], "structure valid · coverage: 1 gap, 1 set of duplicates");
 }
+
+/// A gap of three millimetres in the coordinates of a national grid.
+const CRACK: &str = "POLYGON((2683000 1247000,2683100 1247000,2683100 1247080,2683000 1247080,2683000 1247000))
+POLYGON((2683100.003 1247000,2683200 1247000,2683200 1247080,2683100.003 1247080,2683100.003 1247000))
+POLYGON((2683000 1247080,2683100 1247080,2683100.003 1247080,2683200 1247080,2683200 1247100,2683000 1247100,2683000 1247080))
+POLYGON((2683000 1246980,2683200 1246980,2683200 1247000,2683100.003 1247000,2683100 1247000,2683000 1247000,2683000 1246980))
+";
+
+#[test]
+fn a_printed_place_can_be_pasted_back() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("crack.wkt").to_str().unwrap().to_owned();
+    fs::write(&file, CRACK).unwrap();
+    let text = String::from_utf8(twinedge(&["audit", &file]).stdout).unwrap();
+    let line = text.lines().find(|line| line.starts_with("C2 gap")).expect("there is a gap");
+    let (_, place) = line.rsplit_once("at (").unwrap();
+    let place = place.trim_end_matches(')').replace(", ", ",");
+    let (status, found) = json(&["audit", &file, "--coverage", "--format", "json", "--accept-gap", &place]);
+    let coverage = &found["coverage"];
+    assert_eq!((status, &coverage["gaps"], &coverage["accepted_gaps"]), (Some(0), &value!(0), &value!(1)), "{line}");
+    assert_eq!(found["warnings"], value!([]));
+}
+
+#[test]
+fn an_accepted_place_in_which_there_is_no_gap_is_a_warning() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("crack.wkt").to_str().unwrap().to_owned();
+    fs::write(&file, CRACK).unwrap();
+    let (_, found) = json(&["audit", &file, "--format", "json", "--accept-gap", "2683050,1247040"]);
+    assert_eq!(found["warnings"], value!(["there is no gap at the accepted place (2683050, 1247040)"]));
+}

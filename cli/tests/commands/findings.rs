@@ -190,10 +190,11 @@ fn the_extension_of_the_output_says_the_format() {
 
 #[test]
 fn what_has_no_place_in_the_plane_is_refused() {
-    for (input, what) in
-        [("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "a mesh"), ("V 0 H 0 B 0 F 0\n", "a file of tables")]
+    let [mesh, tables] = ["OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "V 0 H 0 B 0 F 0\n"];
+    for (input, what, formats) in
+        [(mesh, "a mesh", &["geojson"][..]), (tables, "a file of tables", &["geojson", "html"])]
     {
-        for format in ["geojson", "html"] {
+        for format in formats {
             let output = twinedge_reading(&["audit", "-", "--format", format], input.as_bytes());
             assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
             assert!(complaint(&output).contains(&format!("this is {what}")));
@@ -246,6 +247,18 @@ fn a_page_has_the_map_and_what_was_found() {
     let (status, found) = page(&["--coverage"], b"");
     assert_eq!((status, &found["map"]["areas"]), (Some(1), &json!(null)));
     assert!(found["findings"].as_array().unwrap().iter().all(|one| one["violation"] == true));
+}
+
+#[test]
+fn a_page_has_the_mesh_and_what_was_found() {
+    // A tetrahedron without its last face, seen along y, in which it extends least.
+    let open = b"OFF\n4 3 0\n0 0 0\n4 0 0\n1 1 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+    let (status, found) = page(&["-", "--closed"], open);
+    assert_eq!((status, &found["map"]["edges"]), (Some(1), &json!([6, 6])));
+    let border = found["findings"].as_array().unwrap().iter().find(|one| one["rule"] == "M4").unwrap();
+    let lines = border["trace"]["lines"].as_array().unwrap();
+    assert!(lines.iter().flat_map(|line| line.as_array().unwrap()).all(|at| at[0].as_f64() <= Some(4.0)), "{border}");
+    assert!(!lines.is_empty() && border["at"].is_array(), "{border}");
 }
 
 #[test]
