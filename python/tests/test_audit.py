@@ -119,7 +119,7 @@ def test_empty_and_missing_geometries_keep_their_places():
 def test_a_missing_geometry_is_not_valid_in_silence():
     report = twinedge.audit([None, *squares(0), shapely.Polygon()])
     assert report.valid and report.without_geometry == [0, 2]
-    assert str(report) == "valid; 2 features have no geometry"
+    assert str(report) == "valid: every rule that applies holds; 2 features have no geometry"
 
 
 def test_a_coordinate_that_is_not_finite_is_a_finding_and_the_rest_is_judged():

@@ -138,7 +138,7 @@ def test_an_expectation_is_a_gate(report):
     assert outcome.features == [7, 8, 9, 10, 14, 15, 24, 25, 26]
     found = json.loads(json.dumps(outcome.to_dict()))
     assert found["success"] is False and found["result"]["element_count"] == 27 and found["result"]["unexpected_count"] == 4
-    assert "C2: gap of features" in "\n".join(found["result"]["partial_unexpected_list"])
+    assert "C2: gap of p8, p9, p14, p15, " in "\n".join(found["result"]["partial_unexpected_list"])
     # A verdict that is not known is no success.
     assert not twinedge.expect(ROOT / "tests" / "data" / "world-50m.geojson", coverage=False, timeout=0, raises=False)
     assert twinedge.expect(FRAME.iloc[[10, 24]], coverage=False)

@@ -28,7 +28,7 @@ def test_features_have_the_labels_of_the_frame():
     plain = frame.reset_index(drop=True)
     assert labels(twinedge.audit(plain)) == {("a", "b")} and labels(twinedge.audit(plain[["code", "geometry"]])) == {()}
     assert labels(twinedge.audit(BOXES)) == {()}
-    assert "(features 'p', 'q')" in str(twinedge.adapters.geopandas(frame).findings[0])
+    assert "C1: overlap of p, q, " in str(twinedge.adapters.geopandas(frame).findings[0])
     assert twinedge.audit(frame).to_frame()["names"].tolist()[-1] == ("p", "q")
     with pytest.raises(ValueError, match="no column 'cod'; there are name, code, geometry"):
         twinedge.audit(frame, name="cod")

@@ -18,9 +18,9 @@ def test_the_first_lines_run(capsys):
     assert README.index(code) < 60
     exec(compile(code, "README.md", "exec"), {})
     out = capsys.readouterr().out
-    assert out.startswith("L1: half-edge 0 has twin 2, ") and "cross" in out
+    assert out.startswith("L1: half-edge 0 has twin 2, ") and "overlap" in out
     # The comments quote the printed text.
-    assert "half-edges 2 and 17 cross" in out
+    assert "C1: overlap of features [0, 1]" in out
 
 
 def test_every_name_in_the_table_is_there():
@@ -35,7 +35,7 @@ def test_every_example_runs(code, capsys):
     exec(compile(code, "README.md", "exec"), {"__name__": "readme"})
     out = capsys.readouterr().out
     # The comments quote the printed text.
-    for said in ["C1 overlap ('north', 'south')", "First(rule='G4', id='G4-", "[(0, 1, 2.0), (0, 2, 2.0)]", "C1 (2.125, 2.5) 0.25", "20 9.0"]:
+    for said in ["C1 overlap ('north', 'south')", "First(rule='C1', id='C1-", "[(0, 1, 2.0), (0, 2, 2.0)]", "C1 (2.125, 2.5) 0.25", "20 9.0"]:
         assert said in out or f"# {said}" not in code, said
 
 

@@ -42,7 +42,7 @@ def test_every_report_has_the_documented_form(triangle, broken):
 def test_a_frame_has_a_row_for_each_violation(broken):
     frame = broken.to_frame()
     assert list(frame.columns) == [
-        "rule", "kind", "vertex", "half_edge", "boundary", "face", "features", "names", "x", "y", "area", "width", "length", "message",
+        "rule", "kind", "vertex", "half_edge", "boundary", "face", "features", "names", "follows_from", "x", "y", "area", "width", "length", "message",
     ]
     assert len(frame) == len(broken.violations) == broken.violation_count
     assert frame.iloc[0][["rule", "kind", "half_edge"]].tolist() == ["L1", "twin_is_self", 0]

@@ -72,6 +72,44 @@ describe("audit", () => {
     }
   });
 
+  it("takes an array of features as one collection: each overlap of the collection is found", async () => {
+    const { features } = overlapping;
+    assert.equal((await twinedge.audit(features)).coverage.overlaps, 1);
+    assert.equal((await twinedge.audit(features.map(({ geometry }) => geometry))).coverage.overlaps, 1);
+    assert.equal((await twinedge.audit([overlapping])).coverage.overlaps, 1);
+    await assert.rejects(twinedge.audit([{ type: "Topology" }, ...features]), { name: "OptionError", message: /Topology/ });
+  });
+
+  it("refuses several maps, and names them; `layer` chooses one", async () => {
+    const file = (name, layer) => ({ name, bytes: new TextEncoder().encode(JSON.stringify(layer)) });
+    const files = [file("may.geojson", overlapping), file("june.geojson", collection(overlapping.features[0]))];
+    await assert.rejects(twinedge.audit(files), ({ name, message, place }) => {
+      assert.deepEqual([name, place.layers], ["InputError", ["may.geojson", "june.geojson"]]);
+      return /may\.geojson, june\.geojson/.test(message);
+    });
+    assert.equal((await twinedge.audit(files, { layer: "may.geojson" })).coverage.overlaps, 1);
+    assert.equal((await twinedge.audit(files, { layer: "june.geojson" })).coverage.overlaps, 0);
+    // What is no map is passed over.
+    assert.equal((await twinedge.audit([file("may.geojson", overlapping), { name: "notes.pdf", bytes: new Uint8Array(4) }])).coverage.overlaps, 1);
+    const [shp, dbf, cpg] = shapefile([], "UTF-8");
+    const other = { ...shp, name: "b.shp" };
+    await assert.rejects(twinedge.convert([shp, dbf, cpg, other], { to: "geojson" }), { message: /a\.shp, b\.shp/ });
+  });
+
+  it("takes a File and a Blob", async () => {
+    const blob = new Blob([JSON.stringify(overlapping)]);
+    for (const input of [blob, new File([blob], "a.geojson"), [new File([blob], "a.geojson")], { name: "a.geojson", bytes: blob }]) {
+      assert.equal((await twinedge.audit(input)).coverage.overlaps, 1);
+    }
+    assert.throws(() => sync.audit(blob), { name: "OptionError", message: /arrayBuffer/ });
+  });
+
+  it("counts causes, and has a headline of the structure and the coverage", async () => {
+    const { headline, causes, consequences, coverage } = await twinedge.audit(overlapping);
+    assert.deepEqual([causes, coverage.verdict], [1, "invalid"]);
+    assert.equal(headline, `not valid: 1 finding, from which ${consequences} others follow · structure not valid · coverage: 1 overlap; 2 rules not checked`);
+  });
+
   it("reads TopoJSON, and its arcs as they are", async () => {
     const topology = JSON.parse(await data("formats/tests/layer/data/south-america.topojson"));
     const report = await twinedge.audit(topology);
@@ -98,6 +136,25 @@ describe("audit", () => {
     const stages = [];
     await twinedge.audit(overlapping, { progress: (stage) => stages.push(stage) });
     assert.deepEqual(stages.slice(0, 3), ["reading", "building the map", "validating"]);
+  });
+});
+
+describe("winding", () => {
+  const area = (ring) => ring.slice(1).reduce((sum, [x, y], i) => sum + ring[i][0] * y - x * ring[i][1], 0) / 2;
+  const outer = ({ features }) => features.flatMap(({ geometry: { type, coordinates } }) => (type === "Polygon" ? [coordinates[0]] : type === "MultiPolygon" ? coordinates.map(([ring]) => ring) : []));
+
+  it("is that of RFC 7946, or that of d3 if asked", async () => {
+    for (const make of [
+      (options) => twinedge.findings(overlapping, options),
+      async (options) => (await twinedge.clean(overlapping, options)).layer,
+      (options) => twinedge.voronoi([[0, 0], [4, 0], [2, 3]], options),
+      async (options) => sync.findings(overlapping, options),
+    ]) {
+      const [usual, forD3] = [await make({}), await make({ winding: "d3" })].map(outer);
+      assert.ok(usual.length > 0 && usual.every((ring) => area(ring) > 0), JSON.stringify(usual));
+      assert.ok(forD3.length === usual.length && forD3.every((ring) => area(ring) < 0), JSON.stringify(forD3));
+    }
+    await assert.rejects(twinedge.findings(overlapping, { winding: "right" }), { name: "OptionError", message: /rfc7946, d3/ });
   });
 });
 

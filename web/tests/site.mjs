@@ -18,6 +18,19 @@ async function put(name, bytes) {
   return path;
 }
 
+/** Drops files while a report is shown, along a way of the pointer. */
+async function dropAlong(way, ...paths) {
+  const session = await page.createCDPSession();
+  const data = { items: [], files: paths, dragOperationsMask: 1 };
+  for (const [i, [x, y]] of way.entries()) {
+    for (const type of i === 0 ? ["dragEnter", "dragOver"] : ["dragOver", "dragOver"]) await session.send("Input.dispatchDragEvent", { type, x, y, data });
+  }
+  const [x, y] = way.at(-1);
+  await session.send("Input.dispatchDragEvent", { type: "dragOver", x, y, data });
+  await session.send("Input.dispatchDragEvent", { type: "drop", x, y, data });
+  await session.detach();
+}
+
 async function upload(...paths) {
   await (await page.$("#files")).uploadFile(...paths);
 }
@@ -64,8 +77,8 @@ try {
   const zip = twinedge.convert(planted, { to: "shapefile", name: "parcels.geojson" });
   const path = await put("parcels.zip", zip.bytes);
   await drop(path);
-  await waitFor("status", /findings/);
-  assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
+  await waitFor("status", /finding/);
+  assert.equal(await text("status"), "parcels.zip: 1 finding");
   await (await frame()).waitForSelector("#list [role=option]");
   assert.ok(await inReport(() => [...document.querySelectorAll("[role=option]")].some((one) => /C1 overlap.*Left.*Right/.test(one.textContent))));
   await page.screenshot({ path: join(pictures, "found.png") });
@@ -76,25 +89,33 @@ try {
   assert.match(await text("status"), /nothing was found \(preview\)/);
   await page.screenshot({ path: join(pictures, "preview.png") });
   await page.click("input[value=before]");
-  await waitFor("status", /findings$/);
+  await waitFor("status", /finding$/);
   await page.click("input[value=after]");
   await waitFor("status", /preview/);
   await click("keep");
   assert.match(await text("status"), /parcels-repaired\.zip: nothing was found$/);
-  await click("undo");
-  assert.match(await text("status"), /^parcels\.zip: \d+ findings$/);
+  // The keys work while the report has the focus, too.
+  await (await frame()).waitForSelector("#list");
+  await (await frame()).focus("#list");
+  await page.keyboard.down("Control");
+  await page.keyboard.press("z");
+  await page.keyboard.up("Control");
+  await waitFor("status", /^parcels\.zip: 1 finding$/);
   await click("redo");
+  await waitFor("status", /repaired/);
   await click("save-open");
+  assert.equal(await page.$eval("#format", ({ value }) => value), "shapefile", "a Shapefile is saved as one");
+  await page.select("#format", "geojson");
   const repaired = JSON.parse(await saved("save-map"));
+  await page.select("#format", "shapefile");
   assert.equal(twinedge.audit(repaired, { coverage: true }).valid, true);
   assert.deepEqual(repaired.features.map(({ properties }) => properties.name), ["Left", "Right"]);
   assert.match((await saved("save-report")).toString(), /^<!doctype html>/);
-  await page.select("#format", "shapefile");
   assert.equal(twinedge.audit({ name: "again.zip", bytes: new Uint8Array(await saved("save-map")) }).valid, true);
 
   // A finding is accepted with a reason, by keys alone, and known again.
   await upload(path);
-  await waitFor("status", /^parcels\.zip: \d+ findings$/);
+  await waitFor("status", /^parcels\.zip: 1 finding$/);
   await (await frame()).waitForSelector("#list [role=option]");
   await click("accept-open");
   await (await frame()).focus("#list");
@@ -113,9 +134,49 @@ try {
   await upload(path, await put("parcels-accepted.json", notes));
   await waitFor("status", /1 accepted/);
 
-  // A file that the page does not take is refused, with a command to run instead.
+  // A remedy is a button.
+  await click("accept-open");
+  await (await frame()).waitForSelector("#list [role=option]");
+  await (await frame()).focus("#list");
+  await page.keyboard.press("ArrowDown");
+  const [remedy] = await inReport(() => [...document.querySelectorAll("#detail button")].map(({ textContent }) => textContent));
+  assert.equal(remedy, "Repair…");
+  await inReport(() => document.querySelector("#detail button").click());
+  assert.ok(await page.$eval("#repair", ({ hidden }) => !hidden));
+
+  // A file is dropped on a report that is shown, whichever way the pointer comes.
+  for (const way of [[[640, 400]], [[640, 10], [640, 400]], [[200, 400], [900, 400]], [[640, 400], [640, 10], [900, 600]]]) {
+    await upload(path);
+    await page.waitForFunction(() => {
+      const { readyState, body } = document.getElementById("report").contentDocument;
+      return readyState === "complete" && body.querySelector("#input")?.textContent === "parcels.zip";
+    });
+    await dropAlong(way, await put("dropped.geojson", JSON.stringify(planted)));
+    await waitFor("status", /^dropped\.geojson: 1 finding$/);
+  }
+
+  // Two maps are refused, with a button for each.
+  await upload(await put("may.geojson", JSON.stringify(planted)), await put("june.geojson", JSON.stringify({ ...planted, features: [planted.features[0]] })));
+  await waitFor("message", /these are 2 maps/);
+  await page.evaluate(() => [...document.querySelectorAll("#message li button")].find(({ textContent }) => textContent === "june.geojson").click());
+  await waitFor("status", /nothing was found$/);
+
+  // The column of the names is chosen.
+  const parcels = planted.features.map((one, i) => ({ ...one, properties: { EGRID: `CH${i}`, use: "a" } }));
+  await upload(await put("egrid.geojson", JSON.stringify({ ...planted, features: parcels })));
+  await waitFor("status", /^egrid\.geojson/);
+  await page.select("#name-from", "EGRID");
+  await page.waitForFunction(() => [...document.getElementById("report").contentDocument.querySelectorAll("[role=option]")].some((one) => /CH0, CH1/.test(one.textContent)));
+
+  // A file that the page does not take is refused, with a command to run instead, and the report is still there.
+  await upload(await put("photo.png", Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a])));
+  await waitFor("message", /This could not be done/);
+  assert.doesNotMatch(await text("message"), /The program takes it/);
   await upload(await put("cadastre.gpkg", "SQLite format 3\0"));
   await waitFor("message", /twinedge audit cadastre\.gpkg/);
+  await page.evaluate(() => [...document.querySelectorAll("#message button")].at(-1).click());
+  await (await frame()).waitForSelector("#list [role=option]");
+  assert.match(await text("status"), /^egrid\.geojson/);
   const packed = Buffer.from(
     "UEsDBBQAAAAAAAAAIQAL4Pb0EAAAABAAAAAGAAAAYS5ncGtnU1FMaXRlIGZvcm1hdCAzAFBLAQIUAxQAAAAAAAAAIQAL4Pb0EAAAABAAAAAGAAAAAAAAAAAAAACAAQAAAABhLmdwa2dQSwUGAAAAAAEAAQA0AAAANAAAAAAA",
     "base64",
@@ -128,6 +189,7 @@ try {
   // Meshes, TopoJSON and hostile names.
   await upload(await put("open.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n"));
   await waitFor("status", /open\.off/);
+  await (await frame()).waitForSelector("#stage[data-drawn]");
   const hostile = { ...planted, features: [square("<img src=x onerror=alert(1)>", 0, 4), square("B", 3.5, 4)] };
   await upload(await put("hostile.geojson", JSON.stringify(hostile)));
   await waitFor("status", /hostile/);
@@ -141,7 +203,7 @@ try {
   await page.goto(site);
   await page.screenshot({ path: join(pictures, "phone-welcome.png") });
   await click("example");
-  await waitFor("status", /findings/);
+  await waitFor("status", /finding/);
   await (await frame()).waitForSelector("#stage[data-state=drawn]");
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 390), "nothing is wider than the phone");
   await page.screenshot({ path: join(pictures, "phone.png") });

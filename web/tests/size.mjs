@@ -3,7 +3,7 @@
 import { readFile } from "node:fs/promises";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 
-const LARGEST = { twinedge: 800_000, lecture: 120_000 };
+const LARGEST = { twinedge: 1_600_000, lecture: 240_000 };
 
 for (const [name, largest] of Object.entries(LARGEST)) {
   const bytes = await readFile(new URL(`../package/${name}.wasm`, import.meta.url));

@@ -43,7 +43,7 @@ class Expectation:
             "result": {
                 "observed_value": self.verdict,
                 "element_count": self.report.to_dict().get("import", {}).get("features"),
-                "unexpected_count": self.report.violation_count + self.report.finding_count,
+                "unexpected_count": len(self.report.causes),
                 "unexpected_index_list": self.features,
                 "partial_unexpected_list": [str(one) for one in self.findings[:20]],
                 "details": {"unknown": self.report.unknown},

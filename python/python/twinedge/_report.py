@@ -613,11 +613,12 @@ class Report:
         for one in causes[:_SHOWN]:
             count = len(self.consequences(one))
             lines.append(str(one) + (f"; {count:,} {'follows' if count == 1 else 'follow'} from it" if count else ""))
-        return lines, len(causes) - len(lines)
+        unlisted = self.violation_count + self.finding_count - len(self.violations) - len(self.findings)
+        return lines, len(causes) - len(lines) + unlisted
 
     def __str__(self) -> str:
         lines, more = self._shown()
-        text = [self.headline, *lines] + ([f"… and {more:,} more causes"] if more > 0 else [])
+        text = [self.headline, *lines] + ([f"… and {more:,} more"] if more > 0 else [])
         return "\n".join(text)
 
     def __repr__(self) -> str:
@@ -635,7 +636,7 @@ class Report:
             for rule in self.rules
         )
         items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
-        items += f"<li>… and {more:,} more causes</li>" if more > 0 else ""
+        items += f"<li>… and {more:,} more</li>" if more > 0 else ""
         return (
             f"<div><b style='color:{colour}'>{html.escape(self.headline)}</b> {html.escape(self._counted())}"
             f"<ul>{items}</ul>{self._svg()}<details><summary>rules</summary><table><thead><tr><th>rule</th><th></th><th>checked</th>"

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 use std::fmt::Display;
 use std::path::PathBuf;
+use twinedge::io::ForeignFormat;
 use twinedge_formats::{layer, mesh, postgis};
 use twinedge_report as report;
 
@@ -72,7 +73,9 @@ impl From<layer::ReadError> for CallError {
         };
         let code = match &error {
             // Only the program reads it.
-            layer::ReadError::FeatureOff(_) | layer::ReadError::NeedsFile(_) => "needs-program",
+            layer::ReadError::FeatureOff(_)
+            | layer::ReadError::NeedsFile(_)
+            | layer::ReadError::Foreign(ForeignFormat::Sqlite) => "needs-program",
             layer::ReadError::Foreign(_) | layer::ReadError::Unrecognised => "format",
             layer::ReadError::Layers { .. } => "layer",
             layer::ReadError::Empty => "empty",
