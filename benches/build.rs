@@ -45,7 +45,7 @@ fn building(criterion: &mut Criterion) {
     group.bench_function("sort the ring segments", |b| {
         b.iter(|| {
             let mut sorted = segments.clone();
-            sorted.sort_unstable_by(|a, b| a[0].x.total_cmp(&b[0].x).then(a[0].y.total_cmp(&b[0].y)));
+            sorted.sort_by(|a, b| a[0].x.total_cmp(&b[0].x).then(a[0].y.total_cmp(&b[0].y)));
             black_box(sorted)
         });
     });

@@ -199,7 +199,7 @@ fn of_triangulations(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("sort the segments", size), |b| {
             b.iter(|| {
                 let mut sorted = segments.clone();
-                sorted.sort_unstable_by(|a, b| a[0].x.total_cmp(&b[0].x).then(a[0].y.total_cmp(&b[0].y)));
+                sorted.sort_by(|a, b| a[0].x.total_cmp(&b[0].x).then(a[0].y.total_cmp(&b[0].y)));
                 black_box(sorted)
             });
         });

@@ -168,7 +168,7 @@ fn sorted<'a>(edges: impl Iterator<Item = &'a [Point; 2]>, [from, to]: [Point; 2
             (distance / (way.x * edge.y - way.y * edge.x), [a, b])
         })
         .collect();
-    met.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    met.sort_by(|a, b| a.0.total_cmp(&b.0));
     met
 }
 

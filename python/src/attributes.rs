@@ -72,7 +72,14 @@ impl Told for u64 {
 impl<K: Attributed, T: Told> Column for Attribute<K, T> {
     fn setting(&self, of: u64, value: Option<Bound<'_, PyAny>>) -> PyResult<Setting> {
         let (attribute, value) = (*self, value.map(|value| T::read(&value)).transpose()?);
-        Ok(Box::new(move |map| map.set_value(attribute, KeyData::from_ffi(of).into(), value).map(|_| ())))
+        let key = KeyData::from_ffi(of).into();
+        Ok(Box::new(move |map| {
+            let had = match value {
+                Some(value) => map.set_value(attribute, key, value),
+                None => map.remove_value(attribute, key),
+            };
+            had.map(|_| ())
+        }))
     }
 
     fn get(&self, py: Python<'_>, map: &PlanarMap, of: u64) -> PyResult<Option<Py<PyAny>>> {

@@ -104,7 +104,7 @@ fn by_place(map: &PlanarMap, violations: &[Violation]) -> Vec<Violation> {
     };
     let is_other = |violation: &Violation| violation.rule() != Rule::T3;
     for of_rule in found.split_mut(is_other) {
-        of_rule.sort_unstable_by(|a, b| {
+        of_rule.sort_by(|a, b| {
             let ((size, place), (other, beside)) = (key(a), key(b));
             size.cmp(&other).then(compare_lexicographic(place, beside))
         });

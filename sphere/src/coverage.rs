@@ -7,6 +7,7 @@ use crate::near_miss::near_misses;
 use crate::place::Place;
 use core::f64::consts::PI;
 use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::{CoverageRule, Limits};
 use twinedge::geometry::Point;
 
@@ -238,7 +239,7 @@ impl<'a> Judge<'a> {
     }
 
     fn duplicates(&self, first_like: &[u32]) -> Vec<Finding> {
-        let mut like: FxHashMap<u32, Vec<u32>> = FxHashMap::default();
+        let mut like: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
         for (feature, first) in (0..).zip(first_like) {
             if feature != *first {
                 like.entry(*first).or_insert_with(|| vec![*first]).push(feature);

@@ -169,7 +169,9 @@ fn near_miss(
 /// The union of the stretches of a side, in order, each place once.
 fn pieces(stretches: &[Stretch], [a, b]: [Vector; 2]) -> Vec<Piece> {
     let mut sorted = stretches.to_vec();
-    sorted.sort_by(|p, q| p.from.total_cmp(&q.from).then(p.widths[0].total_cmp(&q.widths[0])));
+    sorted.sort_by(|p, q| {
+        p.from.total_cmp(&q.from).then(p.widths[0].total_cmp(&q.widths[0])).then(p.other.cmp(&q.other))
+    });
     let mut end = 0.0_f64;
     let mut pieces = Vec::new();
     for Stretch { from, to, widths: [first, last], .. } in sorted {

@@ -137,7 +137,7 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
         }
         found.push(face);
     }
-    found.sort_unstable_by_key(|f| f.index());
+    found.sort_by_key(|f| f.index());
     found.dedup();
     let parts = Parts::new(&found);
 

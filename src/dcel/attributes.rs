@@ -5,6 +5,7 @@ use super::import::Keys;
 use super::structure::Dcel;
 use crate::store::attributes::{Attribute, Attributed, Edges, Kind, Policy, Sealed, Value};
 use crate::store::{AttributeStore, FaceKey, HalfEdgeKey, Store, VertexKey};
+use alloc::vec::Vec;
 use slotmap::{Key, KeyData, SecondaryMap};
 
 /// # Attributes
@@ -12,10 +13,10 @@ use slotmap::{Key, KeyData, SecondaryMap};
 /// Values beside the structure that follow what operators do, by a [`Policy`] each: when faces are split and merged, edges made and dropped.
 ///
 /// ```
-/// use twinedge::dcel::{Dcel, OperatorError, Policy, Split};
+/// use twinedge::dcel::{Dcel, Faces, OperatorError, Policy, Split};
 ///
 /// let mut map = Dcel::new();
-/// let owner = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
+/// let owner = map.add_attribute(Policy::<Faces, &str>::of_faces().split_copy().merge_equal());
 /// let outside = map.unbounded_face().key();
 /// // A loop with another vertex on it, and its face.
 /// let v = map.add_isolated_vertex(outside)?.vertex;
@@ -97,22 +98,92 @@ impl<S: Store> Dcel<S> {
 }
 
 impl<S: AttributeStore> Dcel<S> {
-    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised.
+    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n) if the
+    /// policy gives [ids](Policy::ids), which the n records that are there get at once, except the unbounded face.
     ///
-    /// It stays for good: also where the change of a history that added it is undone.
+    /// The attribute stays even if the change of a history that added it is undone. Ids that it gave are taken back then.
     pub fn add_attribute<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
-        self.store.kept_attributes().add(policy)
+        self.add_attribute_with(policy, SecondaryMap::new())
     }
 
-    /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
+    /// Adds an attribute with the [`values`](Self::values) of a structure that was saved. Values under stale keys are left out. O(values), and
+    /// as [`add_attribute`](Self::add_attribute).
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Policy};
+    ///
+    /// let mut map = Dcel::new();
+    /// let v = map.add_isolated_vertex(map.unbounded_face().key())?.vertex;
+    /// let id = map.add_attribute(Policy::of_vertices().ids(7));
+    /// assert_eq!(map.value(id, v), Some(&7));
+    ///
+    /// // A number that was given by hand, as if it had been saved.
+    /// let mut numbers = map.values(id).cloned().unwrap_or_default();
+    /// numbers.insert(v, 3);
+    /// let id = map.add_attribute_with(Policy::of_vertices().ids(20), numbers);
+    /// assert_eq!((map.value(id, v), map.next_id(id)), (Some(&3), Some(20)));
+    /// # Ok::<(), twinedge::dcel::OperatorError>(())
+    /// ```
+    pub fn add_attribute_with<K: Attributed, T: Value>(
+        &mut self,
+        policy: Policy<K, T>,
+        values: SecondaryMap<K::Key, T>,
+    ) -> Attribute<K, T> {
+        let records = if policy.counts() { self.record_keys::<K>() } else { Vec::new() };
+        let values: Vec<_> =
+            values.into_iter().filter_map(|(key, value)| Some((self.record_key::<K>(key).ok()?, value))).collect();
+        let attributes = self.store.kept_attributes();
+        if !S::RECORDS {
+            attributes.clear_log();
+        }
+        attributes.add(policy, values, records)
+    }
+
+    /// The keys under which records have values; of faces, the bounded ones.
+    pub(crate) fn record_keys<K: Attributed>(&self) -> Vec<KeyData> {
+        match <K as Sealed>::KIND {
+            Kind::Vertex => self.vertices().map(|v| v.key().data()).collect(),
+            Kind::Face => self.faces().filter(|f| !f.is_unbounded()).map(|f| f.key().data()).collect(),
+            Kind::HalfEdge | Kind::Corner => self.half_edges().map(|h| h.key().data()).collect(),
+            Kind::Edge => self.edges().map(|h| h.key().data()).collect(),
+            // The map knows.
+            #[cfg(feature = "map")]
+            Kind::Feature => Vec::new(),
+        }
+    }
+
+    /// Gives a value to a record. Returns the previous value. O(1).
+    ///
+    /// The value converts to the type of the attribute: `"Ada"` is a value of an attribute of `String`s.
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::NoSuchAttribute`], as for an attribute of features, which a `Dcel` has not.
+    /// A stale key; [`OperatorError::NoSuchAttribute`], for example for a feature attribute: a `Dcel` has no features.
     pub fn set_value<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
         key: K::Key,
-        value: impl Into<Option<T>>,
+        value: impl Into<T>,
+    ) -> Result<Option<T>, OperatorError> {
+        self.put_value(of, key, Some(value.into()))
+    }
+
+    /// Takes the value of a record away, and returns it. O(1).
+    ///
+    /// # Errors
+    /// As for [`set_value`](Self::set_value).
+    pub fn remove_value<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+    ) -> Result<Option<T>, OperatorError> {
+        self.put_value(of, key, None)
+    }
+
+    pub(crate) fn put_value<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+        value: Option<T>,
     ) -> Result<Option<T>, OperatorError> {
         #[cfg(feature = "map")]
         if <K as Sealed>::KIND == Kind::Feature {
@@ -123,7 +194,7 @@ impl<S: AttributeStore> Dcel<S> {
         if !S::RECORDS {
             attributes.clear_log();
         }
-        attributes.put(of, key, value.into()).map_err(|()| OperatorError::NoSuchAttribute)
+        attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
     }
 
     /// Adds the attributes of another structure, without values: they are the same ones, with the same policies. O(attributes).

@@ -141,4 +141,4 @@ pub use crate::store::attributes::{
 };
 pub use crate::store::links::RecordKind;
 pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
-pub use slotmap::SecondaryMap;
+pub use slotmap::{Key, KeyData, SecondaryMap};

@@ -220,7 +220,7 @@ fn same_places(points: &[Point], first: &mut Vec<Clash>, cap: usize) -> u64 {
     for group in &groups {
         pairs.extend((0..group.len()).map(|i| (group[i].vertex, &group[i + 1..])));
     }
-    pairs.sort_unstable_by_key(|(a, _)| *a);
+    pairs.sort_by_key(|(a, _)| *a);
     let pairs = pairs.into_iter().flat_map(|(a, later)| later.iter().map(move |b| Clash::SamePlace { a, b: b.vertex }));
     first.extend(pairs.take(cap));
     total

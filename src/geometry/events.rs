@@ -2,6 +2,7 @@
 
 use super::point::Point;
 use super::predicates::compare_lexicographic;
+use super::threads;
 use crate::slots::NIL;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -37,8 +38,8 @@ pub(super) fn sorted(points: &[Point]) -> Vec<Event> {
         *place += 1;
     }
     for strip in first.windows(2) {
-        events[strip[0] as usize..strip[1] as usize]
-            .sort_unstable_by(|a, b| compare_lexicographic(a.at, b.at).then(a.vertex.cmp(&b.vertex)));
+        let events = &mut events[strip[0] as usize..strip[1] as usize];
+        threads::sort_unstable_by(events, |a, b| compare_lexicographic(a.at, b.at).then(a.vertex.cmp(&b.vertex)));
     }
     events
 }

@@ -19,6 +19,9 @@ mod events;
 mod point;
 mod status;
 pub(crate) mod threads;
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub use threads::REVERSE_TIES;
 
 pub use point::Point;
 pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};

@@ -51,6 +51,7 @@ use super::events::{Event, accumulate, sorted};
 use super::point::Point;
 use super::predicates::{Meeting, Orientation, count_step, meeting, orientation};
 use super::status::{Gap, Status, Strand};
+use super::threads;
 
 /// The result of [`sweep`].
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -271,7 +272,7 @@ impl<'a> Line<'a> {
     /// Sorts segments that start at a point by angle, from the lowest to the highest.
     fn sort(&mut self, at: Point, starts: Range<usize>) {
         let events = &self.events;
-        self.starts[starts].sort_unstable_by(|a, b| {
+        threads::sort_unstable_by(&mut self.starts[starts], |a, b| {
             match orientation(at, events[a.end as usize].at, events[b.end as usize].at) {
                 Orientation::CounterClockwise => Ordering::Less,
                 Orientation::Collinear => a.segment.cmp(&b.segment),

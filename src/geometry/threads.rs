@@ -2,6 +2,8 @@
 //! The result is the same, bit for bit.
 
 use core::cmp::Ordering;
+#[cfg(debug_assertions)]
+use core::sync::atomic::AtomicBool;
 
 /// Shorter slices are sorted on one thread.
 #[cfg(feature = "rayon")]
@@ -19,12 +21,17 @@ pub(crate) fn join<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B)
     (a(), b())
 }
 
+/// Set by a test: items that tie are then put the other way round, as another standard library may. Optimised programs do not have it.
+#[cfg(debug_assertions)]
+#[doc(hidden)]
+pub static REVERSE_TIES: AtomicBool = AtomicBool::new(false);
+
 /// Sorts by an order in which only equal items tie, so that there is one result. O(n log n).
 #[cfg(feature = "rayon")]
 pub(crate) fn sort_unstable_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Sync) {
     use rayon::slice::ParallelSliceMut;
     if items.len() < LONG {
-        items.sort_unstable_by(order);
+        sort(items, order);
     } else {
         items.par_sort_unstable_by(order);
     }
@@ -33,6 +40,16 @@ pub(crate) fn sort_unstable_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) 
 /// Sorts by an order in which only equal items tie, so that there is one result. O(n log n).
 #[cfg(not(feature = "rayon"))]
 pub(crate) fn sort_unstable_by<T>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
+    sort(items, order);
+}
+
+#[allow(clippy::disallowed_methods, reason = "the one place where items are sorted so")]
+fn sort<T>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
+    #[cfg(debug_assertions)]
+    if REVERSE_TIES.load(core::sync::atomic::Ordering::Relaxed) {
+        items.reverse();
+        return items.sort_by(order);
+    }
     items.sort_unstable_by(order);
 }
 

@@ -19,12 +19,12 @@ use std::mem;
 /// Values that follow what edits do, by a [`Policy`] each: the owners of parcels, their taxes, the heights of vertices.
 ///
 /// ```
-/// use twinedge::dcel::Policy;
+/// use twinedge::dcel::{Attribute, Faces, Policy};
 /// use twinedge::map::{History, PlanarMap};
 ///
 /// let mut map = PlanarMap::new();
-/// let owner = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
-/// let tax = map.add_attribute(Policy::of_faces().split_share().merge_sum());
+/// let owner: Attribute<Faces, String> = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
+/// let tax: Attribute<Faces, f64> = map.add_attribute(Policy::of_faces().split_share().merge_sum());
 /// let parcel = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?.faces_split[0].1;
 /// map.set_value(owner, parcel, "Ada")?;
 /// map.set_value(tax, parcel, 80.0)?;
@@ -33,8 +33,8 @@ use std::mem;
 /// let mut history = History::new(map);
 /// let fence = history.change("divide", |map| map.insert_segment([1.0, 0.0], [1.0, 4.0]))?;
 /// let (kept, made) = fence.faces_split[0];
-/// let of = |history: &History, face| (history.get().value(owner, face).copied(), history.get().value(tax, face).copied());
-/// assert_eq!([of(&history, kept), of(&history, made)].map(|(owner, _)| owner), [Some("Ada"); 2]);
+/// let of = |history: &History, face| (history.get().value(owner, face).cloned(), history.get().value(tax, face).copied());
+/// assert_eq!([of(&history, kept), of(&history, made)].map(|(owner, _)| owner), [Some("Ada".to_owned()), Some("Ada".to_owned())]);
 /// let mut taxes = [kept, made].map(|face| of(&history, face).1.unwrap());
 /// taxes.sort_by(f64::total_cmp);
 /// assert_eq!(taxes, [20.0, 60.0]);
@@ -44,7 +44,7 @@ use std::mem;
 /// assert!(history.change("open", |map| map.remove_edge(fence.way[0])).is_err());
 /// history.undo();
 /// let opened = history.change("open", |map| map.remove_edge(fence.way[0]))?;
-/// assert_eq!(of(&history, opened.faces_merged[0].0), (Some("Ada"), Some(80.0)));
+/// assert_eq!(of(&history, opened.faces_merged[0].0), (Some("Ada".to_owned()), Some(80.0)));
 /// # Ok::<(), twinedge::map::edit::EditError>(())
 /// ```
 ///
@@ -59,9 +59,51 @@ use std::mem;
 /// As a map with attributes may have to take an edit back that is refused halfway, it notes what edits overwrite, as a
 /// [`History`](super::History) does.
 impl PlanarMap {
-    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised.
+    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n) if the
+    /// policy gives [ids](Policy::ids), which the n records that are there get at once, except the unbounded face.
+    ///
+    /// ```
+    /// use twinedge::dcel::Policy;
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let parcel = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?.faces_split[0].1;
+    /// let number = map.add_attribute(Policy::of_faces().ids(1));
+    /// assert_eq!(map.value(number, parcel), Some(&1));
+    /// let fence = map.insert_segment([0.0, 0.0], [4.0, 4.0])?;
+    /// assert_eq!(map.value(number, fence.faces_split[0].1), Some(&2));
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
     pub fn add_attribute<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
-        self.dcel.add_attribute(policy)
+        self.add_attribute_with(policy, SecondaryMap::new())
+    }
+
+    /// Adds an attribute with the [`values`](Self::values) of a map that was saved; for an example see
+    /// [saving](#impl-Serialize-for-PlanarMap). Values under stale keys are left out. O(values), and as [`add_attribute`](Self::add_attribute).
+    pub fn add_attribute_with<K: Attributed, T: Value>(
+        &mut self,
+        policy: Policy<K, T>,
+        values: SecondaryMap<K::Key, T>,
+    ) -> Attribute<K, T> {
+        if <K as Sealed>::KIND == Kind::Feature {
+            let feature = |key: KeyData| self.present(FeatureId::new(FeatureId::from(key).number())).ok();
+            let values: Vec<_> =
+                values.into_iter().filter_map(|(k, value)| Some((feature(k.data())?, value))).collect();
+            let values = values.into_iter().map(|(feature, value)| (feature.data().into(), value));
+            let features =
+                if policy.counts() { self.features().filter_map(|f| feature(f.data())).collect() } else { vec![] };
+            let features = features.into_iter().map(|feature: FeatureId| feature.data()).collect();
+            if self.notes.journal.is_none() {
+                self.dcel.store_mut().kept_attributes().clear_log();
+            }
+            return self.dcel.store_mut().kept_attributes().add(policy, values, features);
+        }
+        match &mut self.notes {
+            Notes { journal: Some(journal), .. } => {
+                self.dcel.watched(&mut journal.links, |dcel| dcel.add_attribute_with(policy, values))
+            }
+            Notes { journal: None, .. } => self.dcel.add_attribute_with(policy, values),
+        }
     }
 
     /// Returns the value that a record has, if it has one. O(1).
@@ -88,9 +130,21 @@ impl PlanarMap {
         self.dcel.next_id(of)
     }
 
-    /// Gives a value to a record, or takes it away. Returns the one that it had. O(1).
+    /// Gives a value to a record. Returns the previous value. O(1).
     ///
-    /// The value is named as the type that the attribute has: `"Bob".to_owned()`, not `"Bob".into()`.
+    /// The value converts to the type of the attribute: `"Ada"` is a value of an attribute of `String`s.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Attribute, Faces, Policy};
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let owner: Attribute<Faces, String> = map.add_attribute(Policy::of_faces());
+    /// let sea = map.dcel().unbounded_face().key();
+    /// assert_eq!(map.set_value(owner, sea, "Neptune")?, None);
+    /// assert_eq!(map.remove_value(owner, sea)?.as_deref(), Some("Neptune"));
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
     ///
     /// # Errors
     /// A stale key; [`EditError::NoSuchFeature`]; [`OperatorError::NoSuchAttribute`].
@@ -98,22 +152,41 @@ impl PlanarMap {
         &mut self,
         of: Attribute<K, T>,
         key: K::Key,
-        value: impl Into<Option<T>>,
+        value: impl Into<T>,
     ) -> Result<Option<T>, EditError> {
-        let value = value.into();
+        self.put_value(of, key, Some(value.into()))
+    }
+
+    /// Takes the value of a record away, and returns it. O(1).
+    ///
+    /// # Errors
+    /// As for [`set_value`](Self::set_value).
+    pub fn remove_value<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+    ) -> Result<Option<T>, EditError> {
+        self.put_value(of, key, None)
+    }
+
+    pub(super) fn put_value<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+        value: Option<T>,
+    ) -> Result<Option<T>, EditError> {
         if <K as Sealed>::KIND == Kind::Feature {
             // Of whatever version the key is, it is the number that counts.
-            let feature = FeatureId::from(key.data());
-            let known = self.feature(feature.index()).ok_or(EditError::NoSuchFeature(feature))?;
+            let known = self.present(FeatureId::new(FeatureId::from(key.data()).number()))?;
             let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
             let had = attributes.put(of, known.data().into(), value);
             return Ok(had.map_err(|()| OperatorError::NoSuchAttribute)?);
         }
         Ok(match &mut self.notes {
             Notes { journal: Some(journal), .. } => {
-                self.dcel.watched(&mut journal.links, |dcel| dcel.set_value(of, key, value))
+                self.dcel.watched(&mut journal.links, |dcel| dcel.put_value(of, key, value))
             }
-            Notes { journal: None, .. } => self.dcel.set_value(of, key, value),
+            Notes { journal: None, .. } => self.dcel.put_value(of, key, value),
         }?)
     }
 
@@ -134,7 +207,7 @@ impl PlanarMap {
     /// O(faces · features of each · log n).
     ///
     /// ```
-    /// use twinedge::dcel::Policy;
+    /// use twinedge::dcel::{Features, Policy};
     /// use twinedge::map::{Builder, Shape};
     ///
     /// let owners = ["Ada", "Bob"];
@@ -143,7 +216,7 @@ impl PlanarMap {
     ///     builder.shape(&Shape::polygon([[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]]))?;
     /// }
     /// let mut map = builder.build()?;
-    /// let of_feature = map.add_attribute(Policy::of_features());
+    /// let of_feature = map.add_attribute(Policy::<Features, &str>::of_features());
     /// for (index, owner) in owners.iter().enumerate() {
     ///     let feature = map.feature(index).expect("features are numbered in order of input");
     ///     map.set_value(of_feature, feature, *owner)?;
@@ -205,11 +278,11 @@ impl PlanarMap {
     /// that are built anew, as [overlays](crate::algorithm::overlay) are. O(n log n).
     ///
     /// ```
-    /// use twinedge::dcel::Policy;
+    /// use twinedge::dcel::{Faces, Policy};
     /// use twinedge::map::PlanarMap;
     ///
     /// let mut old = PlanarMap::new();
-    /// let tax = old.add_attribute(Policy::of_faces().split_share());
+    /// let tax = old.add_attribute(Policy::<Faces, f64>::of_faces().split_share());
     /// let ring = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
     /// let parcel = old.insert_ring(ring)?.faces_split[0].1;
     /// old.set_value(tax, parcel, 80.0)?;
@@ -279,7 +352,7 @@ impl PlanarMap {
 
     /// Gives their values to a feature that was made.
     pub(super) fn give_made_feature(&mut self, feature: FeatureId) {
-        // Making is never refused.
+        // A feature is added even if all ids are given away.
         if let (Ok(()), Some(attributes)) = (self.announce_feature(Step::Make), self.dcel.store_mut().attributes_mut())
         {
             attributes.settle(&[(Kind::Feature, feature.data())]);

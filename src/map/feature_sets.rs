@@ -6,6 +6,7 @@
 
 use super::feature_tries::{FeatureTries, Members, SetId, SetOperation};
 use crate::store::FeatureId;
+use std::collections::BTreeSet;
 
 /// The sets of features of the faces and edges of a map, by index.
 #[derive(Clone, Debug, Default)]
@@ -14,6 +15,8 @@ pub(super) struct FeatureSets {
     faces: Vec<SetId>,
     /// By half the index of either half-edge.
     edges: Vec<SetId>,
+    /// The features that were removed: their numbers are not given to others.
+    pub(super) removed: BTreeSet<FeatureId>,
 }
 
 impl FeatureSets {

@@ -5,7 +5,7 @@ use super::notes::{MapEntry, MapJournal, Notes};
 use super::planar_map::PlanarMap;
 use crate::dcel::{Dcel, HalfEdge, Mark, Past, Recorder, Vertex};
 use crate::store::links::Links;
-use crate::store::{Journal, Way};
+use crate::store::{FeatureId, Journal, Way};
 use crate::validate::near::WriteSet;
 use std::borrow::Cow;
 use std::mem;
@@ -226,6 +226,10 @@ impl PlanarMap {
                 Way::Forth => self.names.push(name.take().map(String::from)),
             },
             MapEntry::Name(feature, name) => {
+                let removed = FeatureId::new(*feature);
+                if !self.features.removed.remove(&removed) {
+                    self.features.removed.insert(removed);
+                }
                 let had = self.names[*feature as usize].take();
                 self.names[*feature as usize] = mem::replace(name, had.map(String::into_boxed_str)).map(String::from);
             }

@@ -56,7 +56,7 @@ pub(crate) enum MapEntry {
     Along(u32, SetId),
     /// The last feature, with the name that it has when it is there again.
     Feature(Option<Box<str>>),
-    /// The name of a feature.
+    /// The name of a feature that is removed.
     Name(u32, Option<Box<str>>),
     /// The value of an attribute.
     Value(Saved),

@@ -109,6 +109,7 @@ impl PartialEq for PlanarMap {
             |h: usize| self.features.set(self.features.along(h)).eq(other.features.set(other.features.along(h)));
         self.is_plane() == other.is_plane()
             && self.names == other.names
+            && self.features.removed == other.features.removed
             && self.dcel == other.dcel
             && points(self) == points(other)
             && self.dcel.faces().all(|f| is_covered_alike(f.index()))
@@ -242,7 +243,7 @@ impl PlanarMap {
         (index < self.names.len()).then_some(FeatureId::new(index as u32))
     }
 
-    /// All features, in order of input.
+    /// All features, in order of input. A feature that was [removed](Self::remove_feature) keeps its number, and is among them.
     pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
         (0..self.names.len() as u32).map(FeatureId::new)
     }

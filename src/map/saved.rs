@@ -38,6 +38,9 @@ struct SavedMap<D, C> {
     edges: Vec<usize>,
     summary: BuildSummary,
     noding: Option<NodingSummary>,
+    /// The features that were removed, in ascending order.
+    #[serde(default)]
+    removed: Vec<u32>,
     /// The certificate of the drawing, if it was saved with one.
     #[serde(default = "Option::default")]
     drawing: Option<C>,
@@ -58,8 +61,10 @@ enum LoadError {
     Form(u8),
     #[error("there are {found} entries for {count} {what}")]
     Count { what: &'static str, found: usize, count: usize },
-    #[error("set {0} of features is not sorted, or has a feature that the map has not")]
+    #[error("set {0} of features is not sorted, or has a feature that the map does not have")]
     BadSet(usize),
+    #[error("feature {0} cannot have been removed: it has a name, or is none of the map")]
+    Removed(u32),
     #[error("there is no set {0} of features")]
     NoSuchSet(usize),
     #[error("the map is not valid:\n{0}")]
@@ -101,25 +106,20 @@ enum LoadError {
 ///
 /// ```
 /// # #[cfg(feature = "near")] {
-/// use twinedge::dcel::{FaceKey, Policy};
+/// use twinedge::dcel::{FaceKey, Faces, Policy, SecondaryMap};
 /// use twinedge::map::PlanarMap;
 ///
-/// let owners = || Policy::of_faces().split_copy().merge_equal();
+/// let owners = || Policy::<Faces, String>::of_faces().split_copy().merge_equal();
 /// let mut map = PlanarMap::new();
 /// let (id, owner) = (map.add_attribute(Policy::of_faces().ids(1)), map.add_attribute(owners()));
 /// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
-/// map.set_value(owner, ring.faces_split[0].1, "Ada".to_owned())?;
+/// map.set_value(owner, ring.faces_split[0].1, "Ada")?;
 /// let saved = serde_json::to_string(&(&map, map.next_id(id), map.values(id), map.values(owner)))?;
 ///
-/// type Values<T> = slotmap::SecondaryMap<FaceKey, T>;
+/// type Values<T> = SecondaryMap<FaceKey, T>;
 /// let (mut map, next, ids, names): (PlanarMap, u64, Values<u64>, Values<String>) = serde_json::from_str(&saved)?;
-/// let (id, owner) = (map.add_attribute(Policy::of_faces().ids(next)), map.add_attribute(owners()));
-/// for (face, number) in ids {
-///     map.set_value(id, face, number)?;
-/// }
-/// for (face, name) in names {
-///     map.set_value(owner, face, name)?;
-/// }
+/// let id = map.add_attribute_with(Policy::of_faces().ids(next), ids);
+/// let owner = map.add_attribute_with(owners(), names);
 /// let parcel = map.find(id, &1).unwrap();
 /// assert_eq!((map.value(owner, parcel).map(String::as_str), map.next_id(id)), (Some("Ada"), Some(2)));
 /// # }
@@ -192,6 +192,7 @@ impl PlanarMap {
             edges,
             summary: self.summary.clone(),
             noding: self.noding,
+            removed: self.features.removed.iter().map(|feature| feature.number()).collect(),
             drawing,
         };
         saved.serialize(serializer)
@@ -208,7 +209,8 @@ impl<'de> Deserialize<'de> for PlanarMap {
 
 impl SavedMap<Dcel, Drawing> {
     fn load(self) -> Result<PlanarMap, LoadError> {
-        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, drawing } = self;
+        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, removed, drawing } =
+            self;
         if form != FORM {
             return Err(LoadError::Form(form));
         }
@@ -235,6 +237,14 @@ impl SavedMap<Dcel, Drawing> {
             }
             numbers.push(features.number(set.iter().copied().map(FeatureId::new)));
         }
+        let has_no_name = |removed: &u32| names.get(*removed as usize).is_some_and(Option::is_none);
+        if let Some(wrong) = removed.iter().find(|removed| !has_no_name(removed)) {
+            return Err(LoadError::Removed(*wrong));
+        }
+        if let Some(i) = sets.iter().position(|set| set.iter().any(|feature| removed.contains(feature))) {
+            return Err(LoadError::BadSet(i));
+        }
+        features.removed = removed.into_iter().map(FeatureId::new).collect();
         let set = |number: usize| numbers.get(number).copied().ok_or(LoadError::NoSuchSet(number));
         for (face, number) in dcel.faces().zip(faces) {
             features.put_face(face.index(), set(number)?);

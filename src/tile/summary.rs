@@ -332,8 +332,8 @@ impl Summary {
         };
         self.faces = faces.old.iter().map(open).collect();
         self.settle_regions(&mut joins.regions, &regions);
-        self.lengths.sort_unstable_by(f64::total_cmp);
-        self.areas.sort_unstable_by(f64::total_cmp);
+        self.lengths.sort_by(f64::total_cmp);
+        self.areas.sort_by(f64::total_cmp);
         self.closed.sort_by(Region::compare);
         self.slivers.sort_by(Sliver::compare);
         add_up(&mut self.claimed);

@@ -157,7 +157,7 @@ fn faces_have_the_neighbours_that_one_sees() {
     };
     let sorted = |all: &[(FaceKey, f64, usize)]| {
         let mut all = all.to_vec();
-        all.sort_unstable_by_key(|(f, ..)| map.dcel().face(*f).expect("live").index());
+        all.sort_by_key(|(f, ..)| map.dcel().face(*f).expect("live").index());
         all
     };
     assert_eq!(lengths(inner), [(around, 8.0, 1)]);

@@ -288,14 +288,14 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
     let id = left.add_attribute(Policy::of_faces().ids(1));
     let of_vertices = left.add_attribute(Policy::of_vertices().ids(1));
     let corner = left.dcel().vertices().next().unwrap().key();
-    left.set_value(of_vertices, corner, 5).unwrap();
-    left.set_value(id, parcel, 10).unwrap();
-    left.set_value(id, sliver, 11).unwrap();
+    left.set_value(of_vertices, corner, 5_u64).unwrap();
+    left.set_value(id, parcel, 10_u64).unwrap();
+    left.set_value(id, sliver, 11_u64).unwrap();
     left.set_value(owner, parcel, "Ada").unwrap();
     left.set_value(name, parcel, "home").unwrap();
     left.set_value(tax, parcel, 64.0).unwrap();
     left.set_value(tax, sliver, 1.0).unwrap();
-    right.set_value(zone, inside, 5).unwrap();
+    right.set_value(zone, inside, 5_u32).unwrap();
     let both = overlay(&left, &right, Snap::Size(1.0)).unwrap();
     let map = both.map();
     let value = |operand, of| both.face_in(operand, of).unwrap();

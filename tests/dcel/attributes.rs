@@ -305,7 +305,7 @@ fn each_ready_made_policy_does_what_it_says() {
     assert_eq!(dcel.set_value(height, b, 2.0), Ok(None));
     let middle = dcel.split_edge(h).unwrap().vertex;
     assert_eq!(dcel.value(height, middle), Some(&1.5));
-    assert_eq!(dcel.set_value(height, middle, None), Ok(Some(1.5)));
+    assert_eq!(dcel.remove_value(height, middle), Ok(Some(1.5)));
     assert_eq!(dcel.value(height, middle), None);
 }
 
@@ -316,9 +316,9 @@ fn stale_keys_and_attributes_of_other_structures_are_errors() {
     let outside = dcel.unbounded_face().key();
     let gone = dcel.add_isolated_vertex(outside).unwrap().vertex;
     dcel.remove_isolated_vertex(gone).unwrap();
-    let foreign = other.add_attribute(Policy::of_faces());
+    let foreign = other.add_attribute(Policy::<twinedge::dcel::Faces, i32>::of_faces());
     assert_eq!(dcel.set_value(foreign, outside, 1), Err(OperatorError::NoSuchAttribute));
-    let height = dcel.add_attribute(Policy::of_vertices());
+    let height = dcel.add_attribute(Policy::<Vertices, f64>::of_vertices());
     assert_eq!(dcel.set_value(foreign, outside, 1), Err(OperatorError::NoSuchAttribute));
     assert!(matches!(dcel.set_value(height, gone, 1.0), Err(OperatorError::Stale(_))));
     assert_eq!((dcel.value(foreign, outside), dcel.value(height, gone)), (None, None));
@@ -408,7 +408,7 @@ fn two_numbered() -> (Dcel, Attribute<Vertices, u64>, [VertexKey; 2]) {
 #[test]
 fn a_number_that_was_set_by_hand_is_not_given_again() {
     let (mut dcel, id, [a, _]) = two_numbered();
-    dcel.set_value(id, a, 7).unwrap();
+    dcel.set_value(id, a, 7_u64).unwrap();
     assert_eq!(dcel.next_id(id), Some(8));
     let outside = dcel.unbounded_face().key();
     let next = dcel.add_isolated_vertex(outside).unwrap().vertex;
@@ -417,18 +417,65 @@ fn a_number_that_was_set_by_hand_is_not_given_again() {
     assert_eq!(dcel.next_id(id), Some(u64::MAX));
 }
 
+/// The last number is not given, so that the next one never starts again.
+#[test]
+fn once_all_numbers_are_given_no_record_is_made() {
+    let mut by_hand = Dcel::new();
+    let id = by_hand.add_attribute(Policy::of_vertices().ids(1));
+    let outside = by_hand.unbounded_face().key();
+    let v = by_hand.add_isolated_vertex(outside).unwrap().vertex;
+    by_hand.set_value(id, v, u64::MAX).unwrap();
+    let mut counted = Dcel::new();
+    let of_counted = counted.add_attribute(Policy::of_vertices().ids(u64::MAX - 1));
+    let last = counted.add_isolated_vertex(counted.unbounded_face().key()).unwrap().vertex;
+    assert_eq!(counted.value(of_counted, last), Some(&(u64::MAX - 1)));
+    for (mut dcel, id) in [(by_hand, id), (counted, of_counted)] {
+        for _ in 0..2 {
+            let refused = dcel.add_isolated_vertex(dcel.unbounded_face().key());
+            assert!(matches!(refused, Err(OperatorError::Refused(_))), "{refused:?}");
+        }
+        assert_eq!((dcel.vertex_count(), dcel.values(id).unwrap().len()), (1, 1));
+    }
+}
+
+/// The unbounded face has no number.
+#[test]
+fn records_that_are_there_are_numbered() {
+    let mut dcel = Dcel::new();
+    let outside = dcel.unbounded_face().key();
+    let v = dcel.add_isolated_vertex(outside).unwrap().vertex;
+    let ring = dcel.connect(v, v, Split::default()).unwrap();
+    let inside = ring.new_face().unwrap();
+    let of_faces = dcel.add_attribute(Policy::of_faces().ids(1));
+    let of_edges = dcel.add_attribute(Policy::of_edges().ids(1));
+    let of_half_edges = dcel.add_attribute(Policy::of_half_edges().ids(1));
+    assert_eq!((dcel.value(of_faces, inside), dcel.value(of_faces, outside)), (Some(&1), None));
+    assert_eq!((dcel.find(of_faces, &1), dcel.next_id(of_faces)), (Some(inside), Some(2)));
+    let twin = dcel.half_edge(ring.half_edge).unwrap().twin().key();
+    assert_eq!([ring.half_edge, twin].map(|h| dcel.value(of_edges, h).copied()), [Some(1); 2]);
+    let mut sides = [ring.half_edge, twin].map(|h| *dcel.value(of_half_edges, h).unwrap());
+    sides.sort_unstable();
+    assert_eq!(sides, [1, 2]);
+    // Other numbers that were saved stay, and the rest gets the next ones.
+    let mut saved = twinedge::dcel::SecondaryMap::new();
+    saved.insert(v, 30_u64);
+    let w = dcel.split_edge(ring.half_edge).unwrap().vertex;
+    let of_vertices = dcel.add_attribute_with(Policy::of_vertices().ids(20), saved);
+    assert_eq!([v, w].map(|v| dcel.value(of_vertices, v).copied()), [Some(30), Some(31)]);
+}
+
 #[test]
 fn a_record_is_found_again_once_no_other_has_its_number() {
     let (mut dcel, id, [a, b]) = two_numbered();
-    dcel.set_value(id, a, 2).unwrap();
+    dcel.set_value(id, a, 2_u64).unwrap();
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (None, Some(a)));
-    dcel.set_value(id, a, 1).unwrap();
+    dcel.set_value(id, a, 1_u64).unwrap();
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(a), Some(b)));
     // They change numbers.
-    dcel.set_value(id, a, 2).unwrap();
-    dcel.set_value(id, b, 1).unwrap();
+    dcel.set_value(id, a, 2_u64).unwrap();
+    dcel.set_value(id, b, 1_u64).unwrap();
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(b), Some(a)));
-    dcel.set_value(id, a, None).unwrap();
+    dcel.remove_value(id, a).unwrap();
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(b), None));
 }
 
@@ -438,7 +485,7 @@ fn a_number_that_a_record_has_is_not_taken_over_for_another() {
     let (mut new, keys) = Dcel::from_view(&dcel, &Expectation::plane(), Outside::Given).unwrap();
     let [a, b] = [a, b].map(|v| keys.vertex(dcel.vertex(v).unwrap().index()).unwrap());
     new.add_attributes_of(&dcel);
-    new.set_value(id, b, 1).unwrap();
+    new.set_value(id, b, 1_u64).unwrap();
     new.carry_values(&dcel, &keys);
     assert_eq!([a, b].map(|v| new.value(id, v)), [Some(&3), Some(&1)]);
     assert_eq!((new.find(id, &1), new.find(id, &3)), (Some(b), Some(a)));

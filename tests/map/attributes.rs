@@ -5,7 +5,9 @@ use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::algorithm::area::face_area;
-use twinedge::dcel::{FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap, VertexKey};
+use twinedge::dcel::{
+    FaceKey, Features, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap, VertexKey,
+};
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
@@ -59,8 +61,9 @@ fn shuffle_features(history: &mut History, step: usize) {
         3 if count > 4 => history.change("remove", |map| map.remove_feature(feature(map, step / 5)).map(drop)),
         _ => return,
     };
-    // Only a policy refuses.
-    assert!(matches!(outcome, Ok(()) | Err(EditError::Operator(OperatorError::Refused(_)))));
+    // Only a policy refuses, or the feature is gone.
+    let refused = |error| matches!(error, EditError::Operator(OperatorError::Refused(_)) | EditError::NoSuchFeature(_));
+    assert!(outcome.is_ok() || outcome.is_err_and(refused));
 }
 
 #[test]
@@ -225,9 +228,14 @@ fn a_map_made_of_another_one_takes_over_every_value() {
         handles.check(new.dcel(), &mints);
         // A feature that has a value keeps it.
         if let Some(feature) = new.feature(0) {
-            new.set_value(of_feature, feature, 3).unwrap();
+            new.set_value(of_feature, feature, 3_u64).unwrap();
             new.carry_values(&old, &keys);
-            assert_eq!(new.set_value(of_feature, feature, old.value(of_feature, feature).copied()), Ok(Some(3)));
+            let value = old.value(of_feature, feature).copied();
+            let had = match value {
+                Some(value) => new.set_value(of_feature, feature, value),
+                None => new.remove_value(of_feature, feature),
+            };
+            assert_eq!(had, Ok(Some(3)));
         }
         for h in old.dcel().half_edges() {
             let key = keys.half_edge(h.index()).unwrap();
@@ -264,14 +272,8 @@ fn values_saved_beside_a_map_find_their_records_when_both_are_loaded() {
         let text = serde_json::to_string(&(&map, map.values(handles.faces), map.values(ids))).unwrap();
         let (mut loaded, faces, features) = serde_json::from_str::<Saved>(&text).unwrap();
         let next = features.values().max().map_or(100, |last| last + 1);
-        let of_face = loaded.add_attribute(Policy::of_faces());
-        let again = loaded.add_attribute(Policy::of_features().ids(next));
-        for (face, tokens) in faces {
-            loaded.set_value(of_face, face, tokens).unwrap();
-        }
-        for (feature, id) in features {
-            loaded.set_value(again, feature, id).unwrap();
-        }
+        let of_face = loaded.add_attribute_with(Policy::of_faces(), faces);
+        let again = loaded.add_attribute_with(Policy::of_features().ids(next), features);
         assert!(loaded == map);
         assert!(loaded.values(of_face).unwrap().iter().eq(map.values(handles.faces).unwrap()));
         assert!(loaded.values(again).unwrap().iter().eq(map.values(ids).unwrap()));
@@ -348,7 +350,7 @@ fn four_cells() -> (PlanarMap, twinedge::dcel::Attribute<twinedge::dcel::Faces, 
         .into();
     for h in &spokes {
         let face = map.dcel().half_edge(*h).unwrap().face().key();
-        map.set_value(owner, face, 1).unwrap();
+        map.set_value(owner, face, 1_u32).unwrap();
     }
     (map, owner, spokes)
 }
@@ -360,13 +362,13 @@ fn a_refused_edit_inside_of_a_change_leaves_the_rest_of_the_change() {
         [map.dcel().half_edge(spokes[0]).unwrap().face().key(), map.dcel().half_edge(spokes[2]).unwrap().face().key()];
     let middle = map.dcel().half_edge(spokes[0]).unwrap().origin().key();
     // The last of the edges that are erased would merge two owners.
-    map.set_value(owner, sides[1], 2).unwrap();
+    map.set_value(owner, sides[1], 2_u32).unwrap();
     let original = map.clone();
     let mut history = History::new(map);
     let seen = history.change("several", |map| {
         map.insert_point([1.0, 1.0])?;
-        map.set_value(owner, sides[0], 3)?;
-        map.set_value(owner, sides[0], 1)?;
+        map.set_value(owner, sides[0], 3_u32)?;
+        map.set_value(owner, sides[0], 1_u32)?;
         let (before, values) = (map.clone(), map.values(owner).cloned());
         assert!(matches!(map.remove_vertex(middle), Err(EditError::Operator(OperatorError::Refused(_)))));
         assert!(*map == before);
@@ -382,7 +384,7 @@ fn a_refused_edit_inside_of_a_change_leaves_the_rest_of_the_change() {
     assert_eq!(history.get().value(owner, sides[1]), Some(&2));
     assert!(history.redo());
     // Once all are of one owner, the vertex goes.
-    history.change("sell", |map| map.set_value(owner, sides[1], 1)).unwrap();
+    history.change("sell", |map| map.set_value(owner, sides[1], 1_u32)).unwrap();
     let removed = history.change("erase", |map| map.remove_vertex(middle)).unwrap();
     assert_eq!((removed.faces_merged.len(), history.get().values(owner).unwrap().len()), (3, 1));
 }
@@ -479,7 +481,7 @@ fn of_merged_faces_the_larger_one_may_name_both() {
 #[test]
 fn a_feature_of_another_map_gets_no_value() {
     let mut old = PlanarMap::new();
-    let note = old.add_attribute(Policy::of_features());
+    let note = old.add_attribute(Policy::<Features, u32>::of_features());
     let features = [0, 1].map(|i| old.add_feature(Some(format!("feature {i}"))));
     old.set_value(note, features[1], 5_u32).unwrap();
     let mut new = PlanarMap::new();
@@ -524,7 +526,7 @@ fn values_of_a_feature_that_was_taken_back_do_not_keep_others_from_being_given_t
     let (mut old, (map, owner, _)) = (PlanarMap::new(), four_cells());
     let of_feature = old.add_attribute(Policy::of_features());
     let feature = old.add_feature(None);
-    old.set_value(of_feature, feature, 5).unwrap();
+    old.set_value(of_feature, feature, 5_u32).unwrap();
     let mut history = History::new(map);
     history
         .change("carry", |map| {

@@ -22,4 +22,5 @@ mod not_plane;
 mod planar_map;
 mod rewound;
 mod saved;
+mod sorting;
 mod threads;

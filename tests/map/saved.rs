@@ -173,15 +173,16 @@ fn square() -> PlanarMap {
 fn garbage_is_an_error() {
     let good = saved(&square());
     assert!(loaded(good.clone()).is_ok());
-    let cases: [(&str, Value, &str); 9] = [
+    let cases: [(&str, Value, &str); 10] = [
         ("/form", json!(2), "form 2 of a map is not known"),
         ("/points", json!([[0.0, 0.0]]), "there are 1 entries for 8 vertices"),
         ("/faces", json!([]), "there are 0 entries for 3 faces"),
         ("/edges", json!([0]), "there are 1 entries for 7 edges"),
         ("/faces/1", json!(99), "there is no set 99 of features"),
         ("/edges/0", json!(99), "there is no set 99 of features"),
-        ("/sets/1", json!([7]), "set 1 of features is not sorted, or has a feature that the map has not"),
+        ("/sets/1", json!([7]), "set 1 of features is not sorted, or has a feature that the map does not have"),
         ("/sets/1", json!([1, 0]), "set 1 of features is not sorted"),
+        ("/removed", json!([7]), "feature 7 cannot have been removed"),
         ("/points/0", json!([100.0, 100.0]), "the map is not valid:"),
     ];
     for (place, value, says) in cases {

@@ -115,7 +115,7 @@ pub(crate) fn all_clashes(points: &[Grid], segments: &[[u32; 2]]) -> Vec<Clash> 
         Clash::Cross { a, .. } | Clash::Overlap { a, .. } => (a + 1, clash),
         Clash::Touch { segment, .. } => (segment + 1, clash),
     };
-    all.sort_unstable_by_key(key);
+    all.sort_by_key(key);
     // Several segments may touch another at the endpoint that they share.
     all.dedup();
     all

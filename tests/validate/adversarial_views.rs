@@ -7,6 +7,7 @@ use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{Without, map, mesh, textbook_map, torus};
 use std::cell::Cell;
+use twinedge::validate::near::{Baseline, WriteSet, validate_near};
 use twinedge::validate::{
     BoundaryPlace, Collect, Expectation, Link, Only, Part, Parts, Rule, Start, Table, Unchecked, View, Violation,
 };
@@ -129,6 +130,30 @@ fn answers_may_change_from_call_to_call() {
         for consistent_answers in 0..=consistent {
             for seed in 0..8 {
                 assert!(questions(consistent_answers, seed) < 3 * consistent + 300, "{form:?}");
+            }
+        }
+    }
+}
+
+/// The same of checks near a change: of every record, and of a few.
+#[test]
+fn answers_may_change_while_a_change_is_checked() {
+    let table = loops();
+    let written = WriteSet { vertices: vec![0], half_edges: vec![0, 1], ..WriteSet::default() };
+    for form in forms().into_iter().filter(|form| !form.expectation.is_open()) {
+        let Ok(baseline) = Baseline::new(&Only::new(&table, form.parts), &form.expectation) else { continue };
+        let questions = |consistent_answers, seed| {
+            let view = Inconsistent::new(&table, consistent_answers, seed);
+            let _ = Baseline::new(&Only::new(&view, form.parts), &form.expectation);
+            let asked = view.questions.get();
+            let view = Inconsistent::new(&table, consistent_answers, seed);
+            let _ = validate_near(&mut baseline.clone(), &Only::new(&view, form.parts), &written);
+            asked + view.questions.get()
+        };
+        let consistent = questions(u64::MAX, 0);
+        for consistent_answers in 0..=consistent {
+            for seed in 0..32 {
+                assert!(questions(consistent_answers, seed) < 6 * consistent + 600, "{form:?}");
             }
         }
     }

@@ -4,11 +4,11 @@ use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, tor
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use twinedge::validate::certificate::{
-    Certificate, Column, Labels, LabelsError, Test, check, check_parallel, check_surface, check_surface_parallel,
-    passes, passes_surface,
+    Certificate, Column, Labels, LabelsError, SurfaceCertificate, Test, check, check_parallel, check_surface,
+    check_surface_parallel, passes, passes_surface,
 };
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{BoundaryPlace, Expectation, Part, Parts, Rule, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, Expectation, Only, Part, Parts, Rule, Start, Table, View};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::{CorruptWork, abort};
 use twinedge_trials::enumerate::for_each_corruption;
@@ -65,6 +65,8 @@ fn a_corruption_passes_only_if_the_rules_hold() {
                 let broken = first_broken_rule(corrupt, &PLANE);
                 let own = Labels::new(corrupt).unwrap();
                 assert_eq!(check(corrupt, &own).is_ok(), broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
+                let stands_alone = Certificate::new(corrupt, &own).is_ok_and(|certificate| certificate.check().is_ok());
+                assert_eq!(stands_alone, broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
                 assert!(!is_certified || broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
                 wrong += usize::from(broken.is_some());
                 right += usize::from(is_certified);
@@ -292,6 +294,28 @@ impl View for Large {
     }
 }
 
+/// A vertex without half-edges, and one more each time that somebody asks.
+struct Growing(Cell<usize>);
+impl View for Growing {
+    twinedge::view_answers! { |this|
+        parts => Parts::NONE,
+        vertex_slots => this.0.replace(this.0.get() + 1),
+        half_edge_slots => 0,
+        origin(_h) => None,
+        twin(_h) => None,
+        next(_h) => None,
+    }
+}
+
+#[test]
+fn labels_of_a_structure_that_grows_are_made() {
+    for first in 0..4 {
+        assert!(Labels::new(&Growing(Cell::new(first))).is_ok());
+        assert!(Labels::of_surface(&Growing(Cell::new(first))).is_ok());
+        let _ = SurfaceCertificate::new(&Growing(Cell::new(first)));
+    }
+}
+
 #[test]
 fn structures_without_containment_have_no_labels() {
     let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
@@ -441,18 +465,44 @@ fn maps_by_name() -> impl Iterator<Item = (Table, Labels)> {
         })
 }
 
+/// Boundary components are not stored, so neither is their name: whatever the vertex answers, it is not read.
 #[test]
-fn a_vertex_names_no_boundary_component_where_there_are_none() {
+fn what_is_not_stored_is_not_read() {
     let mut seen = 0;
-    for (mut table, labels) in maps_by_name() {
-        for v in (0..table.vertices.len()).filter(|v| table.is_vertex(*v)).collect::<Vec<_>>() {
-            vertex(&mut table, v).isolated = Some(0);
-            assert_eq!(failing(&table, &labels), [Test::VertexOk], "{table}");
-            vertex(&mut table, v).isolated = None;
-            seen += 1;
+    for table in small_maps() {
+        let parts = Parts::ALL.without(Part::BoundaryComponents);
+        let stored = projected(&table, &Form { parts, expectation: PLANE });
+        let mut all = table.clone();
+        for (row, stored) in all.half_edges.iter_mut().zip(&stored.half_edges) {
+            row.iter_mut().for_each(|row| row.face = stored.as_ref().and_then(|stored| stored.face));
         }
+        for (row, stored) in all.faces.iter_mut().zip(&stored.faces) {
+            let (Some(row), Some(stored)) = (row, stored) else { continue };
+            row.outer_half_edge = stored.outer_half_edge;
+            row.inner_starts.clone_from(&stored.inner_starts);
+        }
+        let only = Only::new(all, parts);
+        assert_eq!(first_broken_rule(&only, &PLANE), None, "{table}");
+        let labels = Labels::new(&only).unwrap();
+        assert_eq!(check(&only, &labels), Ok(()), "{table}");
+        assert_eq!(Certificate::new(&only, &labels).unwrap().check(), Ok(()), "{table}");
+        seen += usize::from(table.vertices.iter().flatten().any(|vertex| vertex.isolated.is_some()));
     }
     assert!(seen > 0);
+}
+
+/// The names by which half-edges and faces name each other are in no column of a certificate.
+#[test]
+fn a_certificate_is_not_silent_on_wrong_names() {
+    // A loop, whose inside is named by both sides.
+    let table: Table = "P 5 prev leaving faces holes unbounded_face V 1 0 - H 2 0 1 0 0 - 0 0 1 1 - B 0 F 2 - 0 - 0 \
+                        HF 2 1 1 FH 2 0 0 - 1 h1"
+        .parse()
+        .unwrap();
+    assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::B1));
+    let labels = Labels::new(&table).unwrap();
+    assert!(check(&table, &labels).is_err());
+    assert_eq!(Certificate::new(&table, &labels), Err(LabelsError::FaceOfHalfEdge(0)));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{
-    Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View, Violation,
+    Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View, Violation, accepts,
 };
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::corrupt::CorruptWork;
@@ -50,6 +50,76 @@ fn what_is_right_in_any_form_is_not_left_to_the_rules() {
         .unwrap()
         .into_result()
         .unwrap();
+}
+
+/// The permutations of these numbers, by Heap's algorithm.
+fn for_each_permutation(numbers: &mut [usize], left: usize, visit: &mut impl FnMut(&[usize])) {
+    if left <= 1 {
+        return visit(numbers);
+    }
+    for i in 0..left {
+        for_each_permutation(numbers, left - 1, visit);
+        numbers.swap(if left % 2 == 0 { i } else { 0 }, left - 1);
+    }
+}
+
+/// The surfaces with these cycles: a table of every part that surfaces have.
+fn rotation_system(next: &[usize]) -> Table {
+    // The numbers of the orbits, in the order of their first half-edges.
+    let orbits = |step: &dyn Fn(usize) -> usize| {
+        let (mut of, mut first) = (vec![usize::MAX; next.len()], Vec::new());
+        for start in 0..next.len() {
+            let mut h = start;
+            while of[h] == usize::MAX {
+                if h == start {
+                    first.push(start);
+                }
+                of[h] = first.len() - 1;
+                h = step(h);
+            }
+        }
+        (of, first)
+    };
+    let (origin, leaving) = orbits(&|h| next[h ^ 1]);
+    let (face, outer) = orbits(&|h| next[h]);
+    let half_edge = |h: usize| HalfEdgeRow {
+        origin: Some(origin[h]),
+        twin: Some(h ^ 1),
+        next: Some(next[h]),
+        prev: next.iter().position(|next| *next == h),
+        face: Some(face[h]),
+        ..HalfEdgeRow::default()
+    };
+    let vertex = |h: &usize| Some(VertexRow { leaving: Some(*h), ..VertexRow::default() });
+    let face = |h: &usize| Some(FaceRow { outer_half_edge: Some(*h), ..FaceRow::default() });
+    Table {
+        parts: Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces),
+        vertices: leaving.iter().map(vertex).collect(),
+        half_edges: (0..next.len()).map(|h| Some(half_edge(h))).collect(),
+        faces: outer.iter().map(face).collect(),
+        ..Table::default()
+    }
+}
+
+/// From four edges on there are surfaces with more handles than components.
+#[test]
+fn every_rotation_system_of_up_to_four_edges_is_accepted_with_its_genus() {
+    let mut by_genus = [0; 3];
+    for edges in 0..=4 {
+        let mut cycles: Vec<usize> = (0..2 * edges).collect();
+        let length = cycles.len();
+        for_each_permutation(&mut cycles, length, &mut |next| {
+            let table = rotation_system(next);
+            let surface = Expectation::surface();
+            let genus = validate(&table, &surface, Collect::First).into_result().unwrap().genus;
+            by_genus[genus] += 1;
+            assert!(accepts(&table, &surface.open()) && accepts(&table, &surface.genus(genus)), "{table}");
+            assert!(!accepts(&table, &surface.genus(genus + 1)), "{table}");
+            let bare = table.without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+            assert!(accepts(&bare, &surface) && accepts(&bare, &PLANE) == (genus == 0), "{bare}");
+        });
+    }
+    assert_eq!(by_genus, [23_593, 16_454, 1_020]);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::check::lines;
 use super::folder::{Claim, Folder};
 use super::notes::Notes;
 use super::output;
-use super::source::{self, Source};
+use super::source::{self, LIST, Source};
 use super::sql::Engine;
 use crate::input::MapFile;
 use crate::output::{counted, print};
@@ -12,8 +12,8 @@ use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use std::path::PathBuf;
 use twinedge::map::certificate::{self, DrawingError};
-use twinedge::validate::View;
-use twinedge::validate::certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate};
+use twinedge::validate::certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate, check};
+use twinedge::validate::{Collect, Expectation, View, validate};
 use twinedge_report::{Input, InputKind, Keep};
 
 /// Write a certificate: labels by which anyone can check that a map is a planar subdivision, and drawn without crossings; or that a mesh is a
@@ -31,7 +31,7 @@ use twinedge_report::{Input, InputKind, Keep};
   twinedge postgis --sql city_data | psql -X mydatabase | twinedge certify --postgis - -o city.cert
   twinedge certify --table map.txt -o map.cert                    a table as `twinedge audit` reads it: the first one
 
-Exit status: 0 the certificate is written; 1 the input is not valid, and the tests that would fail are printed; 2 it could not be \
+Exit status: 0 the certificate is written; 1 the input is not valid, and the tests that fail and what is wrong are printed; 2 it could not be \
 read, or has no certificate.")]
 pub(crate) struct Certify {
     #[command(flatten)]
@@ -99,6 +99,11 @@ impl Certify {
 
     fn certify_plane(&self, name: &str, view: &dyn View, drawing: Option<Drawing>) -> Result<Verdict, Failure> {
         let labels = Labels::new(view).map_err(|error| no_labels(name, error))?;
+        if let Err(failures) = check(view, &labels) {
+            let report = validate(view, &Expectation::plane(), Collect::AtMost(LIST));
+            let violations = report.violations().iter().map(|violation| format!("{violation}\n"));
+            return refuse(name, &(lines(&failures) + &violations.collect::<String>()));
+        }
         let certificate = Certificate::new(view, &labels).map_err(|error| no_labels(name, error))?;
         let counts = [
             counted((0..view.vertex_slots()).filter(|v| view.is_vertex(*v)).count(), "vertex"),

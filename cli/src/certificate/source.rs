@@ -17,7 +17,7 @@ pub(super) enum Source<'a> {
 }
 
 /// Greatest number of findings that are printed of what is wrong.
-const LIST: usize = 10;
+pub(super) const LIST: usize = 10;
 
 /// Does something with the structure in an input that is no map.
 pub(super) type Use<'a> = &'a dyn Fn(Source<'_>) -> Result<Verdict, Failure>;

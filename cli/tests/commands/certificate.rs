@@ -309,7 +309,8 @@ fn what_is_not_valid_is_not_certified() {
     // Edges that cross make a handle of the countries around them.
     let output = twinedge(&["certify", &crossing, "--topology-only", "-o", name]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8(output.stdout).unwrap().ends_with(": not valid, nothing is written\neuler_ok\n"));
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert!(printed.contains(": not valid, nothing is written\neuler_ok\nT3: "), "{printed}");
     // A vertex that is said to have another half-edge.
     let table = b"V 2 0 - 0 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0 = V1";
     let output = twinedge_reading(&["certify", "--table", "-", "-o", name], table);
@@ -322,19 +323,75 @@ fn what_is_not_valid_is_not_certified() {
 #[test]
 fn a_table_is_refused_with_every_test_that_fails() {
     let folder = scratch_folder("refused-table");
-    for (table, lines) in [
+    for (table, lines, rule) in [
         // Each half of the first test fails at one of the half-edges.
         (
             "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 1 0 0 B 1 0 h0 i0 F 1 - 1 0",
             "next_ok: 2 of the half-edges, the first is 0\ntarget_ok: 1 of the half-edges, the first is 1\n",
+            "L2",
         ),
-        ("V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0", "start_ok: 1 of the boundary components, the first is 0\n"),
+        ("V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0", "start_ok: 1 of the boundary components, the first is 0\n", "F1"),
     ] {
         let output = twinedge_reading(&["certify", "--table", "-", "-o", folder.to_str().unwrap()], table.as_bytes());
         assert_eq!(output.status.code(), Some(1));
         let printed = String::from_utf8(output.stdout).unwrap();
-        assert_eq!(printed, format!("standard input: not valid, nothing is written\n{lines}"));
+        let expected = format!("standard input: not valid, nothing is written\n{lines}{rule}: ");
+        assert!(printed.starts_with(&expected), "{printed}");
     }
+}
+
+/// Two squares side by side, as a textbook has them; the third half-edge from `face` on names that face.
+fn two_squares(face: &str) -> String {
+    let half_edges = [
+        "e1,1 v1 e1,2 f2 e2,1 e4,2",
+        "e1,2 v2 e1,1 f1 e4,1 e5,2",
+        "e2,1 v2 e2,2 f2 e3,1 e1,1",
+        "e2,2 v3 e2,1 f3 e5,1 e7,2",
+        &format!("e3,1 v3 e3,2 {face} e4,2 e2,1"),
+        "e3,2 v4 e3,1 f1 e7,1 e4,1",
+        "e4,1 v1 e4,2 f1 e3,2 e1,2",
+        "e4,2 v4 e4,1 f2 e1,1 e3,1",
+        "e5,1 v2 e5,2 f3 e6,1 e2,2",
+        "e5,2 v5 e5,1 f1 e1,2 e6,2",
+        "e6,1 v5 e6,2 f3 e7,2 e5,1",
+        "e6,2 v6 e6,1 f1 e5,2 e7,1",
+        "e7,1 v3 e7,2 f1 e6,2 e3,2",
+        "e7,2 v6 e7,1 f3 e2,2 e6,1",
+    ];
+    let vertices = "v1 (0, 0) e1,1\nv2 (4, 0) e5,1\nv3 (4, 4) e7,1\nv4 (0, 4) e3,2\nv5 (8, 0) e6,1\nv6 (8, 4) e7,2";
+    let faces = "f1 nil e1,2\nf2 e1,1 nil\nf3 e2,2 nil";
+    let tables = [
+        ("Vertex Coordinates IncidentEdge", vertices),
+        ("Face OuterComponent InnerComponents", faces),
+        ("Half-edge Origin Twin IncidentFace Next Prev", &half_edges.join("\n")),
+    ];
+    tables.map(|(head, rows)| format!("{head}\n{rows}\n\n")).concat()
+}
+
+/// The names by which half-edges and faces name each other are in no column of a certificate.
+#[test]
+fn nothing_is_certified_that_the_audit_calls_invalid() {
+    let folder = scratch_folder("wrong-names");
+    let certify = |input: &str| twinedge_reading(&["certify", "-", "-o", folder.to_str().unwrap()], input.as_bytes());
+    let loop_in_one_face = "P 5 prev leaving faces holes unbounded_face V 1 0 - H 2 0 1 0 0 - 0 0 1 1 - B 0 \
+                            F 2 - 0 - 0 HF 2 1 1 FH 2 0 0 - 1 h1";
+    let outer_without_half_edges = "P 5 prev leaving faces holes unbounded_face V 4 - 0 - 1 x x H 0 B 3 2 v0 i0 2 v1 i1 x F 3 x x - 2 0 1 \
+         FH 3 x x 0 2 v0 v1";
+    for (input, test, rule) in [
+        (loop_in_one_face, "face_name_ok", "B1"),
+        (outer_without_half_edges, "face_starts_ok", "R1"),
+        (&two_squares("f3"), "face_name_ok", "B1"),
+    ] {
+        let audited = twinedge_reading(&["audit", "-"], input.as_bytes());
+        assert_eq!(audited.status.code(), Some(1), "{input}");
+        let output = certify(input);
+        let printed = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{printed}");
+        assert!(printed.contains(&format!("\n{test}: ")) && printed.contains(&format!("\n{rule}: ")), "{printed}");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+    }
+    assert_eq!(certify(&two_squares("f2")).status.code(), Some(0));
+    assert_eq!(agreed(&folder, "two squares"), Some(0));
 }
 
 /// Four half-edges around a vertex that are their own twins: the sums are those of a torus.

@@ -48,7 +48,7 @@ impl Ids {
                     Lookup::Dense(*min, slots)
                 } else {
                     let mut sorted: Vec<u32> = (0..ids.len() as u32).collect();
-                    sorted.sort_unstable_by_key(|slot| (ids[*slot as usize], *slot));
+                    sorted.sort_by_key(|slot| ids[*slot as usize]);
                     let same = |pair: &&[u32]| ids[pair[0] as usize] == ids[pair[1] as usize];
                     repeated.extend(sorted.windows(2).filter(same).map(|pair| pair[1]));
                     Lookup::Sorted(sorted)

@@ -49,7 +49,7 @@ fn widest_between([low, high]: [f64; 2], sides: &[Side]) -> Option<LabelSpot> {
             .filter(|[a, b]| (a[1] <= y) != (b[1] <= y))
             .map(|[a, b]| a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
             .collect();
-        crossed.sort_unstable_by(f64::total_cmp);
+        crossed.sort_by(f64::total_cmp);
         // Edges with the face on both sides are crossed twice, which leaves the others in pairs.
         let inside = crossed
             .chunks_exact(2)

@@ -130,7 +130,7 @@ fn merged(map: &mut PlanarMap, triangulation: Triangulation) -> Result<Decomposi
         let sides: &[HalfEdge<'_>] = if pieces.is_empty() { &[h] } else { &[h, h.twin()] };
         pieces.extend(sides.iter().map(|side| side.face()).map(|face| (face.index(), face.key())));
     }
-    pieces.sort_unstable_by_key(|(index, _)| *index);
+    pieces.sort_by_key(|(index, _)| *index);
     pieces.dedup();
     let pieces = pieces.into_iter().map(|(_, key)| key).collect();
     Ok(Decomposition { face, triangles, diagonals: diagonals.len(), kept, reflex, pieces })

@@ -34,7 +34,7 @@ pub(super) fn containers(rings: &[Ring]) -> Option<Vec<Vec<usize>>> {
     let at = |point: u32| points[point as usize];
     // From left to right, so that what a ring below lies in is known.
     let mut order: Vec<usize> = (0..rings.len()).collect();
-    order.sort_unstable_by(|a, b| compare_lexicographic(at(lowest[*a]), at(lowest[*b])));
+    order.sort_by(|a, b| compare_lexicographic(at(lowest[*a]), at(lowest[*b])));
     let mut containers = vec![Vec::new(); rings.len()];
     for ring in order {
         let Some(segment) = below[ring] else { continue };

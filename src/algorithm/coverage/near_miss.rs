@@ -245,7 +245,7 @@ impl Piece {
 fn pieces(stretches: &[Stretch], side: usize, sides: &Sides<'_>) -> Vec<Piece> {
     let mut sorted = stretches.to_vec();
     let by_place = |a: &Stretch, b: &Stretch| compare_ends(sides.ends(a.other), sides.ends(b.other));
-    sorted.sort_unstable_by(|a, b| {
+    sorted.sort_by(|a, b| {
         a.from.total_cmp(&b.from).then(a.widths[0].total_cmp(&b.widths[0])).then_with(|| by_place(a, b))
     });
     let [a, b] = sides.ends(side);

@@ -118,7 +118,7 @@ pub(crate) fn mean_width(area: f64, length: f64) -> f64 {
 /// O(n log n) for its n half-edges.
 pub(in crate::algorithm) fn point_inside(map: &PlanarMap, face: Face<'_>) -> Option<Point> {
     let mut heights: Vec<f64> = face.outer()?.half_edges().map(|h| map.point(h.origin().index()).y).collect();
-    heights.sort_unstable_by(f64::total_cmp);
+    heights.sort_by(f64::total_cmp);
     heights.dedup();
     // Halfway between two neighbouring heights in the middle, so that no vertex of the outer boundary lies on the line.
     let middle = heights.len() / 2;
@@ -129,7 +129,7 @@ pub(in crate::algorithm) fn point_inside(map: &PlanarMap, face: Face<'_>) -> Opt
         .filter(|[a, b]| (a.y > y) != (b.y > y))
         .map(|[a, b]| a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)))
         .collect();
-    crossings.sort_unstable_by(f64::total_cmp);
+    crossings.sort_by(f64::total_cmp);
     let stretches = crossings.chunks_exact(2).map(|pair| (pair[1] - pair[0], f64::midpoint(pair[0], pair[1])));
     let (_, x) = stretches.max_by(|a, b| a.0.total_cmp(&b.0))?;
     Some(Point::new(x, y))

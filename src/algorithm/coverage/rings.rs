@@ -119,7 +119,7 @@ impl Rings<'_> {
             one
         };
         let mut found = self.boxes.pairs(0.0, &Vec::new, &each, &merge);
-        found.sort_unstable_by_key(|(segments, ..)| *segments);
+        found.sort_by_key(|(segments, ..)| *segments);
         let mut known: FxHashSet<((u64, u64), [usize; 2], Contact)> = FxHashSet::default();
         let meets = found.into_iter().filter_map(|(segments, contact, at)| {
             let rings = segments.map(|segment| self.segments.place(segment).0);

@@ -52,7 +52,7 @@ pub(crate) fn median(mut numbers: Vec<f64>) -> f64 {
     let middle = numbers.len() / 2;
     // A standard library built for least size selects among equal numbers in O(n²).
     if cfg!(target_family = "wasm") {
-        numbers.sort_unstable_by(f64::total_cmp);
+        numbers.sort_by(f64::total_cmp);
     } else if middle > 0 {
         numbers.select_nth_unstable_by(middle, f64::total_cmp);
     }

@@ -134,7 +134,7 @@ pub(super) fn draw(triangulation: &Triangulation, [low, high]: [Point; 2], short
 fn draw_box(drawing: &mut Drawing, sides: Sides, [low, high]: [Point; 2]) {
     let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)].map(|p| drawing.point(p));
     for (side, mut points) in sides.0.into_iter().enumerate() {
-        points.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+        points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         if side >= 2 {
             points.reverse();
         }

@@ -90,7 +90,7 @@ fn rotations(points: &[Point], origin: &[u32]) -> Option<(Vec<u32>, Vec<u32>)> {
     let mut next = vec![0; origin.len()];
     for (v, point) in points.iter().enumerate() {
         let around = &mut sorted[first[v] as usize..first[v + 1] as usize];
-        around.sort_unstable_by(|a, b| compare_angle(*point, head(*a), head(*b)));
+        around.sort_by(|a, b| compare_angle(*point, head(*a), head(*b)));
         if around.windows(2).any(|pair| compare_angle(*point, head(pair[0]), head(pair[1])).is_eq()) {
             return None;
         }

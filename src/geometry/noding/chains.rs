@@ -51,7 +51,7 @@ impl Chains {
 
     /// The chains of segments through the vertices that they visit, in order.
     pub(super) fn through(segments: &[Segment], vertices: &[Pixel], mut visits: Vec<[u32; 2]>) -> Self {
-        let place = |&[s, v]: &[u32; 2]| (s, segments[s as usize].progress(vertices[v as usize]));
+        let place = |&[s, v]: &[u32; 2]| (s, segments[s as usize].progress(vertices[v as usize]), v);
         threads::sort_unstable_by(&mut visits, |a, b| place(a).cmp(&place(b)));
         let mut chains = Self {
             pool: Vec::with_capacity(2 * segments.len() + visits.len()),

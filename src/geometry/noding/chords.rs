@@ -16,6 +16,7 @@
 //! meets a corner, no two meet the border at one point, and a crossing is inside exactly if the block owns it.
 
 use super::pixel::{Block, Pixels, Segment, compare, cross, minus};
+use crate::geometry::threads;
 use core::cmp::Ordering;
 
 /// A point where a chord meets the border.
@@ -75,7 +76,7 @@ pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &
     for (number, &id) in (0..).zip(ids) {
         chord(pixels.sides(block), &segments[id as usize], number, &mut ends);
     }
-    ends.sort_unstable_by(End::order);
+    threads::sort_unstable_by(&mut ends, |a, b| a.order(b).then(a.chord.cmp(&b.chord)));
     let mut opened = vec![false; ids.len()];
     let (mut open, mut pairs) = (Vec::new(), Vec::new());
     for chord in ends.iter().map(|end| end.chord as usize) {

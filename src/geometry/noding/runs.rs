@@ -6,6 +6,7 @@
 //! visit, and in the same order.
 
 use super::pixel::{Segment, cross, minus};
+use crate::geometry::threads;
 use core::cmp::Ordering;
 use core::hash::Hasher;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
@@ -53,7 +54,9 @@ pub(super) fn join(segments: Vec<Segment>) -> Runs {
             group.push(next);
             next = before[next as usize];
         }
-        group.sort_unstable_by(|&i, &j| order(&segments[i as usize], &segments[j as usize]));
+        threads::sort_unstable_by(&mut group, |&i, &j| {
+            order(&segments[i as usize], &segments[j as usize]).then(i.cmp(&j))
+        });
         runs.sweep(&segments, &group);
     }
     runs

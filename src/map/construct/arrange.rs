@@ -112,7 +112,8 @@ fn sort_by_angle(points: &[Point], segments: &[[u32; 2]], from: usize, first: &[
         let leaving = &mut darts[place(i)..place(i + 1)];
         if leaving.len() > 1 {
             let (at, head) = (points[from + i], |d: &Dart| points[target(segments, *d) as usize]);
-            leaving.sort_unstable_by(|a, b| compare_angle(at, head(a), head(b)));
+            // Darts of segments that overlap leave in the same direction.
+            threads::sort_unstable_by(leaving, |a, b| compare_angle(at, head(a), head(b)).then(a.cmp(b)));
         }
     }
 }
@@ -173,7 +174,7 @@ fn lowest_points(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
         }
     }
     lowest.retain(|v| *v != NIL);
-    lowest.sort_unstable_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
+    threads::sort_unstable_by(&mut lowest, |a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
     lowest
 }
 

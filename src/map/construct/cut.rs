@@ -124,7 +124,7 @@ pub(super) fn exact(
         let mut along = tree.meeting(&Bounds::one(a).joined(Bounds::one(b)));
         along.retain(|v| on_segment(points[*v as usize], a, b));
         let forth = compare_lexicographic(a, b);
-        along.sort_unstable_by(|p, q| {
+        along.sort_by(|p, q| {
             let order = compare_lexicographic(points[*p as usize], points[*q as usize]);
             if forth.is_lt() { order } else { order.reverse() }
         });

@@ -12,14 +12,14 @@ use crate::map::PlanarMap;
 /// [`DiffError`]: a record has no id, or that of another one; the second map has not the features of the first.
 pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> {
     let (old, new) = (Index::new(a, ids)?, Index::new(b, ids)?);
-    let names = [a, b].map(|map| map.features().map(|f| map.name(f)).collect::<Vec<_>>());
-    let features = names[0].len();
+    let features = a.features().count();
     let mut changes = Vec::new();
-    for i in 0..features {
-        match (names[0][i], names[1].get(i)) {
-            (old, Some(new)) if old == *new => {}
+    for (i, feature) in a.features().enumerate() {
+        let [was_there, is_there] = [a, b].map(|map| map.present(feature).is_ok());
+        match b.feature(i) {
+            Some(same) if was_there == is_there && a.name(feature) == b.name(same) => {}
             // The number stays, without a name.
-            (_, Some(None)) => changes.push((Record::Feature(i), Change::Dropped)),
+            Some(_) if was_there && !is_there => changes.push((Record::Feature(i), Change::Dropped)),
             _ => return Err(DiffError::Features(i)),
         }
     }
@@ -64,6 +64,6 @@ pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> 
             }
         }
     }
-    let names = names[1][features..].iter().map(|name| name.map(str::to_owned)).collect();
+    let names = b.features().skip(features).map(|feature| b.name(feature).map(str::to_owned)).collect();
     Ok(Diff { features, names, changes }.in_order())
 }

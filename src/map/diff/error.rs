@@ -26,7 +26,7 @@ pub enum DiffError {
     /// Two records of a map have the same id.
     #[error("{0} is there twice")]
     SameId(Record),
-    /// The second map does not begin with the features of the first: a feature keeps its number and its name, or loses the name.
+    /// The second map does not begin with the features of the first: a feature keeps its number and its name, or is removed.
     #[error("the maps differ in feature {0}")]
     Features(usize),
 }

@@ -37,9 +37,8 @@ impl<V: 'static> Column<V> {
             is_of: Box::new(move |map| map.values(of).is_some()),
             get: Box::new(move |map, key| map.value(of, key.into()).map(&show)),
             put: Box::new(move |map, key, value| match value.map(&read) {
-                None => map.set_value(of, key.into(), None).is_ok(),
                 Some(None) => false,
-                Some(value) => map.set_value(of, key.into(), value).is_ok(),
+                value => map.put_value(of, key.into(), value.flatten()).is_ok(),
             }),
         }
     }
@@ -179,7 +178,7 @@ impl Index {
             Record::Edge(a, b) => self.edges.get(&(a, b))?.data(),
             Record::Face(f) => self.faces.get(&f)?.data(),
             Record::Unbounded => map.dcel().unbounded_face().key().data(),
-            Record::Feature(number) => map.feature(number)?.data(),
+            Record::Feature(number) => map.present(map.feature(number)?).ok()?.data(),
         })
     }
 

@@ -13,8 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Values are merged record by record, and no policy is asked: where one side splits a face, and the other gives it another value, the part that
 /// keeps its id has that value, and the other parts have those that their side gave them. Where both split a face, each part has an id that a side
 /// gave to it or to a part around it. A fence that both draw by themselves is two, with ids of their
-/// own, which do not fit. Values of features, half-edges and corners are not compared: those of `base` stay. A feature without a name that
-/// one side removes is taken for one that is there, and nothing has it.
+/// own, which do not fit. Values of features, half-edges and corners are not compared: those of `base` stay.
 ///
 /// The merged map has the keys of `base` where it has its records. New features of `theirs` come after those of `ours`. O(n log n).
 ///
@@ -36,6 +35,10 @@ impl Diff {
     pub fn merge(&self, theirs: &Self) -> Result<Self, MergeError> {
         if self.features != theirs.features {
             return Err(MergeError::DifferentMaps);
+        }
+        // New features have no ids: those of both sides are taken for the same only if all else is the same.
+        if self == theirs {
+            return Ok(self.clone());
         }
         let renumbered = |change: &Change| match change {
             Change::Features { from, to } => {

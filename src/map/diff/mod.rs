@@ -4,16 +4,16 @@
 //! began, or names the conflicts.
 //!
 //! ```
-//! use twinedge::dcel::Policy;
+//! use twinedge::dcel::{Faces, Policy};
 //! use twinedge::map::diff::{Ids, MergeError, diff, merge};
 //! use twinedge::map::PlanarMap;
 //!
 //! let mut base = PlanarMap::new();
 //! let (corner, parcel) = (base.add_attribute(Policy::of_vertices().ids(1)), base.add_attribute(Policy::of_faces().ids(1)));
-//! let owner = base.add_attribute(Policy::of_faces().split_copy().merge_equal());
+//! let owner = base.add_attribute(Policy::<Faces, String>::of_faces().split_copy().merge_equal());
 //! let ids = Ids::new(corner, parcel).values("owner", owner, String::clone, |text| Some(text.into()));
 //! let inside = base.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?.faces_split[0].1;
-//! base.set_value(owner, inside, "Ada".to_owned())?;
+//! base.set_value(owner, inside, "Ada")?;
 //!
 //! // One copy is divided, in the other one a corner moves.
 //! let (mut ours, mut theirs) = (base.clone(), base.clone());

@@ -1,6 +1,6 @@
 //! Errors of edits.
 
-use crate::dcel::{HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
+use crate::dcel::{FaceKey, HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::NodingError;
 use crate::map::not_plane::NotPlane;
@@ -80,7 +80,13 @@ pub enum EditError {
         /// The second coordinate.
         y: f64,
     },
-    /// The map has no such feature.
+    /// The line does not pass through the face.
+    #[error("the line does not pass through {0:?}")]
+    NotThrough(FaceKey),
+    /// No edge separates the faces, or they are one.
+    #[error("there is no edge between {0:?} and {1:?}")]
+    NoEdgeBetween(FaceKey, FaceKey),
+    /// The map has no such feature, or it was removed.
     #[error("there is no feature {}", .0.index())]
     NoSuchFeature(FeatureId),
 }

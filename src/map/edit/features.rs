@@ -43,7 +43,7 @@ impl PlanarMap {
 
     /// Takes a feature off all faces and edges, and its name away. Returns the name.
     ///
-    /// Its number is not given to another one: it stays that of a feature without name, which covers nothing.
+    /// Its number is not given to another one: it stays that of a feature without name, which covers nothing and cannot cover anything any more.
     ///
     /// O((faces + edges) · log features).
     ///
@@ -60,7 +60,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NoSuchFeature`]; [`EditError::Operator`] if the policy of an attribute refuses. Nothing changes then.
+    /// [`EditError::NoSuchFeature`], also if it was removed before; [`EditError::Operator`] if the policy of an attribute refuses. Nothing
+    /// changes then.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
         #[cfg(feature = "near")]
@@ -118,6 +119,7 @@ impl PlanarMap {
                 self.cover_edge(edge, set);
             }
         }
+        self.features.removed.insert(feature);
         let name = self.names[feature.index()].take();
         #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Name(feature.number(), name.clone().map(String::into_boxed_str)));
@@ -166,12 +168,15 @@ impl PlanarMap {
 
     /// The features in order, each once.
     fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
-        let mut set: Vec<FeatureId> = features.into_iter().collect();
-        if let Some(unknown) = set.iter().find(|feature| feature.index() >= self.names.len()) {
-            return Err(EditError::NoSuchFeature(*unknown));
-        }
+        let mut set = features.into_iter().map(|feature| self.present(feature)).collect::<Result<Vec<_>, _>>()?;
         set.sort_unstable();
         set.dedup();
         Ok(set)
+    }
+
+    /// The feature, unless it is none of the map, or was removed.
+    pub(crate) fn present(&self, feature: FeatureId) -> Result<FeatureId, EditError> {
+        let is_present = feature.index() < self.names.len() && !self.features.removed.contains(&feature);
+        is_present.then_some(feature).ok_or(EditError::NoSuchFeature(feature))
     }
 }

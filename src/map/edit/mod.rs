@@ -31,6 +31,9 @@
 //! | [`insert_ring`](crate::map::PlanarMap::insert_ring) | edges along a closed chain | to cross an edge, or itself |
 //! | [`remove_edge`](crate::map::PlanarMap::remove_edge) | erases an edge, and keeps its ends | |
 //! | [`remove_vertex`](crate::map::PlanarMap::remove_vertex) | erases a vertex with its edges | |
+//! | [`split_face`](crate::map::PlanarMap::split_face) | cuts a face by a line, whatever the slant | to pass over anything near the line |
+//! | [`merge_faces`](crate::map::PlanarMap::merge_faces) | erases the edges between two faces | |
+//! | [`join_edges`](crate::map::PlanarMap::join_edges) | drops a vertex between two edges | to sweep over anything |
 //! | [`move_vertex`](crate::map::PlanarMap::move_vertex) | moves a vertex with its edges | to sweep over anything |
 //!
 //! # Features
@@ -56,6 +59,7 @@ mod at;
 mod chain;
 #[cfg(feature = "spade")]
 mod corners;
+mod cut;
 mod draw;
 mod error;
 mod features;

@@ -87,7 +87,7 @@ impl PlanarMap {
 
     /// The half-edges and isolated vertices on the boundary of a face; where this is not small, all of the map instead that
     /// have a place in the box around some points. Whatever lies in the way there, something of the face is in the way, too.
-    fn around<'a>(
+    pub(super) fn around<'a>(
         &'a self,
         face: Face<'a>,
         points: impl Iterator<Item = Point>,
@@ -111,7 +111,7 @@ impl PlanarMap {
 }
 
 /// Returns true if a point lies in a closed triangle, which may be flat.
-fn in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
+pub(super) fn in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
     let turns = [orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)];
     let turn = |t: Orientation| turns.contains(&t);
     match (turn(Orientation::CounterClockwise), turn(Orientation::Clockwise)) {

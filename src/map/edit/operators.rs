@@ -98,6 +98,17 @@ impl PlanarMap {
         Ok(removed)
     }
 
+    /// Joins the edge of a half-edge with that of the next one, whose key is stale then. Returns that key.
+    pub(super) fn join_at(&mut self, h: HalfEdgeKey, next: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+        let before = [self.indexed(h)?, self.indexed(next)?];
+        let joined = operate!(self.join_edges(h))?;
+        if let Some(index) = self.index.if_built() {
+            before.iter().flatten().for_each(|edge| index.remove_edge(edge));
+            index.add_edge(self.dcel.half_edge(h)?, &self.points);
+        }
+        Ok(joined.half_edge)
+    }
+
     /// Moves a vertex with its edges. O(degree).
     pub(super) fn put_at(&mut self, vertex: VertexKey, to: Point) -> Result<(), EditError> {
         let v = self.dcel.vertex(vertex)?;

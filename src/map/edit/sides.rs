@@ -150,7 +150,7 @@ impl PlanarMap {
             let Some(b) = listed.next() else { return all };
             all.push(b);
         }
-        near.sort_unstable_by_key(|b| b.index());
+        near.sort_by_key(|b| b.index());
         near.dedup();
         near
     }

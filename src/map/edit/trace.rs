@@ -243,7 +243,7 @@ impl<'a> Sight<'a> {
         if let Some(LineEvent { record: EventRecord::Edge(across), .. }) = self.crossing {
             return Err(EditError::Crosses(across.twin().key()));
         }
-        self.beyond.sort_unstable_by(|(_, p), (_, q)| compare_lexicographic(*q, *p));
+        self.beyond.sort_by(|(_, p), (_, q)| compare_lexicographic(*q, *p));
         if compare_lexicographic(self.to, self.at).is_lt() {
             self.beyond.reverse();
         }

@@ -13,7 +13,7 @@ use quickcheck::{QuickCheck, TestResult};
 /// All records of an index, in order.
 fn records(index: &RecordIndex) -> Vec<BoxedRecord> {
     let mut records: Vec<BoxedRecord> = index.trees([None; 2]).flat_map(|tree| tree.iter()).copied().collect();
-    records.sort_unstable_by_key(|record| record.record);
+    records.sort_by_key(|record| record.record);
     records
 }
 

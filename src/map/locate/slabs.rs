@@ -112,6 +112,6 @@ impl Slabs {
 fn quantiles(points: &[Point], parts: usize) -> Vec<u32> {
     let step = (points.len() / (SAMPLED * parts)).max(1);
     let mut sample: Vec<u32> = (0..points.len() as u32).step_by(step).collect();
-    sample.sort_unstable_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
+    sample.sort_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
     (1..parts).map(|part| sample[part * sample.len() / parts]).collect()
 }

@@ -85,7 +85,7 @@ impl<K: Key> Keys<K> {
             }
         }
         let mut new: Vec<K> = there.into_iter().filter(|key| !self.places.contains_key(*key)).collect();
-        new.sort_unstable_by_key(|key| slot(*key));
+        new.sort_by_key(|key| slot(*key));
         new.dedup();
         for key in new {
             self.push(key);

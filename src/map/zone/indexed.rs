@@ -96,7 +96,7 @@ fn zone(
             events.push(event);
         }
     });
-    events.sort_unstable_by(|a, b| line.order(a.place, b.place));
+    events.sort_by(|a, b| line.order(a.place, b.place));
     events.dedup_by(|a, b| line.order(a.place, b.place).is_eq());
 
     let start = match first {

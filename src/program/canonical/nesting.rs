@@ -199,7 +199,7 @@ impl Nesting {
     /// Sorts a level by code and numbers the different ones.
     fn rank(&mut self, level: Range<usize>) {
         let code = |c: u32| &self.codes[self.spans[c as usize].clone()];
-        self.levels[level.clone()].sort_unstable_by(|a, b| code(*a).cmp(code(*b)));
+        self.levels[level.clone()].sort_by(|a, b| code(*a).cmp(code(*b)));
         let mut rank = 0;
         let mut last: Option<u32> = None;
         for c in &self.levels[level] {

@@ -188,15 +188,23 @@ impl<K: Attributed, T: Value> Column<K, T> {
         had
     }
 
-    fn made(&self) -> Option<T> {
-        self.policy.making.as_ref().map(|make| make())
+    fn made(&self) -> Result<Option<T>, Reason> {
+        self.policy.making.as_ref().map(|make| make()).transpose()
+    }
+
+    /// Gives the next id to a record that has no value.
+    pub(super) fn number(&mut self, key: K::Key, log: &mut Vec<Saved>) {
+        if !self.values.contains_key(key) {
+            let value = self.made().unwrap_or(None);
+            self.put(key, value, log);
+        }
     }
 
     /// The value of the other part.
     fn split(&mut self, key: K::Key, log: &mut Vec<Saved>) -> Result<Option<T>, Reason> {
         let policy = self.policy.clone();
         if let Splitting::Make = policy.splitting {
-            return Ok(policy.making.as_ref().map(|make| make()));
+            return self.made();
         }
         let Some(value) = self.values.get(key) else { return Ok(None) };
         Ok(match &policy.splitting {
@@ -235,7 +243,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
             let Some(value) = left else { break };
             let [kept, given] = match &policy.splitting {
                 Splitting::Keep => [Some(value), None],
-                Splitting::Make => [Some(value), self.made()],
+                Splitting::Make => [Some(value), self.made()?],
                 Splitting::Copy => [Some(value.clone()), Some(value)],
                 Splitting::Share(share) => {
                     share(&value, if rest > 0.0 { (measure / rest).min(1.0) } else { 0.0 }).map(Some)
@@ -271,12 +279,12 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
 
     fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason> {
         let value = match step {
-            Step::Make => self.made(),
+            Step::Make => self.made()?,
             Step::Between(a, b) => {
                 let ends = [a, b].map(|end| self.values.get(end.into()));
                 match (self.policy.between, ends) {
                     (Some(between), [Some(a), Some(b)]) => Some(between(a, b, 0.5)),
-                    _ => self.made(),
+                    _ => self.made()?,
                 }
             }
             Step::Split(key) => self.split(key.into(), log)?,
@@ -360,7 +368,7 @@ impl<K: Attributed, T: Value> AnyColumn for Column<K, T> {
         for (key, value) in other.as_any().downcast_ref::<Self>().into_iter().flat_map(|other| &other.values) {
             if !self.values.contains_key(key) {
                 let is_given = number.is_some_and(|number| self.index.contains_key(&number(value)));
-                let value = if is_given { self.made() } else { Some(value.clone()) };
+                let value = if is_given { self.made().unwrap_or(None) } else { Some(value.clone()) };
                 self.put(key, value, log);
             }
         }

@@ -73,9 +73,22 @@ impl Clone for Attributes {
 }
 
 impl Attributes {
-    pub(crate) fn add<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
+    /// Adds an attribute with these values. If the policy gives ids, the other `records` get theirs.
+    pub(crate) fn add<K: Attributed, T: Value>(
+        &mut self,
+        policy: Policy<K, T>,
+        values: impl IntoIterator<Item = (K::Key, T)>,
+        records: Vec<KeyData>,
+    ) -> Attribute<K, T> {
         let id = structure_offset();
-        self.columns.push(Box::new(Column::new(id, policy)));
+        let mut column = Column::new(id, policy);
+        for (key, value) in values {
+            column.put(key, Some(value), &mut self.log);
+        }
+        for key in records {
+            column.number(key.into(), &mut self.log);
+        }
+        self.columns.push(Box::new(column));
         Attribute { id, of: PhantomData }
     }
 

@@ -15,6 +15,7 @@ pub(super) type Reason = &'static str;
 /// The values of the two parts.
 type Part<T> = dyn Fn(T) -> Result<[Option<T>; 2], Reason> + Send + Sync;
 
+pub(super) type Making<T> = dyn Fn() -> Result<T, Reason> + Send + Sync;
 pub(super) type Dropping<T> = dyn Fn(&T) -> Result<(), Reason> + Send + Sync;
 pub(super) type Join<T> = dyn Fn(Option<T>, Option<T>) -> Result<Option<T>, Reason> + Send + Sync;
 
@@ -52,7 +53,7 @@ pub(super) enum Merging<T> {
 pub struct Policy<K: Attributed, T> {
     pub(super) splitting: Splitting<T>,
     pub(super) merging: Merging<T>,
-    pub(super) making: Option<Arc<dyn Fn() -> T + Send + Sync>>,
+    pub(super) making: Option<Arc<Making<T>>>,
     pub(super) between: Option<fn(&T, &T, f64) -> T>,
     pub(super) dropping: Option<Arc<Dropping<T>>>,
     /// A number of the value, by which its record is found.
@@ -144,7 +145,7 @@ impl<K: Attributed, T> Policy<K, T> {
     /// Gives to a record that is made what a function returns.
     #[must_use]
     pub fn make_with(mut self, make: impl Fn() -> T + Send + Sync + 'static) -> Self {
-        self.making = Some(Arc::new(make));
+        self.making = Some(Arc::new(move || Ok(make())));
         self
     }
 
@@ -195,7 +196,7 @@ impl<K: Attributed, T> Policy<K, T> {
     }
 
     /// True if it numbers records.
-    pub(super) const fn counts(&self) -> bool {
+    pub(crate) const fn counts(&self) -> bool {
         self.counter.is_some()
     }
 
@@ -208,12 +209,16 @@ impl<K: Attributed, T> Policy<K, T> {
 }
 
 impl<K: Attributed> Policy<K, u64> {
-    /// Gives the next number, from `first` on, to each record that is made, and to the other part of one that is split. So a record keeps
-    /// its number as long as its key, and beyond: when keys change, as by [`compact`](crate::dcel::Dcel::compact), and when it is saved.
+    /// Gives the next number, from `first` on, to each record that is there when the attribute is added, to each record that is made, and to
+    /// the other part of one that is split. So a record keeps its number as long as its key, and beyond: when keys change, as by
+    /// [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice: not after undoing, not by clones, and not if it was set by hand, after which the next one is larger. Records are
-    /// [found](Self::identified_by) by it. To go on where a structure was saved, save the [next number](crate::dcel::Dcel::next_id) with it, which is to be the `first` when it is loaded: those of
-    /// records that were dropped may be larger than all that are left.
+    /// No number is given twice: not after undoing, not by clones, and not if it was set by hand, after which the next one is larger. The last
+    /// number, [`u64::MAX`], is not given: once it is the next one, operators that make records are
+    /// [refused](crate::dcel::OperatorError::Refused), and a feature that is added has no number. Records are
+    /// [found](Self::identified_by) by it. To go on where a structure was saved, save the numbers and the
+    /// [next number](crate::dcel::Dcel::next_id) with it: the next number is the `first` of the loaded structure, whose attribute is added
+    /// [with the saved numbers](crate::dcel::Dcel::add_attribute_with).
     ///
     /// Of two merged faces the one that keeps its key keeps its number; by [`merge_larger`](Self::merge_larger) it is that of the larger one. The unbounded
     /// face has no number, unless it is given one.
@@ -237,8 +242,9 @@ impl<K: Attributed> Policy<K, u64> {
     pub fn ids(self, first: u64) -> Self {
         let next = Arc::new(AtomicU64::new(first));
         let counter = Some(next.clone());
-        let policy = self.make_with(move || next.fetch_add(1, Ordering::Relaxed));
-        Self { counter, ..policy }.split_make().identified_by(|id| u128::from(*id))
+        let one_more = move || next.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |next| next.checked_add(1));
+        let making: Arc<Making<u64>> = Arc::new(move || one_more().map_err(|_| "all ids are given away"));
+        Self { counter, making: Some(making), ..self }.split_make().identified_by(|id| u128::from(*id))
     }
 }
 

@@ -88,7 +88,7 @@ pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &
     for f in s.share(s.faces).filter(|f| s.is_face(*f)) {
         sums.unbounded += usize::from(s.outer(f).is_none());
         noted.note(Test::FaceOk, f, s.face_ok(f, &mut entries))?;
-        noted.note(Test::FaceStartsOk, f, !s.by_name() || s.face_starts_ok(f))?;
+        noted.note(Test::FaceStartsOk, f, s.face_starts_ok(f))?;
     }
     Some(sums)
 }
@@ -152,9 +152,13 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
             && passes(Test::RankOk, {
                 lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b))
             })
-            && passes(Test::FaceNameOk, {
-                !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b))
-            })
+            && passes(Test::FaceNameOk, self.face_name_ok(h, boundary))
+    }
+
+    /// Without stored boundary components: the half-edge names the face of its boundary component.
+    #[inline(always)]
+    pub(super) fn face_name_ok(&self, h: usize, boundary: Link) -> bool {
+        !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b))
     }
 
     /// `h` is the start of an inner boundary component of the unbounded face, or of one whose outer cycle starts with a lower rank.
@@ -166,12 +170,10 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
     /// It keeps a half-edge that leaves it, or names the boundary component that it is.
     fn vertex_ok(&self, v: usize) -> bool {
         let isolated = self.isolated(v);
-        let names = match self.leaving(v) {
+        match self.leaving(v) {
             Some(h) => self.origin(h) == Some(v) && isolated.is_none(),
             None => isolated.is_some_and(|b| self.start(b) == Some(Start::Vertex(v))),
-        };
-        // Without boundary components the structure can name none.
-        names && (!self.by_name() || self.view.isolated(v).is_none())
+        }
     }
 
     /// It starts with one of its half-edges, or is an isolated vertex, and then an inner one.
@@ -205,8 +207,11 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
             })
     }
 
-    /// The half-edges and vertices that the face names are on its boundary components, in their order.
-    fn face_starts_ok(&self, f: usize) -> bool {
+    /// Without stored boundary components: the half-edges and vertices that the face names are on its boundary components, in their order.
+    pub(super) fn face_starts_ok(&self, f: usize) -> bool {
+        if !self.by_name() {
+            return true;
+        }
         let starts = |start: Option<Start>, b: usize| match start {
             Some(Start::HalfEdge(named)) => self.boundary(named) == Some(b),
             Some(Start::Vertex(named)) => self.isolated(named) == Some(b),

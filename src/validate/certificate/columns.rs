@@ -151,12 +151,16 @@ impl Labels {
     }
 }
 
-/// Why there are no labels for a structure.
+/// Why there are no labels, or no certificate, for a structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum LabelsError {
     /// It stores faces, but not lists of inner boundary components, or no unbounded face: it does not say how its components lie in the plane.
     NoContainment,
+    /// This half-edge names another face than its boundary component does. A certificate of the rest would say nothing of the name.
+    FaceOfHalfEdge(usize),
+    /// This face names half-edges or vertices that are not on its boundary components. A certificate of the rest would say nothing of them.
+    StartsOfFace(usize),
     /// It has more records than 32 bits can number.
     TooLarge,
     /// There is no memory for the labels.
@@ -165,13 +169,17 @@ pub enum LabelsError {
 
 impl fmt::Display for LabelsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        match self {
             Self::NoContainment => {
-                "the structure has faces, but no lists of inner boundary components or no unbounded face"
+                f.write_str("the structure has faces, but no lists of inner boundary components or no unbounded face")
             }
-            Self::TooLarge => "the structure has more records than 32 bits can number",
-            Self::OutOfMemory => "there is no memory for the labels",
-        })
+            Self::FaceOfHalfEdge(h) => write!(f, "half-edge {h} names another face than its boundary component"),
+            Self::StartsOfFace(face) => {
+                write!(f, "face {face} names half-edges or vertices that are not on its boundary components")
+            }
+            Self::TooLarge => f.write_str("the structure has more records than 32 bits can number"),
+            Self::OutOfMemory => f.write_str("there is no memory for the labels"),
+        }
     }
 }
 

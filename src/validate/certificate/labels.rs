@@ -191,7 +191,7 @@ impl Labels {
                 *has = true;
             }
         }
-        for v in (0..view.vertex_slots()).filter(|v| view.is_vertex(*v) && !has_half_edge[*v]) {
+        for (v, _) in has_half_edge.iter().enumerate().filter(|(v, has)| !**has && view.is_vertex(*v)) {
             let b = self.boundary_at(Start::Vertex(v));
             self.list_inner(0, inner, b);
             inner += 1;

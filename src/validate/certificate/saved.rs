@@ -31,12 +31,22 @@ pub struct Certificate<C = Labels> {
 impl Certificate {
     /// The certificate of a structure with these labels. O(n) for n slots and list entries; 24 bytes for each half-edge.
     ///
-    /// Links that do not fit into 32 bits lead nowhere in it.
+    /// Links that do not fit into 32 bits lead nowhere in it. A certificate has boundary components, and no column for the names by which
+    /// half-edges and faces name each other without them: where a name is not that of the boundary component, there is no certificate.
+    /// So [`check`](Self::check) passes only if [the check](super::check()) of the structure with these labels does.
     ///
     /// # Errors
-    /// [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].
+    /// [`LabelsError::FaceOfHalfEdge`], [`LabelsError::StartsOfFace`], [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].
     pub fn new<V: View + ?Sized>(view: &V, labels: &Labels) -> Result<Self, LabelsError> {
         let s = Answers::new(view, labels);
+        let mut named = (0..s.half_edges).filter(|h| s.is_half_edge(*h));
+        if let Some(h) = named.find(|h| !s.face_name_ok(*h, s.boundary(*h))) {
+            return Err(LabelsError::FaceOfHalfEdge(h));
+        }
+        let mut naming = (0..s.faces).filter(|f| s.is_face(*f));
+        if let Some(f) = naming.find(|f| !s.face_starts_ok(*f)) {
+            return Err(LabelsError::StartsOfFace(f));
+        }
         let mut columns = Labels::default();
         let mut fill = |column, slots: usize, number: &dyn Fn(usize) -> u32| -> Result<(), LabelsError> {
             let filled: &mut Vec<u32> = columns.column_mut(column);

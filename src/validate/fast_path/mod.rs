@@ -219,11 +219,15 @@ fn join<V: View + ?Sized>(
     let edges = (half_edges - unpaired) / 2 + unpaired;
     let borders = cycles.unnamed.len() + loops.len();
     // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
-    let twice = (vertices + cycles.named + borders + isolated).checked_sub(edges)?;
-    let least = twice / 2;
+    // The sum is negative where the handles outnumber the components.
+    let twice = (vertices + cycles.named + borders + isolated).cast_signed() - edges.cast_signed();
+    if twice % 2 != 0 {
+        return None;
+    }
+    let least = usize::try_from(twice / 2).unwrap_or(0);
     let ComponentNumbers { of, first } = components::join(view, extent, around, least.max(1))?;
-    let genus = first.len().checked_sub(least)?;
-    if twice % 2 != 0 || extent.is_plane() && genus > 0 {
+    let genus = usize::try_from(first.len().cast_signed() - twice / 2).ok()?;
+    if extent.is_plane() && genus > 0 {
         return None;
     }
     let mut all = Vec::new();

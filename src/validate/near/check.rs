@@ -216,7 +216,7 @@ impl<V: View + ?Sized> Check<'_, V> {
                 Some(_) => now.has(Part::Holes),
             };
         (starts && is_listed).then_some(())?;
-        self.scratch.walks.on_one(members, remains, now.half_edges, |h| now.view.next(h))?;
+        self.scratch.walks.on_one(members, remains, now.half_edges, |h| now.next(h))?;
         Some(row)
     }
 
@@ -294,8 +294,7 @@ impl<V: View + ?Sized> Check<'_, V> {
             };
             agrees.then_some(())?;
         }
-        let clockwise = |h: usize| now.view.next(now.view.twin(h)?);
-        self.scratch.walks.on_one(members, remains.is_some(), now.half_edges, clockwise)?;
+        self.scratch.walks.on_one(members, remains.is_some(), now.half_edges, |h| now.clockwise(h))?;
         Some(Vertex { leaving: link(leaving), isolated: link(isolated) })
     }
 

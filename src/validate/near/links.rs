@@ -144,6 +144,16 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         Some(HalfEdge { origin, twin, next, prev, label })
     }
 
+    /// The next half-edge, asked anew. What a view says that changes its answers may lead anywhere.
+    pub(super) fn next(&self, h: usize) -> Option<usize> {
+        if h < self.half_edges { self.view.next(h) } else { None }
+    }
+
+    /// The next half-edge clockwise around the origin, likewise.
+    pub(super) fn clockwise(&self, h: usize) -> Option<usize> {
+        if h < self.half_edges { self.next(self.view.twin(h)?) } else { None }
+    }
+
     /// The label of a half-edge of which nothing else is asked.
     pub(super) fn label_of(&self, h: usize) -> Option<usize> {
         if self.has(Part::BoundaryComponents) { self.view.boundary(h) } else { self.view.face(h) }

@@ -12,7 +12,7 @@ use twinedge::program::choose::{Choose, Random};
 fn numbered(map: &mut PlanarMap, by: Named, source: &mut impl Choose) {
     let mut left: Vec<u64> = (1..=map.dcel().vertex_count() as u64).collect();
     let vertices: Vec<_> = map.dcel().vertices().map(|v| v.key()).collect();
-    for (v, aside) in vertices.iter().zip(1000..) {
+    for (v, aside) in vertices.iter().zip(1000_u64..) {
         map.set_value(by.corner, *v, aside).unwrap();
     }
     for v in vertices {

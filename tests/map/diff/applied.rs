@@ -55,8 +55,8 @@ fn vertices_that_change_places_are_drawn_anew_and_keep_what_they_have() {
     let (mut a, by) = two_squares();
     let w = a.insert_point([9.0, 1.0]).unwrap().vertices[0];
     let fence = a.dcel().vertex(by.v(&a, 5)).unwrap().leaving().unwrap().key();
-    a.set_value(by.fence, fence, 6).unwrap();
-    a.set_value(by.note, by.f(&a, 2), 5).unwrap();
+    a.set_value(by.fence, fence, 6_u32).unwrap();
+    a.set_value(by.note, by.f(&a, 2), 5_u32).unwrap();
     let wood = a.feature(0);
     a.set_features_of(by.f(&a, 2), wood).unwrap();
     a.set_features_along(fence, wood).unwrap();
@@ -84,10 +84,10 @@ fn maps_without_ids_are_refused() {
         diff(&map, &other, &by.ids()).unwrap_err()
     };
     let (v, f) = (by.v(&map, 1), by.f(&map, 1));
-    assert_eq!(without(&|map| Ok(map.set_value(by.corner, v, None)?.is_some())), DiffError::VertexWithoutId(v));
-    assert_eq!(without(&|map| Ok(map.set_value(by.parcel, f, None)?.is_some())), DiffError::FaceWithoutId(f));
-    assert_eq!(without(&|map| Ok(map.set_value(by.corner, v, 2)?.is_some())), DiffError::SameId(Record::Vertex(2)));
-    assert_eq!(without(&|map| Ok(map.set_value(by.parcel, f, 2)?.is_some())), DiffError::SameId(Record::Face(2)));
+    assert_eq!(without(&|map| Ok(map.remove_value(by.corner, v)?.is_some())), DiffError::VertexWithoutId(v));
+    assert_eq!(without(&|map| Ok(map.remove_value(by.parcel, f)?.is_some())), DiffError::FaceWithoutId(f));
+    assert_eq!(without(&|map| Ok(map.set_value(by.corner, v, 2_u64)?.is_some())), DiffError::SameId(Record::Vertex(2)));
+    assert_eq!(without(&|map| Ok(map.set_value(by.parcel, f, 2_u128)?.is_some())), DiffError::SameId(Record::Face(2)));
     let mut crossing = Builder::new();
     for [from, to] in [[[0.0, 0.0], [1.0, 1.0]], [[0.0, 1.0], [1.0, 0.0]]] {
         crossing.segment(from, to).unwrap();
@@ -179,7 +179,7 @@ fn attributes_that_are_not_compared_stay_with_their_records() {
     // The ids of the two faces change places, so each is drawn where the other one was.
     let mut b = a.clone();
     let faces = [1, 2].map(|face| by.f(&a, face));
-    for (face, id) in [(faces[0], 2), (faces[1], 1)] {
+    for (face, id) in [(faces[0], 2_u128), (faces[1], 1)] {
         b.set_value(by.parcel, face, id).unwrap();
     }
     diff(&a, &b, &by.ids()).unwrap().apply(&mut a, &by.ids()).unwrap();

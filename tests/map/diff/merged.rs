@@ -3,9 +3,10 @@
 use super::{Named, draw, edited, erase, two_squares};
 use quickcheck::Gen;
 use std::collections::BTreeMap;
-use twinedge::map::diff::{ApplyError, Conflict, MergeError, Record, merge};
+use twinedge::map::diff::{ApplyError, Conflict, DiffError, MergeError, Record, diff, merge};
+use twinedge::map::edit::EditError;
 use twinedge::map::program::EditProgram;
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge::map::{FeatureId, History, PlanarMap};
 
 #[test]
 fn merges_do_what_both_sides_did_in_either_order_or_refuse_in_both() {
@@ -19,7 +20,7 @@ fn merges_do_what_both_sides_did_in_either_order_or_refuse_in_both() {
         let [ours, theirs] = &sides;
         assert_eq!(by.told(&merge(&base, ours, &base, &ids).unwrap()), by.told(ours));
         assert_eq!(by.told(&merge(&base, &base, ours, &ids).unwrap()), by.told(ours));
-        assert_eq!(by.told(&merge(&base, ours, ours, &ids).unwrap()).faces, by.told(ours).faces);
+        assert_eq!(by.told(&merge(&base, ours, ours, &ids).unwrap()), by.told(ours));
         let (one, other) = (merge(&base, ours, theirs, &ids), merge(&base, theirs, ours, &ids));
         match (&one, &other) {
             (Ok(one), Ok(other)) => {
@@ -189,7 +190,7 @@ fn edges_and_faces_that_one_side_drops_are_conflicts_with_what_the_other_does_to
     let erased = |map: &mut PlanarMap, by: Named| erase(map, by, 2, 3);
     let fenced = |map: &mut PlanarMap, by: Named| {
         let h = map.dcel().vertex(by.v(map, 2)).unwrap().rotation().find(|h| h.target().key() == by.v(map, 3));
-        map.set_value(by.fence, h.unwrap().key(), 4).unwrap();
+        map.set_value(by.fence, h.unwrap().key(), 4_u32).unwrap();
     };
     assert_eq!(conflicts(erased, fenced), ["ours: edge 2-3 dropped, theirs: edge 2-3 fence: none -> \"4\""]);
     let dropped_face =
@@ -214,11 +215,16 @@ fn values_and_features_that_both_sides_set_are_conflicts() {
         conflicts(owned("Ada"), owned("Bob")),
         ["ours: face 1 owner: none -> \"Ada\", theirs: face 1 owner: none -> \"Bob\""]
     );
-    let covered = |map: &mut PlanarMap, by: Named| {
-        let lake = map.add_feature(Some("lake".into()));
-        map.set_features_of(by.f(map, 1), [lake]).unwrap();
+    let covered = |name: &'static str| {
+        move |map: &mut PlanarMap, by: Named| {
+            let lake = map.add_feature(Some(name.into()));
+            map.set_features_of(by.f(map, 1), [lake]).unwrap();
+        }
     };
-    assert_eq!(conflicts(covered, covered), ["ours: face 1 features: [] -> [1], theirs: face 1 features: [] -> [2]"]);
+    assert_eq!(
+        conflicts(covered("lake"), covered("pond")),
+        ["ours: face 1 features: [] -> [1], theirs: face 1 features: [] -> [2]"]
+    );
 }
 
 #[test]
@@ -234,12 +240,54 @@ fn a_feature_that_one_side_drops_is_dropped_unless_the_other_gives_it_to_a_recor
 }
 
 #[test]
+fn sides_that_did_the_same_are_merged_to_the_same() {
+    let (base, by) = two_squares();
+    let mut side = base.clone();
+    let (wood, lake) = (side.feature(0).unwrap(), side.add_feature(Some("lake".into())));
+    side.set_features_of(by.f(&side, 1), [lake]).unwrap();
+    side.remove_feature(wood).unwrap();
+    draw(&mut side, by, 1, 3);
+    assert_eq!(by.told(&merge(&base, &side, &side, &by.ids()).unwrap()), by.told(&side));
+}
+
+/// Else a diff that drops it takes it off what it covers again.
+#[test]
+fn the_number_of_a_removed_feature_is_not_used_again() {
+    let (base, by) = two_squares();
+    let wood = base.feature(0).unwrap();
+    let mut history = History::new(base.clone());
+    history.change("remove", |map| map.remove_feature(wood)).unwrap();
+    let mut map = history.get().clone();
+    let edge = map.dcel().edges().next().unwrap().key();
+    let gone = EditError::NoSuchFeature(wood);
+    let inside = by.f(&map, 1);
+    assert_eq!(map.set_features_of(inside, [wood]), Err(gone));
+    assert_eq!(map.set_features_along(edge, [wood]), Err(gone));
+    assert_eq!(map.remove_feature(wood), Err(gone));
+    assert_eq!(map.merge_features(wood, wood), Err(gone));
+    assert_eq!(diff(&base, &map, &by.ids()).unwrap().to_string(), "feature 0 dropped\n");
+    assert!(matches!(diff(&map, &base, &by.ids()), Err(DiffError::Features(0))));
+    let loaded: PlanarMap = serde_json::from_str(&serde_json::to_string(&map).unwrap()).unwrap();
+    assert_eq!((loaded.clone().set_features_of(inside, [wood]), loaded == map), (Err(gone), true));
+    // A feature without name is no removed one.
+    let unnamed = map.add_feature(None);
+    map.set_features_of(inside, [unnamed]).unwrap();
+    assert!(history.undo());
+    assert_eq!(history.change("cover", |map| map.set_features_of(inside, [wood])), Ok(()));
+    assert!(history.undo() && history.redo() && history.undo());
+    let again = history.change("remove", |map| map.remove_feature(wood));
+    assert_eq!(again, Ok(Some("wood".to_owned())));
+    assert!(history.undo() && history.redo());
+    assert_eq!(history.change("cover", |map| map.set_features_of(inside, [wood])), Err(gone));
+}
+
+#[test]
 fn records_that_both_sides_make_with_one_id_are_a_conflict() {
     let (base, by) = two_squares();
     let numbered = |p: [f64; 2]| {
         let mut map = base.clone();
         let v = map.insert_point(p).unwrap().vertices[0];
-        map.set_value(by.corner, v, 50).unwrap();
+        map.set_value(by.corner, v, 50_u64).unwrap();
         map
     };
     let (ours, theirs) = (numbered([1.0, 1.0]), numbered([2.0, 1.0]));
@@ -306,7 +354,7 @@ fn of_a_face_that_one_side_splits_and_the_other_sells_the_part_with_the_id_is_so
         |map, by| {
             map.set_value(by.owner, by.f(map, 1), "Ada".to_owned()).unwrap();
             draw(map, by, 1, 3);
-            map.set_value(by.owner, by.f(map, 1), None).unwrap();
+            map.remove_value(by.owner, by.f(map, 1)).unwrap();
         },
         |map, by| assert_eq!(map.set_value(by.owner, by.f(map, 1), "Cy".to_owned()), Ok(None)),
     );

@@ -27,7 +27,7 @@ impl Named {
         let next = std::sync::atomic::AtomicU64::new(1);
         let number = move || u128::from(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed));
         let parcel = map.add_attribute(Policy::of_faces().make_with(number).split_make().identified_by(|id| *id));
-        map.set_value(parcel, map.dcel().unbounded_face().key(), 0).unwrap();
+        map.set_value(parcel, map.dcel().unbounded_face().key(), 0_u128).unwrap();
         Self {
             corner: map.add_attribute(Policy::of_vertices().ids(1)),
             parcel,

@@ -1,5 +1,6 @@
 //! Edits of planar maps, held against maps built in bulk, against plain models, and against what they say they did.
 
+mod cut;
 mod describe;
 mod errors;
 mod follow;

@@ -271,8 +271,8 @@ impl Windows {
     }
 
     fn finish(self, extents: &[Extent], options: &CleanOptions) -> Neighbourhoods {
-        let mut all: Vec<Window> = self.all.into_values().collect();
-        all.sort_by(|a, b| compare(a.corners[0], b.corners[0]));
+        let mut all: Vec<(usize, Window)> = self.all.into_iter().collect();
+        all.sort_by(|(i, a), (j, b)| compare(a.corners[0], b.corners[0]).then(i.cmp(j)));
         let mut done = Neighbourhoods {
             report: CleanReport {
                 polygons: extents.iter().filter(|extent| extent.corners.is_some()).count(),
@@ -284,7 +284,7 @@ impl Windows {
             largest: 0,
             too_large: Vec::new(),
         };
-        for Window { core, corners, state } in all {
+        for (_, Window { core, corners, state }) in all {
             match state {
                 State::Cleaned(report, vertices) => {
                     done.cleaned += 1;

@@ -83,8 +83,7 @@ impl Chain {
 
     /// Each segment once.
     fn cancel(&mut self) {
-        self.segments
-            .sort_unstable_by(|a, b| compare_lexicographic(a.low, b.low).then(compare_lexicographic(a.high, b.high)));
+        self.segments.sort_by(|a, b| compare_lexicographic(a.low, b.low).then(compare_lexicographic(a.high, b.high)));
         self.segments.dedup_by(|next, sum| {
             let same = next.low == sum.low && next.high == sum.high;
             if same {
