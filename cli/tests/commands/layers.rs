@@ -411,3 +411,16 @@ fn a_layer_that_is_not_there_is_refused() {
         assert_eq!(status(&["certify", "--table", &table, option, "auto", "-o", &certificate]), Some(2), "{option}");
     }
 }
+
+#[test]
+fn an_open_ring_is_invalid_and_convert_closes_it_and_says_so() {
+    for open in ["POLYGON((0 0,1 0,1 1))", r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]}"#] {
+        let output = twinedge_reading(&["audit", "--coverage", "-"], open.as_bytes());
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{text}");
+        assert!(text.contains("Ring is not closed: a gap of 1.4142"), "{text}");
+        let output = twinedge_reading(&["convert", "-", "-o", "-", "--to", "wkt"], open.as_bytes());
+        assert_eq!(String::from_utf8(output.stdout).unwrap(), "POLYGON((0 0,1 0,1 1,0 0))\n");
+        assert!(String::from_utf8(output.stderr).unwrap().contains("an open ring, which is closed"), "{open}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Finding what a format cannot hold of a layer.
 
+use super::closed::open_rings;
 use super::loss::{Loss, absent};
 use super::model::{Dimensions, EDGES, FieldKind, Geometry, Layer, Shape, Value};
 use std::collections::BTreeSet;
@@ -67,6 +68,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         }
     }
     geometries(layer, format, &mut found);
+    found.extend(some_if(open_rings(layer), Loss::OpenRings));
     let fields = layer.fields();
     if !has_columns {
         let columns: Vec<String> = fields.iter().map(|field| field.name.to_string()).collect();
