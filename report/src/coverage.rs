@@ -204,7 +204,8 @@ impl Coverage {
                 for (finding, snapping) in &findings {
                     let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
                     found.take(finding.rule, list, || diagnosis(imported, asked, map, finding, *snapping));
-                    let pair = [0, 1].map(|i| finding.features.get(i).map_or(0, |one| one.index()));
+                    let [first, last] = [finding.features.first(), finding.features.last()];
+                    let pair = [first, last].map(|one| one.map_or(0, |one| one.index()));
                     found.note_missing(finding.missing.iter().map(|vertex| (position(vertex.at), pair)));
                 }
                 found.sort_missing();

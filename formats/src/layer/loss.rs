@@ -23,6 +23,8 @@ pub enum Loss {
     EmptyGeometries(usize),
     /// Measures of positions, which come back as heights or not at all.
     Measures(usize),
+    /// Empty points, lines and rings among others in a geometry.
+    EmptyParts(usize),
     /// Open rings, which are closed.
     OpenRings(usize),
     /// Geometries with positions of several dimensions: some lose numbers, or gain zeros.
@@ -70,6 +72,7 @@ impl Loss {
                 | Self::Name(_)
                 | Self::NullGeometries(_)
                 | Self::EmptyGeometries(_)
+                | Self::EmptyParts(_)
                 | Self::OpenRings(_)
         )
     }
@@ -86,6 +89,8 @@ impl fmt::Display for Loss {
             Self::NullGeometries(n) => write!(f, "that {n} features have no geometry"),
             Self::EmptyGeometries(n) => write!(f, "that {n} geometries are empty"),
             Self::Measures(n) => write!(f, "that {n} geometries have measures (M)"),
+            Self::EmptyParts(1) => write!(f, "an empty part of a geometry"),
+            Self::EmptyParts(n) => write!(f, "{n} empty parts of geometries"),
             Self::OpenRings(1) => write!(f, "an open ring, which is closed"),
             Self::OpenRings(n) => write!(f, "{n} open rings, which are closed"),
             Self::MixedDimensions(n) => write!(f, "that positions of {n} geometries differ in their dimensions"),

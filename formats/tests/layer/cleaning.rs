@@ -464,3 +464,62 @@ fn ids_outlive_cleaning_and_every_format_that_has_some() {
         }
     }
 }
+
+/// Triangles whose vertices lie within a cell of the grid on which crossings are cut, found by a search of random layers.
+#[test]
+fn vertices_within_a_cell_of_a_border_are_clean_after_once() {
+    let layers = [
+        "POLYGON((0 3.2,1 2.9,0 0,0 3.2))\nPOLYGON((0 3.2,0 0,0.2 0,0 3.2))\nPOLYGON((4.55 0.89,4.49 1.03,4.43 1.17,4.55 0.89))\n",
+        "POLYGON((0 2.1,0.2 1.9,0.5 1.6,0 2.1))\nPOLYGON((7 0,7 3,10 3,7 0))\nPOLYGON((7 3,7 0,10 0,7 3))\n",
+    ];
+    let assign = Options { sliver_area: Some(0.001), gap_width: Some(0.6), ..Options::default() };
+    let options = CleanOptions { assign, ..CleanOptions::default() };
+    for text in layers {
+        let (once, report) = cleaned(&from_text(text), &options);
+        let (twice, again) = cleaned(&once, &options);
+        assert_eq!((to_geojson(&twice), again.features), (to_geojson(&once), vec![]));
+        assert_eq!(report.left, again.left);
+    }
+}
+
+/// Triangles between tenths, of which the corners of some lie on the sides of others, but for the rounding of decimals.
+#[test]
+fn cleaning_random_triangles_beside_borders_twice_is_cleaning_them_once() {
+    // Linear congruences (D. Knuth, MMIX).
+    let mut state = 1_u64;
+    let mut some = |below: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % below
+    };
+    let assign = Options { sliver_area: Some(0.001), gap_width: Some(0.6), ..Options::default() };
+    let options = CleanOptions { assign, ..CleanOptions::default() };
+    for number in 0..2_000 {
+        let mut corners: Vec<(f64, f64)> = Vec::new();
+        let mut text = String::new();
+        for _ in 0..3 {
+            let mut ring: Vec<(f64, f64)> = Vec::new();
+            while ring.len() < 3 {
+                let point = match some(3) {
+                    // The middle between two corners that there are.
+                    0 if corners.len() > 1 => {
+                        let [a, b] = [0; 2].map(|_| corners[some(corners.len() as u64) as usize]);
+                        (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1))
+                    }
+                    1 if !corners.is_empty() => corners[some(corners.len() as u64) as usize],
+                    _ => (some(60) as f64 / 10.0, some(60) as f64 / 10.0),
+                };
+                ring.push(point);
+                corners.push(point);
+            }
+            ring.push(ring[0]);
+            let ring: Vec<String> = ring.iter().map(|(x, y)| format!("{x} {y}")).collect();
+            text += &format!("POLYGON(({}))\n", ring.join(","));
+        }
+        let (once, _) = cleaned(&from_text(&text), &options);
+        if once.features.iter().all(|feature| feature.geometry.is_none()) {
+            continue;
+        }
+        let (twice, again) = cleaned(&once, &options);
+        assert_eq!((to_geojson(&twice), again.features), (to_geojson(&once), vec![]), "{number}: {text}");
+    }
+}

@@ -32,7 +32,7 @@ fn geometry(g: &mut Gen, dimensions: Dimensions, depth: usize) -> Geometry {
     let rings = |g: &mut Gen| lines(g).into_iter().map(ring).collect::<Vec<_>>();
     let shape = match u8::arbitrary(g) % if depth < 2 { 7 } else { 6 } {
         0 => Shape::Point(bool::arbitrary(g).then(|| position(g, more))),
-        1 => Shape::MultiPoint(line(g, more)),
+        1 => Shape::MultiPoint(line(g, more).into_iter().map(|one| bool::arbitrary(g).then_some(one)).collect()),
         2 => Shape::Line(line(g, more)),
         3 => Shape::MultiLine(lines(g)),
         4 => Shape::Polygon(rings(g)),

@@ -98,42 +98,44 @@ pub struct Defect {
 /// ```
 #[must_use]
 pub fn defects(shapes: &[Shape]) -> Vec<Defect> {
-    let (mut found, mut open) = (Vec::new(), Vec::new());
-    let mut rings = Vec::new();
+    let (mut found, rings) = rings_of(shapes);
+    let are_whole = found.iter().all(|defect| defect.kind == DefectKind::OpenRing);
+    match apart::containers(&rings) {
+        Some(containers) => found.extend(nesting(&rings, &containers)),
+        None => found.extend(with_index(&rings, |index| of_meeting(&rings, index, are_whole))),
+    }
+    found.sort_by_key(|defect| (defect.kind, defect.shape, defect.ring));
+    found
+}
+
+/// The rings that enclose something, and the defects of rings and lines by themselves.
+pub(super) fn rings_of(shapes: &[Shape]) -> (Vec<Defect>, Vec<Ring>) {
+    let (mut found, mut rings) = (Vec::new(), Vec::new());
     for (polygon, shape) in shapes.iter().enumerate() {
-        let too_few = |ring: usize, points: &[Point]| {
-            let kind = DefectKind::TooFewPoints;
-            points.first().map(|at| Defect { kind, at: *at, gap_to: None, shape: polygon, ring })
+        let mut note = |kind, ring, [at, to]: [Option<Point>; 2]| {
+            found.extend(at.map(|at| Defect { kind, at, gap_to: to, shape: polygon, ring }));
         };
         match shape {
             Shape::Polygon(all) => {
                 for (number, points) in all.iter().enumerate() {
                     let distinct = without_repetition(points);
                     if distinct.len() < 3 {
-                        found.extend(too_few(number, points));
-                    } else {
-                        open.extend(gap(points).map(|[at, to]| Defect {
-                            kind: DefectKind::OpenRing,
-                            at,
-                            gap_to: Some(to),
-                            shape: polygon,
-                            ring: number,
-                        }));
-                        rings.push(Ring { points: distinct, polygon, number });
+                        note(DefectKind::TooFewPoints, number, [points.first().copied(), None]);
+                        continue;
                     }
+                    if let Some(ends) = gap(points) {
+                        note(DefectKind::OpenRing, number, ends.map(Some));
+                    }
+                    rings.push(Ring { points: distinct, polygon, number });
                 }
             }
-            Shape::Line(points) if without_repetition(points).len() < 2 => found.extend(too_few(0, points)),
+            Shape::Line(points) if without_repetition(points).len() < 2 => {
+                note(DefectKind::TooFewPoints, 0, [points.first().copied(), None]);
+            }
             Shape::Line(_) | Shape::Point(_) => {}
         }
     }
-    match apart::containers(&rings) {
-        Some(containers) => found.extend(nesting(&rings, &containers)),
-        None => found.extend(with_index(&rings, |index| of_meeting(&rings, index, found.is_empty()))),
-    }
-    found.append(&mut open);
-    found.sort_by_key(|defect| (defect.kind, defect.shape, defect.ring));
-    found
+    (found, rings)
 }
 
 /// The last and the first point of an open ring.

@@ -35,7 +35,7 @@ use restored::Restoration;
 use std::borrow::Cow;
 use twinedge::algorithm::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
-use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
+use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects, insert_touches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
@@ -47,6 +47,9 @@ pub use neighbourhoods::{Extent, Neighbourhoods, Source, TooLarge, clean_neighbo
 pub(super) use rebuild::Bounds;
 pub use rebuild::is_tidy;
 pub use report::{AddedVertex, CleanReport, FeatureChange, LayerChange, Left, Remaining};
+
+/// A layer is cleaned again at most so many times, until nothing changes any more.
+const ROUNDS: usize = 8;
 
 /// The way in which a layer is cleaned.
 #[derive(Clone, Debug, Default)]
@@ -131,9 +134,20 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
                 break;
             }
             near_misses = left;
-            let noding = done.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
-            done.changes.extend(next.changes.iter().cloned());
-            done = Pass { changes: done.changes, added: done.added, noding, ..next };
+            done = done.followed_by(next);
+        }
+    }
+    // Points that went back to where they were can lie beside borders that were cut where they had been rounded to.
+    let mut is_fixed = done.is_like(&features);
+    for _ in 0..ROUNDS {
+        // Nothing may be left.
+        if is_fixed || done.features.iter().all(|feature| shapes(feature).is_empty()) {
+            break;
+        }
+        let next = pass(&done.features, anchor().as_slice(), options)?;
+        is_fixed = next.is_like(&done.features) || !next.is_plane();
+        if !is_fixed {
+            done = done.followed_by(next);
         }
     }
     let mut report = CleanReport {
@@ -215,7 +229,20 @@ struct Pass<'a> {
     judged: Judgement,
 }
 
-impl Pass<'_> {
+impl<'a> Pass<'a> {
+    /// The result of both rounds.
+    fn followed_by(mut self, next: Self) -> Self {
+        let noding = self.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
+        self.changes.extend(next.changes.iter().cloned());
+        self.added.extend(next.added.iter().cloned());
+        Pass { changes: self.changes, added: self.added, noding, ..next }
+    }
+
+    /// Returns true if the features have these geometries.
+    fn is_like(&self, features: &[Cow<'_, Feature>]) -> bool {
+        self.features.iter().map(|feature| &feature.geometry).eq(features.iter().map(|feature| &feature.geometry))
+    }
+
     fn is_plane(&self) -> bool {
         self.judged.left.is_none_or(|left| left.is_plane)
     }
@@ -288,7 +315,7 @@ fn outlined<'a>(
                 restored.polygon(polygon);
             }
         }
-        if !is_same(&before, &after) {
+        if !is_same(&before, &after) && !is_same(&with_touches(feature), &after) {
             let with_vertices = missing.inserted(number, &before).filter(|rings| is_same(rings, &after));
             let rings = with_vertices.unwrap_or_else(|| after.into_iter().map(rings_of).collect());
             let geometry = replace(geometry, &rings, &mut further);
@@ -327,11 +354,18 @@ fn gather(features: &[Cow<'_, Feature>], fillers: &[map::Shape]) -> Result<Build
     Ok(builder)
 }
 
-/// The polygons of a feature, as the library takes them.
+/// The polygons of a feature, as the library takes them, with vertices where rings touch as the OGC allows.
 fn shapes(feature: &Feature) -> Vec<map::Shape> {
     let mut shapes = super::to_map(feature, &mut ReadSummary::default()).shapes;
     shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    insert_touches(&mut shapes);
     shapes
+}
+
+/// The rings of [`shapes`].
+fn with_touches(feature: &Feature) -> Vec<rebuild::Rings> {
+    let rings = |shape| if let map::Shape::Polygon(rings) = shape { rings } else { Vec::new() };
+    shapes(feature).into_iter().map(rings).collect()
 }
 
 /// The findings of a layer.

@@ -1,7 +1,7 @@
 //! Polygons of a Shapefile: a list of rings, outer ones clockwise and holes counter-clockwise, in any order.
 
 use super::super::model::Line;
-use super::super::nesting::{Extent, area, direction, lies_in, point};
+use super::super::nesting::{Extent, area, direction, lies_in};
 use std::cmp::Ordering;
 
 /// The polygons of a list of rings, turned: outer rings are counter-clockwise and holes clockwise, as GeoJSON wants them, where the
