@@ -440,7 +440,7 @@ MULTIPOLYGON(((20 0,30 0,30 10,20 10,20 0)),((30 5,33 4,33 6,30 5)))\n";
         let coverage = &found["coverage"];
         assert_eq!((&coverage["ogc_invalid"], &coverage["mismatches"]), (&json!(0), &json!(0)));
     }
-    assert_eq!(status(&["clean", &path, "-o", &clean]), Some(0));
+    assert_eq!(status(&["clean", &path, "-o", &clean, "--gap-width", "0.1"]), Some(0));
     assert_eq!(fs::read_to_string(&clean).unwrap(), text);
 }
 

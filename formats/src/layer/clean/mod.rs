@@ -48,9 +48,6 @@ pub(super) use rebuild::Bounds;
 pub use rebuild::is_tidy;
 pub use report::{AddedVertex, CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
-/// A layer is cleaned again at most so many times, until nothing changes any more.
-const ROUNDS: usize = 8;
-
 /// The way in which a layer is cleaned.
 #[derive(Clone, Debug, Default)]
 pub struct CleanOptions {
@@ -134,20 +131,9 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
                 break;
             }
             near_misses = left;
-            done = done.followed_by(next);
-        }
-    }
-    // Points that went back to where they were can lie beside borders that were cut where they had been rounded to.
-    let mut is_fixed = done.is_like(&features);
-    for _ in 0..ROUNDS {
-        // Nothing may be left.
-        if is_fixed || done.features.iter().all(|feature| shapes(feature).is_empty()) {
-            break;
-        }
-        let next = pass(&done.features, anchor().as_slice(), options)?;
-        is_fixed = next.is_like(&done.features) || !next.is_plane();
-        if !is_fixed {
-            done = done.followed_by(next);
+            let noding = done.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
+            done.changes.extend(next.changes.iter().cloned());
+            done = Pass { changes: done.changes, added: done.added, noding, ..next };
         }
     }
     let mut report = CleanReport {
@@ -229,20 +215,7 @@ struct Pass<'a> {
     judged: Judgement,
 }
 
-impl<'a> Pass<'a> {
-    /// The result of both rounds.
-    fn followed_by(mut self, next: Self) -> Self {
-        let noding = self.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
-        self.changes.extend(next.changes.iter().cloned());
-        self.added.extend(next.added.iter().cloned());
-        Pass { changes: self.changes, added: self.added, noding, ..next }
-    }
-
-    /// Returns true if the features have these geometries.
-    fn is_like(&self, features: &[Cow<'_, Feature>]) -> bool {
-        self.features.iter().map(|feature| &feature.geometry).eq(features.iter().map(|feature| &feature.geometry))
-    }
-
+impl Pass<'_> {
     fn is_plane(&self) -> bool {
         self.judged.left.is_none_or(|left| left.is_plane)
     }
