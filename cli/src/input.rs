@@ -161,7 +161,7 @@ fn read_input(mut input: Input) -> Result<(String, Layer), Failure> {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cutting {
     /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
-    /// the coordinates allow. SIZE is the greatest width of its cells: the width is the largest power of two up to it.
+    /// the coordinates allow. SIZE is the width of its cells: with 0.001, coordinates have three decimal places, and those that have stay.
     #[arg(long, value_name = "auto|SIZE", value_parser = snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 }

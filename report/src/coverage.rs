@@ -212,7 +212,8 @@ impl Coverage {
                 for (finding, snapping) in &findings {
                     let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
                     found.take(finding.rule, list, || diagnosis(imported, asked, map, finding, *snapping));
-                    let pair = [0, 1].map(|i| finding.features.get(i).map_or(0, |one| one.index()));
+                    let [first, last] = [finding.features.first(), finding.features.last()];
+                    let pair = [first, last].map(|one| one.map_or(0, |one| one.index()));
                     found.note_missing(finding.missing.iter().map(|vertex| (position(vertex.at), pair)));
                 }
                 found.sort_missing();
@@ -222,7 +223,7 @@ impl Coverage {
             Err(why) => found.not_checked = Some(why),
         }
         for (feature, defects) in imported.noted.defects.iter().take(list) {
-            found.findings.push(invalid(imported, asked, *feature, defects));
+            found.findings.push(invalid(imported, asked, units, *feature, defects));
         }
         found.findings.sort_by_key(|one| one.rule);
         found
@@ -508,16 +509,26 @@ pub(crate) fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Option<Po
 }
 
 /// A feature that is not valid by the rules of the OGC.
-fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects: &[Defect]) -> Diagnosis {
+fn invalid(
+    imported: &Imported,
+    asked: &CoverageOptions,
+    units: &Units,
+    feature: usize,
+    defects: &[Defect],
+) -> Diagnosis {
+    let reason = |defect: &Defect| match defect.gap_to {
+        Some(to) => format!("{}: a gap of {}", defect.kind, measure(units.length(&[defect.at, to]))),
+        None => defect.kind.to_string(),
+    };
     let flaw = |defect: &Defect| Flaw {
-        reason: defect.kind.to_string(),
+        reason: reason(defect),
         at: position(defect.at),
         shape: defect.shape,
         ring: defect.ring,
     };
     // They are sorted by kind.
     let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
-    let mut reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
+    let mut reasons: Vec<String> = defects_of_kind().map(|kind| reason(&kind[0])).collect();
     if reasons.is_empty() {
         reasons.push("a coordinate is NaN or infinite; it is left out".to_owned());
     }

@@ -141,7 +141,7 @@ fn shape(trace: &Trace, at: Option<Place>) -> Option<Shape> {
         ([], [one], _) => Shape::Line(line(one)),
         ([], [], [one]) => Shape::Point(Some(position(one))),
         ([], [], []) => Shape::Point(Some(position(&at?))),
-        ([], [], several) => Shape::MultiPoint(several.iter().map(position).collect()),
+        ([], [], several) => Shape::MultiPoint(several.iter().map(position).map(Some).collect()),
         ([], several, _) => Shape::MultiLine(several.iter().map(line).collect()),
         (several, ..) => Shape::MultiPolygon(several.iter().map(polygon).collect()),
     })

@@ -5,6 +5,7 @@ use crate::input::Input;
 use crate::noted::{Keep, Noted};
 use crate::read_ahead::{HandOn, Take, read_ahead};
 use crate::shelf::Shelf;
+use twinedge::algorithm::coverage::insert_touches;
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
@@ -84,10 +85,11 @@ impl Imported {
     ) -> Result<Self, Error> {
         let (mut builder, mut features) = (Builder::new(), Vec::new());
         let gathered = gather(&mut |feature| {
-            builder.feature(feature).map_err(ReadError::refused)?;
             if keep.features {
-                features.push(std::mem::take(feature));
+                features.push(feature.clone());
             }
+            insert_touches(&mut feature.shapes);
+            builder.feature(feature).map_err(ReadError::refused)?;
             Ok(())
         })?;
         let Gathered { name, read, noted, crs, orients_rings, edges } = gathered;
@@ -136,6 +138,7 @@ impl Imported {
             summary.count(feature).map_err(ReadError::refused)?;
             all_names.push(feature.name.take());
             feature.id = None;
+            insert_touches(&mut feature.shapes);
             Ok(shelf.put(std::mem::take(feature))?)
         })?;
         let Gathered { name, read, noted, crs, orients_rings, edges } = gathered;

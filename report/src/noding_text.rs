@@ -8,7 +8,9 @@ use twinedge::geometry::noding::NodingSummary;
 #[must_use]
 pub fn line(noding: &NodingSummary) -> String {
     let cut = counted(noding.split, "segment");
-    let mut line = format!("snapped to a grid of 2^{}: {cut} cut", noding.cell.log2());
+    let exponent = noding.cell.log2();
+    let cell = if exponent.fract() == 0.0 { format!("2^{exponent}") } else { noding.cell.to_string() };
+    let mut line = format!("snapped to a grid of {cell}: {cut} cut");
     for (count, name, what) in [
         (noding.crossings, "vertex", "made at crossings"),
         (noding.merged, "point", "merged with others"),

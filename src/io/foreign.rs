@@ -1,5 +1,6 @@
 //! Formats that are recognised, but read nowhere here: to say what a file looks like, and what to do with it.
 
+use super::format::{is_geopackage, is_sqlite};
 use super::json_head::JsonHead;
 use core::fmt;
 
@@ -53,7 +54,6 @@ impl ForeignFormat {
     /// ```
     #[must_use]
     pub fn of_content(head: &[u8]) -> Option<Self> {
-        const SQLITE: &[u8] = b"SQLite format 3\0";
         const MAGIC: [(&[u8], ForeignFormat); 9] = [
             (b"ARROW1", ForeignFormat::Arrow),
             (b"PK\x03\x04", ForeignFormat::Zip),
@@ -65,8 +65,7 @@ impl ForeignFormat {
             (b"\xFF\xFE", ForeignFormat::Utf16),
             (b"\xFE\xFF", ForeignFormat::Utf16),
         ];
-        // The id of the application tells a GeoPackage.
-        if head.starts_with(SQLITE) && head.get(68..72) != Some(b"GPKG") {
+        if is_sqlite(head) && !is_geopackage(head) {
             return Some(Self::Sqlite);
         }
         if let Some((_, format)) = MAGIC.iter().find(|(magic, _)| head.starts_with(magic)) {

@@ -111,8 +111,7 @@ impl Format {
         if head.starts_with(b"\x00\x00\x27\x0A") {
             return Some(Self::Shapefile);
         }
-        // A database of SQLite has the id of the application that made it.
-        if head.starts_with(b"SQLite format 3\0") && head.get(68..72) == Some(b"GPKG") {
+        if is_sqlite(head) && is_geopackage(head) {
             return Some(Self::GeoPackage);
         }
         // "fgb", a version, "fgb", a patch level.
@@ -189,6 +188,18 @@ impl Format {
     pub const fn feature(self) -> &'static str {
         self.row().feature
     }
+}
+
+/// Returns true if this is the start of a database of `SQLite`.
+pub(super) fn is_sqlite(head: &[u8]) -> bool {
+    head.starts_with(b"SQLite format 3\0")
+}
+
+/// Returns true if a database has the id of an application that `GeoPackage` gave it (since version 1.2, in 1.0 and in 1.1), or defines the table
+/// that every `GeoPackage` has.
+pub(super) fn is_geopackage(head: &[u8]) -> bool {
+    const TABLE: &[u8] = b"gpkg_contents";
+    matches!(head.get(68..72), Some(b"GPKG" | b"GP10" | b"GP11")) || head.windows(TABLE.len()).any(|word| word == TABLE)
 }
 
 /// Returns true if a text starts with the name of a type of geometry, as well-known text does, perhaps after an `SRID`.

@@ -11,7 +11,7 @@ use crate::geometry::Point;
 /// [`Builder`](super::Builder) handles and counts that.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// The outer ring, then the rings of the holes; the last point of a ring may or may not repeat its first.
+    /// The outer ring, then the rings of the holes. The last point of a ring should repeat its first: C6 reports an open ring.
     Polygon(Vec<Vec<Point>>),
     /// A chain of straight segments.
     Line(Vec<Point>),
@@ -20,25 +20,25 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The polygon with this outer ring, and no holes. Whether the last point repeats the first makes no difference.
+    /// The polygon with this outer ring, and no holes. The ring is closed if its last point does not repeat the first.
     ///
     /// ```
     /// use twinedge::map::Shape;
     ///
     /// let square = Shape::polygon([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]]);
     /// let with_hole = square.hole([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]]);
-    /// assert!(matches!(with_hole, Shape::Polygon(rings) if rings.len() == 2));
+    /// assert!(matches!(with_hole, Shape::Polygon(rings) if rings.len() == 2 && rings[1].len() == 5));
     /// ```
     #[must_use]
     pub fn polygon(outer: impl IntoIterator<Item = impl Into<Point>>) -> Self {
-        Self::Polygon(alloc::vec![points(outer)])
+        Self::Polygon(alloc::vec![closed(outer)])
     }
 
-    /// The same polygon with one more hole. Lines and points stay as they are.
+    /// The same polygon with one more hole, closed in the same way. Lines and points stay as they are.
     #[must_use]
     pub fn hole(mut self, ring: impl IntoIterator<Item = impl Into<Point>>) -> Self {
         if let Self::Polygon(rings) = &mut self {
-            rings.push(points(ring));
+            rings.push(closed(ring));
         }
         self
     }
@@ -48,6 +48,12 @@ impl Shape {
     pub fn line(along: impl IntoIterator<Item = impl Into<Point>>) -> Self {
         Self::Line(points(along))
     }
+}
+
+fn closed(ring: impl IntoIterator<Item = impl Into<Point>>) -> Vec<Point> {
+    let mut ring = points(ring);
+    ring.extend(ring.first().copied().filter(|first| ring.last() != Some(first)));
+    ring
 }
 
 fn points(from: impl IntoIterator<Item = impl Into<Point>>) -> Vec<Point> {

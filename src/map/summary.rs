@@ -77,7 +77,7 @@ pub struct Irregularity {
 /// // Clockwise, and not closed.
 /// let ring = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::polygon(ring))?;
+/// builder.shape(&Shape::Polygon(vec![ring.map(Into::into).to_vec()]))?;
 /// let map = builder.build()?;
 /// assert_eq!((map.summary().open_rings, map.summary().rings_wound_wrongly), (1, 1));
 /// assert_eq!(map.summary().irregularities[0].kind, IrregularityKind::OpenRing);

@@ -1,9 +1,9 @@
 //! C7: borders that coincide and are noded differently, with a value from outside; on random boxes, beside plain arithmetic.
 
 use quickcheck::QuickCheck;
-use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits, check, mismatches};
+use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits, check, insert_touches, mismatches};
 use twinedge::geometry::Point;
-use twinedge::map::{Builder, Feature, Shape};
+use twinedge::map::{Builder, Feature, Noding, Shape};
 
 use super::coverage::{area, map, parcels};
 
@@ -64,12 +64,55 @@ fn borders_that_meet_since_features_overlap_are_no_mismatch() {
     let again = Shape::polygon([[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
     let (found, others) = mismatched(&[left.clone(), again]);
     assert_eq!((found.len(), others[0].rule), (0, CoverageRule::Duplicate));
-    // Lines are no borders, and a feature is no neighbour of itself.
-    assert_eq!(mismatched(&[left.clone(), Shape::line([[10.0, 5.0], [15.0, 5.0]])]).0, []);
-    let mut builder = Builder::new();
-    let shapes = vec![left, area([10.0, 2.0], [20.0, 5.0])];
-    builder.feature(&Feature { shapes, ..Default::default() }).expect("in range");
-    assert_eq!(builder.unmatched(), []);
+    // Lines are no borders.
+    assert_eq!(mismatched(&[left, Shape::line([[10.0, 5.0], [15.0, 5.0]])]).0, []);
+}
+
+#[test]
+fn rings_of_one_feature_lack_vertices_too_unless_the_ogc_allows_the_touch() {
+    let found = |mut shapes: Vec<Shape>| {
+        insert_touches(&mut shapes);
+        let mut builder = Builder::new();
+        builder.feature(&Feature { shapes, ..Default::default() }).expect("in range");
+        let unmatched = builder.unmatched();
+        let is_plane = builder.clone().build().expect("small").is_plane();
+        let map = builder.build_with(Noding::Exact).expect("nothing crosses");
+        (mismatches(&map, &unmatched).expect("it is plane"), is_plane)
+    };
+    // Parts with a common border, of which one lacks the corners of the other.
+    let square = area([0.0, 0.0], [10.0, 10.0]);
+    let (all, is_plane) = found(vec![square.clone(), area([10.0, 2.0], [20.0, 5.0])]);
+    assert_eq!(lacked(&all), [([10.0, 2.0], 0), ([10.0, 5.0], 0)]);
+    assert_eq!((all[0].features.len(), is_plane), (1, false));
+    // A hole that touches the middle of a side, a part that touches another one, and holes that touch each other.
+    let hole = [[0.0, 5.0], [3.0, 4.0], [3.0, 6.0]];
+    let second = [[3.0, 5.0], [6.0, 4.0], [6.0, 6.0]];
+    assert_eq!(found(vec![square.clone().hole(hole)]), (vec![], true));
+    assert_eq!(found(vec![square.clone(), Shape::polygon([[10.0, 5.0], [13.0, 4.0], [13.0, 6.0]])]), (vec![], true));
+    assert_eq!(found(vec![square.clone().hole(hole).hole(second)]), (vec![], true));
+    // Two touches cut the inside in two, which the OGC does not allow.
+    let across = [[0.0, 5.0], [5.0, 4.0], [10.0, 5.0], [5.0, 6.0]];
+    assert_eq!(lacked(&found(vec![square.clone().hole(across)]).0), [([0.0, 5.0], 0), ([10.0, 5.0], 0)]);
+    // Several touches on one side, in both directions, and on the last side of an open ring.
+    let open = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]].map(Point::from).to_vec();
+    let teeth = |x: f64| [[x, x], [x + 1.0, x - 0.5], [x + 1.0, x]];
+    for reversed in [false, true] {
+        let mut shell = open.clone();
+        if reversed {
+            shell.reverse();
+        }
+        let Shape::Polygon(rings) = Shape::Polygon(vec![shell]).hole(teeth(7.0)).hole(teeth(2.0)).hole(teeth(4.0))
+        else {
+            unreachable!("it is a polygon")
+        };
+        let mut shapes = vec![Shape::Polygon(rings)];
+        assert!(insert_touches(&mut shapes));
+        let Shape::Polygon(rings) = &shapes[0] else { unreachable!("it is a polygon") };
+        let on_diagonal = rings[0].iter().filter(|p| p.x == p.y).map(|p| p.x).collect::<Vec<_>>();
+        let expected = if reversed { [10.0, 0.0, 2.0, 4.0, 7.0] } else { [0.0, 10.0, 7.0, 4.0, 2.0] };
+        assert_eq!(on_diagonal, expected);
+        assert_eq!(found(shapes), (vec![], true));
+    }
 }
 
 /// A vertex that is rounded to a grid is the one of the input all the same: the coordinates have all their digits.

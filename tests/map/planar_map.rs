@@ -66,7 +66,8 @@ fn nothing_at_all_is_the_empty_map() {
 #[test]
 fn a_ring_left_open_is_closed_and_a_flat_one_encloses_nothing() {
     let mut builder = Builder::new();
-    builder.shape(&Shape::polygon([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])).expect("in range");
+    let open = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Point::from).to_vec();
+    builder.shape(&Shape::Polygon(vec![open])).expect("in range");
     let flat = builder.shape(&Shape::polygon([[5.0, 0.0], [6.0, 0.0], [5.0, 0.0]])).expect("in range");
     let map = builder.build().expect("fits");
     assert_eq!((map.summary().open_rings, map.summary().degenerate_rings), (1, 1));

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
+use twinedge::algorithm::coverage::insert_touches;
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::Feature;
@@ -61,7 +62,9 @@ impl Source {
         };
         let mut take = |number: u64, geometry: Option<Geometry>| {
             let feature = LayerFeature { geometry, ..LayerFeature::default() };
-            each(number as u32, to_map(&feature, &mut ReadSummary::default()));
+            let mut feature = to_map(&feature, &mut ReadSummary::default());
+            insert_touches(&mut feature.shapes);
+            each(number as u32, feature);
         };
         file.read(window, &mut |_| true, &mut take).map_err(refused)?;
         free().push(file);

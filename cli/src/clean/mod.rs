@@ -58,8 +58,8 @@ pub(crate) struct Clean {
     #[arg(long, conflicts_with = "output")]
     dry_run: bool,
 
-    /// Round all points to a grid first: points within the same cell become one. SIZE is the greatest width of the cells: the width
-    /// is the largest power of two up to it.
+    /// Round all points to a grid first: points within the same cell become one. SIZE is the width of the cells: with 0.001,
+    /// coordinates have three decimal places, and those that have stay.
     #[arg(long, value_name = "auto|SIZE", value_parser = crate::input::snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 

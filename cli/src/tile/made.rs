@@ -1,7 +1,7 @@
 //! Making the summaries of a tile, from all of a map or from what lies around the tile.
 
 use std::collections::BTreeMap;
-use twinedge::algorithm::coverage::Limits;
+use twinedge::algorithm::coverage::{Limits, insert_touches};
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, Feature};
@@ -72,7 +72,9 @@ fn add(file: &mut Indexed, window: [Point; 2], features: &mut BTreeMap<u32, Feat
     let mut found = Vec::new();
     file.read(window, &mut |number| !features.contains_key(&(number as u32)), &mut |number, geometry| {
         let feature = LayerFeature { geometry, ..LayerFeature::default() };
-        found.push((number as u32, to_map(&feature, &mut ReadSummary::default())));
+        let mut feature = to_map(&feature, &mut ReadSummary::default());
+        insert_touches(&mut feature.shapes);
+        found.push((number as u32, feature));
     })?;
     features.extend(found);
     Ok(())

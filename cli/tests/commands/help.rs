@@ -44,7 +44,7 @@ fn options_say_what_they_do() {
         (&["prove"], "plus one stale key of each kind"),
         (&["tables"], "Do part K of N of the same work, counted from 0"),
         (&["audit"], "OBJ, OFF, PLY, STL"),
-        (&["audit"], "SIZE is the greatest width of its cells"),
+        (&["audit"], "SIZE is the width of its cells"),
         (&["corrupt"], "Work that is drawn at random needs --seed"),
         (&["corrupt"], "Print each table and the verdict of the validator"),
     ] {

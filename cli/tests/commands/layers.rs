@@ -411,3 +411,51 @@ fn a_layer_that_is_not_there_is_refused() {
         assert_eq!(status(&["certify", "--table", &table, option, "auto", "-o", &certificate]), Some(2), "{option}");
     }
 }
+
+#[test]
+fn an_open_ring_is_invalid_and_convert_closes_it_and_says_so() {
+    for open in ["POLYGON((0 0,1 0,1 1))", r#"{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1]]]}"#] {
+        let output = twinedge_reading(&["audit", "--coverage", "-"], open.as_bytes());
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{text}");
+        assert!(text.contains("Ring is not closed: a gap of 1.4142"), "{text}");
+        let output = twinedge_reading(&["convert", "-", "-o", "-", "--to", "wkt"], open.as_bytes());
+        assert_eq!(String::from_utf8(output.stdout).unwrap(), "POLYGON((0 0,1 0,1 1,0 0))\n");
+        assert!(String::from_utf8(output.stderr).unwrap().contains("an open ring, which is closed"), "{open}");
+    }
+}
+
+/// A hole touches the middle of a side of its shell, and a part the side of another one: valid for the OGC, GEOS and C6.
+#[test]
+fn a_touch_that_the_ogc_allows_is_no_fault_and_clean_leaves_it() {
+    let text = "POLYGON((0 0,10 0,10 10,0 10,0 0),(0 5,3 4,3 6,0 5))\n\
+MULTIPOLYGON(((20 0,30 0,30 10,20 10,20 0)),((30 5,33 4,33 6,30 5)))\n";
+    let folder = scratch_folder("touch");
+    let [path, clean] = ["touch.wkt", "clean.wkt"].map(|name| in_folder(&folder, name));
+    fs::write(&path, text).unwrap();
+    for tiles in [&[][..], &["--tiles", "2"]] {
+        let (code, found) = run_json(&[&["audit", "--format", "json", &path], tiles].concat());
+        assert_eq!((code, &found["valid"]), (Some(0), &json!(true)), "{found}");
+        // The holes are gaps, which is not what this is about.
+        let coverage = &found["coverage"];
+        assert_eq!((&coverage["ogc_invalid"], &coverage["mismatches"]), (&json!(0), &json!(0)));
+    }
+    assert_eq!(status(&["clean", &path, "-o", &clean, "--gap-width", "0.1"]), Some(0));
+    assert_eq!(fs::read_to_string(&clean).unwrap(), text);
+}
+
+/// Two parcels in the Swiss reference system, in millimetres: none of the coordinates is a double on a grid of powers of two.
+#[test]
+fn a_layer_in_millimetres_is_on_a_grid_of_millimetres() {
+    let text = "POLYGON((2600000.123 1200000.001,2600010.457 1200000.333,2600010.999 1200010.777,2600000.123 1200000.001))\n\
+POLYGON((2600010.457 1200000.333,2600020.813 1200001.219,2600010.999 1200010.777,2600010.457 1200000.333))\n";
+    let folder = scratch_folder("millimetres");
+    let [path, clean] = ["parcels.wkt", "clean.wkt"].map(|name| in_folder(&folder, name));
+    fs::write(&path, text).unwrap();
+    assert_eq!(status(&["clean", "--snap", "0.001", &path, "-o", &clean]), Some(0));
+    assert_eq!(fs::read_to_string(&clean).unwrap(), text);
+    let (_, found) = run_json(&["audit", "--snap", "0.001", "--format", "json", &path]);
+    assert_eq!((&found["noding"]["cell"], &found["noding"]["largest_move"]), (&json!(0.001), &json!([0.0, 0.0])));
+    let told = String::from_utf8(twinedge(&["audit", "--snap", "0.001", &path]).stdout).unwrap();
+    assert!(told.contains("snapped to a grid of 0.001: 0 segments cut"), "{told}");
+}

@@ -73,7 +73,9 @@ fn converted(ParsedGeometry { bbox, value, foreign_members }: ParsedGeometry) ->
     }
     let shape = match value {
         GeometryValue::Point { coordinates } => Shape::Point(Some(position(&coordinates))),
-        GeometryValue::MultiPoint { coordinates } => Shape::MultiPoint(line(&coordinates)),
+        GeometryValue::MultiPoint { coordinates } => {
+            Shape::MultiPoint(line(&coordinates).into_iter().map(Some).collect())
+        }
         GeometryValue::LineString { coordinates } => Shape::Line(line(&coordinates)),
         GeometryValue::MultiLineString { coordinates } => Shape::MultiLine(rings(&coordinates)),
         GeometryValue::Polygon { coordinates } => Shape::Polygon(rings(&coordinates)),
@@ -173,7 +175,9 @@ pub(super) fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Re
         match &geometry.shape {
             Shape::Point(Some(point)) => write_position(point, out)?,
             Shape::Point(None) | Shape::Collection(_) => out.write_all(b"[]")?,
-            Shape::MultiPoint(points) | Shape::Line(points) => write_line(points, out)?,
+            // There is no empty position.
+            Shape::MultiPoint(points) => list(points.iter().flatten(), out, write_position)?,
+            Shape::Line(points) => write_line(points, out)?,
             Shape::MultiLine(lines) | Shape::Polygon(lines) => list(lines, out, |line, out| write_line(line, out))?,
             Shape::MultiPolygon(polygons) => {
                 list(polygons, out, |rings, out| list(rings, out, |ring, out| write_line(ring, out)))?;
@@ -206,12 +210,12 @@ fn write_number(number: f64, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn list<T>(
-    items: &[T],
+    items: impl IntoIterator<Item = T>,
     out: &mut dyn Write,
-    mut each: impl FnMut(&T, &mut dyn Write) -> io::Result<()>,
+    mut each: impl FnMut(T, &mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
     out.write_all(b"[")?;
-    for (number, item) in items.iter().enumerate() {
+    for (number, item) in items.into_iter().enumerate() {
         if number > 0 {
             out.write_all(b",")?;
         }

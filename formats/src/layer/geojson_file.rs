@@ -48,6 +48,8 @@ pub struct GeoJsonFile {
     replaced: File,
     end: u64,
     in_force: BTreeMap<usize, Range<u64>>,
+    /// The places of texts that count as those before.
+    settled: BTreeMap<usize, Range<u64>>,
 }
 
 /// A stretch of the file, and what takes its place.
@@ -105,7 +107,17 @@ impl GeoJsonFile {
         if places.features.len() != extents.len() {
             return Err(FileError::Moved(places.features.len().min(extents.len())));
         }
-        Ok(Self { file, format, header, places, extents, replaced: scratch, end: 0, in_force: BTreeMap::new() })
+        Ok(Self {
+            file,
+            format,
+            header,
+            places,
+            extents,
+            replaced: scratch,
+            end: 0,
+            in_force: BTreeMap::new(),
+            settled: BTreeMap::new(),
+        })
     }
 
     /// The format.
@@ -183,7 +195,23 @@ impl GeoJsonFile {
         Ok(())
     }
 
+    /// From now on, the features as they are now are those before. O(bytes of the features that were replaced).
+    ///
+    /// # Errors
+    /// [`FileError`].
+    pub fn settle(&mut self) -> Result<(), FileError> {
+        self.settled = self.in_force.clone();
+        let numbers: Vec<usize> = self.settled.keys().copied().collect();
+        for number in numbers {
+            self.extents[number] = Extent::of(&self.now(number)?);
+        }
+        Ok(())
+    }
+
     fn text_before(&mut self, number: usize) -> Result<String, FileError> {
+        if let Some(place) = self.settled.get(&number) {
+            return text(&mut self.replaced, place);
+        }
         let place = self.places.features.get(number).ok_or(FileError::Moved(number))?;
         text(&mut self.file, place)
     }
@@ -217,7 +245,10 @@ impl Source for GeoJsonFile {
 
     fn replace(&mut self, number: usize, feature: Option<&Feature>) -> Result<(), FileError> {
         let Some(feature) = feature else {
-            self.in_force.remove(&number);
+            match self.settled.get(&number) {
+                Some(place) => drop(self.in_force.insert(number, place.clone())),
+                None => drop(self.in_force.remove(&number)),
+            }
             return Ok(());
         };
         let layer = Layer { features: vec![feature.clone()], ..Layer::default() };

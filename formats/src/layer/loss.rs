@@ -23,6 +23,10 @@ pub enum Loss {
     EmptyGeometries(usize),
     /// Measures of positions, which come back as heights or not at all.
     Measures(usize),
+    /// Empty points, lines and rings among others in a geometry.
+    EmptyParts(usize),
+    /// Open rings, which are closed.
+    OpenRings(usize),
     /// Geometries with positions of several dimensions: some lose numbers, or gain zeros.
     MixedDimensions(usize),
     /// Names of columns that are cut or changed: the old and the new one.
@@ -57,12 +61,19 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// Returns true if it is only of form: a value that comes back as another type, an absent one as null, the name of the layer.
+    /// Returns true if it is only of form: a value that comes back as another type, an absent one as null, the name of the layer, an open
+    /// ring that is closed.
     #[must_use]
     pub const fn is_minor(&self) -> bool {
         matches!(
             self,
-            Self::Type { .. } | Self::Absent(_) | Self::Name(_) | Self::NullGeometries(_) | Self::EmptyGeometries(_)
+            Self::Type { .. }
+                | Self::Absent(_)
+                | Self::Name(_)
+                | Self::NullGeometries(_)
+                | Self::EmptyGeometries(_)
+                | Self::EmptyParts(_)
+                | Self::OpenRings(_)
         )
     }
 }
@@ -78,6 +89,10 @@ impl fmt::Display for Loss {
             Self::NullGeometries(n) => write!(f, "that {n} features have no geometry"),
             Self::EmptyGeometries(n) => write!(f, "that {n} geometries are empty"),
             Self::Measures(n) => write!(f, "that {n} geometries have measures (M)"),
+            Self::EmptyParts(1) => write!(f, "an empty part of a geometry"),
+            Self::EmptyParts(n) => write!(f, "{n} empty parts of geometries"),
+            Self::OpenRings(1) => write!(f, "an open ring, which is closed"),
+            Self::OpenRings(n) => write!(f, "{n} open rings, which are closed"),
             Self::MixedDimensions(n) => write!(f, "that positions of {n} geometries differ in their dimensions"),
             Self::Renamed(names) => {
                 let names: Vec<String> = names.iter().map(|(old, new)| format!("{old} becomes {new}")).collect();

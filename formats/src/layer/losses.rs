@@ -1,7 +1,8 @@
 //! Finding what a format cannot hold of a layer.
 
+use super::closed::open_rings;
 use super::loss::{Loss, absent};
-use super::model::{Dimensions, EDGES, FieldKind, Geometry, Layer, Shape, Value};
+use super::model::{Dimensions, EDGES, FieldKind, Geometry, Layer, Line, Shape, Value};
 use std::collections::BTreeSet;
 use twinedge::io::Format;
 
@@ -67,6 +68,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         }
     }
     geometries(layer, format, &mut found);
+    found.extend(some_if(open_rings(layer), Loss::OpenRings));
     let fields = layer.fields();
     if !has_columns {
         let columns: Vec<String> = fields.iter().map(|field| field.name.to_string()).collect();
@@ -150,7 +152,7 @@ pub(super) fn is_reserved_in_json(name: &str) -> bool {
 }
 
 fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
-    let (mut null, mut empty, mut measures, mut mixed) = (0, 0, 0, 0);
+    let (mut null, mut empty, mut measures, mut mixed, mut parts) = (0, 0, 0, 0, 0);
     for feature in &layer.features {
         let Some(geometry) = &feature.geometry else {
             null += 1;
@@ -159,21 +161,46 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
         empty += usize::from(geometry.shape.is_empty());
         measures += usize::from(matches!(geometry.dimensions, Dimensions::Xym | Dimensions::Xyzm));
         mixed += usize::from(is_mixed(geometry));
+        parts += empty_parts(geometry, format == Format::Shapefile);
     }
     let some_if = |n: usize, loss: fn(usize) -> Loss| (n > 0).then(|| loss(n));
     match format {
-        Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson => found.extend(some_if(measures, Loss::Measures)),
+        Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson => {
+            found.extend(some_if(parts, Loss::EmptyParts));
+            found.extend(some_if(measures, Loss::Measures));
+        }
         Format::Wkt | Format::Wkb => {
             found.extend(some_if(null, Loss::NullGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
-        Format::GeoPackage | Format::GeoParquet | Format::FlatGeobuf => {
+        Format::FlatGeobuf => {
+            found.extend(some_if(parts, Loss::EmptyParts));
+            found.extend(some_if(mixed, Loss::MixedDimensions));
+        }
+        Format::GeoPackage | Format::GeoParquet => {
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
         Format::Shapefile => {
+            found.extend(some_if(parts, Loss::EmptyParts));
             found.extend(some_if(empty, Loss::EmptyGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
+    }
+}
+
+/// The number of empty points in multi-points, and if asked for of empty lines, rings and polygons, of a geometry that is not empty itself. The
+/// recursion is as deep as collections are nested.
+fn empty_parts(geometry: &Geometry, of_lines: bool) -> usize {
+    let lines = |lines: &Vec<Line>| lines.iter().filter(|line| line.is_empty()).count();
+    match &geometry.shape {
+        shape if shape.is_empty() => 0,
+        Shape::MultiPoint(points) => points.iter().filter(|point| point.is_none()).count(),
+        Shape::MultiLine(all) | Shape::Polygon(all) if of_lines => lines(all),
+        Shape::MultiPolygon(polygons) if of_lines => {
+            polygons.iter().map(|rings| lines(rings).max(usize::from(rings.is_empty()))).sum()
+        }
+        Shape::Collection(parts) => parts.iter().map(|part| empty_parts(part, of_lines)).sum(),
+        _ => 0,
     }
 }
 

@@ -30,6 +30,7 @@
 #[cfg(feature = "archive")]
 mod archive;
 pub mod clean;
+mod closed;
 mod crs;
 mod each;
 mod epsg;

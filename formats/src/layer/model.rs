@@ -89,8 +89,8 @@ pub type Line = Vec<Position>;
 pub enum Shape {
     /// A point; none is an empty one.
     Point(Option<Position>),
-    /// Points.
-    MultiPoint(Vec<Position>),
+    /// Points; none is an empty one.
+    MultiPoint(Vec<Option<Position>>),
     /// A line.
     Line(Line),
     /// Lines.
@@ -130,7 +130,8 @@ impl Shape {
     pub fn visit<'a>(&'a self, each: &mut dyn FnMut(&'a Position)) {
         match self {
             Self::Point(point) => point.iter().for_each(each),
-            Self::MultiPoint(points) | Self::Line(points) => points.iter().for_each(each),
+            Self::MultiPoint(points) => points.iter().flatten().for_each(each),
+            Self::Line(points) => points.iter().for_each(each),
             Self::MultiLine(lines) | Self::Polygon(lines) => lines.iter().flatten().for_each(each),
             Self::MultiPolygon(polygons) => polygons.iter().flatten().flatten().for_each(each),
             Self::Collection(geometries) => geometries.iter().for_each(|geometry| geometry.shape.visit(each)),

@@ -1,6 +1,6 @@
 //! Features as the library takes them.
 
-use super::model::{Feature, Geometry, Line, Shape};
+use super::model::{Feature, Geometry, Line, Position, Shape};
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map;
@@ -43,12 +43,13 @@ fn add(geometry: &Geometry, shapes: &mut Vec<map::Shape>, empty: &mut usize) {
         Some(shape) => shapes.push(shape),
         None => *empty += 1,
     };
+    let of_point = |point: Option<&Position>| point.map(|p| map::Shape::Point(Point::new(p.x, p.y)));
     let of_line = |positions: &Line| (!positions.is_empty()).then(|| map::Shape::Line(line(positions)));
     let of_rings =
         |rings: &Vec<Line>| (!rings.is_empty()).then(|| map::Shape::Polygon(rings.iter().map(line).collect()));
     match &geometry.shape {
-        Shape::Point(point) => put(point.as_ref().map(|p| map::Shape::Point(Point::new(p.x, p.y)))),
-        Shape::MultiPoint(points) => shapes.extend(line(points).into_iter().map(map::Shape::Point)),
+        Shape::Point(point) => put(of_point(point.as_ref())),
+        Shape::MultiPoint(points) => points.iter().for_each(|point| put(of_point(point.as_ref()))),
         Shape::Line(positions) => put(of_line(positions)),
         Shape::MultiLine(lines) => lines.iter().for_each(|positions| put(of_line(positions))),
         Shape::Polygon(rings) => put(of_rings(rings)),

@@ -197,11 +197,8 @@ impl Bytes<'_> {
         let parts_of = |parts: Vec<Geometry>| parts.into_iter().map(|part| part.shape);
         Ok(match kind {
             4 => {
-                let points = parts_of(parts).filter_map(|part| match part {
-                    Shape::Point(point) => point.map(Ok),
-                    other => Some(Err(wrong(other))),
-                });
-                Shape::MultiPoint(points.collect::<Result<_, _>>()?)
+                let point = |part| if let Shape::Point(point) = part { Ok(point) } else { Err(wrong(part)) };
+                Shape::MultiPoint(parts_of(parts).map(point).collect::<Result<_, _>>()?)
             }
             5 => {
                 let line = |part| if let Shape::Line(line) = part { Ok(line) } else { Err(wrong(part)) };
@@ -261,11 +258,7 @@ pub(super) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError
 pub(super) fn append(geometry: &Geometry, out: &mut Vec<u8>) {
     let dimensions = geometry.dimensions;
     match &geometry.shape {
-        Shape::Point(position) => {
-            head(1, dimensions, out);
-            let nowhere = Position { x: f64::NAN, y: f64::NAN, more: Box::from([f64::NAN; 2]) };
-            append_position(position.as_ref().unwrap_or(&nowhere), dimensions, out);
-        }
+        Shape::Point(point) => append_point(point.as_ref(), dimensions, out),
         Shape::Line(line) => {
             head(2, dimensions, out);
             append_line(line, dimensions, out);
@@ -275,8 +268,7 @@ pub(super) fn append(geometry: &Geometry, out: &mut Vec<u8>) {
             head(4, dimensions, out);
             count(points.len(), out);
             for point in points {
-                head(1, dimensions, out);
-                append_position(point, dimensions, out);
+                append_point(point.as_ref(), dimensions, out);
             }
         }
         Shape::MultiLine(lines) => {
@@ -318,6 +310,12 @@ fn head(kind: u32, dimensions: Dimensions, out: &mut Vec<u8>) {
 /// Counts are below 2³², as each thing takes memory of four bytes or more.
 fn count(n: usize, out: &mut Vec<u8>) {
     out.extend((n as u32).to_le_bytes());
+}
+
+fn append_point(point: Option<&Position>, dimensions: Dimensions, out: &mut Vec<u8>) {
+    head(1, dimensions, out);
+    let nowhere = Position { x: f64::NAN, y: f64::NAN, more: Box::from([f64::NAN; 2]) };
+    append_position(point.unwrap_or(&nowhere), dimensions, out);
 }
 
 fn append_position(position: &Position, dimensions: Dimensions, out: &mut Vec<u8>) {

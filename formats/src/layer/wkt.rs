@@ -41,7 +41,7 @@ fn converted(geometry: Wkt<f64>) -> Geometry {
     let (shape, dimension) = match geometry {
         Wkt::Point(point) => (Shape::Point(point.coord().map(position)), point.dimension()),
         Wkt::MultiPoint(points) => (
-            Shape::MultiPoint(points.points().iter().filter_map(|point| point.coord().map(position)).collect()),
+            Shape::MultiPoint(points.points().iter().map(|point| point.coord().map(position)).collect()),
             points.dimension(),
         ),
         Wkt::LineString(all) => (Shape::Line(line(&all)), all.dimension()),
@@ -87,7 +87,7 @@ fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "{}{dimensions}", geometry.shape.name().to_ascii_uppercase())?;
     let more = geometry.dimensions.more();
     let position = |position: &Position, out: &mut dyn Write| write_position(position, more, out);
-    let point = |point: &Position, out: &mut dyn Write| list("", std::slice::from_ref(point), out, position);
+    let point = |point: &Option<Position>, out: &mut dyn Write| list("", point.as_slice(), out, position);
     let line = |line: &Line, out: &mut dyn Write| list("", line, out, position);
     let polygon = |rings: &Vec<Line>, out: &mut dyn Write| list("", rings, out, line);
     match &geometry.shape {

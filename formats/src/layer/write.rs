@@ -1,5 +1,6 @@
 //! Writing a layer in any of the formats.
 
+use super::closed::closed;
 use super::error::WriteError;
 use super::files::Files;
 use super::losses::losses;
@@ -33,11 +34,12 @@ pub fn files(path: &Path, format: Format) -> Vec<PathBuf> {
     vec![path.to_owned()]
 }
 
-/// Writes a layer to a file that does not exist yet, whatever the format loses ([`losses`]).
+/// Writes a layer to a file that does not exist yet, whatever the format loses ([`losses`]). Open rings are closed.
 ///
 /// # Errors
 /// [`WriteError`]. The file may then be there, in part.
 pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), WriteError> {
+    let layer = &*closed(layer);
     match format {
         Format::TopoJson => Err(WriteError::ReadOnly(format)),
         #[cfg(feature = "shapefile")]
@@ -57,21 +59,21 @@ pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), Writ
     }
 }
 
-/// Writes a layer to memory, whatever the format loses ([`losses`]): the [`files`] of this path.
+/// Writes a layer to memory, whatever the format loses ([`losses`]): the [`files`] of this path. Open rings are closed.
 ///
 /// # Errors
 /// [`WriteError`], and [`WriteError::NeedsFile`] for `GeoPackage` and `GeoParquet`.
 pub fn write_files(layer: &Layer, path: &Path, format: Format) -> Result<Files, WriteError> {
     #[cfg(feature = "shapefile")]
     if format == Format::Shapefile {
-        return super::shapefile::write(layer, path);
+        return super::shapefile::write(&closed(layer), path);
     }
     let mut bytes = Vec::new();
     write(layer, &mut bytes, format)?;
     Ok([(path.to_owned(), bytes)].into_iter().collect())
 }
 
-/// Writes a layer to a stream. The writer is not buffered inside.
+/// Writes a layer to a stream. Open rings are closed. The writer is not buffered inside.
 ///
 /// # Errors
 /// [`WriteError`].
@@ -89,6 +91,7 @@ pub fn write_files(layer: &Layer, path: &Path, format: Format) -> Result<Files, 
 /// # Ok::<_, twinedge_formats::layer::WriteError>(())
 /// ```
 pub fn write(layer: &Layer, out: &mut dyn Write, format: Format) -> Result<(), WriteError> {
+    let layer = &*closed(layer);
     match format {
         #[cfg(feature = "geojson")]
         Format::GeoJson => super::geojson::write(layer, out),

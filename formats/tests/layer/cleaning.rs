@@ -464,3 +464,20 @@ fn ids_outlive_cleaning_and_every_format_that_has_some() {
         }
     }
 }
+
+/// Triangles whose vertices lie within a cell of the grid on which crossings are cut, found by a search of random layers.
+#[test]
+fn vertices_within_a_cell_of_a_border_are_clean_after_once() {
+    let layers = [
+        "POLYGON((0 3.2,1 2.9,0 0,0 3.2))\nPOLYGON((0 3.2,0 0,0.2 0,0 3.2))\nPOLYGON((4.55 0.89,4.49 1.03,4.43 1.17,4.55 0.89))\n",
+        "POLYGON((0 2.1,0.2 1.9,0.5 1.6,0 2.1))\nPOLYGON((7 0,7 3,10 3,7 0))\nPOLYGON((7 3,7 0,10 0,7 3))\n",
+    ];
+    let assign = Options { sliver_area: Some(0.001), gap_width: Some(0.6), ..Options::default() };
+    let options = CleanOptions { assign, ..CleanOptions::default() };
+    for text in layers {
+        let (once, report) = cleaned(&from_text(text), &options);
+        let (twice, again) = cleaned(&once, &options);
+        assert_eq!((to_geojson(&twice), again.features), (to_geojson(&once), vec![]));
+        assert_eq!(report.left, again.left);
+    }
+}

@@ -109,3 +109,31 @@ fn what_is_only_of_form_is_no_reason_to_refuse() {
     assert!(matches!(&found[..], [Loss::Type { .. }]) && found[0].is_minor(), "{found:?}");
     refuse_losses(&layer, Format::GeoPackage).unwrap();
 }
+
+#[test]
+fn open_rings_are_closed_in_every_format_and_it_is_said() {
+    let layer = from_text("MULTIPOLYGON(((0 0,1 0,1 1)),((5 0,6 0,6 1,5 0)))\n");
+    let closed = from_text("MULTIPOLYGON(((0 0,1 0,1 1,0 0)),((5 0,6 0,6 1,5 0)))\n");
+    let formats = [
+        Format::GeoJson,
+        Format::GeoJsonSeq,
+        Format::Wkt,
+        Format::Wkb,
+        Format::Shapefile,
+        Format::GeoPackage,
+        Format::FlatGeobuf,
+        Format::GeoParquet,
+    ];
+    for format in formats {
+        assert_eq!(losses(&layer, format), [Loss::OpenRings(1)], "{format}");
+        refuse_losses(&layer, format).unwrap();
+        // A Shapefile has no order of polygons, and its holes turn the other way.
+        let positions = |layer: &Layer| {
+            let mut count = 0;
+            layer.features[0].geometry.as_ref().unwrap().shape.visit(&mut |_| count += 1);
+            count
+        };
+        assert_eq!(positions(&through(&layer, format)), positions(&closed), "{format}");
+    }
+    assert_eq!(Loss::OpenRings(1).to_string(), "an open ring, which is closed");
+}

@@ -1,9 +1,15 @@
 //! Boundaries of OpenStreetMap: rings of ways, and the rules O1 … O5.
 
 use crate::pbf::{File, Members};
+use quickcheck::{QuickCheck, TestResult};
+use twinedge::algorithm::area::ring_area;
+use twinedge::algorithm::coverage::defects;
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map::Shape as MapShape;
 use twinedge_formats::diagnosis::Diagnosis;
 use twinedge_formats::layer::osm::{Boundaries, InvalidFilter, OsmError, TagFilter, read};
-use twinedge_formats::layer::{Crs, Feature, Position, Shape};
+use twinedge_formats::layer::{Crs, Feature, Position, Shape, to_map};
 
 /// Two squares side by side, west and east of way 10, and a third one around both with them as its hole.
 fn squares() -> File {
@@ -103,6 +109,110 @@ fn rings_that_touch_at_a_node_are_told_apart() {
         polygons.iter().map(|rings| rings.iter().map(Vec::len).collect::<Vec<_>>()).collect::<Vec<_>>(),
         [[4], [4]]
     );
+}
+
+/// The area of the polygons of the only relation, which must be valid by the rules of the OGC.
+fn valid_area(file: &File) -> f64 {
+    let found = read(file.written().path(), &"admin_level=4".parse().unwrap(), 100).unwrap();
+    let feature = to_map(&found.layer.features[0], &mut ReadSummary::default());
+    assert_eq!(defects(&feature.shapes), [], "{:?}", feature.shapes);
+    let of_ring = |ring: &Vec<Point>| ring_area(ring.iter().copied());
+    let of_shape = |shape: &MapShape| match shape {
+        MapShape::Polygon(rings) => rings.iter().map(of_ring).sum(),
+        _ => 0.0,
+    };
+    feature.shapes.iter().map(of_shape).sum()
+}
+
+#[test]
+fn rings_are_cut_where_they_touch_and_segments_that_occur_twice_bound_nothing() {
+    let grid = || {
+        let mut file = File::default();
+        for (x, y) in (0..5).flat_map(|x| (0..5).map(move |y| (x, y))) {
+            file.node(1 + 10 * x + y, x, y);
+        }
+        file
+    };
+    // A square of 4 by 4 whose way goes on, from the middle of a side, around a square inside, on its corner.
+    let mut touching = grid();
+    touching.way(1, &[1, 21, 32, 23, 12, 21, 41, 45, 5, 1]);
+    touching.relation(1, "4", "A", &[(1, "outer")]);
+    assert_eq!(valid_area(&touching), 14.0);
+    // Two holes with a common side, and one that touches one of them at a corner.
+    let mut holes = grid();
+    holes.way(1, &[1, 41, 45, 5, 1]);
+    holes.way(2, &[12, 22, 23, 13, 12]);
+    holes.way(3, &[22, 32, 33, 23, 22]);
+    holes.way(4, &[33, 34, 24, 33]);
+    let members = [(1, "outer"), (2, "inner"), (3, "inner"), (4, "inner")];
+    holes.relation(1, "4", "A", &members);
+    assert_eq!(valid_area(&holes), 13.5);
+    // Two squares side by side, both whole.
+    let mut beside = grid();
+    beside.way(1, &[1, 21, 22, 2, 1]);
+    beside.way(2, &[21, 31, 32, 22, 21]);
+    beside.relation(1, "4", "A", &[(1, "outer"), (2, "outer")]);
+    assert_eq!(valid_area(&beside), 3.0);
+}
+
+/// The borders of random sets of cells, as ways in any order and direction, some of which are drawn twice, from both sides.
+#[test]
+fn borders_of_cells_are_valid_and_have_their_area() {
+    const SIDE: i64 = 4;
+    fn law(cells: Vec<bool>, cuts: Vec<(u8, bool)>, whole: bool) -> TestResult {
+        let is_in = |x: i64, y: i64| {
+            (0..SIDE).contains(&x)
+                && (0..SIDE).contains(&y)
+                && cells.get((SIDE * x + y) as usize).copied().unwrap_or(false)
+        };
+        let node = |x: i64, y: i64| 1 + 10 * x + y;
+        let mut ways: Vec<Vec<i64>> = Vec::new();
+        let mut area = 0.0;
+        for (x, y) in (0..SIDE).flat_map(|x| (0..SIDE).map(move |y| (x, y))).filter(|(x, y)| is_in(*x, *y)) {
+            area += 1.0;
+            let corners = [node(x, y), node(x + 1, y), node(x + 1, y + 1), node(x, y + 1)];
+            if whole {
+                ways.push([&corners[..], &corners[..1]].concat());
+                continue;
+            }
+            let beside = [is_in(x, y - 1), is_in(x + 1, y), is_in(x, y + 1), is_in(x - 1, y)];
+            for side in (0..4).filter(|side| !beside[*side]) {
+                ways.push(vec![corners[side], corners[(side + 1) % 4]]);
+            }
+        }
+        if ways.is_empty() {
+            return TestResult::discard();
+        }
+        // Ways that join end to end become one, some the other way around.
+        for (at, turned) in &cuts {
+            let at = usize::from(*at) % ways.len();
+            if *turned {
+                ways[at].reverse();
+            }
+            let end = ways[at][ways[at].len() - 1];
+            if let Some(next) = (0..ways.len()).find(|next| *next != at && ways[*next][0] == end) {
+                let next = ways[next].clone();
+                ways.retain(|way| *way != next);
+                if let Some(way) = ways.iter_mut().find(|way| way[way.len() - 1] == end) {
+                    way.extend(&next[1..]);
+                } else {
+                    ways.push(next);
+                }
+            }
+        }
+        let mut file = File::default();
+        for (x, y) in (0..=SIDE).flat_map(|x| (0..=SIDE).map(move |y| (x, y))) {
+            file.node(node(x, y), x, y);
+        }
+        let mut members = Vec::new();
+        for (id, way) in (1..).zip(&ways) {
+            file.way(id, way);
+            members.push((id, ""));
+        }
+        file.relation(1, "4", "Cells", &members);
+        TestResult::from_bool(valid_area(&file) == area)
+    }
+    QuickCheck::new().tests(300).quickcheck(law as fn(Vec<bool>, Vec<(u8, bool)>, bool) -> TestResult);
 }
 
 #[test]

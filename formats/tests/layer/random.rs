@@ -25,13 +25,18 @@ fn position(g: &mut Gen, more: usize) -> Position {
 fn geometry(g: &mut Gen, dimensions: Dimensions, depth: usize) -> Geometry {
     let more = dimensions.more();
     let lines = |g: &mut Gen| (0..usize::arbitrary(g) % 3).map(|_| line(g, more)).collect::<Vec<_>>();
+    let ring = |mut ring: Vec<Position>| {
+        ring.extend(ring.first().cloned());
+        ring
+    };
+    let rings = |g: &mut Gen| lines(g).into_iter().map(ring).collect::<Vec<_>>();
     let shape = match u8::arbitrary(g) % if depth < 2 { 7 } else { 6 } {
         0 => Shape::Point(bool::arbitrary(g).then(|| position(g, more))),
-        1 => Shape::MultiPoint(line(g, more)),
+        1 => Shape::MultiPoint(line(g, more).into_iter().map(|one| bool::arbitrary(g).then_some(one)).collect()),
         2 => Shape::Line(line(g, more)),
         3 => Shape::MultiLine(lines(g)),
-        4 => Shape::Polygon(lines(g)),
-        5 => Shape::MultiPolygon((0..usize::arbitrary(g) % 3).map(|_| lines(g)).collect()),
+        4 => Shape::Polygon(rings(g)),
+        5 => Shape::MultiPolygon((0..usize::arbitrary(g) % 3).map(|_| rings(g)).collect()),
         _ => Shape::Collection((0..usize::arbitrary(g) % 3).map(|_| geometry(g, dimensions, depth + 1)).collect()),
     };
     Geometry::new(dimensions, shape)

@@ -11,7 +11,7 @@ use crate::words::{counted, grouped, place};
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::io;
-use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits};
+use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits, insert_touches};
 use twinedge::io::ReadSummary;
 use twinedge::map;
 use twinedge::tile::{Grid, Outcome};
@@ -23,6 +23,9 @@ use twinedge_formats::layer::{Feature, FileError, GeoJsonFile, to_map};
 
 /// The bytes that cleaning takes for each vertex of a neighbourhood: twice those that were measured.
 const BYTES: u64 = 800;
+
+/// The result is judged and cleaned again at most so many times, until nothing changes any more.
+const ROUNDS: usize = 8;
 
 /// A measured number is this much more, to be safe from rounding.
 const ROUNDING: f64 = 1.0 + 1e-6;
@@ -100,7 +103,7 @@ pub fn clean_in_tiles(
         }
     })?;
     full?;
-    let FirstReading { mut untidy, .. } = read.checked()?;
+    let FirstReading { untidy, .. } = read.checked()?;
     let Some(corners) = Extent::around(file.extents()) else { return Err(CleanError::NoPolygons.into()) };
     let limits = limits(&repair.options);
     stage("dividing the map");
@@ -113,17 +116,33 @@ pub fn clean_in_tiles(
     let sliver_area = before.coverage.as_ref().map(|found| found.sliver_area).ok_or_else(|| unknown(&before))?;
     let mut options = repair.options.clone();
     options.assign.sliver_area.get_or_insert(sliver_area);
-    untidy.extend(concerned(&before, &options));
+    let clean = |file: &mut GeoJsonFile, outcome: &Outcome| {
+        let all = [untidy.clone(), concerned(outcome, &options)].concat();
+        clean_neighbourhoods(file, &all, &options, most)
+    };
     stage("cleaning the neighbourhoods");
-    let done = clean_neighbourhoods(&mut file, &untidy, &options, most)?;
-    let Neighbourhoods { mut report, cleaned, largest: vertices, too_large, .. } = done;
-    let after = if report.features.is_empty() {
-        before
-    } else {
+    let mut done = clean(&mut file, &before)?;
+    let mut after = before;
+    let mut is_fixed = done.report.features.is_empty();
+    for round in 1..=ROUNDS {
+        if is_fixed {
+            break;
+        }
+        file.settle()?;
         let mut shelf = shelves()?;
         file.each(|feature| Ok::<_, Error>(shelf.put(polygons(&feature))?))?;
-        judged(&grid, Some(corners), &limits, &mut *shelf, || stage("judging the result"))?
-    };
+        after = judged(&grid, Some(corners), &limits, &mut *shelf, || stage("judging the result"))?;
+        if round == ROUNDS || concerned(&after, &options).is_empty() {
+            break;
+        }
+        let next = clean(&mut file, &after)?;
+        is_fixed = next.report.features.is_empty();
+        done.report.followed_by(next.report);
+        done.cleaned = done.cleaned.max(next.cleaned);
+        done.largest = done.largest.max(next.largest);
+        done.too_large = next.too_large;
+    }
+    let Neighbourhoods { mut report, cleaned, largest: vertices, too_large, .. } = done;
     report.judge(&after);
     let mut numbers = mentioned(&report);
     numbers.extend(too_large.iter().flat_map(|one| &one.features));
@@ -176,6 +195,7 @@ impl<'a> FirstReading<'a> {
 fn polygons(feature: &Feature) -> map::Feature {
     let mut shapes = to_map(feature, &mut ReadSummary::default()).shapes;
     shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    insert_touches(&mut shapes);
     map::Feature { shapes, ..map::Feature::default() }
 }
 

@@ -73,7 +73,8 @@ impl Ahead for LayerFeature {
         fn of(geometry: &Geometry) -> usize {
             let of_shape = match &geometry.shape {
                 LayerShape::Point(Some(point)) => of_position(point),
-                LayerShape::MultiPoint(points) | LayerShape::Line(points) => of_line(points),
+                LayerShape::MultiPoint(points) => 1 + points.iter().flatten().map(of_position).sum::<usize>(),
+                LayerShape::Line(points) => of_line(points),
                 LayerShape::MultiLine(lines) | LayerShape::Polygon(lines) => of_lines(lines),
                 LayerShape::MultiPolygon(polygons) => 1 + polygons.iter().map(|lines| of_lines(lines)).sum::<usize>(),
                 LayerShape::Collection(geometries) => 1 + geometries.iter().map(of).sum::<usize>(),

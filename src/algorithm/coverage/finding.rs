@@ -23,7 +23,7 @@ pub enum CoverageRule {
     Duplicate,
     /// C6: the polygons of each feature are valid by the rules of the OGC.
     Validity,
-    /// C7: where borders of two features meet, both have a vertex.
+    /// C7: where borders meet, of two features or of two rings of one, both have a vertex.
     Mismatch,
 }
 
@@ -74,7 +74,7 @@ pub struct Finding {
     /// The rule.
     pub rule: CoverageRule,
     /// The features involved, in order: those that claim the overlap or the duplicate, those around the gap, the two of a
-    /// near miss or a mismatch, the one of the sliver.
+    /// near miss or a mismatch, the one of the sliver or of a mismatch of its own rings.
     pub features: Vec<FeatureId>,
     /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss,
     /// without ends where these move apart; 0 for a mismatch.

@@ -1,4 +1,4 @@
-//! C7 mismatch: where borders of two features meet, both have a vertex.
+//! C7 mismatch: where borders of two features meet, both have a vertex; and so have two rings of one feature.
 //!
 //! ```text
 //!   ┌──────┬──────┐
@@ -25,7 +25,8 @@ use crate::validate::Embedding;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
-/// Finds what breaks C7: for each two features whose borders lack vertices of each other, a finding with all of these. `map` is the map of the
+/// Finds what breaks C7: for each two features whose borders lack vertices of each other, and each feature whose border lacks vertices of its own, a
+/// finding with all of these. `map` is the map of the
 /// same input with its segments cut, `unmatched` what [`Builder::unmatched`](crate::map::Builder::unmatched) returned.
 /// Those with the most missing vertices come first. O(n + k log k) for n vertices and k unmatched ones, and the rotations of these.
 ///
@@ -99,9 +100,11 @@ fn mismatch(pair: [FeatureId; 2], all: &[UnmatchedVertex]) -> Finding {
     stretches.sort_by(|a, b| compare_lexicographic(a[0], b[0]).then_with(|| compare_lexicographic(a[1], b[1])));
     stretches.dedup();
     let length: Sum = stretches.iter().map(|stretch| segment_length(*stretch)).collect();
+    let mut features = pair.to_vec();
+    features.dedup();
     Finding {
         rule: CoverageRule::Mismatch,
-        features: pair.to_vec(),
+        features,
         area: 0.0,
         width: 0.0,
         length: length.value(),

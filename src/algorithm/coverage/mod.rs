@@ -22,10 +22,10 @@
 //! | C4 sliver | small and thin parts of a feature | `sliver.rs` |
 //! | C5 duplicate | features that claim the same faces | `duplicate.rs` |
 //! | C6 OGC validity | polygons that are not valid by the rules of the OGC, in its words | `validity.rs` |
-//! | C7 mismatch | vertices of a feature on the border of another one, which lacks them | `mismatch.rs` |
+//! | C7 mismatch | vertices of a feature on the border of another one, or of another ring of its own, which lacks them | `mismatch.rs` |
 //!
 //! [`check`] asks C1 … C5 of a map, [`defects`] asks C6 of the shapes of a feature, which a map has no longer, and [`mismatches`] asks C7 of a map and the
-//! input that it was made of. A finding is
+//! input that it was made of. [`insert_touches`] first puts vertices where rings of one feature touch as the OGC allows. A finding is
 //! no error of the structure: a map with overlaps is a valid planar subdivision. The rules are independent: a map can be made
 //! that breaks any one of them alone.
 //!
@@ -44,6 +44,7 @@ mod overlap;
 pub(crate) mod region;
 mod rings;
 pub(crate) mod sliver;
+mod touches;
 mod validity;
 
 pub use check::{Coverage, CoverageError, check};
@@ -51,4 +52,5 @@ pub(crate) use claims::features_of;
 pub use claims::{faces_by_feature, faces_of, leaks, overlaps};
 pub use finding::{CoverageRule, Finding, Limits, MissingVertex};
 pub use mismatch::mismatches;
+pub use touches::insert_touches;
 pub use validity::{Defect, DefectKind, defects};

@@ -22,7 +22,7 @@ impl Ring {
         self.points[i % self.points.len()]
     }
 
-    fn segment(&self, i: usize) -> [Point; 2] {
+    pub(super) fn segment(&self, i: usize) -> [Point; 2] {
         [self.point(i), self.point(i + 1)]
     }
 
@@ -56,6 +56,8 @@ pub(super) struct Meet {
     pub(super) at: Point,
     /// The two rings; the same one twice, if it meets itself.
     pub(super) rings: [usize; 2],
+    /// The segment of each that meets the other.
+    pub(super) segments: [usize; 2],
 }
 
 /// The segments of rings, numbered one ring after the other.
@@ -122,9 +124,10 @@ impl Rings<'_> {
         found.sort_by_key(|(segments, ..)| *segments);
         let mut known: FxHashSet<((u64, u64), [usize; 2], Contact)> = FxHashSet::default();
         let meets = found.into_iter().filter_map(|(segments, contact, at)| {
-            let rings = segments.map(|segment| self.segments.place(segment).0);
+            let places = segments.map(|segment| self.segments.place(segment));
+            let (rings, segments) = (places.map(|(ring, _)| ring), places.map(|(_, segment)| segment));
             let is_new = known.insert((at.hash_key(), rings, contact));
-            is_new.then_some(Meet { contact, at, rings })
+            is_new.then_some(Meet { contact, at, rings, segments })
         });
         meets.collect()
     }

@@ -13,8 +13,8 @@
 //! The words are those of the JTS Topology Suite and of what is built on it (GEOS, PostGIS, shapely, QGIS). All decisions are
 //! made by exact predicates.
 //!
-//! All polygons of a feature are taken as one multi-polygon. Rings that are open count as closed, points that repeat the one
-//! before them count once: the builder of a map reports both.
+//! All polygons of a feature are taken as one multi-polygon. An open ring is a defect, and counts as closed for the others. Points that
+//! repeat the one before them count once: the builder of a map reports them.
 //!
 //! Source: "Simple feature access, part 1: common architecture" (OGC 06-103r4), sections 6.1.11 and 6.1.14.
 
@@ -32,6 +32,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 pub enum DefectKind {
     /// A ring with fewer than three different points on end, or a line with fewer than two.
     TooFewPoints,
+    /// The last point of a ring does not repeat the first.
+    OpenRing,
     /// Rings cross, or run along each other.
     SelfIntersection,
     /// A ring visits a point twice, without crossing itself.
@@ -50,6 +52,7 @@ impl fmt::Display for DefectKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::TooFewPoints => "Too few points in geometry component",
+            Self::OpenRing => "Ring is not closed",
             Self::SelfIntersection => "Self-intersection",
             Self::RingSelfIntersection => "Ring Self-intersection",
             Self::HoleOutsideShell => "Hole lies outside shell",
@@ -67,8 +70,10 @@ impl fmt::Display for DefectKind {
 pub struct Defect {
     /// Its kind.
     pub kind: DefectKind,
-    /// Its place; rounded, where rings cross.
+    /// Its place; rounded, where rings cross; the last point of an open ring.
     pub at: Point,
+    /// The first point of an open ring, to which the gap leads; none for the other kinds.
+    pub gap_to: Option<Point>,
     /// The shape.
     pub shape: usize,
     /// The ring in the shape.
@@ -93,34 +98,49 @@ pub struct Defect {
 /// ```
 #[must_use]
 pub fn defects(shapes: &[Shape]) -> Vec<Defect> {
-    let mut found = Vec::new();
-    let mut rings = Vec::new();
+    let (mut found, rings) = rings_of(shapes);
+    let are_whole = found.iter().all(|defect| defect.kind == DefectKind::OpenRing);
+    match apart::containers(&rings) {
+        Some(containers) => found.extend(nesting(&rings, &containers)),
+        None => found.extend(with_index(&rings, |index| of_meeting(&rings, index, are_whole))),
+    }
+    found.sort_by_key(|defect| (defect.kind, defect.shape, defect.ring));
+    found
+}
+
+/// The rings that enclose something, and the defects of rings and lines by themselves.
+pub(super) fn rings_of(shapes: &[Shape]) -> (Vec<Defect>, Vec<Ring>) {
+    let (mut found, mut rings) = (Vec::new(), Vec::new());
     for (polygon, shape) in shapes.iter().enumerate() {
-        let too_few = |ring: usize, points: &[Point]| {
-            let kind = DefectKind::TooFewPoints;
-            points.first().map(|at| Defect { kind, at: *at, shape: polygon, ring })
+        let mut note = |kind, ring, [at, to]: [Option<Point>; 2]| {
+            found.extend(at.map(|at| Defect { kind, at, gap_to: to, shape: polygon, ring }));
         };
         match shape {
             Shape::Polygon(all) => {
                 for (number, points) in all.iter().enumerate() {
                     let distinct = without_repetition(points);
                     if distinct.len() < 3 {
-                        found.extend(too_few(number, points));
-                    } else {
-                        rings.push(Ring { points: distinct, polygon, number });
+                        note(DefectKind::TooFewPoints, number, [points.first().copied(), None]);
+                        continue;
                     }
+                    if let Some(ends) = gap(points) {
+                        note(DefectKind::OpenRing, number, ends.map(Some));
+                    }
+                    rings.push(Ring { points: distinct, polygon, number });
                 }
             }
-            Shape::Line(points) if without_repetition(points).len() < 2 => found.extend(too_few(0, points)),
+            Shape::Line(points) if without_repetition(points).len() < 2 => {
+                note(DefectKind::TooFewPoints, 0, [points.first().copied(), None]);
+            }
             Shape::Line(_) | Shape::Point(_) => {}
         }
     }
-    match apart::containers(&rings) {
-        Some(containers) => found.extend(nesting(&rings, &containers)),
-        None => found.extend(with_index(&rings, |index| of_meeting(&rings, index, found.is_empty()))),
-    }
-    found.sort_by_key(|defect| (defect.kind, defect.shape, defect.ring));
-    found
+    (found, rings)
+}
+
+/// The last and the first point of an open ring.
+fn gap(ring: &[Point]) -> Option<[Point; 2]> {
+    Some([*ring.last()?, *ring.first()?]).filter(|[last, first]| last != first)
 }
 
 /// The defects of rings of which some meet.
@@ -150,7 +170,7 @@ fn without_repetition(points: &[Point]) -> Vec<Point> {
 
 fn defect(rings: &[Ring], kind: DefectKind, ring: usize, at: Point) -> Defect {
     let Ring { polygon, number, .. } = rings[ring];
-    Defect { kind, at, shape: polygon, ring: number }
+    Defect { kind, at, gap_to: None, shape: polygon, ring: number }
 }
 
 fn intersection(rings: &[Ring], meet: &Meet) -> Defect {

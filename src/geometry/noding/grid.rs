@@ -15,13 +15,95 @@ const _: () = assert!(Snap::AUTO_CELLS == 1 << (REACH - SPARE), "the documented 
 /// The smallest positive double is 2^-1074.
 const SMALLEST: i32 = -1074;
 
+/// More cells than these are out of reach if their width is no power of two. Rounded to doubles, their centres move by less than an
+/// eighth of a cell then.
+const MOST_DECIMAL: f64 = (1_u64 << 49) as f64;
+
+/// The width of a cell: `numerator / denominator * 2^exponent`, exactly.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    width: f64,
+    numerator: i64,
+    denominator: i64,
+    exponent: i32,
+    /// The power of ten by which a decimal width is a whole number; 1, if it has no decimal places.
+    scale: f64,
+}
+
+impl Cell {
+    /// A cell as wide as the decimal number that this double stands for, if that has up to 22 decimal places and 15 digits;
+    /// otherwise as wide as the double. O(1).
+    pub(super) fn of(width: f64) -> Self {
+        /// Powers of ten up to there are doubles.
+        const PLACES: i32 = 22;
+        let (mantissa, exponent) = decode(width);
+        let twos = mantissa.trailing_zeros();
+        let (numerator, exponent) = (mantissa >> twos, exponent + twos.cast_signed());
+        let exact = Self { width, numerator, denominator: 1, exponent, scale: 1.0 };
+        if numerator == 1 {
+            return exact;
+        }
+        let (mut scale, mut denominator) = (1.0, 1);
+        for places in 0..=PLACES {
+            let whole = (width * scale).round();
+            if whole.abs() < (1_u64 << 53) as f64 && whole / scale == width {
+                return Self { width, numerator: whole as i64, denominator, exponent: -places, scale };
+            }
+            scale *= 10.0;
+            denominator *= 5;
+        }
+        exact
+    }
+
+    /// A cell 2^exponent wide.
+    fn binary(exponent: i32) -> Self {
+        Self { width: power_of_two(exponent), numerator: 1, denominator: 1, exponent, scale: 1.0 }
+    }
+
+    const fn is_binary(&self) -> bool {
+        self.numerator == 1 && self.denominator == 1
+    }
+
+    /// The coordinate of a centre: the nearest double, if the decimal number has up to 15 digits.
+    pub(super) fn coordinate(&self, cells: i64) -> f64 {
+        let whole = cells.checked_mul(self.numerator).filter(|whole| whole.unsigned_abs() <= 1 << 53);
+        match whole.filter(|_| self.scale > 1.0) {
+            // The quotient of two doubles is rounded once.
+            Some(whole) => whole as f64 / self.scale,
+            None => cells as f64 * self.width,
+        }
+    }
+
+    /// The number of the cell of a coordinate, where halves go up.
+    pub(super) fn nearest(&self, x: f64) -> i64 {
+        ((self.half_steps(x, 0).0 + 1) >> 1) as i64
+    }
+
+    /// A coordinate in halves of steps, 2^shift of which make a cell, rounded down; true if that is exact.
+    fn half_steps(&self, x: f64, shift: u32) -> (i128, bool) {
+        let (mantissa, exponent) = decode(x);
+        let product = i128::from(mantissa) * i128::from(self.denominator);
+        let up = exponent - self.exponent + shift.cast_signed() + 1;
+        let by = up.unsigned_abs().min(127);
+        let (shifted, is_exact) = if up < 0 {
+            let shifted = product >> by;
+            (shifted, shifted << by == product)
+        } else {
+            (product << by, true)
+        };
+        if self.numerator == 1 {
+            return (shifted, is_exact);
+        }
+        let numerator = i128::from(self.numerator);
+        (shifted.div_euclid(numerator), is_exact && shifted.rem_euclid(numerator) == 0)
+    }
+}
+
 /// A grid of cells, and the finer one on which the input is read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
-    /// A cell is 2^cell wide.
-    cell: i32,
-    /// A step is 2^step wide.
-    step: i32,
+    cell: Cell,
+    /// A cell is 2^shift steps wide.
     pub(super) pixels: Pixels,
 }
 
@@ -29,58 +111,66 @@ impl Grid {
     /// The grid for coordinates up to `largest` in magnitude, which `holder` has.
     pub(super) fn new(snap: Snap, largest: f64, holder: Input) -> Result<Self, NodingError> {
         let above = exponent_above(largest);
-        let finest = above.map(|e| (e - REACH).max(SMALLEST));
         let cells = match snap {
-            Snap::Auto => above.map_or([0; 2], |e| [e - REACH + SPARE, e - REACH].map(|cell| cell.max(SMALLEST))),
-            Snap::Size(size) if size.is_finite() && size > 0.0 => [exponent_below(size); 2],
+            Snap::Auto => above
+                .map_or([0; 2], |e| [e - REACH + SPARE, e - REACH].map(|cell| cell.max(SMALLEST)))
+                .map(Cell::binary),
+            Snap::Size(size) if size.is_finite() && size > 0.0 => [Cell::of(size); 2],
             Snap::Size(_) => return Err(NodingError::Size),
         };
-        let grids = cells.map(|cell| Self::of_cells(cell, finest.unwrap_or(cell)));
-        let reaches = |grid: &Self| {
-            grid.cell >= grid.step && grid.point(grid.pixels.at(grid.steps(Point::new(largest, 0.0)))).x.is_finite()
-        };
-        grids.into_iter().find(reaches).ok_or(NodingError::OutOfRange { at: holder })
+        let grids = cells.into_iter().filter_map(|cell| Self::of_cells(cell, largest));
+        let is_finite = |grid: &Self| grid.point(grid.pixels.at(grid.steps(Point::new(largest, 0.0)))).x.is_finite();
+        grids.into_iter().find(is_finite).ok_or(NodingError::OutOfRange { at: holder })
     }
 
-    fn of_cells(cell: i32, step: i32) -> Self {
+    /// The grid with these cells for coordinates up to `largest`; none if they are out of reach.
+    fn of_cells(cell: Cell, largest: f64) -> Option<Self> {
+        let shift = if cell.is_binary() {
+            let step = exponent_above(largest).map_or(cell.exponent, |e| (e - REACH).max(SMALLEST));
+            u32::try_from(cell.exponent - step).ok()?
+        } else {
+            let cells = Some(largest / cell.width).filter(|cells| *cells <= MOST_DECIMAL)?;
+            // The quotient may have been rounded down to a power of two, so one bit is spared.
+            exponent_above(cells).map_or(0, |e| (REACH - 1 - e).unsigned_abs())
+        };
         // From 2^55 steps on, every position is in pixel 0, and a larger pixel makes no difference.
-        Self { cell, step, pixels: Pixels { shift: cell.abs_diff(step).min(55) } }
+        Some(Self { cell, pixels: Pixels { shift: shift.min(55) } })
     }
 
     /// The width of a cell.
-    pub(super) fn cell(&self) -> f64 {
-        power_of_two(self.cell)
+    pub(super) const fn cell(&self) -> f64 {
+        self.cell.width
     }
 
-    /// The position of a point: the nearest one, of those in the same pixel.
+    /// The position of a point: the nearest one, of those in the same pixel. That of a point of the grid is the centre of its pixel.
     ///
     /// Where a pixel is a step, halves go up, as they do in pixels. Otherwise `-p` is at the position opposite to that of `p`, so that
     /// segments through the origin whose ends are opposite still meet there: halves go to even positions, and next to
     /// the border of a pixel away from it.
     pub(super) fn steps(&self, p: Point) -> Steps {
+        let shift = self.pixels.shift;
         [p.x, p.y].map(|x| {
-            let (mantissa, exponent) = decode(x);
-            let drop = self.step - exponent;
-            if drop <= 0 {
-                return mantissa << drop.unsigned_abs().min(63);
+            if !self.cell.is_binary() {
+                let nearest = self.cell.nearest(x);
+                if self.cell.coordinate(nearest).total_cmp(&(x + 0.0)).is_eq() {
+                    return nearest << shift;
+                }
             }
-            // A mantissa has 53 bits, so the rest of a longer way down makes no difference.
-            let drop = drop.min(62);
-            let half = 1 << (drop - 1);
-            let up = (mantissa + half) >> drop;
-            if self.pixels.shift == 0 {
+            let (halves, is_exact) = self.cell.half_steps(x, shift);
+            let (below, is_high) = ((halves >> 1) as i64, halves & 1 == 1);
+            let up = below + i64::from(is_high);
+            if shift == 0 || is_exact && !is_high {
                 return up;
             }
-            let (below, rest) = (mantissa >> drop, mantissa & ((1 << drop) - 1));
-            let nearest = if rest == half { below + (below & 1) } else { up };
+            let nearest = if is_exact { below + (below & 1) } else { up };
             // The borders of pixels that are many steps are whole steps.
-            if rest != 0 && self.pixels.is_border(nearest) { 2 * below + 1 - nearest } else { nearest }
+            if self.pixels.is_border(nearest) { 2 * below + 1 - nearest } else { nearest }
         })
     }
 
     /// The centre of a pixel.
     pub(super) fn point(&self, pixel: Pixel) -> Point {
-        let [x, y] = pixel.map(|c| c as f64 * self.cell());
+        let [x, y] = pixel.map(|c| self.cell.coordinate(c));
         Point { x, y }
     }
 }
@@ -100,12 +190,6 @@ fn decode(x: f64) -> (i64, i32) {
 fn exponent_above(x: f64) -> Option<i32> {
     let (mantissa, exponent) = decode(x.abs());
     (mantissa != 0).then(|| exponent + (64 - (mantissa - 1).leading_zeros().cast_signed()))
-}
-
-/// The greatest `e` with `2^e <= x`, for positive finite `x`.
-fn exponent_below(x: f64) -> i32 {
-    let (mantissa, exponent) = decode(x);
-    exponent + 63 - mantissa.leading_zeros().cast_signed()
 }
 
 /// 2^exponent, for the exponents that a double has.

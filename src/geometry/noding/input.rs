@@ -11,8 +11,10 @@ pub enum Snap {
     /// nanometres on the ground.
     #[default]
     Auto,
-    /// The largest power of two that is at most this number. Zero, negative, infinite and NaN are refused, and so is
-    /// a cell so small that a coordinate would be more than 2^53 of it.
+    /// This number. Of one with up to 22 decimal places, the decimal number counts and not the double next to it: the points of a grid of
+    /// 0.001 are the doubles nearest to whole thousandths, so what has three decimal places stays as it is. Zero, negative,
+    /// infinite and NaN are refused, and so is a cell so small that a coordinate would be more than 2^53 of it, or 2^49 if it is
+    /// no power of two.
     Size(f64),
 }
 
@@ -65,7 +67,7 @@ pub enum NodingError {
         /// The first part of the input with such a coordinate.
         at: Input,
     },
-    /// A coordinate is more than 2^53 cells, or the grid point next to it is not a finite number.
+    /// A coordinate is more than 2^53 cells, or 2^49 that are no power of two wide, or the grid point next to it is not a finite number.
     #[error("{at} has a coordinate out of reach of the grid")]
     OutOfRange {
         /// The first part of the input with the coordinate of the largest magnitude.

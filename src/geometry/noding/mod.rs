@@ -19,7 +19,7 @@
 //!
 //! # Snap rounding
 //!
-//! The grid has square cells, a power of two wide. Each grid point has a *pixel*: the square of one cell around it,
+//! The grid has square cells, whose width is a power of two or any other number. Each grid point has a *pixel*: the square of one cell around it,
 //! of whose border only the left and the lower side belong to it. A pixel is *hot* if a segment ends in it, two
 //! segments cross in it, or an input point lies in it. Every segment is replaced by the chain of the centres of the
 //! hot pixels that it visits, in the order of its visits (J. D. Hobby, *Practical segment intersection with finite
@@ -88,7 +88,7 @@ use crate::geometry::threads;
 use chains::sorted;
 use core::iter::FusedIterator;
 use estimate::crossing_cuts;
-use grid::Grid;
+use grid::{Cell, Grid};
 use read::{Read, largest_coordinate};
 use runs::Runs;
 
@@ -101,7 +101,7 @@ pub(crate) use part::PartNoding;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct NodingSummary {
-    /// The width of a cell: a power of two.
+    /// The width of a cell; 0, if nothing was rounded.
     pub cell: f64,
     /// The number of vertices that are only crossings: nothing in the input ends there.
     pub crossings: usize,
@@ -137,15 +137,14 @@ impl NodingSummary {
     /// ```
     #[must_use]
     pub fn snapped(&self, p: Point) -> Point {
-        let middle = |number: f64| {
-            if self.cell == 0.0 {
-                return number + 0.0;
-            }
-            let (cells, below) = (number / self.cell, (number / self.cell).floor());
-            // Adding a half could round.
-            let nearest = if cells - below >= 0.5 { below + 1.0 } else { below };
-            // Adding zero turns −0 into 0.
-            nearest * self.cell + 0.0
+        if self.cell == 0.0 {
+            return Point::new(p.x + 0.0, p.y + 0.0);
+        }
+        let cell = Cell::of(self.cell);
+        // Adding zero turns −0 into 0. What is out of reach of the grid stays.
+        let middle = |number: f64| match (number / self.cell).abs() {
+            cells if cells <= (1_u64 << 53) as f64 => cell.coordinate(cell.nearest(number)),
+            _ => number + 0.0,
         };
         Point::new(middle(p.x), middle(p.y))
     }

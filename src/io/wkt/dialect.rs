@@ -14,8 +14,8 @@ pub(super) fn split_srid(text: &str) -> Option<(Option<i64>, &str)> {
     Some((Some(srid.into()), geometry.trim_start()))
 }
 
-/// Says the dimensions of geometries that leave them to the numbers, as in `POINT(1 2 3)`, and drops the empty points of
-/// multi-points. O(bytes · depth of collections).
+/// Says the dimensions of geometries that leave them to the numbers, as in `POINT(1 2 3)`, and writes the empty points of
+/// multi-points as points without numbers, [`NOTHING`]. O(bytes · depth of collections).
 pub(super) fn plain(text: &str) -> Cow<'_, str> {
     let mut out = String::new();
     let mut copied = 0;
@@ -25,7 +25,8 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
             continue;
         }
         let dimensions = dimensions(head, &text[at + 1..]);
-        let points = is_multi_point(head).then(|| points(&text[at + 1..])).flatten();
+        let word = if dimensions.is_empty() { last_word(head) } else { dimensions };
+        let points = is_multi_point(head).then(|| points(&text[at + 1..], word)).flatten();
         if dimensions.is_empty() && points.is_none() {
             continue;
         }
@@ -99,8 +100,30 @@ fn is_multi_point(head: &str) -> bool {
         .is_some_and(|end| end.eq_ignore_ascii_case(NAME))
 }
 
-/// The points of a multi-point that are not empty, in brackets, and where its body ends; none if no point is empty.
-fn points(body: &str) -> Option<(String, usize)> {
+/// A number that is none, as the crate reads it.
+const NOTHING: &str = "+NaN";
+
+/// Writes numbers that are none as the crate reads them. O(bytes).
+pub(super) fn with_nothing(text: &str) -> Cow<'_, str> {
+    let bytes = text.as_bytes();
+    let is_number = |at: &usize| {
+        let starts = at.checked_sub(1).is_none_or(|before| matches!(bytes[before], b'(' | b',' | b' ' | b'\t'));
+        starts && bytes[*at..].get(..3).is_some_and(|word| word.eq_ignore_ascii_case(b"nan"))
+    };
+    let places: Vec<usize> = (0..bytes.len()).filter(is_number).collect();
+    if places.is_empty() {
+        return Cow::Borrowed(text);
+    }
+    let mut out = text.to_owned();
+    for at in places.into_iter().rev() {
+        out.insert(at, '+');
+    }
+    Cow::Owned(out)
+}
+
+/// The points of a multi-point, the empty ones without numbers, in brackets, and where its body ends; none if no point is empty. `word`
+/// ends with the dimensions.
+fn points(body: &str, word: &str) -> Option<(String, usize)> {
     let is_empty = |point: &&str| point.trim_ascii().eq_ignore_ascii_case("EMPTY");
     let mut depth = 1_usize;
     let end = body.bytes().position(|byte| {
@@ -116,7 +139,8 @@ fn points(body: &str) -> Option<(String, usize)> {
     if !all().any(|point| is_empty(&point)) {
         return None;
     }
-    let kept: Vec<&str> = all().filter(|point| !is_empty(point)).collect();
-    let text = if kept.is_empty() { " EMPTY".to_owned() } else { format!("({})", kept.join(",")) };
-    Some((text, end + 1))
+    let numbers = 2 + word.bytes().rev().take_while(|byte| matches!(byte, b'Z' | b'z' | b'M' | b'm')).count();
+    let nothing = format!("({})", [NOTHING; 4][..numbers.min(4)].join(" "));
+    let written: Vec<&str> = all().map(|point| if is_empty(&point) { &nothing } else { point }).collect();
+    Some((format!("({})", written.join(",")), end + 1))
 }

@@ -26,7 +26,7 @@ use ::wkt::types::{
     Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Polygon,
 };
 
-use self::dialect::{plain, split_srid};
+use self::dialect::{plain, split_srid, with_nothing};
 use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 use super::summary::ReadSummary;
 use super::write::{self, GeometryPiece, WriteError};
@@ -71,12 +71,12 @@ pub struct GeometryLine {
     pub number: usize,
     /// The number of the reference system, if the line says one.
     pub srid: Option<i64>,
-    /// The geometry as the crate `wkt` has it, without the empty points of multi-points.
+    /// The geometry as the crate `wkt` has it.
     pub geometry: Wkt<f64>,
 }
 
-/// Reads a file without dropping anything but empty points in multi-points. Otherwise as [`read`]; what numbers there are is not
-/// checked.
+/// Reads a file without dropping anything. Otherwise as [`read`]; what numbers there are is not checked. A point whose coordinates are no
+/// numbers is empty.
 ///
 /// # Errors
 /// As for [`read`].
@@ -111,10 +111,30 @@ where
         let after_srid = || error_in(number, syntax("expected SRID=, a number and a semicolon"));
         let (srid, text) = split_srid(text).ok_or_else(after_srid)?;
         check_frame(text, number)?;
-        let geometry = plain(text).parse().map_err(|message| error_in(number, syntax(message)))?;
-        each(GeometryLine { number, srid, geometry })?;
+        let geometry = plain(&with_nothing(text)).parse().map_err(|message| error_in(number, syntax(message)))?;
+        each(GeometryLine { number, srid, geometry: emptied(geometry) })?;
     }
     Ok(())
+}
+
+/// The geometry, with points without numbers as empty ones. The recursion is as deep as collections are nested, which the brackets bound.
+fn emptied(geometry: Wkt<f64>) -> Wkt<f64> {
+    let point = |point: ::wkt::types::Point<f64>| match point.coord() {
+        Some(coord) if coord.x.is_nan() && coord.y.is_nan() => ::wkt::types::Point::empty(point.dimension()),
+        _ => point,
+    };
+    match geometry {
+        Wkt::Point(one) => point(one).into(),
+        Wkt::MultiPoint(points) => {
+            let (points, dimension) = points.into_inner();
+            MultiPoint::new(points.into_iter().map(point).collect(), dimension).into()
+        }
+        Wkt::GeometryCollection(all) => {
+            let (geometries, dimension) = all.into_inner();
+            GeometryCollection::new(geometries.into_iter().map(emptied).collect(), dimension).into()
+        }
+        other => other,
+    }
 }
 
 fn error_in(line: usize, cause: ReadCause) -> ReadError {

@@ -13,7 +13,7 @@ impl BuildSummary {
     /// use twinedge::map::{BuildSummary, Feature, Shape};
     ///
     /// let mut summary = BuildSummary::default();
-    /// let open = Shape::polygon([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    /// let open = Shape::Polygon(vec![[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Into::into).to_vec()]);
     /// for _ in 0..2 {
     ///     summary.count(&Feature { shapes: vec![open.clone()], ..Feature::default() })?;
     /// }

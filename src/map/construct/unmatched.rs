@@ -1,4 +1,4 @@
-//! Vertices of polygons on the border of another feature that has no vertex there.
+//! Vertices of polygons on a border that has no vertex there, of another feature or of another ring of the same one.
 
 use super::builder::Builder;
 use super::gathered::origin;
@@ -9,7 +9,7 @@ use crate::geometry::predicates::{compare_lexicographic, on_segment};
 use crate::store::FeatureId;
 use rustc_hash::FxHashMap;
 
-/// A vertex of a feature's polygon in the interior of a segment of another feature's polygon.
+/// A vertex of a feature's polygon in the interior of a segment of another feature's polygon, or of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -25,9 +25,9 @@ pub struct UnmatchedVertex {
 }
 
 impl Builder {
-    /// The vertices of polygons that lie on the border of another feature, between two vertices of it, exactly. Such borders coincide
-    /// or touch, and are noded differently. Sorted by the two features, then by place. A feature that uses the segment itself is
-    /// not among those that have the vertex.
+    /// The vertices of polygons that lie on the border of a feature, between two vertices of it, exactly. Such borders coincide
+    /// or touch, and are noded differently. Sorted by the two features, then by place. A feature that has the vertex and uses the
+    /// segment lacks its own vertex, and other features that use the segment do not lack it once more.
     ///
     /// O(n log n + k) for n segments and k pairs of a vertex and a segment whose bounding box has it, in practice: a tree of boxes gives no guarantee.
     ///
@@ -63,8 +63,12 @@ impl Builder {
         let mut found = Vec::new();
         for (point, segment) in touches {
             let along = &along[&segment];
-            for of in having[&point].iter().filter(|of| along.binary_search(of).is_err()) {
-                found.extend(along.iter().map(|lacked_by| UnmatchedVertex {
+            for of in &having[&point] {
+                let lacking = match along.binary_search(of) {
+                    Ok(own) => &along[own..=own],
+                    Err(_) => along,
+                };
+                found.extend(lacking.iter().map(|lacked_by| UnmatchedVertex {
                     at: self.points[point as usize],
                     of: *of,
                     lacked_by: *lacked_by,

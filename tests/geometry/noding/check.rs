@@ -36,8 +36,9 @@ pub(crate) fn counts(noded: &Noded) -> [usize; 3] {
 /// The vertices as whole numbers of cells. Fails if one is not on the grid.
 pub(crate) fn cells(noded: &Noded) -> Vec<Whole> {
     let whole = |x: f64| {
-        let cells = x / noded.summary.cell;
-        assert!(cells.fract() == 0.0 && cells.abs() <= (1_u64 << 53) as f64, "{x} is not on the grid");
+        let cells = (x / noded.summary.cell).round();
+        let is_on = noded.summary.snapped(Point::new(x, x)) == Point::new(x, x);
+        assert!(is_on && cells.abs() <= (1_u64 << 53) as f64, "{x} is not on the grid");
         cells as i128
     };
     noded.points.iter().map(|p| [whole(p.x), whole(p.y)]).collect()
@@ -55,8 +56,9 @@ pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded
     for snap in [Snap::Size(noded.summary.cell), Snap::Auto] {
         let edges: Vec<Segment> = noded.segments.iter().map(|ends| ends.map(|v| noded.points[v as usize])).collect();
         let again = node(&edges, &noded.points, snap).expect("it was on the grid");
-        if again.summary.cell > noded.summary.cell {
-            // The automatic grid can be coarser than a size that was asked for.
+        let [cell, of_first] = [again.summary.cell, noded.summary.cell];
+        if cell != of_first && (cell > of_first || of_first.log2().fract() != 0.0) {
+            // The automatic grid can be coarser than a size that was asked for, and does not have the points of one of decimals.
             continue;
         }
         assert_eq!((&again.points, &again.segments), (&noded.points, &noded.segments));
@@ -73,7 +75,9 @@ pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded
     let cell = noded.summary.cell;
     let near = |p: Point, v: u32| {
         let to = noded.points[v as usize];
-        (p.x - to.x).abs() <= cell / 2.0 && (p.y - to.y).abs() <= cell / 2.0
+        // The centre of a cell is rounded, unless a cell is a power of two wide.
+        let most = cell / 2.0 + if cell.log2().fract() == 0.0 { 0.0 } else { 1e-14 * to.x.abs().max(to.y.abs()) };
+        (p.x - to.x).abs() <= most && (p.y - to.y).abs() <= most
     };
     assert!((0..).zip(points).all(|(i, &p)| near(p, noded.vertex_of_point(i).unwrap())));
     let mut used = vec![false; noded.segments.len()];

@@ -54,11 +54,13 @@ fn what_is_not_finite_is_refused_with_its_place() {
 }
 
 #[test]
-fn sizes_are_rounded_down_to_powers_of_two() {
+fn a_grid_has_the_size_that_was_asked_for() {
     let one = [segment([0.0, 0.0], [1.0, 1.0])];
-    for (size, cell) in [(1.0, 1.0), (1.9, 1.0), (0.1, 0.0625), (3e-5, 2.0_f64.powi(-16)), (1000.0, 512.0)] {
-        assert_eq!(node(&one, &[], Snap::Size(size)).unwrap().summary.cell, cell);
+    for size in [1.0, 1.9, 0.1, 3e-5, 1000.0, 1.0 / 3.0, f64::exp2(-52.0)] {
+        assert_eq!(node(&one, &[], Snap::Size(size)).unwrap().summary.cell, size);
     }
+    // Decimals reach less far than powers of two.
+    assert_eq!(node(&one, &[], Snap::Size(1e-15)).unwrap_err(), NodingError::OutOfRange { at: Input::Segment(0) });
 }
 
 #[test]

@@ -5,7 +5,8 @@ use crate::noding::oracle::{self, Whole};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::collections::BTreeSet;
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge::geometry::noding::{Snap, node};
+use twinedge::map::{Builder, Noding};
 
 fn quickcheck(size: usize, tests: u64, property: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 1)).tests(tests).quickcheck(property);
@@ -87,4 +88,63 @@ fn any_finite_numbers_are_noded() {
     }
     quickcheck(30, 100, any as fn(_) -> bool);
     quickcheck(30, 40, long as fn(_, _) -> bool);
+}
+
+/// Whole numbers of cells, noded on a grid of decimals, are noded as whole numbers are, and then written as decimals; in doubles, too,
+/// edges meet only at common ends. Points of the grid do not move, and noding once more changes nothing.
+#[test]
+fn on_a_decimal_grid_everything_is_as_on_whole_numbers() {
+    fn agrees(raw: Vec<(i16, i16, i16, i16)>, grid: u8, far: bool) -> bool {
+        let (size, cells, scale) =
+            [(0.001, 1, 1e3), (0.3, 3, 10.0), (2.5, 25, 10.0), (1e-7, 1, 1e7)][usize::from(grid % 4)];
+        let [x, y] = if far { [2_600_000_123, 1_200_000_789] } else { [0, 0] };
+        let whole = |a: i16, b: i16| [x + i64::from(a), y + i64::from(b)];
+        let lattice = |[a, b]: [i64; 2]| Point::new(a as f64, b as f64);
+        let decimal = |[a, b]: [i64; 2]| Point::new((cells * a) as f64 / scale, (cells * b) as f64 / scale);
+        let ends = raw.iter().map(|&(a, b, c, d)| [whole(a, b), whole(c, d)]);
+        let segments: Vec<Segment> = ends.clone().map(|ends| ends.map(decimal)).collect();
+        let noded = node(&segments, &[], Snap::Size(size)).expect("in reach");
+        let expected =
+            node(&ends.map(|ends| ends.map(lattice)).collect::<Vec<_>>(), &[], Snap::Size(1.0)).expect("in reach");
+        let as_decimals = |p: &Point| decimal([p.x as i64, p.y as i64]);
+        assert_eq!(noded.points, expected.points.iter().map(as_decimals).collect::<Vec<_>>());
+        assert_eq!((&noded.segments, noded.summary.largest_move), (&expected.segments, [0.0; 2]));
+        assert!((0..raw.len()).all(|i| noded.chain(i).unwrap().eq(expected.chain(i).unwrap())));
+
+        let edges: Vec<Segment> = noded.segments.iter().map(|ends| ends.map(|v| noded.points[v as usize])).collect();
+        let again = node(&edges, &noded.points, Snap::Size(size)).expect("in reach");
+        assert_eq!((&again.points, &again.segments), (&noded.points, &noded.segments));
+        assert!(noded.points.iter().all(|p| noded.summary.snapped(*p) == *p));
+        let mut builder = Builder::new();
+        for [from, to] in segments {
+            builder.segment(from, to).expect("in range");
+        }
+        builder.build_with(Noding::Snap(Snap::Size(size))).expect("in reach").validate().is_valid()
+    }
+    quickcheck(12, 100, agrees as fn(_, _, _) -> bool);
+    quickcheck(200, 50, agrees as fn(_, _, _) -> bool);
+}
+
+/// Points that are not on the grid go to the nearest of it, and nothing crosses then.
+#[test]
+fn any_numbers_are_noded_on_a_decimal_grid() {
+    fn any(raw: Vec<(u16, u16, u16, u16)>, grid: u8) -> bool {
+        let size = [0.001, 0.3, 2.5, 1e-7, 7.0, 0.015][usize::from(grid % 6)];
+        let number = |bits: u16| 2_600_000.0 + f64::from(bits) / 300.0;
+        let segments: Vec<Segment> =
+            raw.iter().map(|&(a, b, c, d)| segment([number(a), number(b)], [number(c), number(d)])).collect();
+        let noded = node(&segments, &[], Snap::Size(size)).expect("in reach");
+        let edges: Vec<Segment> = noded.segments.iter().map(|ends| ends.map(|v| noded.points[v as usize])).collect();
+        let again = node(&edges, &noded.points, Snap::Size(size)).expect("in reach");
+        assert_eq!((&again.points, &again.segments), (&noded.points, &noded.segments));
+        assert_eq!((again.summary.rounds, again.summary.largest_move), (0, [0.0; 2]));
+        let most = size / 2.0 * (1.0 + 1e-7);
+        assert!(noded.summary.largest_move.iter().all(|moved| *moved <= most));
+        let mut builder = Builder::new();
+        for [from, to] in segments {
+            builder.segment(from, to).expect("in range");
+        }
+        builder.build_with(Noding::Snap(Snap::Size(size))).expect("in reach").validate().is_valid()
+    }
+    quickcheck(40, 200, any as fn(_, _) -> bool);
 }

@@ -24,10 +24,10 @@ impl Missing {
     pub(super) fn new(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Self, CoverageError> {
         let mut added = Vec::new();
         for finding in mismatches(map, unmatched)? {
-            let both = [finding.features[0].index(), finding.features[1].index()];
             added.extend(finding.missing.iter().map(|missing| {
-                let to = missing.feature.index();
-                AddedVertex { at: missing.at, to, of: if both[0] == to { both[1] } else { both[0] } }
+                let other = finding.features.iter().find(|feature| **feature != missing.feature);
+                let [to, of] = [missing.feature, *other.unwrap_or(&missing.feature)].map(|feature| feature.index());
+                AddedVertex { at: missing.at, to, of }
             }));
         }
         let mut on_segments: FxHashMap<(usize, Key, Key), Vec<Point>> = FxHashMap::default();

@@ -35,7 +35,7 @@ use restored::Restoration;
 use std::borrow::Cow;
 use twinedge::algorithm::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
-use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
+use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects, insert_touches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
@@ -288,7 +288,7 @@ fn outlined<'a>(
                 restored.polygon(polygon);
             }
         }
-        if !is_same(&before, &after) {
+        if !is_same(&before, &after) && !is_same(&with_touches(feature), &after) {
             let with_vertices = missing.inserted(number, &before).filter(|rings| is_same(rings, &after));
             let rings = with_vertices.unwrap_or_else(|| after.into_iter().map(rings_of).collect());
             let geometry = replace(geometry, &rings, &mut further);
@@ -327,11 +327,18 @@ fn gather(features: &[Cow<'_, Feature>], fillers: &[map::Shape]) -> Result<Build
     Ok(builder)
 }
 
-/// The polygons of a feature, as the library takes them.
+/// The polygons of a feature, as the library takes them, with vertices where rings touch as the OGC allows.
 fn shapes(feature: &Feature) -> Vec<map::Shape> {
     let mut shapes = super::to_map(feature, &mut ReadSummary::default()).shapes;
     shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    insert_touches(&mut shapes);
     shapes
+}
+
+/// The rings of [`shapes`].
+fn with_touches(feature: &Feature) -> Vec<rebuild::Rings> {
+    let rings = |shape| if let map::Shape::Polygon(rings) = shape { rings } else { Vec::new() };
+    shapes(feature).into_iter().map(rings).collect()
 }
 
 /// The findings of a layer.

@@ -80,6 +80,21 @@ impl CleanReport {
         };
     }
 
+    /// Takes the report of cleaning the result once more, without what is left. O(n log n).
+    pub fn followed_by(&mut self, next: Self) {
+        self.append(next);
+        self.sort();
+        // Sorting is stable: of two changes of a feature the later one comes second.
+        self.features.dedup_by(|later, first| {
+            let is_same = later.feature == first.feature;
+            if is_same {
+                first.area_after = later.area_after;
+                first.points_after = later.points_after;
+            }
+            is_same
+        });
+    }
+
     /// Puts changes in order of their kinds and places, vertices and features as always.
     pub(super) fn sort(&mut self) {
         self.changes.sort_by(|a, b| a.kind.cmp(&b.kind).then_with(|| compare_lexicographic(a.at, b.at)));
@@ -139,7 +154,7 @@ pub struct AddedVertex {
     pub at: Point,
     /// The feature that lacked it.
     pub to: usize,
-    /// The neighbour.
+    /// The neighbour, or the same feature: of another ring of its own.
     pub of: usize,
 }
 

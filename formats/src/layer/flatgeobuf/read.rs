@@ -206,7 +206,7 @@ fn shape(table: Table<'_>, kind: Kind, header: &HeaderTable<'_>, depth: usize) -
             [one] => Shape::Point(Some(finite(std::mem::take(one))?)),
             more => return Err(invalid(format!("a point with {} positions", more.len()))),
         },
-        Kind::MultiPoint => Shape::MultiPoint(line(table, dimensions)?),
+        Kind::MultiPoint => Shape::MultiPoint(line(table, dimensions)?.into_iter().map(Some).collect()),
         Kind::LineString => Shape::Line(line(table, dimensions)?),
         Kind::MultiLineString => Shape::MultiLine(lines(table, dimensions)?),
         Kind::Polygon => Shape::Polygon(lines(table, dimensions)?),

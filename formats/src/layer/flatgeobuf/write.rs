@@ -115,7 +115,7 @@ const fn kind_of_several(shape: &Shape) -> Kind {
 /// The geometry as one of several parts, if that is the kind of the file.
 fn of_kind(geometry: &Geometry, kind: Kind) -> Cow<'_, Geometry> {
     let shape = match (&geometry.shape, kind) {
-        (Shape::Point(point), Kind::MultiPoint) => Shape::MultiPoint(point.iter().cloned().collect()),
+        (Shape::Point(point), Kind::MultiPoint) => Shape::MultiPoint(point.iter().cloned().map(Some).collect()),
         (Shape::Line(line), Kind::MultiLineString) => Shape::MultiLine(vec![line.clone()]),
         (Shape::Polygon(rings), Kind::MultiPolygon) => Shape::MultiPolygon(vec![rings.clone()]),
         _ => return Cow::Borrowed(geometry),
@@ -227,9 +227,10 @@ fn table<'b>(builder: &mut FlatBufferBuilder<'b>, geometry: &Geometry) -> WIPOff
         }
         Shape::Collection(parts) => parts.iter().map(|part| table(builder, part)).collect(),
         Shape::MultiLine(lines) | Shape::Polygon(lines) => return flat(builder, geometry, type_, lines),
-        Shape::MultiPoint(line) | Shape::Line(line) => {
-            return flat(builder, geometry, type_, std::slice::from_ref(line));
+        Shape::MultiPoint(points) => {
+            return flat(builder, geometry, type_, &[points.iter().flatten().cloned().collect()]);
         }
+        Shape::Line(line) => return flat(builder, geometry, type_, std::slice::from_ref(line)),
         Shape::Point(point) => return flat(builder, geometry, type_, &[point.iter().cloned().collect()]),
     };
     let parts = Some(builder.create_vector(&parts));

@@ -3,7 +3,7 @@
 use super::elements::{Elements, OsmError, Relation, Role};
 use super::filter::TagFilter;
 use super::finding::{Findings, Found, Kind};
-use super::rings::{Piece, around, open_ends, rings};
+use super::rings::{Piece, Ring, open_ends, rings};
 use crate::diagnosis::{Diagnosis, FeatureName, RuleLine};
 use crate::layer::nesting::{Extent, area, direction, lies_in};
 use crate::layer::{Crs, Dimensions, Feature, Geometry, Header, Id, Layer, Line, Position, Shape, Value};
@@ -77,9 +77,12 @@ impl Placed {
     }
 
     /// The ways with the role of a ring that lies elsewhere.
-    fn wrong<'p>(&self, ring: impl Iterator<Item = Piece<'p>>) -> Vec<i64> {
+    fn wrong(&self, ring: &Ring, pieces: &[Piece<'_>]) -> Vec<i64> {
         let wrong = if self.is_outer() { Role::Inner } else { Role::Outer };
-        ring.filter(|piece| piece.role == wrong).map(|piece| piece.way).collect()
+        let of_ring = ring.pieces.iter().map(|(piece, _)| &pieces[*piece]);
+        let mut ways: Vec<i64> = of_ring.filter(|piece| piece.role == wrong).map(|piece| piece.way).collect();
+        ways.dedup();
+        ways
     }
 }
 
@@ -104,10 +107,11 @@ impl<'a> Making<'a> {
             });
         }
         let rings = rings(&pieces);
-        let mut placed = placed(rings.iter().map(|ring| self.line(&around(ring, &pieces))).collect());
+        let line = |ring: &Ring| ring.points.iter().map(|p| Position::new(p.x, p.y)).collect();
+        let mut placed = placed(rings.iter().map(line).collect());
         self.findings.checked[4] += placed.len() as u64;
         for (ring, place) in rings.iter().zip(&mut placed) {
-            let ways = place.wrong(ring.iter().map(|(piece, _)| pieces[*piece]));
+            let ways = place.wrong(ring, &pieces);
             // A ring around it may be missing.
             place.is_certain = is_complete || ways.is_empty();
             if !place.is_certain {
@@ -118,9 +122,13 @@ impl<'a> Making<'a> {
                 Ordering::Equal => continue,
                 turns => (turns == Ordering::Greater) == place.is_outer(),
             };
-            for (piece, is_forward) in ring {
+            for (piece, is_forward) in &ring.pieces {
                 let side = (pieces[*piece].way, *is_forward == inside_is_left);
-                self.sides.entry(side).or_default().push(number);
+                let relations = self.sides.entry(side).or_default();
+                // A way can be in several rings.
+                if relations.last() != Some(&number) {
+                    relations.push(number);
+                }
             }
         }
         let attributes = relation.tags.iter().map(|(key, value)| (key.as_str().into(), Value::Text(value.clone())));
@@ -171,7 +179,8 @@ impl<'a> Making<'a> {
                 });
                 continue;
             }
-            pieces.push(Piece { way: member.way, role: member.role, nodes });
+            let points = nodes.iter().filter_map(|node| elements.nodes.get(node)).copied().collect();
+            pieces.push(Piece { way: member.way, role: member.role, nodes, points });
         }
         (pieces, is_complete)
     }
@@ -232,10 +241,6 @@ impl<'a> Making<'a> {
 
     fn points(&self, nodes: &[i64]) -> Vec<[f64; 2]> {
         nodes.iter().filter_map(|node| self.place(*node)).collect()
-    }
-
-    fn line(&self, nodes: &[i64]) -> Line {
-        self.points(nodes).into_iter().map(|[x, y]| Position::new(x, y)).collect()
     }
 }
 

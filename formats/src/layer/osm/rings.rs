@@ -1,117 +1,221 @@
 //! The rings that the ways of a relation make.
+//!
+//! A segment that occurs twice bounds nothing, and is left out. Where more than two segments meet, those are joined between which the inside lies, so
+//! that rings do not cross there; and a ring that comes back to a point is cut in two.
+//!
+//! ```text
+//!   ○─────────────○
+//!   │ ╲  hole   ╱ │      The ways meet at v. The shell goes on from a to d, and the hole from b to c:
+//!   │   ╲     ╱   │      one ring by a, b, c, d, which is cut at v.
+//!   │    b╲ ╱c    │
+//!   ○──a───v───d──○
+//! ```
 
 use super::elements::Role;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::VecDeque;
+use twinedge::geometry::Point;
+use twinedge::geometry::predicates::{Orientation, compare_angle, orientation};
 
-/// A way that is a member, with two or more different nodes in a row.
-#[derive(Clone, Copy, Debug)]
+/// A way that is a member, with two or more nodes.
+#[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub(super) way: i64,
     pub(super) role: Role,
     pub(super) nodes: &'a [i64],
+    /// The places of the nodes.
+    pub(super) points: Vec<Point>,
 }
 
-impl Piece<'_> {
-    fn ends(&self) -> [i64; 2] {
-        [self.nodes[0], self.nodes[self.nodes.len() - 1]]
-    }
-}
-
-/// A ring: the numbers of its pieces, and for each whether it is passed from its first node to its last.
-pub(super) type Ring = Vec<(usize, bool)>;
-
-/// The pieces at each node that are not in a ring yet, those of each role from the last to the first.
-struct Ends {
-    at: FxHashMap<i64, [Vec<usize>; 3]>,
-    used: Vec<bool>,
-}
-
-impl Ends {
-    fn new(pieces: &[Piece<'_>]) -> Self {
-        let mut at: FxHashMap<i64, [Vec<usize>; 3]> = FxHashMap::default();
-        for (number, piece) in pieces.iter().enumerate().rev() {
-            for end in piece.ends() {
-                at.entry(end).or_default()[piece.role as usize].push(number);
-            }
-        }
-        Self { at, used: vec![false; pieces.len()] }
-    }
-
-    /// Takes a piece at a node, of this role if there is one.
-    fn take(&mut self, node: i64, role: Role) -> Option<usize> {
-        let of_node = self.at.get_mut(&node)?;
-        let order = [role as usize, 0, 1, 2];
-        for role in order {
-            while let Some(number) = of_node[role].pop() {
-                if !self.used[number] {
-                    self.used[number] = true;
-                    return Some(number);
-                }
-            }
-        }
-        None
-    }
+/// A ring.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Ring {
+    /// Its points; the last is the first.
+    pub(super) points: Vec<Point>,
+    /// The numbers of its pieces, and for each whether it is passed from its first node to its last.
+    pub(super) pieces: Vec<(usize, bool)>,
 }
 
 /// The nodes at which an odd number of pieces end, in order: no rings go through all of these.
 pub(super) fn open_ends(pieces: &[Piece<'_>]) -> Vec<i64> {
-    let mut ends: Vec<i64> = pieces.iter().flat_map(Piece::ends).collect();
+    let mut ends: Vec<i64> =
+        pieces.iter().flat_map(|piece| [piece.nodes[0], piece.nodes[piece.nodes.len() - 1]]).collect();
     ends.sort_unstable();
     ends.chunk_by(|a, b| a == b).filter(|same| !same.len().is_multiple_of(2)).map(|same| same[0]).collect()
 }
 
-/// The rings, none of which passes through the end of a piece twice. Pieces that lead nowhere are left out; without open ends there are none of these.
-///
-/// O(nodes), expected.
-pub(super) fn rings(pieces: &[Piece<'_>]) -> Vec<Ring> {
-    let mut ends = Ends::new(pieces);
-    let mut rings = Vec::new();
-    for start in 0..pieces.len() {
-        if ends.used[start] {
-            continue;
-        }
-        ends.used[start] = true;
-        let [first, second] = pieces[start].ends();
-        // The nodes on the way, each with its place there.
-        let mut path: Ring = vec![(start, true)];
-        let mut nodes = vec![first, second];
-        let mut places: FxHashMap<i64, usize> = FxHashMap::from_iter([(first, 0)]);
-        while let Some(&(last, _)) = path.last() {
-            let at = nodes[path.len()];
-            let place = *places.entry(at).or_insert(path.len());
-            if place < path.len() {
-                for node in nodes.drain(place + 1..).filter(|node| *node != at) {
-                    places.remove(&node);
+/// A segment between two points, by their numbers.
+#[derive(Clone, Copy)]
+struct Segment {
+    ends: [usize; 2],
+    piece: usize,
+}
+
+impl Segment {
+    fn other(&self, end: usize) -> usize {
+        if self.ends[0] == end { self.ends[1] } else { self.ends[0] }
+    }
+}
+
+/// The segments of all pieces.
+struct Segments {
+    points: Vec<Point>,
+    /// In order; none in the place of one that is left out.
+    all: Vec<Option<Segment>>,
+    /// The segments at each point.
+    at: Vec<Vec<usize>>,
+}
+
+impl Segments {
+    fn new(pieces: &[Piece<'_>]) -> Self {
+        let mut numbers: FxHashMap<[u64; 2], usize> = FxHashMap::default();
+        let mut found = Self { points: Vec::new(), all: Vec::new(), at: Vec::new() };
+        let mut known: FxHashMap<[usize; 2], usize> = FxHashMap::default();
+        for (number, piece) in pieces.iter().enumerate() {
+            let of_point = |p: &Point| {
+                *numbers.entry([p.x + 0.0, p.y + 0.0].map(f64::to_bits)).or_insert_with(|| {
+                    found.points.push(*p);
+                    found.points.len() - 1
+                })
+            };
+            let along: Vec<usize> = piece.points.iter().map(of_point).collect();
+            for ends in along.windows(2).filter(|ends| ends[0] != ends[1]) {
+                let ends = [ends[0], ends[1]];
+                // Twice is not at all.
+                if let Some(first) = known.remove(&[ends[0].min(ends[1]), ends[0].max(ends[1])]) {
+                    found.all[first] = None;
+                } else {
+                    known.insert([ends[0].min(ends[1]), ends[0].max(ends[1])], found.all.len());
+                    found.all.push(Some(Segment { ends, piece: number }));
                 }
-                rings.push(path.split_off(place));
+            }
+        }
+        found.at = vec![Vec::new(); found.points.len()];
+        for (number, segment) in found.all.iter().enumerate() {
+            segment.iter().flat_map(|segment| segment.ends).for_each(|end| found.at[end].push(number));
+        }
+        found
+    }
+
+    fn remove(&mut self, segment: usize) {
+        for end in self.all[segment].take().into_iter().flat_map(|segment| segment.ends) {
+            self.at[end].retain(|other| *other != segment);
+        }
+    }
+
+    /// Leaves out ways that lead nowhere: the shortest between points where an odd number of segments meet, until there are none of these.
+    fn leave_out_open(&mut self) {
+        for start in 0..self.points.len() {
+            if self.at[start].len().is_multiple_of(2) {
                 continue;
             }
-            if let Some(next) = ends.take(at, pieces[last].role) {
-                let [first, second] = pieces[next].ends();
-                path.push((next, first == at));
-                nodes.push(if first == at { second } else { first });
-            } else {
-                path.pop();
-                nodes.pop();
-                places.remove(&at);
+            // The segment by which each point was reached first.
+            let mut by: FxHashMap<usize, usize> = FxHashMap::default();
+            let mut ahead = VecDeque::from([start]);
+            let odd = loop {
+                // Another one is in reach, since each segment has two ends.
+                let Some(at) = ahead.pop_front() else { break start };
+                if at != start && !self.at[at].len().is_multiple_of(2) {
+                    break at;
+                }
+                for segment in &self.at[at] {
+                    let Some(to) = self.all[*segment].map(|segment| segment.other(at)) else { continue };
+                    if to != start && !by.contains_key(&to) {
+                        by.insert(to, *segment);
+                        ahead.push_back(to);
+                    }
+                }
+            };
+            let mut at = odd;
+            while let Some(segment) = by.get(&at).copied().filter(|_| at != start) {
+                at = self.all[segment].map_or(start, |segment| segment.other(at));
+                self.remove(segment);
             }
+        }
+    }
+
+    /// Returns true if the inside lies right below the direction to the right of a point. O(segments).
+    fn is_inside_right_of(&self, p: Point) -> bool {
+        let crosses = |segment: &Segment| {
+            let [a, b] = segment.ends.map(|end| self.points[end]);
+            let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+            low.y < p.y && p.y <= high.y && orientation(low, high, p) == Orientation::CounterClockwise
+        };
+        self.all.iter().flatten().filter(|segment| crosses(segment)).count() % 2 == 1
+    }
+
+    /// For each segment that ends at a point the one that follows there.
+    fn joined(&self) -> FxHashMap<(usize, usize), usize> {
+        let mut joined = FxHashMap::default();
+        for (point, at) in self.at.iter().enumerate() {
+            let center = self.points[point];
+            let mut around = at.clone();
+            if around.len() > 2 {
+                let far = |segment: &usize| self.all[*segment].map_or(center, |one| self.points[one.other(point)]);
+                around.sort_by(|a, b| compare_angle(center, far(a), far(b)));
+                if self.is_inside_right_of(center) {
+                    around.rotate_left(1);
+                }
+            }
+            for pair in around.chunks_exact(2) {
+                joined.insert((point, pair[0]), pair[1]);
+                joined.insert((point, pair[1]), pair[0]);
+            }
+        }
+        joined
+    }
+}
+
+/// The rings. None passes through a point twice, and none crosses another one at a point. O(n log n) for n nodes, O(n) for each point where more
+/// than two segments meet, and for each way that leads nowhere.
+pub(super) fn rings(pieces: &[Piece<'_>]) -> Vec<Ring> {
+    let mut segments = Segments::new(pieces);
+    segments.leave_out_open();
+    let joined = segments.joined();
+    let mut used = vec![false; segments.all.len()];
+    let mut rings = Vec::new();
+    for start in 0..segments.all.len() {
+        let (Some(first), false) = (segments.all[start], used[start]) else { continue };
+        // The points on the way, each with the segment that leaves it.
+        let mut path: Vec<(usize, usize)> = Vec::new();
+        let mut on_path: FxHashSet<usize> = FxHashSet::default();
+        let (mut at, mut segment) = (first.ends[0], start);
+        loop {
+            if !on_path.insert(at) {
+                let place = path.iter().position(|(point, _)| *point == at).unwrap_or(0);
+                let ring = path.split_off(place);
+                for (point, _) in ring.iter().skip(1) {
+                    on_path.remove(point);
+                }
+                rings.push(segments.ring(&ring));
+            }
+            if std::mem::replace(&mut used[segment], true) {
+                break;
+            }
+            path.push((at, segment));
+            let Some(of) = segments.all[segment] else { break };
+            at = of.other(at);
+            let Some(next) = joined.get(&(at, segment)) else { break };
+            segment = *next;
         }
     }
     rings
 }
 
-/// The nodes around a ring; the last is the first.
-pub(super) fn around(ring: &Ring, pieces: &[Piece<'_>]) -> Vec<i64> {
-    let mut nodes: Vec<i64> = Vec::new();
-    for (number, is_forward) in ring {
-        let piece = pieces[*number].nodes;
-        // The first node is the last one of the piece before.
-        let skip = usize::from(!nodes.is_empty());
-        if *is_forward {
-            nodes.extend(piece.iter().skip(skip));
-        } else {
-            nodes.extend(piece.iter().rev().skip(skip));
+impl Segments {
+    /// The ring of points, each with the segment that leaves it.
+    fn ring(&self, path: &[(usize, usize)]) -> Ring {
+        let mut points: Vec<Point> = path.iter().map(|(point, _)| self.points[*point]).collect();
+        points.extend(points.first().copied());
+        let passed = path.iter().filter_map(|(point, segment)| {
+            let segment = self.all[*segment]?;
+            Some((segment.piece, segment.ends[0] == *point))
+        });
+        let mut pieces: Vec<(usize, bool)> = passed.collect();
+        pieces.dedup();
+        if pieces.len() > 1 && pieces.first() == pieces.last() {
+            pieces.pop();
         }
+        Ring { points, pieces }
     }
-    nodes
 }

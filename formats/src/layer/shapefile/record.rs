@@ -104,7 +104,7 @@ pub(super) fn parse(record: &[u8]) -> Result<Option<Geometry>, Cause> {
     });
     let shape = match base {
         Base::Point => Shape::Point(positions.next()),
-        Base::MultiPoint => Shape::MultiPoint(positions.collect()),
+        Base::MultiPoint => Shape::MultiPoint(positions.map(Some).collect()),
         Base::Line | Base::Polygon => {
             let mut lines = split(positions.collect(), &parts)?;
             match base {
@@ -194,7 +194,7 @@ pub(super) fn append(geometry: Option<&Geometry>, kind: ShapeKind, bounds: &mut 
     out.extend(kind.code().to_le_bytes());
     let lines: Vec<Line> = match &geometry.shape {
         Shape::Point(point) => vec![point.iter().cloned().collect()],
-        Shape::MultiPoint(points) => vec![points.clone()],
+        Shape::MultiPoint(points) => vec![points.iter().flatten().cloned().collect()],
         Shape::Line(line) => vec![line.clone()],
         Shape::MultiLine(lines) => lines.clone(),
         Shape::Polygon(rings) => written_rings([rings.as_slice()]),

@@ -1,7 +1,7 @@
 //! Polygons of a Shapefile: a list of rings, outer ones clockwise and holes counter-clockwise, in any order.
 
 use super::super::model::Line;
-use super::super::nesting::{Extent, area, direction, lies_in, point};
+use super::super::nesting::{Extent, area, direction, lies_in};
 use std::cmp::Ordering;
 
 /// The polygons of a list of rings, turned: outer rings are counter-clockwise and holes clockwise, as GeoJSON wants them, where the
@@ -51,15 +51,12 @@ fn grouped(rings: Vec<Line>) -> Vec<Vec<Line>> {
     polygons
 }
 
-/// The rings of polygons, closed, outer ones clockwise and holes counter-clockwise. Rings without points are left out.
+/// The rings of polygons, outer ones clockwise and holes counter-clockwise. Rings without points are left out.
 pub(super) fn written_rings<'a>(polygons: impl IntoIterator<Item = &'a [Line]>) -> Vec<Line> {
     let mut written = Vec::new();
     for rings in polygons {
         for (number, ring) in rings.iter().enumerate().filter(|(_, ring)| !ring.is_empty()) {
             let mut ring = ring.clone();
-            if let Some(first) = ring.first().filter(|first| ring.last().map(point) != Some(point(first))) {
-                ring.push(first.clone());
-            }
             let is_counter_clockwise = direction(&ring) == Ordering::Greater;
             if is_counter_clockwise == (number == 0) {
                 ring.reverse();

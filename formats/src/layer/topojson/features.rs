@@ -127,7 +127,7 @@ impl<'a> Reading<'a> {
         let given = given.ok_or_else(|| Cause::Invalid(format!("a {kind} without {content}")))?;
         Ok(Some(match kind.as_str() {
             "Point" => Shape::Point(Some(self.position(&given)?)),
-            "MultiPoint" => Shape::MultiPoint(list(&given, |position| self.position(position))?),
+            "MultiPoint" => Shape::MultiPoint(list(&given, |position| self.position(position).map(Some))?),
             "LineString" => Shape::Line(self.line(&given)?),
             "MultiLineString" => Shape::MultiLine(list(&given, |line| self.line(line))?),
             "Polygon" => Shape::Polygon(list(&given, |ring| self.line(ring))?),

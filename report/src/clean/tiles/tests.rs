@@ -274,3 +274,64 @@ fn a_hole_outside_of_its_polygon_becomes_a_part_of_it() {
     };
     assert_eq!(changed(&text, &repair, 2), Ok(1));
 }
+
+/// Triangles between tenths, as lines of GeoJSON. Corners of some lie on corners or in the middle of sides of others, but for the rounding of decimals.
+fn triangles(some: &mut impl FnMut(usize) -> usize) -> String {
+    let mut corners: Vec<[f64; 2]> = Vec::new();
+    let mut text = String::new();
+    for _ in 0..2 + some(4) {
+        let mut ring: Ring = Vec::new();
+        while ring.len() < 3 {
+            let point = match some(4) {
+                0 if corners.len() > 1 => {
+                    let [a, b] = [0; 2].map(|_| corners[some(corners.len())]);
+                    let part = [0.5, 0.3, 0.7, 0.1][some(4)];
+                    [0, 1].map(|i| a[i] + part * (b[i] - a[i]))
+                }
+                1 if !corners.is_empty() => corners[some(corners.len())],
+                _ => [some(60), some(60)].map(|x| x as f64 / 10.0),
+            };
+            ring.push(point);
+            corners.push(point);
+        }
+        ring.push(ring[0]);
+        let _ = writeln!(
+            text,
+            r#"{{"type":"Feature","properties":{{}},"geometry":{{"type":"Polygon","coordinates":[{ring:?}]}}}}"#
+        );
+    }
+    text
+}
+
+/// Where a vertex lies within a cell of a border, cleaning once could leave what cleaning twice does not.
+#[test]
+fn cleaning_again_changes_nothing_by_tiles_and_as_a_whole() {
+    // Linear congruences (D. Knuth, MMIX).
+    let mut state = 1_u64;
+    let mut some = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let assign = Options { sliver_area: Some(0.001), gap_width: Some(0.6), ..Options::default() };
+    let repair = Repair { options: CleanOptions { assign, ..CleanOptions::default() }, ..Repair::default() };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("triangles.geojsonl");
+    for _ in 0..1500 {
+        let text = triangles(&mut some);
+        fs::write(&path, &text).unwrap();
+        let mut whole = read_layer(&mut text.as_bytes(), Some(&path), &ReadOptions::default()).unwrap();
+        let is_cleaned = repair.clean(&mut whole).is_ok();
+        // Rings that enclose nothing are gone.
+        if !is_cleaned || whole.features.iter().all(|feature| feature.geometry.is_none()) {
+            continue;
+        }
+        let mut twice = whole.clone();
+        repair.clean(&mut twice).unwrap();
+        assert_eq!(twice, whole, "{text}");
+        let (_, written, once) = by_tiles(&path, &repair, Division::Across(1));
+        fs::write(&path, &written).unwrap();
+        let (_, again, twice) = by_tiles(&path, &repair, Division::Across(1));
+        assert_eq!(again, written, "{text}");
+        assert_eq!(left_keys(&twice.report), left_keys(&once.report), "{text}");
+    }
+}

@@ -1,6 +1,6 @@
 //! Tests of `grid`.
 
-use super::{Grid, Input, Point, Snap, exponent_above, exponent_below, power_of_two};
+use super::{Cell, Grid, Input, Point, Snap, exponent_above, power_of_two};
 
 fn grid(snap: Snap, largest: f64) -> Grid {
     Grid::new(snap, largest, Input::Point(0)).unwrap()
@@ -10,11 +10,11 @@ fn grid(snap: Snap, largest: f64) -> Grid {
 fn powers_of_two_have_their_own_exponent() {
     for e in -1074..=1023 {
         let x = power_of_two(e);
-        assert_eq!((exponent_below(x), exponent_above(x)), (e, Some(e)));
+        assert_eq!((Cell::of(x).exponent, exponent_above(x)), (e, Some(e)));
     }
     for e in -1021..=1023 {
         let below = power_of_two(e).next_down();
-        assert_eq!((exponent_below(below), exponent_above(below)), (e - 1, Some(e)));
+        assert_eq!(exponent_above(below), Some(e));
     }
     assert_eq!(exponent_above(f64::MAX), Some(1024));
     assert_eq!(exponent_above(0.0), None);
@@ -23,7 +23,7 @@ fn powers_of_two_have_their_own_exponent() {
 #[test]
 fn the_automatic_grid_has_2_to_the_50_cells_for_the_largest_coordinate() {
     for (x, cell) in [(180.0, -42), (128.0, -43), (1.0, -50), (0.1, -53), (1e-300, -1046)] {
-        assert_eq!(grid(Snap::Auto, x).cell, cell, "{x}");
+        assert_eq!(grid(Snap::Auto, x).cell.exponent, cell, "{x}");
     }
 }
 
@@ -58,7 +58,7 @@ fn halves_go_up() {
 fn opposite_points_have_opposite_positions() {
     for (cell, largest) in [(power_of_two(-50), 1.0), (power_of_two(-52), 1.0), (power_of_two(-30), 1e6)] {
         let grid = grid(Snap::Size(cell), largest);
-        let step = power_of_two(grid.step);
+        let step = cell / f64::from(1_u32 << grid.pixels.shift);
         for quarters in 0..400 {
             let x = f64::from(quarters) * step / 4.0;
             let [[p, q], [r, s]] = [Point::new(x, -x), Point::new(-x, x)].map(|p| grid.steps(p));
@@ -77,4 +77,38 @@ fn opposite_points_have_opposite_positions() {
 fn a_cell_far_larger_than_the_input_is_one_pixel() {
     let grid = grid(Snap::Size(1e300), 1.0);
     assert_eq!(grid.pixels.at(grid.steps(Point::new(-1.0, 1.0))), [0, 0]);
+}
+
+/// A coordinate of a grid of decimals is what its text is read as, and its position is the centre of its pixel.
+#[test]
+fn a_decimal_grid_has_the_doubles_of_its_decimals() {
+    for (size, places, cells) in [(0.001, 3, 1), (0.3, 1, 3), (2.5, 1, 25), (1e-7, 7, 1), (20.0, 0, 20), (0.015, 3, 15)]
+    {
+        let grid = grid(Snap::Size(size), 3e6);
+        for number in (0..200).flat_map(|n| [n, 86_573_211 + n, 123_456_789 - 7_919 * n]) {
+            let units = i128::from(number) * cells;
+            let ten = 10_i128.pow(places);
+            let text = format!("{}.{:0places$}", units / ten, units % ten, places = places as usize);
+            let x: f64 = text.trim_end_matches('.').parse().unwrap();
+            for (x, number) in [(x, number), (-x, -number)].into_iter().filter(|(x, _)| x.abs() < 3e6) {
+                let at = grid.steps(Point::new(x, x));
+                assert_eq!(at, [number << grid.pixels.shift; 2], "{x} on a grid of {size}");
+                assert_eq!(grid.point(grid.pixels.at(at)), Point::new(x, x));
+                assert_eq!(grid.cell.nearest(x + size * 0.49), number);
+            }
+        }
+    }
+}
+
+/// A width that is neither a power of two nor a short decimal counts as it is.
+#[test]
+fn other_widths_are_exact() {
+    let third = 1.0 / 3.0;
+    for width in [third, std::f64::consts::PI, 1e300 / 7.0, f64::MIN_POSITIVE * 3.0] {
+        let cell = Cell::of(width);
+        for cells in [0, 1, -1, 5, 1000] {
+            assert_eq!(cell.coordinate(cells).to_bits(), (cells as f64 * width).to_bits());
+            assert_eq!(cell.nearest(cell.coordinate(cells)), cells);
+        }
+    }
 }
