@@ -308,7 +308,7 @@ impl Coverage {
 
     /// A warning for each accepted place in which there is no gap.
     pub(crate) fn warnings(&self) -> impl Iterator<Item = String> {
-        self.unmet.iter().map(|at| format!("there is no gap at the accepted place ({}, {})", at.x, at.y))
+        self.unmet.iter().map(|at| no_gap_at(*at))
     }
 
     /// Returns true if there is anything that could be a coverage.
@@ -541,6 +541,11 @@ fn invalid(
         defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
         ..of_rule(CoverageRule::Validity, asked, at)
     }
+}
+
+/// Warns that there is no gap at an accepted place.
+pub(crate) fn no_gap_at(place: Point) -> String {
+    format!("there is no gap at the accepted place ({}, {})", place.x, place.y)
 }
 
 /// A finding as a row of a table: the features by their ids, or else names, with semicolons between.

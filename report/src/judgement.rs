@@ -2,12 +2,10 @@
 
 use crate::imported::Imported;
 use crate::units::Units;
-use std::collections::HashSet;
-use twinedge::algorithm::coverage::{Coverage, CoverageError, CoverageRule, Finding, Limits, check, mismatches};
-use twinedge::dcel::FaceKey;
+use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, mismatches};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::map::{BuildError, Builder, Located, Noding, PlanarMap};
+use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
 
 /// The reason why all rules but C6 were not checked.
 #[derive(Debug, thiserror::Error)]
@@ -56,7 +54,7 @@ pub(crate) fn judged(
         };
         let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
         let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-        let unmet = unmet(map, &found, limits);
+        let unmet = found.unmet_places(map, limits);
         let findings = found.findings.into_iter().map(converted).collect();
         return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, unmet, of_input: None });
     };
@@ -82,7 +80,7 @@ pub(crate) fn judged(
         made.map(|finding| (converted(map, finding), Some("made"))).collect();
     let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
     let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
-    let unmet = unmet(&of_input, &found, &limits);
+    let unmet = found.unmet_places(&of_input, &limits);
     let on_input = found.findings.into_iter().map(|finding| {
         let snapping = removed(&finding).then_some("removed");
         (converted(&of_input, &finding), snapping)
@@ -91,11 +89,4 @@ pub(crate) fn judged(
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
     Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, unmet, of_input: Some(of_input) })
-}
-
-/// The accepted places that lie in no accepted gap.
-fn unmet(map: &PlanarMap, found: &Coverage, limits: &Limits) -> Vec<Point> {
-    let faces: HashSet<FaceKey> = found.accepted_gaps.iter().flat_map(|gap| &gap.faces).copied().collect();
-    let is_met = |place: &Point| matches!(map.locate(*place), Ok(Located::Face(face)) if faces.contains(&face));
-    limits.accepted_gaps.iter().filter(|place| !is_met(place)).copied().collect()
 }

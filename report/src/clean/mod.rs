@@ -8,7 +8,8 @@ mod text;
 mod tiles;
 mod told;
 
-use crate::words::{decimals, measure, place};
+use crate::coverage::no_gap_at;
+use crate::words::{decimals, decimals_of, measure, place};
 use std::collections::{BTreeMap, BTreeSet};
 use told::{Called, ToldTiles, mentioned};
 use twinedge::algorithm::clean::ChangeKind;
@@ -174,7 +175,7 @@ impl Cleaning<'_> {
         reasons
     }
 
-    /// The features that have no geometry any more, each in a sentence.
+    /// The features that have no geometry any more, and accepted places in which there is no gap, each in a sentence.
     fn warnings(&self) -> Vec<String> {
         let gone = self.report.features.iter().filter(|feature| feature.points_after == 0);
         let warning = |feature: &FeatureChange| {
@@ -188,7 +189,8 @@ impl Cleaning<'_> {
             };
             format!("{} has no geometry any more: {to}; its attributes are kept", self.label(number))
         };
-        gone.map(warning).collect()
+        let unmet = self.report.unmet.iter().map(|at| no_gap_at(*at));
+        gone.map(warning).chain(unmet).collect()
     }
 
     /// Something that was left, and what would take it.
@@ -208,7 +210,7 @@ impl Cleaning<'_> {
             0 => rule.name().to_owned(),
             _ => format!("{} of {}", rule.name(), self.labels(features)),
         };
-        let at = place([at.x, at.y], decimals);
+        let at = place([at.x, at.y], decimals.max(decimals_of(Some(*width))));
         match rule {
             CoverageRule::Validity | CoverageRule::Mismatch => format!("{what}, at {at}"),
             _ => format!("{what}, area {}, width {}, at {at}", measure(*area), measure(*width)),

@@ -3,7 +3,7 @@
 use super::{Cleaning, Written};
 use crate::noding_text;
 use crate::words::style::{BAD, GOOD, QUIET};
-use crate::words::{counted, grouped, measure, place, plain};
+use crate::words::{counted, decimals_of, grouped, measure, place, plain};
 use std::fmt::Write as _;
 use twinedge::algorithm::clean::{ChangeKind, ChosenWidth};
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
@@ -158,7 +158,7 @@ impl Cleaning<'_> {
             from => format!(" of {}", self.labels(from)),
         };
         let (area, width) = (measure(change.area), measure(change.width));
-        let at = place([change.at.x, change.at.y], decimals);
+        let at = place([change.at.x, change.at.y], decimals.max(decimals_of(Some(change.width))));
         writeln!(out, "{}{from} to {to}: area {area}, width {width}, at {at}", change.kind)
     }
 }

@@ -7,8 +7,10 @@ use super::gap::{Gaps, gaps};
 use super::near_miss::{chosen_width, near_misses};
 use super::overlap::overlaps;
 use super::sliver::slivers;
-use crate::geometry::threads;
+use crate::dcel::FaceKey;
+use crate::geometry::{Point, threads};
 use crate::map::{NotPlane, PlanarMap};
+use rustc_hash::FxHashSet;
 use thiserror::Error;
 
 /// The findings of C1 … C5 on a map.
@@ -31,6 +33,14 @@ impl Coverage {
     /// Returns the findings of one rule. O(findings).
     pub fn of(&self, rule: CoverageRule) -> impl Iterator<Item = &Finding> {
         self.findings.iter().filter(move |finding| finding.rule == rule)
+    }
+
+    /// Returns the places in [`Limits::accepted_gaps`] that lie in no accepted gap of the map that was checked: mistakes, as a rule. O(n log n).
+    #[must_use]
+    pub fn unmet_places(&self, map: &PlanarMap, limits: &Limits) -> Vec<Point> {
+        let faces: FxHashSet<FaceKey> = self.accepted_gaps.iter().flat_map(|gap| &gap.faces).copied().collect();
+        let is_met = |place: &&Point| map.face_at(**place).is_some_and(|face| faces.contains(&face.key()));
+        limits.accepted_gaps.iter().filter(|place| !is_met(place)).copied().collect()
     }
 }
 

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! Ids, attributes, the order of features and foreign members stay. Of a feature whose outline is the same, so does the geometry.
-//! That of the others is made anew: rings are closed, outer ones counter-clockwise, without repeated points and spikes, valid by
-//! the rules of the OGC. Where nothing but vertices of a neighbour was missing (C7), these are put into the rings, which stay as they are
+//! That of the others is made anew: rings are closed, without repeated points and spikes, valid by
+//! the rules of the OGC, and turn as those before. Where nothing but vertices of a neighbour was missing (C7), these are put into the rings, which stay as they are
 //! otherwise. Vertices that were there before keep their further dimensions; for the others these are interpolated
 //! along the ring.
 //!
@@ -150,6 +150,7 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
         remaining: done.judged.remaining.iter().map(Remaining::from).collect(),
         wider_gaps: done.judged.wider_gaps.iter().map(Remaining::from).collect(),
         accepted_gaps: done.judged.accepted_gaps.iter().map(Remaining::from).collect(),
+        unmet: done.judged.unmet,
     };
     report.remaining.extend(done.judged.invalid);
     let mut changed = Vec::new();
@@ -290,7 +291,9 @@ fn outlined<'a>(
         }
         if !is_same(&before, &after) && !is_same(&with_touches(feature), &after) {
             let with_vertices = missing.inserted(number, &before).filter(|rings| is_same(rings, &after));
-            let rings = with_vertices.unwrap_or_else(|| after.into_iter().map(rings_of).collect());
+            let mut rings: Vec<rebuild::Rings> =
+                with_vertices.unwrap_or_else(|| after.into_iter().map(rings_of).collect());
+            rebuild::wind_as(&before, &mut rings);
             let geometry = replace(geometry, &rings, &mut further);
             feature.to_mut().geometry = geometry;
         }
@@ -351,6 +354,8 @@ struct Judgement {
     invalid: Vec<Remaining>,
     wider_gaps: Vec<Finding>,
     accepted_gaps: Vec<Finding>,
+    /// The accepted places in which there is no gap.
+    unmet: Vec<Point>,
 }
 
 /// The findings of C1 … C7 afterwards, judged by the polygons that are written.
@@ -370,7 +375,9 @@ fn judged(features: &[Cow<'_, Feature>], options: &CleanOptions) -> Result<Judge
     left.is_plane = map.is_plane();
     if map.is_plane() {
         let Options { gap_width, lake_width, accepted_gaps, sliver_area, thinness, .. } = options.assign.clone();
-        let found = check(&map, &Limits { gap_width, lake_width, accepted_gaps, sliver_area, thinness })?;
+        let limits = Limits { gap_width, lake_width, accepted_gaps, sliver_area, thinness };
+        let found = check(&map, &limits)?;
+        judged.unmet = found.unmet_places(&map, &limits);
         let count = |rule| found.of(rule).count();
         left.overlaps = count(CoverageRule::Overlap);
         left.gaps = count(CoverageRule::Gap);

@@ -3,6 +3,7 @@
 use super::super::model::{Feature, Geometry, Layer, Line, Members, Position, Shape, json_number};
 use super::dimensions::Further;
 use std::cmp::Ordering;
+use std::collections::HashMap;
 use twinedge::algorithm::area::ring_area;
 use twinedge::algorithm::contour::Polygon;
 use twinedge::geometry::Point;
@@ -73,6 +74,32 @@ fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
 fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
     let points = a.iter().zip(b).map(|(a, b)| compare_lexicographic(*a, *b));
     points.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
+}
+
+/// Turns rings as those before: each as one of its kind, outer rings or holes, with which it shares a point, or else as the first one of its kind. O(n).
+pub(super) fn wind_as(before: &[Rings], after: &mut [Rings]) {
+    let key = |point: &Point| [point.x.to_bits(), point.y.to_bits()];
+    let is_clockwise = |ring: &[Point]| ring_area(ring.iter().copied()) < 0.0;
+    for is_hole in [false, true] {
+        let of_kind = |number: usize| (number > 0) == is_hole;
+        let old = || before.iter().flat_map(|rings| rings.iter().enumerate()).filter(|(number, _)| of_kind(*number));
+        let first = old().next().map(|(_, ring)| is_clockwise(ring));
+        let mut turns = HashMap::new();
+        for (_, ring) in old() {
+            let turn = is_clockwise(ring);
+            for point in ring {
+                turns.entry(key(point)).or_insert(turn);
+            }
+        }
+        let new =
+            after.iter_mut().flat_map(|rings| rings.iter_mut().enumerate()).filter(|(number, _)| of_kind(*number));
+        for (_, ring) in new {
+            let turn = ring.iter().find_map(|point| turns.get(&key(point))).copied().or(first);
+            if turn.is_some_and(|turn| turn != is_clockwise(ring)) {
+                ring.reverse();
+            }
+        }
+    }
 }
 
 /// The geometry with these polygons in the place of its own; none if nothing is left. A polygon becomes a multi-polygon if there

@@ -40,6 +40,8 @@ pub struct CleanReport {
     pub wider_gaps: Vec<Remaining>,
     /// The gaps that were accepted by a point inside. They are left as they are, and break nothing.
     pub accepted_gaps: Vec<Remaining>,
+    /// The accepted places in which there was no gap. It is not known of a layer that was cleaned by neighbourhoods.
+    pub unmet: Vec<Point>,
 }
 
 impl CleanReport {
