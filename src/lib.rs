@@ -32,10 +32,11 @@
 //! The crate has two halves that do not need each other.
 //!
 //! The **validator** ([`mod@validate`]) takes any half-edge structure through the trait [`validate::View`] and says whether it is
-//! the topology of a planar subdivision, or which record breaks which rule. It is *complete*: a structure is accepted if and
-//! only if it can be drawn in the plane. It is *total*: on every input it returns, without panic, in time and memory linear in
-//! the number of records. It is *verified*: a second validator, written directly from the rules, agrees with it on every table
-//! up to a bound and on every single corruption of every small map (`proofs/README.md` in the repository).
+//! the topology of a planar subdivision, or which record breaks which rule. It is *complete*: a structure that stores every part is
+//! accepted with [`Expectation::plane`](validate::Expectation::plane) if and only if it can be drawn in the plane. It is *total*: on every
+//! input it returns, without panic, in time and memory linear in the number of slots. It is *cross-checked*: a second validator, written
+//! directly from the rules, agrees with it on every table up to a bound and on every single corruption of every small map
+//! (`proofs/README.md` in the repository).
 //!
 //! The **structure** ([`dcel::Dcel`], and [`map::PlanarMap`] with coordinates) has generational keys, so a key of a removed
 //! vertex is an error and never another vertex; links in columns of 32-bit numbers, so a traversal costs what it costs on plain

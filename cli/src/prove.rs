@@ -169,7 +169,8 @@ impl fmt::Display for Text<'_> {
             (true, true) => {
                 writeln!(
                     f,
-                    "{GOOD}rules and counts proved{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)"
+                    "{GOOD}exhausted up to {}{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)",
+                    counted(outcome.work.edges, "edge")
                 )?;
                 writeln!(f, "`twinedge soak` checks whether operators do what they promise beyond rules and counts.")
             }
@@ -187,7 +188,7 @@ impl fmt::Display for Text<'_> {
                         "The structure refused as unsupported: {names}. Maps that need these operators are missing."
                     )?;
                 }
-                writeln!(f, "{BAD}not proved{BAD:#}: a count differs or a rule is broken ({seconds:.1} s)")
+                writeln!(f, "{BAD}wrong{BAD:#}: a count differs or a rule is broken ({seconds:.1} s)")
             }
         }
     }

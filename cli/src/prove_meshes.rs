@@ -66,11 +66,15 @@ impl fmt::Display for Text<'_> {
             return writeln!(f, "{BAD}not finished{BAD:#} ({seconds:.1} s)");
         }
         if outcome.is_ok() {
-            writeln!(f, "{GOOD}proved{GOOD:#}: every operator does what its definition says ({seconds:.1} s)")
+            writeln!(
+                f,
+                "{GOOD}exhausted up to {}{GOOD:#}: every operator does what its definition says ({seconds:.1} s)",
+                counted(outcome.work.vertices, "vertex")
+            )
         } else {
             writeln!(
                 f,
-                "{BAD}not proved{BAD:#}: a count or an operator differs, or nothing was applied ({seconds:.1} s)"
+                "{BAD}not as defined{BAD:#}: a count or an operator differs, or nothing was applied ({seconds:.1} s)"
             )
         }
     }

@@ -6,11 +6,11 @@ use crate::output::{plain, print, print_answer};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
-use twinedge::algorithm::voronoi::{Voronoi, delaunay, voronoi};
+use twinedge::algorithm::voronoi::{Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
 use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge_formats::svg::{self, Options};
-use twinedge_report::voronoi::{Sites, cells, triangles};
+use twinedge_report::voronoi::{Sites, cells, shared, triangles};
 
 /// Make the Voronoi diagram of points: for each the part of the plane that is nearest to it.
 ///
@@ -23,6 +23,7 @@ use twinedge_report::voronoi::{Sites, cells, triangles};
     after_help = "Examples:
   twinedge voronoi stations.geojson -o cells.geojson
   twinedge voronoi stations.gpkg --layer active --bounds 5.5 45.5 11 48 -o cells.svg
+  twinedge voronoi stations.geojson --merge-close -o cells.geojson
   twinedge voronoi stations.geojson --delaunay -o triangles.geojson
 
 Exit status: 0 the diagram is made; 2 the input could not be read or has something else than points, or a point lies outside \
@@ -40,6 +41,11 @@ pub(crate) struct MakeVoronoi {
     #[arg(long)]
     delaunay: bool,
 
+    /// Where points are too close to each other for doubles to tell their cells apart, give them one cell, and say which. Without this, there is
+    /// no diagram then.
+    #[arg(long, conflicts_with = "delaunay")]
+    merge_close: bool,
+
     /// File to write, GeoJSON or, by the ending .svg, a picture; `-` is GeoJSON on standard output, and the default.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -50,7 +56,7 @@ impl MakeVoronoi {
         let file = self.output.as_deref().filter(|path| *path != Path::new("-"));
         let is_svg = format_of(file, &[("geojson", false), ("json", false), ("svg", true)])?.unwrap_or(false);
         let (name, sites) = self.read()?;
-        let failed = |error: twinedge::algorithm::voronoi::VoronoiError| Failure(format!("{name}: {error}"));
+        let failed = |error: VoronoiError| Failure(format!("{name}: {error}"));
         let (map, collection, what) = if self.delaunay {
             let found = delaunay(&sites.points).map_err(failed)?;
             let (collection, what) = triangles(&found)?;
@@ -60,7 +66,14 @@ impl MakeVoronoi {
                 Some(&[x0, y0, x1, y1]) => Some([Point::new(x0, y0), Point::new(x1, y1)]),
                 _ => None,
             };
-            let found = voronoi(&sites.points, bounds).map_err(failed)?;
+            let make = if self.merge_close { voronoi_merging } else { voronoi };
+            let found = make(&sites.points, bounds).map_err(|error| match error {
+                VoronoiError::TooClose { .. } => Failure(format!("{name}: {error}; --merge-close gives them one cell")),
+                error => failed(error),
+            })?;
+            if let (None, Some(shared)) = (file, shared(&found)) {
+                anstream::eprintln!("{}: {shared}", plain(&name));
+            }
             let (collection, what) = cells(&found, &sites)?;
             (coloured(found)?, collection, what)
         };

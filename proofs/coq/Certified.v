@@ -85,3 +85,11 @@ Proof.
 rewrite /judge_surface; case: (readable_surface o); last by []; case A: (surface_accepts _ _ _ _ _ _ _); last by [].
 by move=> _; exact: surface_border_sound A.
 Qed.
+
+(** It is open at as many holes as are printed: these are the cycles of half-edges without face, counting one of each. *)
+Theorem valid_has_holes o : judge_surface o = Valid -> let t := surface_view_in o in
+  exists hs, lists_one_of_each hs (on_cycle t) (fun h => half_edge t h /\ in_hole t h) /\ size hs = surface_holes o.
+Proof.
+rewrite /judge_surface; case: (readable_surface o); last by []; case A: (surface_accepts _ _ _ _ _ _ _); last by [].
+by move=> _; exact: surface_holes_sound A.
+Qed.

@@ -33,6 +33,9 @@
       stands for a set does not matter.
     - A nil is read as 0 where it has been excluded before: of what is listed ([entry_ok]), of the twins and origins of
       half-edges ([scanned]), and of the vertices where boundary components start ([enters]).
+    - Subtraction of naturals ends at 0: where there are fewer vertices and cycles than edges, [twice] is 0, and the Rust code has a negative
+      number. Both refuse then: of a structure with edges at least one set is left, so that the genus is not 0, and this is the plane.
+      Other surfaces, where the sign matters, are not modelled.
     - It accepts or refuses. The Rust code asks the same in another order, the vertices before the cycles, and where something
       is wrong it keeps what holds in spite of that, and has the rest looked at by the rules.
 

@@ -237,6 +237,30 @@ move=> ih E; have /half_edges /and5P[_ _ _ _ /and5P[_ _ _ _]] := heard_live E.
 by rewrite /border_ok ih E => /andP[].
 Qed.
 
+(** One half-edge of each hole: where it starts. *)
+Definition hole_starts := [seq start_of t b | b <- iota 0 (boundary_slots t) & boundary t b && is_nil (boundary_face t b)].
+
+Lemma surface_hole_start b : boundary t b && is_nil (boundary_face t b) -> ~~ is_nil (cycle_start t b).
+Proof.
+case/andP=> lb _; case/and5P: ok => _ _ /each_boundaryP /(_ b lb) + _ _.
+by rewrite /surface_boundary_ok /cycle_start; case: (boundary_start t b) => [[h|v]|].
+Qed.
+
+Lemma surface_holes : lists_one_of_each hole_starts (on_cycle t) (fun h => half_edge t h /\ in_hole h).
+Proof.
+split; first exact: starts_uniq surface_hole_start.
+- move=> h /mapP[b]; rewrite mem_filter => /andP[hb _] ->.
+  have [x -> xb] := start_dart basic (surface_hole_start hb); split; first exact: dart_live.
+  by rewrite /in_hole (boundaryE map) xb; case/andP: hb.
+- move=> g h /mapP[b]; rewrite mem_filter => /andP[hb _] -> /mapP[c]; rewrite mem_filter => /andP[hc _] ->.
+  have [x Ex xb] := start_dart basic (surface_hole_start hb); have [y Ey yc] := start_dart basic (surface_hole_start hc).
+  by rewrite Ex Ey (on_cycleE map) => /(bnd_orbit basic); rewrite xb yc => bc; rewrite -Ex -Ey bc.
+move=> h [/dartP[x <-]]; rewrite /in_hole (boundaryE map) => nil; have [y E xy] := surface_started x; exists (num y).
+  apply/mapP; exists (bnd x); last by rewrite /start_of E.
+  by rewrite mem_filter mem_iota add0n nil (heard_live E) boundary_below ?(heard_live E).
+by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
+Qed.
+
 End Checker.
 
 Definition hole_count t := number (boundary_slots t) (fun b => boundary t b && is_nil (boundary_face t b)).
@@ -271,4 +295,14 @@ Theorem surface_border_sound t position step component rank border genus :
     & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
 Proof.
 move=> ok; split; [exact: surface_face ok|exact: surface_outer ok|exact: surface_border ok|exact: surface_hole_twin ok].
+Qed.
+
+(** There are as many border loops as holes are counted: each cycle of half-edges of holes is one hole. *)
+
+Theorem surface_holes_sound t position step component rank border genus :
+  surface_accepts t position step component rank border genus ->
+  exists hs, lists_one_of_each hs (on_cycle t) (fun h => half_edge t h /\ in_hole t h) /\ size hs = hole_count t.
+Proof.
+move=> ok; exists (hole_starts t); split; first exact: surface_holes ok.
+by rewrite size_map size_filter /hole_count numberE.
 Qed.

@@ -370,6 +370,10 @@ Check surface_border_sound : forall t position step component rank border genus,
       forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
     & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
 
+Check surface_holes_sound : forall t position step component rank border genus,
+  surface_accepts t position step component rank border genus ->
+  exists hs, lists_one_of_each hs (on_cycle t) (fun h => half_edge t h /\ in_hole t h) /\ size hs = hole_count t.
+
 (** A view is a surface if and only if it has a certificate; where nothing but vertices and half-edges is stored, if and only if it
     has one when its cycles have got faces. *)
 
@@ -392,6 +396,9 @@ Check valid_has_border : forall o, judge_surface o = Valid -> let t := surface_v
       forall b f, boundary_face t b = Some f -> outer t f = Some b,
       forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
     & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
+
+Check valid_has_holes : forall o, judge_surface o = Valid -> let t := surface_view_in o in
+  exists hs, lists_one_of_each hs (on_cycle t) (fun h => half_edge t h /\ in_hole t h) /\ size hs = surface_holes o.
 
 (** A table in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
 

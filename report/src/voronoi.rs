@@ -57,7 +57,8 @@ fn polygon(map: &PlanarMap, face: FaceKey, properties: &Map<String, Value>) -> R
     Ok(json!({"type": "Feature", "properties": properties, "geometry": geometry}))
 }
 
-/// The cells as a feature collection, and what they are in a line.
+/// The cells as a feature collection, and what they are in a line. A cell that points share because they are too close to each other has the
+/// others as `merged`.
 ///
 /// # Errors
 /// None that happens: each cell is a face of the map.
@@ -67,13 +68,32 @@ pub fn cells(found: &Voronoi, sites: &Sites) -> Result<(String, String), StaleKe
     for (site, cell) in found.cells.iter().enumerate().filter(|(_, cell)| seen.insert(**cell)) {
         let mut properties = sites.properties[site].clone();
         properties.insert("site".to_owned(), json!(site));
+        let merged: Vec<usize> = found.merged.iter().filter(|one| one[1] == site).map(|one| one[0]).collect();
+        if !merged.is_empty() {
+            properties.insert("merged".to_owned(), json!(merged));
+        }
         features.push(polygon(&found.map, *cell, &properties)?);
     }
     let [low, high] = found.bounds;
     let (points, cells) = (counted(found.cells.len(), "point"), counted(features.len(), "cell"));
-    let what = format!("{points}, {cells} in the box from ({}, {}) to ({}, {})", low.x, low.y, high.x, high.y);
+    let mut what = format!("{points}, {cells} in the box from ({}, {}) to ({}, {})", low.x, low.y, high.x, high.y);
+    if let Some(shared) = shared(found) {
+        what = format!("{what}; {shared}");
+    }
     let collection = json!({"type": "FeatureCollection", "bbox": [low.x, low.y, high.x, high.y], "features": features});
     Ok((collection.to_string() + "\n", what))
+}
+
+/// The points that share the cell of another one, in words; none if no point does.
+#[must_use]
+pub fn shared(found: &Voronoi) -> Option<String> {
+    const LISTED: usize = 5;
+    let of_each = |[site, with]: &[usize; 2]| format!("{site} that of {with}");
+    let listed: Vec<String> = found.merged.iter().take(LISTED).map(of_each).collect();
+    let more = if found.merged.len() > LISTED { ", …" } else { "" };
+    let points = counted(found.merged.len(), "point");
+    let shared = || format!("{points} too close to others for a cell of their own: site {}{more}", listed.join(", "));
+    (!found.merged.is_empty()).then(shared)
 }
 
 /// The triangles as a feature collection, and what they are in a line.

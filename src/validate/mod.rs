@@ -3,7 +3,7 @@
 //! [`validate`] answers one question about any half-edge structure: *is it the topology of a planar subdivision* (or, if
 //! asked so, of a map on surfaces), and if not, which record breaks which rule? It trusts no answer of the structure, not
 //! even its counters. On any input (dangling, cyclic, contradictory, huge) it returns, in time and memory linear in the
-//! number of records, without panic, recursion or unbounded loop.
+//! number of slots, vacant ones included, without panic, recursion or unbounded loop.
 //!
 //! ```
 //! use twinedge::validate::{Collect, Expectation, Link, Parts, Rule, View, validate};
@@ -58,7 +58,7 @@
 //! sense only where those to its left hold. If they do not, it is reported as *not checked*, with the reason; so is a rule
 //! about parts that the structure does not store.
 //!
-//! The rules are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
+//! Of a structure that stores every part, and with [`Expectation::plane`], the rules are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
 //! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
 //! can draw the map, outermost component first, each inside a face already drawn. So a structure that keeps R, L, V, B, F and
 //! T is the topology of some planar subdivision, and every planar subdivision keeps them. G then says that the coordinates
@@ -90,8 +90,8 @@
 //!
 //! # A verdict that anyone can check
 //!
-//! [`certificate`] has labels for a structure by which a scan without walks, sets and order decides that it is valid. That scan is
-//! proved in Coq.
+//! [`certificate`] has labels for a structure by which a scan without walks, sets and order decides that it is valid. The specification
+//! of that scan is proved in Coq, and the scan in Rust runs beside a checker that is extracted from the proof.
 //!
 //! # With serde
 //!

@@ -3,10 +3,11 @@
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::area::face_area;
-use twinedge::algorithm::voronoi::{Delaunay, Voronoi, VoronoiError, delaunay, voronoi};
+use twinedge::algorithm::voronoi::{Delaunay, Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
 use twinedge::dcel::{FaceKey, HalfEdge};
 use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator};
+use twinedge::program::choose::{Choose, Random};
 
 fn points(coordinates: &[[f64; 2]]) -> Vec<Point> {
     coordinates.iter().copied().map(Point::from).collect()
@@ -289,7 +290,57 @@ fn what_has_no_diagram_is_refused() {
     let after = |steps: u64| [f64::from_bits(1.0_f64.to_bits() + steps), 0.0];
     let close = points(&[[5.0, 0.0], after(0), after(1), after(2), after(3)]);
     assert!(delaunay(&close).is_ok());
-    assert!(matches!(voronoi(&close, None), Err(VoronoiError::TooClose { site: 1..=4 })));
+    assert!(matches!(voronoi(&close, None), Err(VoronoiError::TooClose { sites: [1..=4, 1..=4] })));
+}
+
+/// Points in a square of 10 km at coordinates of UTM, and one more beside the first of them.
+fn beside_another(seed: u64, distance: f64) -> Vec<Point> {
+    let mut random = Random::seeded(seed);
+    let mut number = || random.choose(1 << 30) as f64 / f64::from(1 << 30);
+    let mut sites: Vec<Point> =
+        (0..100).map(|_| Point::new(500_000.0 + 1e4 * number(), 5_400_000.0 + 1e4 * number())).collect();
+    let angle = 6.28 * number();
+    sites.push(Point::new(sites[0].x + distance * angle.cos(), sites[0].y + distance * angle.sin()));
+    sites
+}
+
+/// The determinant of three points is nearly nothing where two of them are close: its rounding moved centres by metres.
+#[test]
+fn one_pair_of_near_points_refuses_no_diagram() {
+    checked(&points(&[[100.0, 100.0], [0.0, 0.0], [200.0, 0.0], [50.0, 180.0], [100.00001, 100.0]]), None);
+    for (distance, most) in [(1e-7, 0), (1e-6, 0), (1e-5, 0), (1e-4, 0), (1e-3, 0), (1e-8, 12)] {
+        let refused = (0..100).filter(|seed| voronoi(&beside_another(*seed, distance), None).is_err()).count();
+        assert!(refused <= most, "{refused} at {distance}");
+    }
+}
+
+/// On request, points that doubles cannot tell apart share a cell, and no others do.
+#[test]
+fn points_that_are_too_close_share_a_cell_on_request() {
+    let mut shared = 0;
+    for seed in 0..100 {
+        let sites = beside_another(seed, 2e-9);
+        if sites[0] == sites[100] {
+            continue;
+        }
+        let found = voronoi_merging(&sites, None).unwrap();
+        assert!(found.map.validate().is_valid());
+        let expected: &[[usize; 2]] = if voronoi(&sites, None).is_ok() { &[] } else { &[[100, 0]] };
+        assert_eq!(found.merged, expected);
+        assert_eq!(found.cells[100] == found.cells[0], !expected.is_empty());
+        assert_eq!(found.map.dcel().face_count(), 102 - expected.len());
+        shared += expected.len();
+    }
+    assert!(shared > 5, "{shared}");
+    let after = |steps: u64| [f64::from_bits(1.0_f64.to_bits() + steps), 0.0];
+    let close = points(&[[5.0, 0.0], after(0), after(1), after(2), after(3), [5.0, 0.0]]);
+    let found = voronoi_merging(&close, None).unwrap();
+    assert_eq!(found.merged, [[2, 1], [3, 1], [4, 1]]);
+    assert_eq!(found.cells[0], found.cells[5]);
+    // Two sites at a place that is merged.
+    let twice = points(&[[5.0, 0.0], after(0), after(1), after(2), after(2), after(3)]);
+    assert_eq!(voronoi_merging(&twice, None).unwrap().merged, [[2, 1], [3, 1], [4, 1], [5, 1]]);
+    assert_eq!(voronoi_merging(&[], None).unwrap_err(), VoronoiError::NoSites);
 }
 
 /// Rounded to the seventh digit, as many data are, with a cluster in it.

@@ -152,6 +152,28 @@ fn points_have_cells() {
 }
 
 #[test]
+fn points_that_are_too_close_share_a_cell_on_request() {
+    // Four numbers next to each other: no three numbers lie between them.
+    let x = ["5", "1", "1.0000000000000002", "1.0000000000000004", "1.0000000000000007"];
+    let text: String = x.iter().map(|x| format!("POINT({x} 0)\n")).collect();
+    let refused = twinedge_reading(&["voronoi", "-"], text.as_bytes());
+    assert_eq!(refused.status.code(), Some(2));
+    let said = complaint(&refused);
+    assert!(said.contains("too close to each other") && said.contains("--merge-close"), "{said}");
+    let output = twinedge_reading(&["voronoi", "-", "--merge-close"], text.as_bytes());
+    let shared = "3 points too close to others for a cell of their own: site 2 that of 1, 3 that of 1, 4 that of 1";
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), format!("standard input: {shared}\n"));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let properties: Vec<&Value> =
+        found["features"].as_array().unwrap().iter().map(|cell| &cell["properties"]).collect();
+    assert_eq!(properties, [&json!({"site": 0}), &json!({"site": 1, "merged": [2, 3, 4]})]);
+    let file = scratch("shared.geojson");
+    let output = twinedge_reading(&["voronoi", "-", "--merge-close", "-o", file.to_str().unwrap()], text.as_bytes());
+    std::fs::remove_file(&file).unwrap();
+    assert!(String::from_utf8(output.stdout).unwrap().ends_with(&format!("; {shared}\n")));
+}
+
+#[test]
 fn cells_are_made_of_points_in_any_format() {
     let text = "POINT(0 0)\nPOINT EMPTY\nMULTIPOINT((4 0),(0 4))\n";
     let topology = r#"{"type": "Topology", "arcs": [], "objects": {"a": {"type": "GeometryCollection", "geometries": [

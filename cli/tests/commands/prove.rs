@@ -55,7 +55,7 @@ fn small_triangulated_discs_are_as_many_as_published_and_operators_do_what_the_s
     let output = twinedge(&["prove", "--meshes", "4", "--on", "planted"]);
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("not proved") && text.contains("flip_edge h"), "{text}");
+    assert!(text.contains("not as defined") && text.contains("flip_edge h"), "{text}");
     // Both kinds of work at once, and more than there is time for.
     for arguments in
         [&["prove", "--meshes", "4", "--edges", "2"][..], &["prove", "--meshes", "2"], &["prove", "--meshes", "9"]]

@@ -5,6 +5,7 @@
 //! triangle on the right to that on the left; where there is no triangle, it has no end. Inside the box an end is the rounded
 //! centre, for all edges that end there; where a border leaves the box, it ends on a side of the box, exactly.
 
+use super::centre::centre;
 use super::sites::{Site, Triangulation};
 use crate::geometry::{MIN_COORDINATE, Point};
 use rustc_hash::FxHashMap;
@@ -243,12 +244,4 @@ impl Centres {
 
 fn coord(p: Point) -> robust::Coord<f64> {
     robust::Coord { x: p.x, y: p.y }
-}
-
-/// The centre of the circle through three points that turn counter-clockwise.
-fn centre([a, b, c]: [Point; 3]) -> Point {
-    let [bx, by, cx, cy] = [b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y];
-    let doubled = 2.0 * robust::orient2d(coord(a), coord(b), coord(c));
-    let (bb, cc) = (bx * bx + by * by, cx * cx + cy * cy);
-    Point::new(a.x + (cy * bb - by * cc) / doubled, a.y + (bx * cc - cx * bb) / doubled)
 }

@@ -46,11 +46,14 @@ pub enum VoronoiError {
         /// The second coordinate.
         y: f64,
     },
-    /// A site is so close to others that coordinates cannot tell their cells apart.
-    #[error("site {site} is too close to others: no coordinates lie between their cells")]
+    /// Some sites are so close to each other that doubles cannot tell their cells apart. [`voronoi_merging`](super::voronoi_merging) gives them
+    /// one cell.
+    #[error(
+        "some sites are too close to each other for doubles to tell their cells apart; sites {} and {} are the closest", sites[0], sites[1]
+    )]
     TooClose {
-        /// One of the two sites that are closest to each other.
-        site: usize,
+        /// The two sites that are closest to each other.
+        sites: [usize; 2],
     },
     /// There is no room for more records of this kind.
     #[error("there is no room for more {0}")]

@@ -25,7 +25,8 @@
 //! enough for it to be plane: the cells are turned the right way round, there are as many as sites, and they fill the box.
 //! Where that fails, the ends of the shortest borders become one vertex, up to a length of 2^-38 times the coordinates of the
 //! box. (Points that lie nearly on a circle need this.) Where even then a site has no cell of its own, it is too close to
-//! others for doubles to tell their cells apart, and that is an error, [`VoronoiError::TooClose`].
+//! others for doubles to tell their cells apart, and that is an error, [`VoronoiError::TooClose`]; [`voronoi_merging`] has it share the
+//! cell of a neighbour.
 //!
 //! # Why `spade`
 //!
@@ -55,6 +56,7 @@
 
 mod bounds;
 mod cells;
+mod centre;
 mod connected;
 mod error;
 mod sites;
@@ -64,6 +66,7 @@ pub use error::VoronoiError;
 use crate::dcel::{FaceKey, VertexKey};
 use crate::geometry::Point;
 use crate::map::PlanarMap;
+use crate::slots::Sets;
 use connected::{connected, half_edge, vertex};
 use sites::Sites;
 use spade::Triangulation as _;
@@ -88,6 +91,9 @@ pub struct Voronoi {
     pub cells: Vec<FaceKey>,
     /// The lower left and the upper right corner of the box that closes the unbounded cells.
     pub bounds: [Point; 2],
+    /// The sites without a cell of their own, each with the site whose cell it shares: from [`voronoi_merging`] only. Sites at the same place are not
+    /// listed.
+    pub merged: Vec<[usize; 2]>,
 }
 
 /// The Delaunay triangulation of some sites: no site lies inside the circle through the corners of a triangle. Where more
@@ -98,12 +104,12 @@ pub struct Voronoi {
 /// # Errors
 /// [`VoronoiError::NotFinite`], [`VoronoiError::OutOfRange`] and [`VoronoiError::Full`].
 pub fn delaunay(sites: &[Point]) -> Result<Delaunay, VoronoiError> {
-    let Sites { triangulation, numbers } = Sites::new(sites)?;
+    let placed = Sites::new(sites)?;
+    let Sites { triangulation, numbers } = &placed;
     let points: Vec<Point> = triangulation.vertices().map(|v| v.data().point()).collect();
     let segments: Vec<[u32; 2]> =
         triangulation.undirected_edges().map(|e| e.vertices().map(|v| v.index() as u32)).collect();
-    let map = connected(points, &segments)?
-        .ok_or_else(|| VoronoiError::TooClose { site: sites::closest(&triangulation, &numbers) })?;
+    let map = connected(points, &segments)?.ok_or_else(|| placed.too_close())?;
     let vertices = numbers.iter().map(|number| vertex(&map, *number)).collect::<Option<_>>();
     Ok(Delaunay { vertices: vertices.unwrap_or_default(), map })
 }
@@ -118,18 +124,75 @@ pub fn delaunay(sites: &[Point]) -> Result<Delaunay, VoronoiError> {
 /// # Errors
 /// [`VoronoiError`].
 pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, VoronoiError> {
-    let Sites { triangulation, numbers } = Sites::new(sites)?;
+    let placed = Sites::new(sites)?;
+    diagram(&placed, bounds::bounds(sites, bounds)?)?.ok_or_else(|| placed.too_close())
+}
+
+/// The Voronoi diagram of some sites, in which sites share a cell if doubles cannot tell their cells apart. [`Voronoi::merged`] names them.
+///
+/// Sites that are neighbours are merged from the closest ones on, up to twice the distance each time, until there is a diagram: no site
+/// is merged with one that is much farther away than need be.
+///
+/// As [`voronoi`], for each time that sites are merged.
+///
+/// ```
+/// use twinedge::algorithm::voronoi::{VoronoiError, voronoi, voronoi_merging};
+/// use twinedge::geometry::Point;
+///
+/// // Three numbers next to each other: the borders between them would be rounded to the same number.
+/// let next = |steps: u64| Point::new(f64::from_bits(1.0_f64.to_bits() + steps), 0.0);
+/// let sites = [Point::new(5.0, 0.0), next(0), next(1), next(2), next(3)];
+/// assert!(matches!(voronoi(&sites, None), Err(VoronoiError::TooClose { .. })));
+/// let cells = voronoi_merging(&sites, None)?;
+/// assert_eq!(cells.merged, [[2, 1], [3, 1], [4, 1]]);
+/// assert_eq!((cells.map.dcel().face_count(), cells.cells[1]), (2 + 1, cells.cells[4]));
+/// # Ok::<(), VoronoiError>(())
+/// ```
+///
+/// # Errors
+/// As [`voronoi`], but not [`VoronoiError::TooClose`].
+pub fn voronoi_merging(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, VoronoiError> {
+    let mut placed = Sites::new(sites)?;
     let bounds = bounds::bounds(sites, bounds)?;
+    // By site: the site at whose place it is.
+    let first = placed.first();
+    let mut with: Vec<usize> = placed.numbers.iter().map(|number| first[*number as usize]).collect();
+    let mut length = 0.0;
+    loop {
+        if let Some(found) = diagram(&placed, bounds)? {
+            let merged = with.into_iter().enumerate().filter(|(site, with)| sites[*site] != sites[*with]);
+            return Ok(Voronoi { merged: merged.map(<[usize; 2]>::from).collect(), ..found });
+        }
+        let shortest = placed.pairs().map(|(_, distance)| distance).min_by(f64::total_cmp);
+        length = shortest.map_or(f64::INFINITY, |shortest| shortest.max(2.0 * length));
+        let mut sets = Sets::new(sites.len());
+        let close = placed.pairs().filter(|(_, distance)| *distance <= length);
+        close.for_each(|([a, b], _)| sets.join(a as u32, b as u32));
+        if shortest.is_none() {
+            return Err(placed.too_close());
+        }
+        let mut first: Vec<Option<usize>> = vec![None; sites.len()];
+        for site in 0..sites.len() {
+            let set = sets.find(with[site] as u32) as usize;
+            with[site] = *first[set].get_or_insert(site);
+        }
+        placed = Sites::new(&with.iter().map(|site| sites[*site]).collect::<Vec<_>>())?;
+    }
+}
+
+/// The diagram in a box; none if doubles cannot tell the cells apart.
+fn diagram(placed: &Sites, bounds: [Point; 2]) -> Result<Option<Voronoi>, VoronoiError> {
+    let Sites { triangulation, numbers } = placed;
     let largest = bounds.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
     for shortest in [0.0, 2_f64.powi(-50), 2_f64.powi(-46), 2_f64.powi(-42), 2_f64.powi(-38)] {
-        let mut drawing = cells::draw(&triangulation, bounds, shortest * largest);
+        let mut drawing = cells::draw(triangulation, bounds, shortest * largest);
         let points = core::mem::take(&mut drawing.points);
         let Some(map) = connected(points, &drawing.segments)? else { continue };
-        if let Some(cells) = cells_of(&map, &drawing, &numbers, triangulation.num_vertices()) {
-            return Ok(Voronoi { map, cells, bounds });
+        if let Some(cells) = cells_of(&map, &drawing, numbers, triangulation.num_vertices()) {
+            return Ok(Some(Voronoi { map, cells, bounds, merged: Vec::new() }));
         }
     }
-    Err(VoronoiError::TooClose { site: sites::closest(&triangulation, &numbers) })
+    Ok(None)
 }
 
 /// The cell of each site, if there are as many cells as different sites.

@@ -3,6 +3,7 @@
 use super::error::VoronoiError;
 use crate::geometry::Point;
 use rustc_hash::FxHashMap;
+use spade::handles::UndirectedEdgeHandle;
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation as _, validate_vertex};
 
 /// A place with one or more sites.
@@ -75,9 +76,30 @@ impl Sites {
     }
 }
 
-/// The first site at one of the two places that are closest to each other.
-pub(super) fn closest(triangulation: &Triangulation, numbers: &[u32]) -> usize {
-    let shortest = triangulation.undirected_edges().min_by(|a, b| a.length_2().total_cmp(&b.length_2()));
-    let vertex = shortest.map_or(0, |e| e.vertices()[0].index() as u32);
-    numbers.iter().position(|number| *number == vertex).unwrap_or(0)
+impl Sites {
+    /// The first site at each place, by the number of its vertex.
+    pub(super) fn first(&self) -> Vec<usize> {
+        let mut first = vec![0; self.triangulation.num_vertices()];
+        for (site, number) in self.numbers.iter().enumerate().rev() {
+            first[*number as usize] = site;
+        }
+        first
+    }
+
+    /// Each pair of neighbours, by the first site at each place, with their distance.
+    pub(super) fn pairs(&self) -> impl Iterator<Item = ([usize; 2], f64)> + '_ {
+        let first = self.first();
+        let pair = move |e: UndirectedEdgeHandle<'_, Site, (), (), ()>| {
+            let mut sites = e.vertices().map(|v| first[v.index()]);
+            sites.sort_unstable();
+            (sites, e.length_2().sqrt())
+        };
+        self.triangulation.undirected_edges().map(pair)
+    }
+
+    /// The sites that are too close to each other: the two that are closest.
+    pub(super) fn too_close(&self) -> VoronoiError {
+        let closest = self.pairs().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
+        VoronoiError::TooClose { sites: closest.map_or([0; 2], |(sites, _)| sites) }
+    }
 }

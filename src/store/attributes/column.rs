@@ -194,10 +194,11 @@ impl<K: Attributed, T: Value> Column<K, T> {
 
     /// Gives the next id to a record that has no value.
     pub(super) fn number(&mut self, key: K::Key, log: &mut Vec<Saved>) {
-        if !self.values.contains_key(key) {
-            let value = self.made().unwrap_or(None);
-            self.put(key, value, log);
+        if self.values.contains_key(key) {
+            return;
         }
+        let value = self.made().unwrap_or(None);
+        self.put(key, value, log);
     }
 
     /// The value of the other part.
