@@ -7,7 +7,8 @@ use std::fs::File;
 use std::io::{self, BufReader, Read as _};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::layer::{Format, Layer, read_layer, unpack};
+use twinedge::io::ForeignFormat;
+use twinedge_formats::layer::{Format, Layer, ReadError, read_layer, unpack};
 use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
 
 /// The built-in map of the world; see `data/README.md`.
@@ -39,6 +40,11 @@ fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Input, Fail
         Some(path) => {
             let name = path.display().to_string();
             let file = File::open(path).map_err(named(&name))?;
+            if path.is_dir() {
+                let foreign = ForeignFormat::of_folder(path).map(|foreign| ReadError::Foreign(foreign).to_string());
+                let what = foreign.unwrap_or_else(|| "this is a folder, and a file is needed".to_owned());
+                return Err(Failure(format!("{name}: {what}")));
+            }
             let length = file.metadata().map_or(0, |metadata| metadata.len());
             Input::new(name, Box::new(BufReader::new(progress(length).wrap_read(file))), Some(path))
         }
@@ -59,7 +65,7 @@ fn progress(bytes: u64) -> ProgressBar {
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
     /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage, GeoParquet or FlatGeobuf,
-    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL, glTF. Default: the
+    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL. Default: the
     /// built-in map of the world.
     file: Option<PathBuf>,
 

@@ -1,6 +1,6 @@
 //! Readers for files that hold half-edge structures, or what becomes one, and their audit.
 //!
-//! [`mesh`] reads OBJ, OFF, PLY, STL and glTF, joins the faces to half-edges, says in the user's terms what cannot be joined, and
+//! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, says in the user's terms what cannot be joined, and
 //! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer` reads and
 //! writes layers of features, and repairs them; `layer::topojson` audits arcs. `svg` draws maps. `textbook` has the three tables of
 //! the textbooks.

@@ -50,7 +50,7 @@ fn template(folder: &Path, subject: &str) {
     let written = program
         .current_dir(&root)
         .arg("fuzz-template")
-        .args([&folder.join("fuzz"), Path::new("--twinedge"), &root])
+        .arg(folder.join("fuzz"))
         .args(["--subject", subject])
         .output()
         .expect("it runs");

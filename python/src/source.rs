@@ -8,7 +8,8 @@ use std::fs::File;
 use std::io::{BufReader, Cursor};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::layer::{Format, Layer, read_layer};
+use twinedge::io::ForeignFormat;
+use twinedge_formats::layer::{Format, Layer, ReadError, read_layer};
 use twinedge_report::{Error, Input, Judged};
 
 /// The reason why there is no answer.
@@ -87,6 +88,9 @@ impl Source {
             }
             (None, path) => {
                 let path = path.unwrap_or_default();
+                if let Some(foreign) = ForeignFormat::of_folder(&path).filter(|_| path.is_dir()) {
+                    return Err(Failure::Value(format!("{name}: {}", ReadError::Foreign(foreign))));
+                }
                 let judged = Judged::of(BufReader::new(File::open(&path).map_err(failed)?)).map_err(failed)?;
                 let file = File::open(&path).map_err(failed)?;
                 (Input::new(name, Box::new(BufReader::new(file)), Some(&path)), judged)

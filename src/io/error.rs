@@ -152,6 +152,12 @@ pub enum ReadCause {
         /// A description of the error, and of what was expected.
         message: String,
     },
+    /// A type of geometries that is not read.
+    #[error("{message}")]
+    Unread {
+        /// The type, why it is not read, and what to do.
+        message: String,
+    },
     /// Something follows the end of the outermost object, or of the geometry of a line.
     #[error("text after the end of the {what}")]
     Trailing {

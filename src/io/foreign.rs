@@ -3,6 +3,7 @@
 use super::format::{is_geopackage, is_sqlite};
 use super::json_head::JsonHead;
 use core::fmt;
+use std::path::Path;
 
 /// A format that is recognised by its first bytes, and is none of [`Format`](super::Format).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -28,6 +29,10 @@ pub enum ForeignFormat {
     Html,
     /// Other XML.
     Xml,
+    /// A file geodatabase of Esri, which is a folder.
+    FileGeodatabase,
+    /// glTF, as text or binary.
+    Gltf,
     /// Text in UTF-16.
     Utf16,
     /// A zip archive.
@@ -54,8 +59,9 @@ impl ForeignFormat {
     /// ```
     #[must_use]
     pub fn of_content(head: &[u8]) -> Option<Self> {
-        const MAGIC: [(&[u8], ForeignFormat); 9] = [
+        const MAGIC: [(&[u8], ForeignFormat); 10] = [
             (b"ARROW1", ForeignFormat::Arrow),
+            (b"glTF", ForeignFormat::Gltf),
             (b"PK\x03\x04", ForeignFormat::Zip),
             (b"PK\x05\x06", ForeignFormat::Zip),
             (b"\x1F\x8B", ForeignFormat::Gzip),
@@ -83,6 +89,19 @@ impl ForeignFormat {
         }
     }
 
+    /// The format of a folder, by its name.
+    ///
+    /// ```
+    /// use twinedge::io::ForeignFormat;
+    ///
+    /// assert_eq!(ForeignFormat::of_folder("cadastre.gdb"), Some(ForeignFormat::FileGeodatabase));
+    /// ```
+    #[must_use]
+    pub fn of_folder(path: impl AsRef<Path>) -> Option<Self> {
+        let is_gdb = path.as_ref().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gdb"));
+        is_gdb.then_some(Self::FileGeodatabase)
+    }
+
     fn of_xml(text: &[u8]) -> Self {
         const SIGNS: [(&[u8], ForeignFormat); 8] = [
             (b"<!doctype html", ForeignFormat::Html),
@@ -100,8 +119,14 @@ impl ForeignFormat {
     }
 
     fn of_json(text: &[u8]) -> Option<Self> {
+        const OF_GLTF: &[u8] = b"\"bufferViews\"";
         let is_esri = |kind: &str| kind.starts_with("esriGeometry");
-        JsonHead::scan(text).member("geometryType").is_some_and(is_esri).then_some(Self::EsriJson)
+        let head = JsonHead::scan(text);
+        if head.member("geometryType").is_some_and(is_esri) {
+            return Some(Self::EsriJson);
+        }
+        let is_gltf = head.member("type").is_none() && text.windows(OF_GLTF.len()).any(|word| word == OF_GLTF);
+        is_gltf.then_some(Self::Gltf)
     }
 
     /// Returns advice on how to convert such a file.
@@ -109,6 +134,7 @@ impl ForeignFormat {
     pub const fn advice(self) -> &'static str {
         match self {
             Self::Zip | Self::Gzip | Self::Bzip2 | Self::Xz | Self::Zstd => "unpack it first",
+            Self::Gltf => "export it as OBJ, PLY or STL",
             Self::Html => "download the data file that the page links to",
             Self::Utf16 => "convert it with `iconv -f UTF-16 -t UTF-8 FILE`",
             Self::OsmPbf => "only the boundaries in it are, by `twinedge audit FILE --boundaries admin_level=6`",
@@ -130,6 +156,8 @@ impl fmt::Display for ForeignFormat {
             Self::OsmXml => "OpenStreetMap data (XML)",
             Self::Html => "a web page",
             Self::Xml => "XML",
+            Self::FileGeodatabase => "a file geodatabase of Esri",
+            Self::Gltf => "glTF",
             Self::Utf16 => "text in UTF-16",
             Self::Zip => "a zip archive",
             Self::Gzip => "gzip data",

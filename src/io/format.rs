@@ -204,7 +204,7 @@ pub(super) fn is_geopackage(head: &[u8]) -> bool {
 
 /// Returns true if a text starts with the name of a type of geometry, as well-known text does, perhaps after an `SRID`.
 fn starts_with_geometry(text: &[u8]) -> bool {
-    const TYPES: [&str; 9] = [
+    const TYPES: [&str; 14] = [
         "POINT",
         "LINESTRING",
         "LINEARRING",
@@ -214,6 +214,12 @@ fn starts_with_geometry(text: &[u8]) -> bool {
         "MULTIPOLYGON",
         "GEOMETRYCOLLECTION",
         "SRID",
+        // The reader says which of these it is.
+        "CIRCULARSTRING",
+        "COMPOUNDCURVE",
+        "CURVEPOLYGON",
+        "MULTICURVE",
+        "MULTISURFACE",
     ];
     let letters = text.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
     let word = text[..letters].to_ascii_uppercase();
@@ -229,8 +235,8 @@ fn is_wkb(head: &[u8]) -> bool {
     head.get(..5).is_some_and(is_wkb_header) || bytes.is_some_and(|bytes| is_wkb_header(&bytes))
 }
 
-/// Returns true if these are a byte order and a type of geometry: 1 to 7, with dimensions as thousands (ISO) or in the three
-/// highest bits (EWKB).
+/// Returns true if these are a byte order and a type of geometry: 1 to 7, or a curve up to 12, with dimensions as thousands (ISO) or in the
+/// three highest bits (EWKB).
 fn is_wkb_header(bytes: &[u8]) -> bool {
     const DIMENSIONS: u32 = 0b111 << 29;
     let kind = match *bytes {
@@ -239,7 +245,7 @@ fn is_wkb_header(bytes: &[u8]) -> bool {
         _ => return false,
     };
     let kind = kind & !DIMENSIONS;
-    kind < 4000 && (1..=7).contains(&(kind % 1000))
+    kind < 4000 && (1..=12).contains(&(kind % 1000))
 }
 
 impl fmt::Display for Format {

@@ -34,6 +34,8 @@ mod read;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
 mod summary;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
+mod unread;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
 mod write;
 
 pub use export::{faces, features};
@@ -46,5 +48,6 @@ pub use self::{
     properties::Properties,
     read::{read, read_with_properties},
     summary::ReadSummary,
+    unread::unread_geometry,
     write::WriteError,
 };

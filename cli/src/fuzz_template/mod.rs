@@ -8,6 +8,9 @@ use std::path::{Path, PathBuf};
 const MANIFEST: &str = include_str!("Cargo.toml.txt");
 const TARGET: &str = include_str!("conforms.rs.txt");
 
+/// The folder of the library from which this program was built.
+const SOURCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
 /// Number of files that fuzzing begins with, and of bytes of each.
 const SEEDS: (u64, usize) = (16, 400);
 
@@ -39,7 +42,8 @@ pub(crate) struct FuzzTemplate {
     #[arg(long, value_name = "PATH")]
     package: Option<PathBuf>,
 
-    /// The folder of this library, if it is not to come from the registry.
+    /// The folder of this library. Default: the one from which this program was built; if that is gone, the library comes from the
+    /// registry.
     #[arg(long, value_name = "PATH")]
     twinedge: Option<PathBuf>,
 }
@@ -58,7 +62,9 @@ impl FuzzTemplate {
             Some(package) => quoted(&absolute(package)?),
             None => "\"..\"".to_owned(),
         };
-        let twinedge = match &self.twinedge {
+        let source = Path::new(SOURCE);
+        let library = self.twinedge.as_deref().or_else(|| source.join("Cargo.toml").is_file().then_some(source));
+        let twinedge = match library {
             Some(library) => format!("path = {}", quoted(&absolute(library)?)),
             None => concat!("version = \"", env!("CARGO_PKG_VERSION"), "\"").to_owned(),
         };

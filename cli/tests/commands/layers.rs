@@ -459,3 +459,13 @@ POLYGON((2600010.457 1200000.333,2600020.813 1200001.219,2600010.999 1200010.777
     let told = String::from_utf8(twinedge(&["audit", "--snap", "0.001", &path]).stdout).unwrap();
     assert!(told.contains("snapped to a grid of 0.001: 0 segments cut"), "{told}");
 }
+
+#[test]
+fn a_folder_is_named_with_the_way_out() {
+    let folder = scratch_folder("folders");
+    let gdb = folder.join("cadastre.gdb");
+    fs::create_dir_all(&gdb).unwrap();
+    let told = |path: &Path| complaint(&twinedge(&["audit", &path.display().to_string()]));
+    assert!(told(&gdb).contains("a file geodatabase of Esri") && told(&gdb).contains("ogr2ogr"), "{}", told(&gdb));
+    assert!(told(&folder).contains("this is a folder"), "{}", told(&folder));
+}

@@ -50,10 +50,37 @@ fn of_code(table: &[u8], wanted: i64) -> Option<String> {
     find(table, |code, definition| (code == wanted).then(|| definition.to_owned()))
 }
 
-/// The number of the system with this definition.
+/// The number of the system with this definition, whose numbers may be written with other digits: older programs wrote more or fewer of them.
 pub(super) fn code(wanted: &str) -> Option<i64> {
     #[cfg(not(feature = "epsg"))]
-    return (wanted.trim() == WGS_84.1).then_some(WGS_84.0);
+    return is_like(wanted.trim(), WGS_84.1).then_some(WGS_84.0);
     #[cfg(feature = "epsg")]
-    find(TABLE, |code, wkt| if wkt == wanted.trim() { code.parse().ok() } else { None })
+    {
+        let wanted = wanted.trim();
+        let number_if =
+            |is_it: &dyn Fn(&str) -> bool| find(TABLE, |code, wkt| if is_it(wkt) { code.parse().ok() } else { None });
+        number_if(&|wkt| wkt == wanted).or_else(|| number_if(&|wkt| is_like(wanted, wkt)))
+    }
+}
+
+/// Returns true if two definitions are the same, but for the last digits of numbers.
+fn is_like(one: &str, other: &str) -> bool {
+    /// The part of a number by which it may differ.
+    const DIGITS: f64 = 1e-9;
+    const ENDS: [char; 3] = [',', '[', ']'];
+    let is_same = |(a, b): (&str, &str)| {
+        a == b
+            || match (a.parse::<f64>(), b.parse::<f64>()) {
+                (Ok(a), Ok(b)) => (a - b).abs() <= DIGITS * a.abs().max(b.abs()),
+                _ => false,
+            }
+    };
+    let (mut words, mut others) = (one.split(ENDS), other.split(ENDS));
+    loop {
+        match (words.next(), others.next()) {
+            (None, None) => return true,
+            (Some(a), Some(b)) if is_same((a.trim(), b)) => {}
+            _ => return false,
+        }
+    }
 }

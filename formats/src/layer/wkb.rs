@@ -10,7 +10,7 @@ use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
 use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
 use std::io::{BufRead, BufReader, Read, Write};
-use twinedge::io::Format;
+use twinedge::io::{Format, unread_geometry};
 
 /// The number of collections that may lie around a geometry.
 const NESTED: usize = 32;
@@ -180,7 +180,7 @@ impl Bytes<'_> {
                 let count = self.count(form, "geometries", 5)?;
                 self.collection(kind, count, depth)?
             }
-            _ => return Err(Cause::Invalid(format!("{kind} is a type of geometries that is not read here"))),
+            kind => return Err(Cause::Invalid(unread_geometry(kind))),
         };
         Ok((Geometry::new(form.dimensions, shape), srid.map(i64::from)))
     }

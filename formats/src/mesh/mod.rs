@@ -7,7 +7,7 @@
 //!                                                    └──────────────► audit ◄─────────────────────┘
 //! ```
 //!
-//! `read` and its like take OBJ, OFF, PLY, STL and glTF. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
+//! `read` and its like take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
 //! cannot be joined. [`audit`] does that, runs the validator on what was joined, and counts. What the mesh is to be beyond a
 //! surface, the validator is asked for, too: [`HalfEdgeMesh::expectation`] with `closed`, `genus` and so on.
 //!
@@ -20,7 +20,7 @@ mod finding;
 mod half_edges;
 mod indexed;
 mod link;
-#[cfg(any(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
 mod read;
 mod repeated;
 #[cfg(feature = "serde")]
@@ -33,6 +33,6 @@ pub use counts::MeshCounts;
 pub use finding::{Finding, Findings, Kind};
 pub use half_edges::HalfEdgeMesh;
 pub use indexed::{IndexedMesh, IndexedMeshError};
-#[cfg(any(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
 pub use read::{Cause, Dropped, Format, MeshFile, Position, ReadError, read, read_bytes, read_path};
 pub use space_rule::{SpaceOutcome, SpaceRule};

@@ -225,3 +225,13 @@ fn what_is_no_topology_is_an_error() {
     );
     assert_eq!(audit(&read(&text).unwrap(), 1).violations().len(), 1);
 }
+
+#[test]
+fn a_polygon_that_is_in_the_object_twice_breaks_a2_alone() {
+    let mut file = squares();
+    let geometries = file["objects"]["map"]["geometries"].as_array_mut().unwrap();
+    let again = geometries[0].clone();
+    geometries.push(again);
+    let found = kinds(&file);
+    assert!(!found.is_empty() && found.iter().all(|kind| *kind == "same_side"), "{found:?}");
+}

@@ -114,11 +114,39 @@ fn an_overlap_goes_to_whom_is_asked() {
     assert_eq!(areas(Winner::Last), [95.0, 155.0]);
 }
 
+/// One outer ring turns clockwise, the other counter-clockwise, and so does a hole that is not touched but for its feature.
+#[test]
+fn rings_that_are_made_anew_turn_as_those_before() {
+    let text = "POLYGON((0 0,0 10,10 10,10 0,0 0),(2 2,2 4,4 4,4 2,2 2))\nPOLYGON((9.5 0,25 0,25 10,9.5 10,9.5 0))\n";
+    let turns = |layer: &Layer| {
+        let is_clockwise = |ring: &Vec<Position>| {
+            twinedge::algorithm::area::ring_area(ring.iter().map(|p| twinedge::geometry::Point::new(p.x, p.y))) < 0.0
+        };
+        layer.features.iter().map(|feature| rings(feature).into_iter().map(is_clockwise).collect()).collect()
+    };
+    for winner in [Winner::First, Winner::Last] {
+        let assign = Options { winner, ..Options::default() };
+        let (layer, report) = cleaned(&from_text(text), &CleanOptions { assign, ..CleanOptions::default() });
+        assert_eq!(report.features.len(), 1);
+        let found: Vec<Vec<bool>> = turns(&layer);
+        assert_eq!(found, [vec![true, true], vec![false]]);
+    }
+}
+
+#[test]
+fn an_accepted_place_without_a_gap_is_reported() {
+    let places = [[5.0, 5.0], [10.5, 5.0]].map(twinedge::geometry::Point::from);
+    let assign = Options { accepted_gaps: places.to_vec(), ..Options::default() };
+    let text = format!("{}POLYGON((0 10,21 10,21 20,0 20,0 10))\nPOLYGON((0 -9,21 -9,21 0,0 0,0 -9))\n", squares(&[0.0, 11.0]));
+    let (_, report) = cleaned(&from_text(&text), &CleanOptions { assign, ..CleanOptions::default() });
+    assert_eq!((report.accepted_gaps.len(), report.unmet), (1, vec![places[0]]));
+}
+
 /// A feature inside another one keeps its place, also where it sticks out a little; one that does not lie inside loses to the larger.
 #[test]
 fn a_nested_feature_is_not_emptied() {
     let within = "POLYGON((0 0,30 0,30 30,0 30,0 0))\nPOLYGON((10 10,20 10,20 20,10 20,10 10))\nPOLYGON((12 12,14 12,14 14,12 14,12 12))\n\
-POLYGON((29.05 0,29.05 10,39.05 10,39.05 0,29.05 0))\nPOLYGON((20.5 20,30.5 20,30.5 30,20.5 30,20.5 20))\n";
+POLYGON((29.05 0,29.05 10,39.05 10,39.05 0,29.05 0))\nPOLYGON((21 20,30.5 20,30.5 30,21 30,21 20))\n";
     let areas = |winner| {
         let assign = Options { winner, ..Options::default() };
         let (layer, report) = cleaned(&from_text(within), &CleanOptions { assign, ..CleanOptions::default() });

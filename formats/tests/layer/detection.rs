@@ -1,6 +1,6 @@
 //! The format that a file has.
 
-use crate::support::{from_bytes, from_text, scratch};
+use crate::support::{from_bytes, from_text, scratch, write_as};
 use twinedge_formats::layer::{Format, ReadError, ReadOptions, Shape, read, read_path};
 
 #[test]
@@ -51,4 +51,39 @@ fn formats_of_files_are_refused_as_streams() {
         assert!(matches!(outcome, Err(ReadError::NeedsFile(format)) if format.needs_file()));
     }
     assert!(!Format::GeoJson.needs_file());
+}
+
+/// By the id of the application in `GeoPackage` 1.0 and 1.1, and by the tables, as other programs write 0.
+#[test]
+fn geopackages_of_all_versions_are_recognised() {
+    let (_folder, path) = scratch("layer.gpkg");
+    let (_other, named) = scratch("layer.data");
+    write_as(&from_text("POINT(1 2)"), &path, Format::GeoPackage);
+    for id in [i32::from_be_bytes(*b"GP10"), i32::from_be_bytes(*b"GP11"), 0] {
+        let database = rusqlite::Connection::open(&path).unwrap();
+        database.pragma_update(None, "application_id", id).unwrap();
+        drop(database);
+        std::fs::copy(&path, &named).unwrap();
+        assert_eq!(read_path(&named, &ReadOptions::default()).unwrap().features.len(), 1, "{id}");
+    }
+    // Another database is none.
+    let (_third, path) = scratch("notes.gpkg");
+    rusqlite::Connection::open(&path).unwrap().execute_batch("CREATE TABLE notes (text)").unwrap();
+    assert!(matches!(read_path(&path, &ReadOptions::default()), Err(ReadError::Foreign(_))));
+}
+
+#[test]
+fn types_that_are_not_read_are_named_with_the_way_out() {
+    let error = |bytes: &[u8]| from_bytes(bytes).unwrap_err().to_string();
+    let curve = error(b"CURVEPOLYGON(CIRCULARSTRING(0 0,1 1,2 0,1 -1,0 0))");
+    assert!(curve.contains("CurvePolygon has curves") && curve.contains("-nlt CONVERT_TO_LINEAR"), "{curve}");
+    let inside = error(b"GEOMETRYCOLLECTION(POINT(1 2),COMPOUNDCURVE Z((0 0 1,1 1 1)))");
+    assert!(inside.contains("CompoundCurve has curves"), "{inside}");
+    // An empty CircularString, and an empty TIN in a collection.
+    let binary = error(&[1, 8, 0, 0, 0, 0, 0, 0, 0]);
+    assert!(binary.contains("CircularString has curves"), "{binary}");
+    let tin = error(&[1, 7, 0, 0, 0, 1, 0, 0, 0, 1, 16, 0, 0, 0, 0, 0, 0, 0]);
+    assert!(tin.contains("TIN is not read") && tin.contains("MULTIPOLYGON"), "{tin}");
+    let gltf = error(br#"{"asset": {"version": "2.0"}, "bufferViews": []}"#);
+    assert!(gltf.contains("glTF") && gltf.contains("export it as OBJ"), "{gltf}");
 }

@@ -344,7 +344,11 @@ fn what_is_not_read_is_refused_with_a_reason() {
         write_point(&path, None, &[("geo", &geo)]);
     };
     of_column(json!({"encoding": "polygon"}));
-    assert_eq!(refused(&path), "the geometries are encoded as \"polygon\", and only WKB is read here");
+    assert_eq!(
+        refused(&path),
+        "the geometries are encoded as \"polygon\", and only WKB is read here: \
+         `ogr2ogr -f Parquet -lco GEOMETRY_ENCODING=WKB map.parquet FILE`"
+    );
     of_column(json!({"encoding": "WKB", "crs": null}));
     assert_eq!(read(&path).unwrap().header.crs, None);
     for (geo, reason) in [
@@ -411,4 +415,22 @@ fn damaged_files_are_refused() {
         }
     }
     assert!(refused > 100 && changed > 10, "{refused} refused, {changed} changed");
+}
+
+/// `GeoArrow`'s encodings are refused with the way out; a text in the place of PROJJSON, as DuckDB wrote it, is read.
+#[test]
+fn other_encodings_say_the_way_out_and_a_reference_system_may_be_a_text() {
+    let (_folder, path) = scratch("point.parquet");
+    let metadata = |encoding: &str, crs: &str| {
+        format!(
+            r#"{{"version":"1.1.0","primary_column":"shape","columns":{{"shape":{{"encoding":"{encoding}","geometry_types":[],"crs":"{crs}"}}}}}}"#
+        )
+    };
+    write_point(&path, None, &[("geo", &metadata("polygon", "EPSG:2056"))]);
+    let why = refused(&path);
+    assert!(why.contains("\"polygon\"") && why.contains("GEOMETRY_ENCODING=WKB"), "{why}");
+    for (crs, expected) in [("EPSG:2056", 2056), ("OGC:CRS84", 4326), ("EPSG:4326", 4326)] {
+        write_point(&path, None, &[("geo", &metadata("WKB", crs))]);
+        assert_eq!(read(&path).unwrap().header.crs, Some(Crs::epsg(expected)), "{crs}");
+    }
 }

@@ -1,7 +1,7 @@
 //! Losses of a format are said, and then refused or suffered as said.
 
-use crate::support::{from_text, through};
-use twinedge_formats::layer::{Crs, Format, Layer, Loss, WriteError, losses, refuse_losses, write_path};
+use crate::support::{from_bytes, from_text, through};
+use twinedge_formats::layer::{Crs, Format, Layer, Loss, Shape, WriteError, losses, refuse_losses, write, write_path};
 
 /// A layer of one point with these properties.
 fn with_properties(properties: &str) -> Layer {
@@ -136,4 +136,36 @@ fn open_rings_are_closed_in_every_format_and_it_is_said() {
         assert_eq!(positions(&through(&layer, format)), positions(&closed), "{format}");
     }
     assert_eq!(Loss::OpenRings(1).to_string(), "an open ring, which is closed");
+}
+
+/// As hexadecimal digits, PostGIS writes the same as `MULTIPOINT (EMPTY, (1 2))`.
+#[test]
+fn empty_points_of_multi_points_are_kept_or_said_to_be_lost() {
+    let digits = "01040000000200000001010000000000000000\
+00F87F000000000000F87F0101000000000000000000F03F0000000000000040";
+    let layer = from_text("MULTIPOINT (EMPTY, (1 2))");
+    assert_eq!(layer.features, from_text(digits).features);
+    let Some(Shape::MultiPoint(points)) = layer.features[0].geometry.as_ref().map(|geometry| &geometry.shape) else {
+        panic!("{:?}", layer.features)
+    };
+    assert_eq!(points.iter().map(Option::is_some).collect::<Vec<_>>(), [false, true]);
+    for format in [Format::Wkt, Format::Wkb, Format::GeoPackage, Format::GeoParquet] {
+        assert!(losses(&layer, format).is_empty(), "{format}");
+        assert_eq!(through(&layer, format).features[0].geometry, layer.features[0].geometry, "{format}");
+    }
+    for format in [Format::GeoJson, Format::GeoJsonSeq, Format::Shapefile, Format::FlatGeobuf] {
+        assert_eq!(losses(&layer, format), [Loss::EmptyParts(1)], "{format}");
+        refuse_losses(&layer, format).unwrap();
+        let again = through(&layer, format);
+        let shape = again.features[0].geometry.as_ref().map(|geometry| &geometry.shape);
+        assert!(matches!(shape, Some(Shape::MultiPoint(points)) if points.len() == 1), "{format}: {shape:?}");
+    }
+    // With heights, in a collection, and where nothing but empty points is there.
+    let text = "GEOMETRYCOLLECTION Z(MULTIPOINT Z(EMPTY,(1 2 3)))\nMULTIPOINT(EMPTY,EMPTY)\nPOINT EMPTY\n";
+    let mut written = Vec::new();
+    write(&from_text(text), &mut written, Format::Wkt).unwrap();
+    assert_eq!(String::from_utf8(written).unwrap(), text);
+    // Numbers that are none stand for an empty point, as in well-known binary.
+    assert_eq!(from_text("POINT(nan NaN)").features, from_text("POINT EMPTY").features);
+    assert!(from_bytes(b"LINESTRING(nan nan, 1 2)").unwrap_err().to_string().contains("out of range"));
 }

@@ -3,7 +3,7 @@
 use crate::support::{from_text, read, scratch, through};
 use std::fs;
 use std::path::Path;
-use twinedge_formats::layer::{Cause, Format, Layer, Line, ReadError, Shape, Value, write_path};
+use twinedge_formats::layer::{Cause, Crs, Format, Layer, Line, ReadError, Shape, Value, write_path};
 
 /// A table of the column `name`, 8 bytes wide, and these records, each with its mark.
 fn table(records: &[&[u8; 9]], charset_mark: u8) -> Vec<u8> {
@@ -208,4 +208,19 @@ fn heights_and_measures_come_back() {
         let layer = from_text(text);
         assert_eq!(through(&layer, Format::Shapefile).features[0].geometry, layer.features[0].geometry, "{text}");
     }
+}
+
+/// GDAL wrote more digits of the flattening than Esri, and before version 3 fewer of the degree.
+#[test]
+fn definitions_with_other_digits_are_those_of_the_epsg() {
+    let nad27 = |flattening: &str, degree: &str| {
+        format!(
+            "GEOGCS[\"GCS_North_American_1927\",DATUM[\"D_North_American_1927\",SPHEROID[\"Clarke_1866\",6378206.4,{flattening}]],PRIMEM[\"Greenwich\",0],UNIT[\"Degree\",{degree}]]"
+        )
+    };
+    let code = |wkt: String| Crs::of_wkt(wkt).code;
+    for flattening in ["294.9786982", "294.9786982138982", "294.978698213898"] {
+        assert_eq!(code(nad27(flattening, "0.017453292519943295")), Some(("EPSG".into(), 4267)), "{flattening}");
+    }
+    assert_eq!(code(nad27("294.97870", "0.017453292519943295")), None);
 }

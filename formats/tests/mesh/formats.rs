@@ -253,3 +253,16 @@ fn tempdir(name: &str) -> std::path::PathBuf {
     std::fs::create_dir_all(&folder).expect("a place for files");
     folder
 }
+
+/// As Windows programs write it, either byte first.
+#[test]
+fn text_in_utf_16_is_read() {
+    let text = "# Würfel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let units = || "\u{FEFF}".encode_utf16().chain(text.encode_utf16());
+    let big: Vec<u8> = units().flat_map(u16::to_be_bytes).collect();
+    let little: Vec<u8> = units().flat_map(u16::to_le_bytes).collect();
+    for bytes in [big, little] {
+        assert_eq!(faces(&file(&bytes, Format::Obj)), [[0, 1, 2]]);
+        assert_eq!(read_bytes(&bytes, None).unwrap().format, Format::Obj);
+    }
+}

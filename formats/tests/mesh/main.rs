@@ -3,7 +3,6 @@
 
 mod errors;
 mod formats;
-mod gltf;
 mod golden;
 mod hostile;
 mod output;

@@ -314,7 +314,7 @@ def audit(
     ----------
     layer
         A GeoDataFrame or GeoSeries; a sequence of geometries; anything with ``__geo_interface__``, or the dictionary itself; a path
-        to a map (GeoJSON, newline-delimited or not, TopoJSON, WKT, WKB; ``geopandas.read_file`` reads the others) or a mesh (OBJ, OFF, PLY, STL, glTF); a mesh of trimesh, pyvista or meshio.
+        to a map (GeoJSON, newline-delimited or not, TopoJSON, WKT, WKB; ``geopandas.read_file`` reads the others) or a mesh (OBJ, OFF, PLY, STL); a mesh of trimesh, pyvista or meshio.
     format : str, optional
         The extension of files of its format, as ``"geojson"`` or ``"wkt"``. By default told by the content, or the name of the file.
     coverage : bool

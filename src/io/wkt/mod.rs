@@ -29,6 +29,7 @@ use ::wkt::types::{
 use self::dialect::{plain, split_srid, with_nothing};
 use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 use super::summary::ReadSummary;
+use super::unread::{unread_geometry, unread_in};
 use super::write::{self, GeometryPiece, WriteError};
 use crate::geometry::Point;
 use crate::map::{Feature, Shape};
@@ -111,7 +112,10 @@ where
         let after_srid = || error_in(number, syntax("expected SRID=, a number and a semicolon"));
         let (srid, text) = split_srid(text).ok_or_else(after_srid)?;
         check_frame(text, number)?;
-        let geometry = plain(&with_nothing(text)).parse().map_err(|message| error_in(number, syntax(message)))?;
+        let geometry = plain(&with_nothing(text)).parse().map_err(|message| {
+            let unread = unread_in(text).map(unread_geometry);
+            error_in(number, unread.map_or_else(|| syntax(message), |message| ReadCause::Unread { message }))
+        })?;
         each(GeometryLine { number, srid, geometry: emptied(geometry) })?;
     }
     Ok(())

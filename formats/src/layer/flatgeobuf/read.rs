@@ -14,7 +14,7 @@ use ::flatgeobuf::{
 use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
 use std::sync::Arc;
-use twinedge::io::Format;
+use twinedge::io::{Format, unread_geometry};
 
 /// The number of collections that may lie around a geometry.
 const NESTED: usize = 32;
@@ -220,10 +220,7 @@ fn shape(table: Table<'_>, kind: Kind, header: &HeaderTable<'_>, depth: usize) -
             let parts = parts().map(|part| shape(part, part.type_(), header, depth + 1));
             Shape::Collection(parts.collect::<Result<_, _>>()?)
         }
-        other => {
-            let name = other.variant_name().map_or_else(|| other.0.to_string(), str::to_owned);
-            return Err(invalid(format!("{name} is a type of geometries that is not read here")));
-        }
+        other => return Err(invalid(unread_geometry(other.0.into()))),
     };
     // Parts have the numbers, and not the geometry that has parts.
     let dimensions = match &shape {

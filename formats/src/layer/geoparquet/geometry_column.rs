@@ -48,7 +48,8 @@ impl GeometryColumn {
         let encoding = text("encoding").unwrap_or_default();
         if !encoding.eq_ignore_ascii_case("WKB") {
             return Err(Cause::Invalid(format!(
-                "the geometries are encoded as \"{encoding}\", and only WKB is read here"
+                "the geometries are encoded as \"{encoding}\", and only WKB is read here: \
+                 `ogr2ogr -f Parquet -lco GEOMETRY_ENCODING=WKB map.parquet FILE`"
             )));
         }
         Ok(Self {
@@ -57,6 +58,8 @@ impl GeometryColumn {
             crs: match column.get("crs") {
                 None => crs::of_native(None, |_| None),
                 Some(Json::Null) => None,
+                // Not as the standard has it, but as some programs do.
+                Some(Json::String(text)) => crs::of_native(Some(text), value),
                 Some(json) => Some(crs::of_projjson(json)),
             },
             edges: text(EDGES).filter(|edges| *edges != "planar").map(str::to_owned),

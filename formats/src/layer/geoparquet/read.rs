@@ -27,7 +27,17 @@ pub(super) fn content(place: Place, cause: Cause) -> ReadError {
 pub(super) fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ReadError> {
     let answer = catch_unwind(AssertUnwindSafe(question));
     let answer = answer.unwrap_or_else(|_| Err(ParquetError::General("the file is damaged".to_owned())));
-    answer.map_err(|error| content(place, Cause::Invalid(error.to_string())))
+    answer.map_err(|error| {
+        const OFF: &str = "Disabled feature at compile time: ";
+        let message = error.to_string();
+        let compression = message.split_once(OFF).map(|(_, name)| {
+            format!(
+                "it is compressed by {name}, which is not read here: \
+                 `ogr2ogr -f Parquet -lco COMPRESSION=ZSTD map.parquet FILE`"
+            )
+        });
+        content(place, Cause::Invalid(compression.unwrap_or(message)))
+    })
 }
 
 /// A column that is read.

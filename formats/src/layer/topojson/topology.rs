@@ -144,6 +144,11 @@ impl View for ArcTopology {
         self.ends[half_edge / 2][0] != NIL
     }
 
+    /// A polygon that has no side of an arc for itself is in the object twice, which is A2.
+    fn is_face(&self, face: usize) -> bool {
+        self.outer[face] != NIL || !self.inner_of(face).is_empty()
+    }
+
     fn origin(&self, half_edge: usize) -> Link {
         entry(&self.ends[half_edge / 2], half_edge % 2)
     }

@@ -3,7 +3,7 @@
 use super::format::Format;
 
 impl Format {
-    /// The format that the content says. PLY, OFF and binary glTF start with their name, STL has its name or its length, and what
+    /// The format that the content says. PLY and OFF start with their name, STL has its name or its length, and what
     /// starts with a statement of OBJ is taken for that. O(length of the comments at the start).
     #[must_use]
     pub fn of_content(bytes: &[u8]) -> Option<Self> {
@@ -26,8 +26,6 @@ impl Format {
             }
             #[cfg(feature = "ply")]
             Self::Ply => matches!(bytes, [b'p', b'l', b'y', b'\n' | b'\r', ..]),
-            #[cfg(feature = "gltf")]
-            Self::Gltf => super::gltf::is_binary(bytes),
             #[cfg(feature = "stl")]
             Self::Stl => {
                 super::stl::is_named_solid(bytes) || super::stl::expected_length(bytes) == Some(bytes.len() as u64)

@@ -85,9 +85,6 @@ pub enum Cause {
     /// The header of a PLY file is malformed.
     #[error("the header is malformed: {0}")]
     Header(Box<str>),
-    /// The document of a glTF file is malformed.
-    #[error("the document is malformed: {0}")]
-    Document(Box<str>),
     /// The header of a PLY file defines an element or property twice.
     #[error("an element or property is defined twice")]
     DefinedTwice,

@@ -19,9 +19,6 @@ pub enum Format {
     /// STL (stereolithography), text or binary.
     #[cfg(feature = "stl")]
     Stl,
-    /// glTF 2.0 (Khronos), text or binary.
-    #[cfg(feature = "gltf")]
-    Gltf,
 }
 
 impl Format {
@@ -31,15 +28,13 @@ impl Format {
         Self::Off,
         #[cfg(feature = "ply")]
         Self::Ply,
-        #[cfg(feature = "gltf")]
-        Self::Gltf,
         #[cfg(feature = "stl")]
         Self::Stl,
         #[cfg(feature = "obj")]
         Self::Obj,
     ];
 
-    /// The name, which is also the extension of its files; those of binary glTF have `glb`.
+    /// The name, which is also the extension of its files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -51,8 +46,6 @@ impl Format {
             Self::Ply => "ply",
             #[cfg(feature = "stl")]
             Self::Stl => "stl",
-            #[cfg(feature = "gltf")]
-            Self::Gltf => "gltf",
         }
     }
 
@@ -68,10 +61,7 @@ impl Format {
     #[must_use]
     pub fn of_name(path: impl AsRef<Path>) -> Option<Self> {
         let extension = path.as_ref().extension()?;
-        let is_binary = extension.eq_ignore_ascii_case("glb");
-        let is_of =
-            |format: &Self| extension.eq_ignore_ascii_case(format.name()) || is_binary && format.name() == "gltf";
-        Self::ALL.iter().copied().find(is_of)
+        Self::ALL.iter().copied().find(|format| extension.eq_ignore_ascii_case(format.name()))
     }
 
     /// The number of the first point in files of the format, from which a message about a file counts: 1 in OBJ, else 0.

@@ -1,7 +1,7 @@
 //! From a file to a mesh.
 // Not all that the readers share is needed by each of them.
 #![cfg_attr(
-    not(all(feature = "gltf", feature = "obj", feature = "off", feature = "ply", feature = "stl")),
+    not(all(feature = "obj", feature = "off", feature = "ply", feature = "stl")),
     allow(dead_code, reason = "some readers are off")
 )]
 
@@ -10,8 +10,6 @@ mod content;
 mod dropped;
 mod error;
 mod format;
-#[cfg(feature = "gltf")]
-mod gltf;
 #[cfg(feature = "obj")]
 mod obj;
 #[cfg(feature = "off")]
@@ -21,7 +19,7 @@ mod ply;
 #[cfg(feature = "stl")]
 mod stl;
 mod text;
-#[cfg(any(feature = "gltf", feature = "stl"))]
+#[cfg(feature = "stl")]
 mod weld;
 
 pub use dropped::Dropped;
@@ -87,7 +85,7 @@ pub fn read(mut reader: impl Read, format: Option<Format>) -> Result<MeshFile, R
 /// # Errors
 ///
 /// If the format is not known, or the content is malformed: truncated, not numbers, coordinates that are not finite, indices
-/// out of range, counts that lie.
+/// out of range, counts that lie. Text may be in UTF-16, if it begins with a byte order mark.
 ///
 /// ```
 /// # #[cfg(feature = "obj")] {
@@ -103,6 +101,8 @@ pub fn read(mut reader: impl Read, format: Option<Format>) -> Result<MeshFile, R
 /// # Ok::<(), twinedge_formats::mesh::ReadError>(())
 /// ```
 pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<MeshFile, ReadError> {
+    let utf8 = text::of_utf16(bytes);
+    let bytes = utf8.as_deref().map_or(bytes, str::as_bytes);
     let format = format.or_else(|| Format::of_content(bytes)).ok_or(ReadError::UnknownFormat)?;
     let result = match format {
         #[cfg(feature = "obj")]
@@ -113,8 +113,6 @@ pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<MeshFile, Read
         Format::Ply => ply::read(bytes),
         #[cfg(feature = "stl")]
         Format::Stl => stl::read(bytes),
-        #[cfg(feature = "gltf")]
-        Format::Gltf => gltf::read(bytes),
     };
     match result {
         Ok((mesh, dropped)) => Ok(MeshFile { format, mesh, dropped }),

@@ -150,3 +150,18 @@ impl<'a> Text<'a> {
         parsed.ok_or_else(|| self.expected(what, word))
     }
 }
+
+/// The text of a file in UTF-16, which begins with a byte order mark; none of any other. What is no character becomes a replacement. O(bytes).
+pub(super) fn of_utf16(bytes: &[u8]) -> Option<String> {
+    let is_big = match bytes {
+        [0xFE, 0xFF, ..] => true,
+        [0xFF, 0xFE, ..] => false,
+        _ => return None,
+    };
+    let unit = |pair: &[u8]| {
+        let pair = [pair[0], pair[1]];
+        if is_big { u16::from_be_bytes(pair) } else { u16::from_le_bytes(pair) }
+    };
+    let units = bytes[2..].chunks_exact(2).map(unit);
+    Some(char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect())
+}
