@@ -2,7 +2,7 @@
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
-use crate::output::Format;
+use crate::output::{Format, counted};
 use crate::output::style::{BAD, GOOD};
 use crate::print_rows::table;
 use crate::status::{Failure, Verdict};

@@ -56,7 +56,9 @@ pub fn decimals_of(width: Option<f64>) -> usize {
 #[must_use]
 pub fn place([x, y]: [f64; 2], decimals: usize) -> String {
     let [x, y] = [x, y].map(|x| {
-        let text = format!("{x:.decimals$}");
+        // No more digits than the number has.
+        let [rounded, own] = [format!("{x:.decimals$}"), x.to_string()];
+        let text = if own.len() < rounded.len() { own } else { rounded };
         let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
         if short == "-0" { "0".to_owned() } else { short.to_owned() }
     });
@@ -125,7 +127,7 @@ pub mod style {
 
 #[cfg(test)]
 mod tests {
-    use super::{counted, decimals, grouped, json, measure, place, plain};
+    use super::{counted, decimals, decimals_of, grouped, json, measure, place, plain};
 
     #[test]
     fn json_has_no_zero_with_a_sign() {
@@ -162,6 +164,8 @@ mod tests {
         assert_eq!(place([7.5, -1e-12], decimals(180.0)), "(7.5, 0)");
         assert_eq!(place([1e9, 100.0], decimals(1e9)), "(1000000000, 100)");
         assert_eq!(decimals(0.0), 7);
+        assert_eq!(place([4.52, 0.1], decimals_of(Some(2e-16))), "(4.52, 0.1)");
+        assert_eq!([None, Some(2.5), Some(0.003), Some(1e300)].map(decimals_of), [0, 2, 5, 0]);
     }
 
     #[test]

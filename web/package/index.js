@@ -19,7 +19,7 @@ async function workerOf(spawn) {
       end: () => worker.terminate(),
     };
   }
-  const { Worker: NodeWorker } = await import("node:worker_threads");
+  const { Worker: NodeWorker } = await import(/* webpackIgnore: true */ "node:worker_threads");
   const worker = new NodeWorker(new URL("./worker.js", import.meta.url));
   // Node may end when nothing is asked.
   worker.unref();

@@ -20,7 +20,7 @@ export async function moduleOf(source) {
   const url = new URL(source);
   if (url.protocol !== "file:") return moduleOf(await fetch(url));
   // Node fetches no files.
-  const { readFile } = await import("node:fs/promises");
+  const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
   return WebAssembly.compile(await readFile(url));
 }
 

@@ -23,7 +23,7 @@ function serve(listen, post) {
 }
 
 if (isNode) {
-  import("node:worker_threads").then(({ parentPort: port }) => {
+  import(/* webpackIgnore: true */ "node:worker_threads").then(({ parentPort: port }) => {
     serve((handler) => port.on("message", handler), (message) => port.postMessage(message));
   });
 } else {

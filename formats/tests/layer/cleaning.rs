@@ -137,7 +137,10 @@ fn rings_that_are_made_anew_turn_as_those_before() {
 fn an_accepted_place_without_a_gap_is_reported() {
     let places = [[5.0, 5.0], [10.5, 5.0]].map(twinedge::geometry::Point::from);
     let assign = Options { accepted_gaps: places.to_vec(), ..Options::default() };
-    let text = format!("{}POLYGON((0 10,21 10,21 20,0 20,0 10))\nPOLYGON((0 -9,21 -9,21 0,0 0,0 -9))\n", squares(&[0.0, 11.0]));
+    let text = format!(
+        "{}POLYGON((0 10,21 10,21 20,0 20,0 10))\nPOLYGON((0 -9,21 -9,21 0,0 0,0 -9))\n",
+        squares(&[0.0, 11.0])
+    );
     let (_, report) = cleaned(&from_text(&text), &CleanOptions { assign, ..CleanOptions::default() });
     assert_eq!((report.accepted_gaps.len(), report.unmet), (1, vec![places[0]]));
 }
