@@ -3,7 +3,7 @@
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
 use crate::output::style::{BAD, GOOD};
-use crate::output::{Format, grouped};
+use crate::output::{Format, counted, grouped};
 use crate::print_rows::table;
 use crate::prove_meshes;
 use crate::status::{Failure, Verdict};
