@@ -17,6 +17,8 @@ use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
+/// What is saved of an attribute: the values by key.
+type Values<T> = SecondaryMap<FaceKey, T>;
 
 struct Editor {
     history: History,
@@ -127,7 +129,6 @@ fn main() -> Outcome<()> {
     // Saved and loaded: the map, the values by key, and the number that the next parcel gets.
     let map = editor.history.get();
     let saved = serde_json::to_string(&(map, map.next_id(number), map.values(number), map.values(owners)))?;
-    type Values<T> = SecondaryMap<FaceKey, T>;
     let (mut map, next, numbers, names): (PlanarMap, u64, Values<u64>, Values<String>) = serde_json::from_str(&saved)?;
     let number = map.add_attribute_with(Policy::of_faces().ids(next), numbers);
     let owners = map.add_attribute_with(self::owners(), names);

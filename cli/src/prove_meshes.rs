@@ -2,8 +2,8 @@
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
-use crate::output::{Format, counted};
 use crate::output::style::{BAD, GOOD};
+use crate::output::{Format, counted};
 use crate::print_rows::table;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};

@@ -1,4 +1,4 @@
-//! Which findings follow from others: one mistake in a layer breaks several rules around one place.
+//! Findings that follow from others: one mistake in a layer breaks several rules around one place.
 //!
 //! ```text
 //!   a corner was moved ─┬─ C1 overlap, the largest: the cause
@@ -12,7 +12,6 @@
 //! each. Clashes of borders (G4) follow from the nearest finding about their features, and T3 from them. A map that was seen by its tiles has findings
 //! without shapes, so none is known to touch another one.
 
-use crate::report::AuditReport;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use twinedge::algorithm::coverage::CoverageRule;
@@ -25,11 +24,9 @@ const NEAR: f64 = 1.0 / (1_u64 << 36) as f64;
 /// The number of findings at one point that are looked at.
 const AT_A_POINT: usize = 32;
 
-/// Notes of each listed finding what it follows from. What follows from an accepted finding is accepted with it, unless it can be accepted by itself.
+/// Notes the cause of each listed finding and violation. `clashes` is the number of clashes of borders, listed or not. What follows from an accepted finding is accepted with it, unless it can be accepted by itself.
 /// O(n log n) for the n corners of all findings.
-pub(crate) fn trace(report: &mut AuditReport) {
-    let Some(coverage) = &mut report.coverage else { return };
-    let findings = coverage.findings_mut();
+pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], clashes: u64) {
     let sources = Findings::new(findings).sources();
     for (number, source) in sources.iter().enumerate() {
         let (rule, id) = source.map(|source| (findings[source].rule, findings[source].id.clone())).unzip();
@@ -37,10 +34,10 @@ pub(crate) fn trace(report: &mut AuditReport) {
     }
     let explained: Vec<Option<Explanation>> = {
         let findings = Findings::new(findings);
-        report.violations.iter().map(|one| findings.explanation(one)).collect()
+        violations.iter().map(|one| findings.explanation(one)).collect()
     };
     let (mut first, mut listed, mut is_accepted) = (None, 0, true);
-    for (clash, explained) in report.violations.iter_mut().zip(explained).filter(|(one, _)| is_clash(one)) {
+    for (clash, explained) in violations.iter_mut().zip(explained).filter(|(one, _)| is_clash(one)) {
         if let Some(Explanation { nearest, is_accepted }) = explained {
             let of = &mut findings[sources[nearest].unwrap_or(nearest)];
             (clash.follows_from, clash.follows_from_id) = (of.rule, of.id.clone());
@@ -56,19 +53,13 @@ pub(crate) fn trace(report: &mut AuditReport) {
     }
     let Some((source, reason)) = first else { return };
     // Where not all clashes are listed, one of the others may be a cause.
-    let all = report.rules.iter().find(|rule| rule.id == Rule::G4.id()).map_or(0, |rule| rule.violations);
-    let reason = reason.filter(|_| is_accepted && listed == all);
+    let reason = reason.filter(|_| is_accepted && listed == clashes);
     let follows = |one: &&mut Diagnosis| one.rule == Some(Rule::T3.id()) && one.follows_from.is_some();
-    for genus in report.violations.iter_mut().filter(follows) {
+    for genus in violations.iter_mut().filter(follows) {
         genus.follows_from_id.clone_from(&source);
         genus.accepted.clone_from(&reason);
         genus.is_violation = genus.accepted.is_none();
     }
-}
-
-/// Returns false for a component that does not fit in the plane as its borders cross: the corner that stands for it is not at fault.
-pub(crate) fn has_place(one: &Diagnosis) -> bool {
-    one.rule != Some(Rule::T3.id()) || one.follows_from.is_none()
 }
 
 fn is_clash(one: &Diagnosis) -> bool {

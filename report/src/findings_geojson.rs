@@ -1,6 +1,6 @@
 //! The findings as a layer of GeoJSON.
 
-use crate::causes::has_place;
+use crate::trace::has_place;
 use crate::diagnosis_text::full_message;
 use crate::error::Error;
 use crate::report::AuditReport;

@@ -4,7 +4,7 @@
 //! the script sets it as text.
 
 use crate::accepted::Accepted;
-use crate::causes::has_place;
+use crate::trace::has_place;
 use crate::coverage_words::statement;
 use crate::diagnosis_text::message;
 use crate::packed::Picture;

@@ -7,6 +7,7 @@ use crate::identity::Identities;
 use crate::iso_measure::measure_of;
 use crate::packed::Window;
 use crate::reader_words;
+use crate::trace::has_place;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, grouped, not_checked};
 use serde::Serialize;
@@ -139,7 +140,7 @@ impl AuditReport {
             self.findings.iter().chain(of_coverage).chain(&self.violations)
         };
         let follows = |has_place: bool| {
-            all().filter(move |one| one.follows_from.is_some() && causes::has_place(one) == has_place)
+            all().filter(move |one| one.follows_from.is_some() && has_place(one) == has_place)
         };
         all().filter(|one| one.follows_from.is_none()).chain(follows(true)).chain(follows(false))
     }
@@ -227,7 +228,10 @@ impl AuditReport {
         for one in &mut self.violations {
             one.sentence = reader_words::sentence(one, self.style.decimals);
         }
-        causes::trace(self);
+        let clashes = self.rules.iter().find(|rule| rule.id == Rule::G4.id()).map_or(0, |rule| rule.violations);
+        if let Some(coverage) = &mut self.coverage {
+            causes::trace(coverage.findings_mut(), &mut self.violations, clashes);
+        }
         for rule in &mut self.rules {
             let all = self.findings.iter().chain(&self.violations);
             rule.violations -= all.filter(|one| one.rule == Some(rule.id) && one.accepted.is_some()).count() as u64;

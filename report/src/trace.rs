@@ -81,6 +81,11 @@ pub(crate) fn placed<E: Embedding + ?Sized>(embedding: &E, violation: &Violation
     }
 }
 
+/// Returns false for a component that does not fit in the plane as its borders cross: the corner that stands for it is not at fault.
+pub(crate) fn has_place(one: &Diagnosis) -> bool {
+    one.rule != Some(Rule::T3.id()) || one.follows_from.is_none()
+}
+
 /// A point, with zeros that have no sign.
 pub(crate) fn position(point: Point) -> Position {
     [point.x + 0.0, point.y + 0.0]

@@ -299,7 +299,7 @@ fn beside_another(seed: u64, distance: f64) -> Vec<Point> {
     let mut number = || random.choose(1 << 30) as f64 / f64::from(1 << 30);
     let mut sites: Vec<Point> =
         (0..100).map(|_| Point::new(500_000.0 + 1e4 * number(), 5_400_000.0 + 1e4 * number())).collect();
-    let angle = 6.28 * number();
+    let angle = std::f64::consts::TAU * number();
     sites.push(Point::new(sites[0].x + distance * angle.cos(), sites[0].y + distance * angle.sin()));
     sites
 }

@@ -22,5 +22,6 @@ mod not_plane;
 mod planar_map;
 mod rewound;
 mod saved;
+#[cfg(debug_assertions)]
 mod sorting;
 mod threads;

@@ -474,7 +474,9 @@ fn what_is_not_stored_is_not_read() {
         let stored = projected(&table, &Form { parts, expectation: PLANE });
         let mut all = table.clone();
         for (row, stored) in all.half_edges.iter_mut().zip(&stored.half_edges) {
-            row.iter_mut().for_each(|row| row.face = stored.as_ref().and_then(|stored| stored.face));
+            if let Some(row) = row {
+                row.face = stored.as_ref().and_then(|stored| stored.face);
+            }
         }
         for (row, stored) in all.faces.iter_mut().zip(&stored.faces) {
             let (Some(row), Some(stored)) = (row, stored) else { continue };

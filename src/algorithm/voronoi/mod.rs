@@ -172,9 +172,8 @@ pub fn voronoi_merging(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Vo
             return Err(placed.too_close());
         }
         let mut first: Vec<Option<usize>> = vec![None; sites.len()];
-        for site in 0..sites.len() {
-            let set = sets.find(with[site] as u32) as usize;
-            with[site] = *first[set].get_or_insert(site);
+        for (site, with) in with.iter_mut().enumerate() {
+            *with = *first[sets.find(*with as u32) as usize].get_or_insert(site);
         }
         placed = Sites::new(&with.iter().map(|site| sites[*site]).collect::<Vec<_>>())?;
     }

@@ -220,13 +220,14 @@ fn join<V: View + ?Sized>(
     let borders = cycles.unnamed.len() + loops.len();
     // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
     // The sum is negative where the handles outnumber the components.
-    let twice = (vertices + cycles.named + borders + isolated).cast_signed() - edges.cast_signed();
+    let signed = |n: usize| i64::try_from(n).ok();
+    let twice = signed(vertices + cycles.named + borders + isolated)? - signed(edges)?;
     if twice % 2 != 0 {
         return None;
     }
     let least = usize::try_from(twice / 2).unwrap_or(0);
     let ComponentNumbers { of, first } = components::join(view, extent, around, least.max(1))?;
-    let genus = usize::try_from(first.len().cast_signed() - twice / 2).ok()?;
+    let genus = usize::try_from(signed(first.len())? - twice / 2).ok()?;
     if extent.is_plane() && genus > 0 {
         return None;
     }
