@@ -456,7 +456,8 @@ fn an_open_ring_is_a_defect_with_its_gap() {
     let points = |corners: &[[f64; 2]]| corners.iter().copied().map(Point::from).collect::<Vec<_>>();
     let corners = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0]];
     let open = Shape::Polygon(vec![points(&corners), points(&[[6.0, 1.0], [7.0, 1.0], [7.0, 2.0], [6.0, 1.0]])]);
-    let [defect] = defects(&[open.clone()])[..] else { panic!("{:?}", defects(&[open])) };
+    let found = defects(&[open]);
+    let [defect] = found[..] else { panic!("{found:?}") };
     assert_eq!((defect.kind, defect.shape, defect.ring), (DefectKind::OpenRing, 0, 0));
     assert_eq!((defect.at, defect.gap_to), (Point::new(9.0, 9.0), Some(Point::new(0.0, 0.0))));
     // A shape that is made of corners is closed.

@@ -223,7 +223,7 @@ fn what_is_read_is_not_taken_for_another_format() {
         assert_eq!(ForeignFormat::of_content(text.as_bytes()), None, "{text}");
         assert!(!Format::of_content(text.as_bytes()).is_some_and(Format::is_certain), "{text}");
     }
-    assert_eq!(Format::of_content(&[0, 0, 0, 0, 8]), None);
+    assert_eq!(Format::of_content(&[0, 0, 0, 0, 13]), None);
     assert_eq!(Format::of_content(&[2, 1, 0, 0, 0]), None);
 }
 

@@ -117,7 +117,7 @@ const fn kind(kind: FieldKind) -> &'static str {
         FieldKind::Date => "a date",
         FieldKind::DateTime => "a date with a time",
         FieldKind::Bytes => "bytes",
-        FieldKind::Json => "a list or an object",
+        FieldKind::Json => "a list, an object or a whole number above 2^63",
     }
 }
 

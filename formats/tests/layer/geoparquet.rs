@@ -417,7 +417,7 @@ fn damaged_files_are_refused() {
     assert!(refused > 100 && changed > 10, "{refused} refused, {changed} changed");
 }
 
-/// `GeoArrow`'s encodings are refused with the way out; a text in the place of PROJJSON, as DuckDB wrote it, is read.
+/// `GeoArrow`'s encodings are refused with the way out; a text in the place of PROJJSON, as `DuckDB` wrote it, is read.
 #[test]
 fn other_encodings_say_the_way_out_and_a_reference_system_may_be_a_text() {
     let (_folder, path) = scratch("point.parquet");

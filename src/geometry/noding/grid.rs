@@ -46,7 +46,7 @@ impl Cell {
         let (mut scale, mut denominator) = (1.0, 1);
         for places in 0..=PLACES {
             let whole = (width * scale).round();
-            if whole.abs() < (1_u64 << 53) as f64 && whole / scale == width {
+            if whole.abs() < (1_u64 << 53) as f64 && (whole / scale).to_bits() == width.to_bits() {
                 return Self { width, numerator: whole as i64, denominator, exponent: -places, scale };
             }
             scale *= 10.0;

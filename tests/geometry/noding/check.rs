@@ -57,7 +57,8 @@ pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded
         let edges: Vec<Segment> = noded.segments.iter().map(|ends| ends.map(|v| noded.points[v as usize])).collect();
         let again = node(&edges, &noded.points, snap).expect("it was on the grid");
         let [cell, of_first] = [again.summary.cell, noded.summary.cell];
-        if cell != of_first && (cell > of_first || of_first.log2().fract() != 0.0) {
+        let order = cell.total_cmp(&of_first);
+        if order.is_gt() || order.is_lt() && of_first.log2().fract() != 0.0 {
             // The automatic grid can be coarser than a size that was asked for, and does not have the points of one of decimals.
             continue;
         }

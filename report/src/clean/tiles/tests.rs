@@ -303,7 +303,7 @@ fn triangles(some: &mut impl FnMut(usize) -> usize) -> String {
     text
 }
 
-/// Where a vertex lies within a cell of a border, cleaning once could leave what cleaning twice does not.
+/// Cleaning once could leave gaps and overlaps that cleaning twice does not, beside vertices within a cell of a border.
 #[test]
 fn cleaning_again_changes_nothing_by_tiles_and_as_a_whole() {
     // Linear congruences (D. Knuth, MMIX).
