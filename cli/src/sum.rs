@@ -9,6 +9,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::time::Instant;
+use twinedge_formats::layer::Crs;
 use twinedge_report::{CoverageOptions, MapOptions, Options, audit_summary, merged};
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::lazy::LazyOutcome;
@@ -127,7 +128,10 @@ impl Sum {
         }
         let coverage = CoverageOptions { is_rule: self.coverage, ..CoverageOptions::default() };
         let map = MapOptions { allow_empty: self.allow_empty, ..MapOptions::default() };
-        let mut audited = audit_summary(whole, cut, crs.is_some(), &Options { coverage, map, ..Options::default() })?;
+        // Only the number of a reference system leads to its units.
+        let number = |name: &str| name.strip_prefix("EPSG:").and_then(|number| number.parse().ok());
+        let crs = crs.map(|name| number(&name).map_or_else(Crs::default, Crs::epsg));
+        let mut audited = audit_summary(whole, cut, crs, &Options { coverage, map, ..Options::default() })?;
         audited.took(start.elapsed().as_secs_f64() * 1000.0);
         match self.format {
             Format::Text => print(&audited.text()?)?,

@@ -41,7 +41,7 @@ pub(crate) struct MakeVoronoi {
     #[arg(long)]
     delaunay: bool,
 
-    /// Where points are too close to each other for doubles to tell their cells apart, give them one cell, and say which. Without this, there is
+    /// Give points that are too close to each other for doubles to tell their cells apart one cell, and name them. Without this, there is
     /// no diagram then.
     #[arg(long, conflicts_with = "delaunay")]
     merge_close: bool,

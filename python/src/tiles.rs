@@ -249,7 +249,7 @@ pub(crate) fn finish(
         let whole = whole.ok_or_else(|| Failure::Value("there is no summary".to_owned()))?;
         let mut options = asked.options()?;
         options.map.allow_empty = true;
-        told(&audit_summary(whole, cut, false, &options)?, options.accepted.as_ref())
+        told(&audit_summary(whole, cut, None, &options)?, options.accepted.as_ref())
     });
     Ok(found?)
 }

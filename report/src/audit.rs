@@ -20,8 +20,8 @@ use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, text, textbook, tiles, topology};
 use twinedge::tile::Summary;
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
-use twinedge_formats::layer::Layer;
 use twinedge_formats::layer::topojson::ArcTopology;
+use twinedge_formats::layer::{Crs, Layer};
 use twinedge_formats::mesh::IndexedMesh;
 use twinedge_formats::postgis::Topology;
 use twinedge_formats::textbook::Textbook;
@@ -242,17 +242,17 @@ pub fn audit_mesh(name: &str, mesh: IndexedMesh, options: &Options) -> Result<Au
 /// summary of the same tiles with their edges cut. Features are known by their numbers. If tiles are left out of that summary, or were when their edges
 /// were cut, the report names them, and does not say what features cover.
 ///
-/// `has_other_crs` says that the map has another coordinate reference system than longitude and latitude on WGS 84.
+/// `crs` is the coordinate reference system of the map, if it is another one than longitude and latitude on WGS 84.
 ///
 /// # Errors
 /// [`Error::Missing`] and [`Error::Tiles`]; [`Error::NoEdges`], unless a map may be empty.
 pub fn audit_summary(
     summary: Summary,
     cut: Option<Summary>,
-    has_other_crs: bool,
+    crs: Option<Crs>,
     options: &Options,
 ) -> Result<Audited, Error> {
-    let mut report = tiles::audit_summary(summary, cut, has_other_crs, options)?.unexplained();
+    let mut report = tiles::audit_summary(summary, cut, crs, options)?.unexplained();
     report.identify();
     report.settle(options.accepted.as_ref());
     Ok(Audited(Outcome::Report(Box::new(report), Subject::Tiles)))

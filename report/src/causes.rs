@@ -52,7 +52,7 @@ pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], cl
         });
     }
     let Some((source, reason)) = first else { return };
-    // Where not all clashes are listed, one of the others may be a cause.
+    // One of the clashes that are not listed may be a cause.
     let reason = reason.filter(|_| is_accepted && listed == clashes);
     let follows = |one: &&mut Diagnosis| one.rule == Some(Rule::T3.id()) && one.follows_from.is_some();
     for genus in violations.iter_mut().filter(follows) {
@@ -184,7 +184,7 @@ impl<'a> Findings<'a> {
         if self.greater(a, b).is_le() { [a, b] } else { [b, a] }
     }
 
-    /// What explains a clash of borders: findings about two of its features, or one that is invalid. Missing vertices explain only the clashes at them.
+    /// The explanation of a clash of borders: findings about two of its features, or one that is invalid. Missing vertices explain only the clashes at them.
     fn explanation(&self, clash: &Diagnosis) -> Option<Explanation> {
         let is_at_missing_vertex = clash.follows_from == Some(CoverageRule::Mismatch.id());
         let (features, [x, y]) = (numbers(clash), clash.look?);
@@ -207,7 +207,7 @@ impl<'a> Findings<'a> {
     }
 }
 
-/// What explains a clash of borders.
+/// The explanation of a clash of borders.
 struct Explanation {
     /// The nearest finding, those about two of the features first.
     nearest: usize,

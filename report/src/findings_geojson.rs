@@ -1,9 +1,9 @@
 //! The findings as a layer of GeoJSON.
 
-use crate::trace::has_place;
 use crate::diagnosis_text::full_message;
 use crate::error::Error;
 use crate::report::AuditReport;
+use crate::trace::has_place;
 use crate::verdict::Verdict;
 use crate::words::plain;
 use serde_json::json;

@@ -60,7 +60,7 @@ fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
         told.map(line).collect::<Vec<_>>().join("\n")
     };
     let is_rule = report.style.is_rule;
-    // What follows from findings that fail a case of their own fails no other one.
+    // Consequences of findings that fail a case of their own fail no other case.
     let failed = |id: &str, count: u64| {
         let of_rule = || report.listed().filter(|one| one.rule == Some(id) && one.accepted.is_none());
         let follows = |one: &Diagnosis| one.follows_from.filter(|_| is_rule);

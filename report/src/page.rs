@@ -4,11 +4,11 @@
 //! the script sets it as text.
 
 use crate::accepted::Accepted;
-use crate::trace::has_place;
 use crate::coverage_words::statement;
 use crate::diagnosis_text::message;
 use crate::packed::Picture;
 use crate::report::{AuditReport, Note};
+use crate::trace::has_place;
 use crate::verdict::Verdict;
 use crate::words::{counted, grouped, plain};
 use serde::Serialize;

@@ -139,9 +139,8 @@ impl AuditReport {
             let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
             self.findings.iter().chain(of_coverage).chain(&self.violations)
         };
-        let follows = |has_place: bool| {
-            all().filter(move |one| one.follows_from.is_some() && has_place(one) == has_place)
-        };
+        let follows =
+            |placed: bool| all().filter(move |one| one.follows_from.is_some() && has_place(one) == placed);
         all().filter(|one| one.follows_from.is_none()).chain(follows(true)).chain(follows(false))
     }
 
@@ -310,8 +309,8 @@ impl AuditReport {
         }
     }
 
-    /// What to do where all clashes of borders are vertices that are missing, or borders closer than a cell of the finest grid: no overlap and no gap
-    /// explains these.
+    /// The advice where all clashes of borders are missing vertices, or borders closer than a cell of the finest grid: no overlap and no gap explains
+    /// these.
     pub(crate) fn advice(&self) -> Option<&'static str> {
         let clashes = || self.violations.iter().filter(|one| one.rule == Some(Rule::G4.id()) && one.accepted.is_none());
         let is_small = |one: &Diagnosis| one.follows_from.is_none_or(|rule| rule == CoverageRule::Mismatch.id());

@@ -78,7 +78,7 @@ fn is_cause(one: &Diagnosis) -> bool {
 struct Causes<'a> {
     out: &'a mut String,
     follow: HashMap<&'a str, Vec<&'a Diagnosis>>,
-    /// What follows is written, and not only counted.
+    /// Consequences are written, and not only counted.
     is_listed: bool,
     decimals: usize,
 }

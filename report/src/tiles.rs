@@ -144,7 +144,7 @@ fn vertices(shape: &Shape) -> usize {
 pub(crate) fn audit_summary(
     summary: Summary,
     cut: Option<Summary>,
-    has_other_crs: bool,
+    crs: Option<Crs>,
     asked: &Options,
 ) -> Result<AuditReport, Error> {
     let grid = *summary.grid();
@@ -170,7 +170,7 @@ pub(crate) fn audit_summary(
     let [columns, rows] = grid.size();
     let mut read = ReadSummary::default();
     read.polygons = 1;
-    read.other_crs = usize::from(has_other_crs);
+    read.other_crs = usize::from(crs.is_some());
     let imported = Imported {
         name: counted(columns as usize * rows as usize, "tile"),
         read,
@@ -180,7 +180,7 @@ pub(crate) fn audit_summary(
         builder: None,
         unmatched: Vec::new(),
         features: Vec::new(),
-        crs: None,
+        crs,
         orients_rings: false,
         edges: None,
     };

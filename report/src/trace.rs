@@ -6,7 +6,7 @@ use twinedge::algorithm::coverage::Finding;
 use twinedge::dcel::FaceKey;
 use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::PlanarMap;
-use twinedge::validate::{Embedding, Record, Start, Violation, places};
+use twinedge::validate::{Embedding, Record, Rule, Start, Violation, places};
 use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 
 /// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,

@@ -89,7 +89,7 @@ describe("audit", () => {
     });
     assert.equal((await twinedge.audit(files, { layer: "may.geojson" })).coverage.overlaps, 1);
     assert.equal((await twinedge.audit(files, { layer: "june.geojson" })).coverage.overlaps, 0);
-    // What is no map is passed over.
+    // Other files are passed over.
     assert.equal((await twinedge.audit([file("may.geojson", overlapping), { name: "notes.pdf", bytes: new Uint8Array(4) }])).coverage.overlaps, 1);
     const [shp, dbf, cpg] = shapefile([], "UTF-8");
     const other = { ...shp, name: "b.shp" };

@@ -227,7 +227,7 @@ fn a_page_has_the_map_and_what_was_found() {
     // The map is not plane: the faces are those of the map with its borders cut, which has two crossings more.
     assert_eq!(found["map"]["areas"]["edges"], json!([7655, 7655]));
     assert_eq!(found["features"].as_array().unwrap().len(), 177);
-    // What follows stands behind its cause.
+    // Consequences stand behind their cause.
     let rules: Vec<&str> =
         found["findings"].as_array().unwrap().iter().map(|one| one["rule"].as_str().unwrap()).collect();
     assert_eq!(rules, ["C2", "C6", "C1", "C1", "C4", "C4", "G4", "G4", "T3", "C6"]);

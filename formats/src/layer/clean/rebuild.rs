@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use twinedge::algorithm::area::ring_area;
 use twinedge::algorithm::contour::Polygon;
 use twinedge::geometry::Point;
-use twinedge::geometry::predicates::compare_lexicographic;
+use twinedge::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// The rings of a polygon, the outer one first.
 pub(super) type Rings = Vec<Vec<Point>>;
@@ -55,10 +55,9 @@ fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
                 return None;
             }
             ring.pop();
-            let smallest = |a: &usize, b: &usize| compare_lexicographic(ring[*a], ring[*b]);
-            let start = (0..ring.len()).min_by(smallest).unwrap_or_default();
+            let start = first_corner(ring);
             ring.rotate_left(start);
-            if (ring_area(ring.iter().copied()) > 0.0) != (number == 0) {
+            if is_clockwise(ring) == (number == 0) {
                 ring[1..].reverse();
             }
         }
@@ -71,6 +70,24 @@ fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
     Some(polygons)
 }
 
+/// The number of the first corner of a ring from left to right, and of those above each other the lowest. O(n).
+fn first_corner(ring: &[Point]) -> usize {
+    (0..ring.len()).min_by(|a, b| compare_lexicographic(ring[*a], ring[*b])).unwrap_or_default()
+}
+
+/// Returns true if a ring that does not cross itself turns clockwise, however small its area is. O(n).
+fn is_clockwise(ring: &[Point]) -> bool {
+    let ring = ring.strip_suffix(&ring[..ring.len().min(1)]).unwrap_or(ring);
+    let (n, at) = (ring.len(), first_corner(ring));
+    if n < 3 {
+        return false;
+    }
+    match orientation(ring[(at + n - 1) % n], ring[at], ring[(at + 1) % n]) {
+        Orientation::Collinear => ring_area(ring.iter().copied()) < 0.0,
+        turn => turn == Orientation::Clockwise,
+    }
+}
+
 fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
     let points = a.iter().zip(b).map(|(a, b)| compare_lexicographic(*a, *b));
     points.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
@@ -79,7 +96,6 @@ fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
 /// Turns rings as those before: each as one of its kind, outer rings or holes, with which it shares a point, or else as the first one of its kind. O(n).
 pub(super) fn wind_as(before: &[Rings], after: &mut [Rings]) {
     let key = |point: &Point| [point.x.to_bits(), point.y.to_bits()];
-    let is_clockwise = |ring: &[Point]| ring_area(ring.iter().copied()) < 0.0;
     for is_hole in [false, true] {
         let of_kind = |number: usize| (number > 0) == is_hole;
         let old = || before.iter().flat_map(|rings| rings.iter().enumerate()).filter(|(number, _)| of_kind(*number));
