@@ -17,7 +17,7 @@ use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
-/// What is saved of an attribute: the values by key.
+/// The saved form of an attribute: the values by key.
 type Values<T> = SecondaryMap<FaceKey, T>;
 
 struct Editor {
