@@ -166,7 +166,7 @@ impl<'a> Findings<'a> {
             }
         }
         let mut lesser: Vec<usize> = beside.keys().copied().collect();
-        lesser.sort_unstable_by(|a, b| self.greater(*a, *b));
+        lesser.sort_by(|a, b| self.greater(*a, *b));
         let mut causes: Vec<Option<usize>> = vec![None; self.all.len()];
         for group in lesser {
             // A group that follows from another one is no cause.

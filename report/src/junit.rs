@@ -65,7 +65,7 @@ fn cases(report: &AuditReport) -> Vec<(String, Outcome)> {
         let of_rule = || report.listed().filter(|one| one.rule == Some(id) && one.accepted.is_none());
         let follows = |one: &Diagnosis| one.follows_from.filter(|_| is_rule);
         let listed = of_rule().count() as u64;
-        match of_rule().filter_map(follows).next() {
+        match of_rule().find_map(follows) {
             Some(source) if listed == count && of_rule().all(|one| follows(one).is_some()) => {
                 Outcome::Skipped(format!("{} that follow from {source} and others", counted(count as usize, "finding")))
             }

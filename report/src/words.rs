@@ -48,8 +48,8 @@ pub fn decimals(greatest: f64) -> usize {
 /// The number of decimal places at which a place stays inside something of this width.
 #[must_use]
 pub fn decimals_of(width: Option<f64>) -> usize {
-    let width = width.filter(|width| *width > 0.0 && width.is_finite());
-    width.map_or(0, |width| (2.0 - width.log10()).ceil().clamp(0.0, 17.0) as usize)
+    let width = width.filter(|width| *width > 0.0).unwrap_or(f64::INFINITY);
+    (0..17).take_while(|places| 10_f64.powi(-places) > width / 100.0).count()
 }
 
 /// A place in text, with so many decimal places at most.
