@@ -246,7 +246,7 @@ case/andP=> lb _; case/and5P: ok => _ _ /each_boundaryP /(_ b lb) + _ _.
 by rewrite /surface_boundary_ok /cycle_start; case: (boundary_start t b) => [[h|v]|].
 Qed.
 
-Lemma surface_holes : lists_one_of_each hole_starts (on_cycle t) (fun h => half_edge t h /\ in_hole h).
+Lemma surface_holes_each : lists_one_of_each hole_starts (on_cycle t) (fun h => half_edge t h /\ in_hole h).
 Proof.
 split; first exact: starts_uniq surface_hole_start.
 - move=> h /mapP[b]; rewrite mem_filter => /andP[hb _] ->.
@@ -303,6 +303,6 @@ Theorem surface_holes_sound t position step component rank border genus :
   surface_accepts t position step component rank border genus ->
   exists hs, lists_one_of_each hs (on_cycle t) (fun h => half_edge t h /\ in_hole t h) /\ size hs = hole_count t.
 Proof.
-move=> ok; exists (hole_starts t); split; first exact: surface_holes ok.
+move=> ok; exists (hole_starts t); split; first exact: surface_holes_each ok.
 by rewrite size_map size_filter /hole_count numberE.
 Qed.

@@ -154,8 +154,7 @@ fn points_have_cells() {
 #[test]
 fn points_that_are_too_close_share_a_cell_on_request() {
     // Four numbers next to each other: no three numbers lie between them.
-    let x = ["5", "1", "1.0000000000000002", "1.0000000000000004", "1.0000000000000007"];
-    let text: String = x.iter().map(|x| format!("POINT({x} 0)\n")).collect();
+    let text = "POINT(5 0)\nPOINT(1 0)\nPOINT(1.0000000000000002 0)\nPOINT(1.0000000000000004 0)\nPOINT(1.0000000000000007 0)\n";
     let refused = twinedge_reading(&["voronoi", "-"], text.as_bytes());
     assert_eq!(refused.status.code(), Some(2));
     let said = complaint(&refused);
