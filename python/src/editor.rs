@@ -81,10 +81,18 @@ fn stale(error: StaleKey) -> PyErr {
 /// A message of the library, in which `VertexKey(3v1)` is `vertex 4294967299`: keys are integers in Python.
 fn in_keys_of_python(message: &str) -> String {
     let mut told = message.to_owned();
-    for (debug, word) in [("VertexKey(", "vertex"), ("HalfEdgeKey(", "half-edge"), ("BoundaryKey(", "boundary component"), ("FaceKey(", "face")] {
+    for (debug, word) in [
+        ("VertexKey(", "vertex"),
+        ("HalfEdgeKey(", "half-edge"),
+        ("BoundaryKey(", "boundary component"),
+        ("FaceKey(", "face"),
+    ] {
         while let Some(at) = told.find(debug) {
             let rest = &told[at + debug.len()..];
-            let Some((number, end)) = rest.split_once(')').and_then(|(key, _)| Some((integer(key)?, key.len() + 1))) else { break };
+            let Some((number, end)) = rest.split_once(')').and_then(|(key, _)| Some((integer(key)?, key.len() + 1)))
+            else {
+                break;
+            };
             told.replace_range(at..at + debug.len() + end, &format!("{word} {number}"));
         }
     }

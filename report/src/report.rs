@@ -139,8 +139,7 @@ impl AuditReport {
             let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
             self.findings.iter().chain(of_coverage).chain(&self.violations)
         };
-        let follows =
-            |placed: bool| all().filter(move |one| one.follows_from.is_some() && has_place(one) == placed);
+        let follows = |placed: bool| all().filter(move |one| one.follows_from.is_some() && has_place(one) == placed);
         all().filter(|one| one.follows_from.is_none()).chain(follows(true)).chain(follows(false))
     }
 

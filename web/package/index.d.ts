@@ -289,6 +289,8 @@ export interface VoronoiOptions extends InputOptions, WindingOptions {
   bounds?: [number, number, number, number];
   /** Make the triangles instead. */
   delaunay?: boolean;
+  /** Points that are too close to each other for doubles to tell their cells apart share a cell, whose property `merged` names them. Without it they are an error. */
+  mergeClose?: boolean;
 }
 
 /** Where in an input an error is. */

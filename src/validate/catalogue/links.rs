@@ -14,7 +14,7 @@ macro_rules! links_rules {
             ///                next ──► 99    past the end, or a retired record
             /// ```
             R1 "live" counts "link" "links"
-                "every link that a record needs is there, and every link leads to a live record"
+                "every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are"
                 in "live" broken by "violations" "r1_a_link_dangles"
             {
                 Nil { record: record, field: field } "nil"

@@ -89,7 +89,7 @@ fn rules<'a, V: View + ?Sized>() -> [Statement<'a, V>; 22] {
     ]
 }
 
-/// R1 live: every link that a record needs is there, and every link leads to a live record.
+/// R1 live: every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are.
 ///
 /// At an open boundary twin or face may be nil, but not both. A vertex needs a leaving half-edge only if some half-edge leaves it.
 ///

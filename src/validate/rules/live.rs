@@ -1,4 +1,4 @@
-//! R1 live: every link that a record needs is there, and every link leads to a live record.
+//! R1 live: every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are.
 //!
 //! At an open boundary the twin or the face of a half-edge may be nil, but not both: such a half-edge bounds nothing, and
 //! no other record is on its other side.

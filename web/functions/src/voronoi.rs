@@ -4,7 +4,7 @@ use crate::error::CallError;
 use crate::source::{Buffer, NamedFile, layer};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
-use twinedge::algorithm::voronoi::{delaunay, voronoi};
+use twinedge::algorithm::voronoi::{delaunay, voronoi, voronoi_merging};
 use twinedge::geometry::Point;
 use twinedge_report::voronoi::{Sites, cells, triangles};
 use twinedge_web_bridge::Buffers;
@@ -18,11 +18,12 @@ pub(crate) struct Request {
 }
 
 #[derive(Clone, Debug, Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[serde(default, rename_all = "camelCase", deny_unknown_fields)]
 struct Asked {
     layer: Option<String>,
     bounds: Option<[f64; 4]>,
     delaunay: bool,
+    merge_close: bool,
 }
 
 pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, CallError> {
@@ -36,7 +37,8 @@ pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, Cal
         triangles(&delaunay(&sites.points)?)?
     } else {
         let bounds = asked.options.bounds.map(|[x0, y0, x1, y1]| [Point::new(x0, y0), Point::new(x1, y1)]);
-        cells(&voronoi(&sites.points, bounds)?, &sites)?
+        let make = if asked.options.merge_close { voronoi_merging } else { voronoi };
+        cells(&make(&sites.points, bounds)?, &sites)?
     };
     Ok(json!({ "answer": Buffer::put(buffers, collection.into_bytes()) }))
 }
