@@ -164,7 +164,8 @@ impl AuditReport {
 
     /// The number of violations that are not accepted.
     fn open_violations(&self) -> u64 {
-        self.violation_count - self.violations.iter().filter(|one| one.accepted.is_some()).count() as u64
+        let accepted = self.violations.iter().filter(|one| one.accepted.is_some()).count();
+        self.violation_count.saturating_sub(accepted as u64)
     }
 
     /// The verdict.
@@ -232,7 +233,8 @@ impl AuditReport {
         }
         for rule in &mut self.rules {
             let all = self.findings.iter().chain(&self.violations);
-            rule.violations -= all.filter(|one| one.rule == Some(rule.id) && one.accepted.is_some()).count() as u64;
+            let accepted = all.filter(|one| one.rule == Some(rule.id) && one.accepted.is_some()).count();
+            rule.violations = rule.violations.saturating_sub(accepted as u64);
         }
     }
 
@@ -290,7 +292,7 @@ impl AuditReport {
             Verdict::Invalid => {
                 let [causes, others] = self.causes();
                 let noun = if coverage.is_some() || self.finding_count > 0 { "finding" } else { "violation" };
-                let unlisted = self.total() - self.listed().count() as u64;
+                let unlisted = self.total().saturating_sub(self.listed().count() as u64);
                 let more = if unlisted > 0 { "at least " } else { "" };
                 let follow = match others {
                     0 => String::new(),
