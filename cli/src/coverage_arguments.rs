@@ -52,6 +52,8 @@ pub(crate) struct AcceptedGaps {
 /// A point on the command line.
 fn place(text: &str) -> Result<Point, String> {
     let number = |text: &str| text.trim().parse().ok().filter(|x| f64::is_finite(*x));
+    // As reports print it, too.
+    let text = text.trim().trim_start_matches('(').trim_end_matches(')');
     let point = text.split_once(',').and_then(|(x, y)| Some(Point::new(number(x)?, number(y)?)));
     point.ok_or_else(|| "not a point: two numbers with a comma between".to_owned())
 }

@@ -40,7 +40,7 @@ def test_the_exception_and_the_notebook_show_the_cause_and_a_picture(report):
 def test_accepting_the_finding_accepts_what_follows(report):
     accepted = twinedge.audit(OVERLAPPING, accept=report.accept_all("disputed"))
     assert accepted.valid and accepted.causes == []
-    assert accepted.headline == "valid (1 accepted): every rule that applies holds"
+    assert accepted.headline == "valid (1 accepted): all else that was checked holds"
 
 
 def test_outcomes_print_a_few_lines():

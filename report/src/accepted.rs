@@ -11,7 +11,8 @@ const SCHEMA: &str = "twinedge-accepted/1";
 /// A measure may be greater by this part of it, since it is rounded.
 const ROUNDING: f64 = 1e-9;
 
-/// Findings that were accepted. Each is known by its id, and is accepted as long as it does not grow.
+/// Findings that were accepted. Each is known by its id, and is accepted as long as it does not grow; invalid features and missing vertices have no
+/// size, and are accepted where they were.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Accepted {
     schema: String,
@@ -47,6 +48,9 @@ pub struct AcceptedFinding {
     /// The number of missing vertices that it had; without one, any is accepted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub missing: Option<usize>,
+    /// The number of defects that an invalid feature had; without one, any are accepted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub defects: Option<usize>,
 }
 
 /// The fate of accepted findings.
@@ -114,6 +118,7 @@ impl Accepted {
                 area: one.measures.area,
                 length: one.measures.length,
                 missing: Some(one.missing.len()).filter(|count| *count > 0),
+                defects: Some(one.trace.points.len()).filter(|_| !one.defects.is_empty()),
             }
         };
         Self { schema: SCHEMA.to_owned(), accepted: findings.map(of).collect() }
@@ -146,14 +151,20 @@ impl Accepted {
 }
 
 impl AcceptedFinding {
-    /// Returns true if a finding is no greater.
+    /// Returns true if a finding is no greater, and if nothing measures it, at the same place.
     fn covers(&self, one: &Diagnosis) -> bool {
+        let is_measured = one.measures.area.is_some();
+        let is_near = |a: &Position, b: &Position| {
+            [0, 1].iter().all(|axis| (a[*axis] - b[*axis]).abs() <= ROUNDING * a[*axis].abs().max(b[*axis].abs()))
+        };
+        let is_here = is_measured || self.at.zip(one.look).is_none_or(|(then, now)| is_near(&then, &now));
         let is_within = |now: Option<f64>, then: Option<f64>| match (now, then) {
             (Some(now), Some(then)) => now <= then * (1.0 + ROUNDING),
             _ => true,
         };
-        let is_as_few = self.missing.is_none_or(|count| one.missing.len() <= count);
-        is_within(one.measures.area, self.area) && is_within(one.measures.length, self.length) && is_as_few
+        let is_as_few = self.missing.is_none_or(|count| one.missing.len() <= count)
+            && self.defects.is_none_or(|count| one.trace.points.len() <= count);
+        is_within(one.measures.area, self.area) && is_within(one.measures.length, self.length) && is_as_few && is_here
     }
 
     /// The id and the features.

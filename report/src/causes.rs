@@ -9,9 +9,11 @@
 //!
 //! Findings of a coverage form a group where they touch and have two features in common: a border that was drawn twice. A group follows from a greater
 //! one that it touches if they have a feature in common. The cause is an invalid feature (C6), or else the largest finding. Duplicates (C5) are a cause
-//! each. Clashes of borders (G4) follow from the nearest finding about their features, and T3 from them. A map that was seen by its tiles has findings
-//! without shapes, so none is known to touch another one.
+//! each. Clashes of borders (G4) follow from the greatest finding about their features that they touch, and T3 from them. A map that was seen by its tiles has
+//! findings without shapes, so none but missing vertices is known to touch anything.
 
+use crate::packed::Window;
+use crate::reader_words::common;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use twinedge::algorithm::coverage::CoverageRule;
@@ -24,7 +26,8 @@ const NEAR: f64 = 1.0 / (1_u64 << 36) as f64;
 /// The number of findings at one point that are looked at.
 const AT_A_POINT: usize = 32;
 
-/// Notes the cause of each listed finding and violation. `clashes` is the number of clashes of borders, listed or not. What follows from an accepted finding is accepted with it, unless it can be accepted by itself.
+/// Notes the cause of each listed finding and violation. `clashes` is the number of clashes of borders, listed or not. A clash is accepted with its cause
+/// if all findings that it touches are accepted, and T3 if all clashes are; findings of a coverage are accepted by themselves.
 /// O(n log n) for the n corners of all findings.
 pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], clashes: u64) {
     let sources = Findings::new(findings).sources();
@@ -38,8 +41,8 @@ pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], cl
     };
     let (mut first, mut listed, mut is_accepted) = (None, 0, true);
     for (clash, explained) in violations.iter_mut().zip(explained).filter(|(one, _)| is_clash(one)) {
-        if let Some(Explanation { nearest, is_accepted }) = explained {
-            let of = &mut findings[sources[nearest].unwrap_or(nearest)];
+        if let Some(Explanation { greatest, is_accepted }) = explained {
+            let of = &mut findings[sources[greatest].unwrap_or(greatest)];
             (clash.follows_from, clash.follows_from_id) = (of.rule, of.id.clone());
             clash.accepted = of.accepted.clone().filter(|_| is_accepted);
             clash.is_violation = clash.accepted.is_none();
@@ -84,11 +87,12 @@ fn in_common(a: &[usize], b: &[usize]) -> usize {
     short.iter().filter(|one| long.binary_search(one).is_ok()).count()
 }
 
-/// The corners of the shape of a finding. A single point is only a place to look at, but for what is wrong at points.
+/// The corners of the shape of a finding, the defects of a feature, or the missing vertices. A single point of another finding is only a place to look at.
 fn corners(one: &Diagnosis) -> impl Iterator<Item = Position> {
-    let is_at_points = is_rule(one, CoverageRule::Validity) || is_rule(one, CoverageRule::Mismatch);
+    let is_invalid = is_rule(one, CoverageRule::Validity);
     let rings = one.trace.polygons.iter().flatten().chain(&one.trace.lines).flatten();
-    rings.chain(one.trace.points.iter().filter(move |_| is_at_points)).copied()
+    let points = one.trace.points.iter().filter(move |_| is_invalid);
+    rings.chain(points).copied().chain(one.missing.iter().map(|vertex| vertex.at))
 }
 
 /// The findings of a coverage that can be causes.
@@ -98,6 +102,10 @@ struct Findings<'a> {
     features: Vec<Vec<usize>>,
     /// The findings about each feature.
     about: HashMap<usize, Vec<usize>>,
+    /// The box around each.
+    boxes: Vec<Option<Window>>,
+    /// Points touch if they are no farther apart in x and in y.
+    cell: f64,
 }
 
 impl<'a> Findings<'a> {
@@ -109,7 +117,9 @@ impl<'a> Findings<'a> {
                 about.entry(feature).or_default().push(number);
             }
         }
-        Self { all, features, about }
+        let largest = all.iter().flat_map(corners).flatten().map(f64::abs).fold(0.0, f64::max);
+        let boxes = all.iter().map(|one| Window::tight(corners(one))).collect();
+        Self { all, features, about, boxes, cell: (largest * NEAR).max(f64::MIN_POSITIVE) }
     }
 
     /// The order of causes: an invalid feature first, then by area; missing vertices last.
@@ -123,8 +133,6 @@ impl<'a> Findings<'a> {
 
     /// The pairs of findings that touch, and the number of features that they have in common, if there is one.
     fn touching(&self) -> Vec<([usize; 2], usize)> {
-        let largest = self.all.iter().flat_map(corners).flatten().map(f64::abs).fold(0.0, f64::max);
-        let cell = (largest * NEAR).max(f64::MIN_POSITIVE);
         let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
         let mut pairs = Vec::new();
         for (number, one) in self.all.iter().enumerate() {
@@ -132,7 +140,7 @@ impl<'a> Findings<'a> {
                 continue;
             }
             for corner in corners(one) {
-                let [x, y] = corner.map(|x| (x / cell).round() as i64);
+                let [x, y] = corner.map(|x| (x / self.cell).round() as i64);
                 for beside in [-1, 0, 1].into_iter().flat_map(|dx| [-1, 0, 1].map(|dy| [x + dx, y + dy])) {
                     pairs.extend(at.get(&beside).into_iter().flatten().map(|other| [*other, number]));
                 }
@@ -184,35 +192,49 @@ impl<'a> Findings<'a> {
         if self.greater(a, b).is_le() { [a, b] } else { [b, a] }
     }
 
-    /// The explanation of a clash of borders: findings about two of its features, or one that is invalid. Missing vertices explain only the clashes at them.
+    /// The explanation of a clash of borders: findings that touch it, about two of its features, or an invalid one. Missing vertices explain only the
+    /// clashes at them. O(corners of the findings about its features).
     fn explanation(&self, clash: &Diagnosis) -> Option<Explanation> {
         let is_at_missing_vertex = clash.follows_from == Some(CoverageRule::Mismatch.id());
-        let (features, [x, y]) = (numbers(clash), clash.look?);
-        let about = features.iter().filter_map(|feature| self.about.get(feature)).flatten().copied();
+        let (features, at) = (numbers(clash), places(clash));
+        let mut about: Vec<usize> =
+            features.iter().filter_map(|feature| self.about.get(feature)).flatten().copied().collect();
+        about.sort_unstable();
+        about.dedup();
+        about.retain(|one| at.iter().any(|place| self.boxes[*one].is_some_and(|window| window.has(*place, self.cell))));
+        about.retain(|one| corners(&self.all[*one]).any(|corner| at.iter().any(|place| self.are_near(corner, *place))));
         let explains = |one: &usize| {
             let (shared, one) = (in_common(&self.features[*one], &features), &self.all[*one]);
             let is_enough = shared > usize::from(!is_rule(one, CoverageRule::Validity));
             is_enough && is_rule(one, CoverageRule::Mismatch) == is_at_missing_vertex
         };
-        let key = |one: usize| {
-            let distance = self.all[one].look.map_or(f64::INFINITY, |[a, b]| (a - x).hypot(b - y));
-            (is_rule(&self.all[one], CoverageRule::Validity), distance)
+        // Two borders that cross say more than that one of the features is invalid.
+        let order = |a: &usize, b: &usize| {
+            let is_of_one = |one: &usize| is_rule(&self.all[*one], CoverageRule::Validity);
+            is_of_one(a).cmp(&is_of_one(b)).then(self.greater(*a, *b))
         };
-        let is_accepted = about.clone().filter(explains).all(|one| self.all[one].accepted.is_some());
-        let nearest = about.filter(explains).min_by(|a, b| {
-            let ((is_of_one, near), (is_other_of_one, far)) = (key(*a), key(*b));
-            is_of_one.cmp(&is_other_of_one).then(near.total_cmp(&far)).then(a.cmp(b))
-        })?;
-        Some(Explanation { nearest, is_accepted })
+        let is_accepted = about.iter().all(|one| self.all[*one].accepted.is_some());
+        let greatest = about.into_iter().filter(explains).min_by(order)?;
+        Some(Explanation { greatest, is_accepted })
+    }
+
+    fn are_near(&self, a: Position, b: Position) -> bool {
+        [0, 1].iter().all(|axis| (a[*axis] - b[*axis]).abs() <= self.cell)
     }
 }
 
 /// The explanation of a clash of borders.
 struct Explanation {
-    /// The nearest finding, those about two of the features first.
-    nearest: usize,
-    /// All findings that explain it are accepted.
+    /// The greatest finding, those about two of the features first.
+    greatest: usize,
+    /// All findings that touch the clash are accepted.
     is_accepted: bool,
+}
+
+/// The places at which a clash of borders has corners of what it makes: the crossing, or both ends of an overlap.
+fn places(clash: &Diagnosis) -> Vec<Position> {
+    let ends = clash.places.as_deref().filter(|_| clash.kind.name().ends_with("overlap")).and_then(common);
+    ends.map_or_else(|| clash.look.into_iter().collect(), |ends| ends.to_vec())
 }
 
 /// Groups of findings. Each finding has one that is greater, or is the greatest of its group itself.

@@ -38,7 +38,7 @@ fn listed(names: &[String]) -> String {
 }
 
 /// The ends of what two segments on one line have in common, if these are their four ends.
-fn common(ends: &[Position]) -> Option<[Position; 2]> {
+pub(crate) fn common(ends: &[Position]) -> Option<[Position; 2]> {
     let mut ends: [Position; 4] = ends.try_into().ok()?;
     let span = |axis: usize| ends.iter().map(|p| (p[axis] - ends[0][axis]).abs()).fold(0.0, f64::max);
     let axis = usize::from(span(1) > span(0));

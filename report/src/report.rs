@@ -154,12 +154,18 @@ impl AuditReport {
         found
     }
 
-    /// The number of listed diagnoses that are not accepted and follow from no other one, and the number of those that follow from others.
+    /// The number of diagnoses that are not accepted and follow from no other one, as far as is known: what is not listed counts. And the number of
+    /// those that follow from others.
     pub(crate) fn causes(&self) -> [usize; 2] {
         let open = |follows: bool| {
             self.listed().filter(move |one| one.accepted.is_none() && one.follows_from.is_some() == follows).count()
         };
-        [false, true].map(open)
+        [open(false) + self.unlisted(), open(true)]
+    }
+
+    /// The number of diagnoses that are not listed.
+    fn unlisted(&self) -> usize {
+        (self.total() as usize).saturating_sub(self.listed().count())
     }
 
     /// The number of violations that are not accepted.
@@ -286,14 +292,17 @@ impl AuditReport {
                 format!("unknown: nothing wrong was found, and {}{beside}", self.unknown().join("; "))
             }
             Verdict::Valid => match of_coverage {
+                // What relies on accepted violations was not checked.
+                None if self.open_violations() < self.violation_count => {
+                    format!("valid{accepted}: all else that was checked holds")
+                }
                 None => format!("valid{accepted}: every rule that applies holds"),
                 Some(coverage) => format!("{of_structure}{accepted} · coverage: {coverage}"),
             },
             Verdict::Invalid => {
                 let [causes, others] = self.causes();
                 let noun = if coverage.is_some() || self.finding_count > 0 { "finding" } else { "violation" };
-                let unlisted = self.total().saturating_sub(self.listed().count() as u64);
-                let more = if unlisted > 0 { "at least " } else { "" };
+                let more = if self.unlisted() > 0 { "up to " } else { "" };
                 let follow = match others {
                     0 => String::new(),
                     1 => ", from which 1 other follows".to_owned(),

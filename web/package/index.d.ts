@@ -107,6 +107,7 @@ export interface AcceptedFindings {
     area?: number;
     length?: number;
     missing?: number;
+    defects?: number;
   }[];
 }
 

@@ -68,8 +68,8 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "STANDARD", value_parser = ["19157"], conflicts_with_all = ["format", "tiles", "memory"])]
     pub(super) iso: Option<String>,
 
-    /// Accept the findings of C1 … C7 and X1 … X6 that are listed in this file, as long as they do not grow: with --coverage they break nothing. The report says which
-    /// of them no longer occur. `--accept-all` writes such a file.
+    /// Accept the findings of C1 … C7 and X1 … X6 that are listed in this file, as long as they do not grow: with --coverage they break nothing, and neither do
+    /// violations that touch no other finding. The report says which of them no longer occur. `--accept-all` writes such a file.
     #[arg(long, value_name = "FILE")]
     pub(super) accept: Option<PathBuf>,
 

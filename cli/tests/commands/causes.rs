@@ -140,9 +140,8 @@ fn a_printed_place_can_be_pasted_back() {
     fs::write(&file, CRACK).unwrap();
     let text = String::from_utf8(twinedge(&["audit", &file]).stdout).unwrap();
     let line = text.lines().find(|line| line.starts_with("C2 gap")).expect("there is a gap");
-    let (_, place) = line.rsplit_once("at (").unwrap();
-    let place = place.trim_end_matches(')').replace(", ", ",");
-    let (status, found) = json(&["audit", &file, "--coverage", "--format", "json", "--accept-gap", &place]);
+    let (_, place) = line.rsplit_once("at ").unwrap();
+    let (status, found) = json(&["audit", &file, "--coverage", "--format", "json", "--accept-gap", place]);
     let coverage = &found["coverage"];
     assert_eq!((status, &coverage["gaps"], &coverage["accepted_gaps"]), (Some(0), &value!(0), &value!(1)), "{line}");
     assert_eq!(found["warnings"], value!([]));
@@ -155,4 +154,54 @@ fn an_accepted_place_in_which_there_is_no_gap_is_a_warning() {
     fs::write(&file, CRACK).unwrap();
     let (_, found) = json(&["audit", &file, "--format", "json", "--accept-gap", "2683050,1247040"]);
     assert_eq!(found["warnings"], value!(["there is no gap at the accepted place (2683050, 1247040)"]));
+}
+
+/// Accepts all findings of a layer, and judges another one by that list; without `--coverage`, so that the structure alone counts.
+fn judged_by_the_list_of(before: &str, after: &str) -> (Option<i32>, Value) {
+    let folder = TempDir::new().unwrap();
+    let [file, list] = ["layer.wkt", "accepted.json"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    fs::write(&file, before).unwrap();
+    json(&["audit", &file, "--format", "json", "--accept-all", &list]);
+    let (status, same) = json(&["audit", &file, "--format", "json", "--accept", &list]);
+    assert_eq!((status, &same["verdict"], &same["causes"]), (Some(0), &value!("valid"), &value!(0)), "{same}");
+    fs::write(&file, after).unwrap();
+    json(&["audit", &file, "--format", "json", "--accept", &list])
+}
+
+#[test]
+fn an_accepted_lake_does_not_accept_what_crosses_elsewhere() {
+    let lake = "POLYGON((0 0,100 0,100 10,95 20,100 30,100 100,0 100,0 0))
+POLYGON((100 0,200 0,200 100,100 100,100 30,100 10,100 0))
+";
+    let (status, found) = judged_by_the_list_of(lake, &format!("{lake}LINESTRING(50 70,150 72)\n"));
+    assert_eq!((status, &found["causes"]), (Some(1), &value!(1)), "{found}");
+}
+
+#[test]
+fn an_accepted_spike_does_not_accept_that_its_feature_crosses_itself_or_others() {
+    let spike = "POLYGON((0 0,50 0,50 12,50 0,100 0,100 80,0 80,0 0))\n";
+    let crossing = "POLYGON((0 0,50 0,50 12,50 0,100 80,100 0,0 80,0 0))\n";
+    for after in [crossing.to_owned(), format!("{spike}LINESTRING(-20 40,150 45)\n")] {
+        let (status, found) = judged_by_the_list_of(spike, &after);
+        assert_eq!((status, &found["verdict"]), (Some(1), &value!("invalid")), "{found}");
+    }
+    let row = |tip: u32| {
+        let others = (1..6).map(|i| format!("POLYGON(({0} 0,{1} 0,{1} 100,{0} 100,{0} 0))\n", 100 * i, 100 * i + 100));
+        let first = format!("POLYGON((0 0,100 0,100 50,{tip} 50,100 50,100 100,0 100,0 0))\n");
+        std::iter::once(first).chain(others).collect::<String>()
+    };
+    let (status, found) = judged_by_the_list_of(&row(105), &row(550));
+    assert_eq!((status, &found["verdict"]), (Some(1), &value!("invalid")), "{found}");
+}
+
+#[test]
+fn an_accepted_missing_vertex_is_accepted_at_its_place_only() {
+    let layer = |west: &str, east: &str| {
+        format!(
+            "POLYGON((0 0,100 0,{west}100 1000,0 1000,0 0))\nPOLYGON((100 0,200 0,200 1000,100 1000,{east}100 0))\n"
+        )
+    };
+    let (status, found) = judged_by_the_list_of(&layer("100 100,", ""), &layer("", "100 900,"));
+    assert_eq!((status, &found["coverage"]["mismatches"]), (Some(1), &value!(1)), "{found}");
+    assert_eq!(found["accepted"]["grown"].as_array().unwrap().len(), 1);
 }

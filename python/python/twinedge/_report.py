@@ -403,9 +403,9 @@ class Report:
     def counts(self) -> dict[str, Any]:
         """The numbers of ``vertices``, ``edges``, ``faces``, ``components``, ``genus`` and others.
 
-        ``None`` is what could not be counted because a rule that the counting relies on is broken.
+        ``None`` is what could not be counted because a rule that the counting relies on is broken. Empty, if the audit was not finished in time.
         """
-        return dict(self._document["counts"])
+        return dict(self._document["counts"] or {})
 
     @property
     def rules(self) -> list[Rule]:
@@ -486,16 +486,18 @@ class Report:
 
         ``len(report.causes)`` is the number of the headline, if all are listed.
         """
-        return [one for one in (*self.findings, *self.violations) if one.follows_from is None and one.accepted is None]
+        return [one for one in self._both() if one.follows_from is None and one.accepted is None]
 
     def consequences(self, cause: Violation | Finding) -> list[Violation | Finding]:
         """The listed findings and violations that follow from one."""
-        both = (*self.findings, *self.violations)
-        return [one for one in both if cause.id is not None and one.follows_from_id == cause.id and one.accepted is None]
+        return [one for one in self._both() if cause.id is not None and one.follows_from_id == cause.id and one.accepted is None]
 
     def _listed(self) -> list[Violation | Finding]:
         """All that is listed: causes, then what follows from them; findings first."""
-        return sorted((*self.findings, *self.violations), key=lambda one: one.follows_from is not None)
+        return sorted(self._both(), key=lambda one: one.follows_from is not None)
+
+    def _both(self) -> list[Violation | Finding]:
+        return [*self.findings, *self.violations]
 
     @property
     def finding_count(self) -> int:
