@@ -12,7 +12,6 @@
 //! each. Clashes of borders (G4) follow from the greatest finding about their features that they touch, and T3 from them. A map that was seen by its tiles has
 //! findings without shapes, so none but missing vertices is known to touch anything.
 
-use crate::packed::Window;
 use crate::reader_words::common;
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -23,8 +22,8 @@ use twinedge_formats::diagnosis::{Diagnosis, Position};
 /// Points touch if they are closer than this part of the largest coordinate: C6 computes a crossing of borders in another way than a map.
 const NEAR: f64 = 1.0 / (1_u64 << 36) as f64;
 
-/// The number of findings at one point that are looked at.
-const AT_A_POINT: usize = 32;
+/// The number of findings that are joined at one point, the greatest of each rule first.
+const AT_A_POINT: usize = 8;
 
 /// Notes the cause of each listed finding and violation. `clashes` is the number of clashes of borders, listed or not. A clash is accepted with its cause
 /// if all findings that it touches are accepted, and T3 if all clashes are; findings of a coverage are accepted by themselves.
@@ -100,10 +99,8 @@ struct Findings<'a> {
     all: &'a [Diagnosis],
     /// The features of each.
     features: Vec<Vec<usize>>,
-    /// The findings about each feature.
-    about: HashMap<usize, Vec<usize>>,
-    /// The box around each.
-    boxes: Vec<Option<Window>>,
+    /// The findings that have a corner in a cell of a grid.
+    at: HashMap<[i64; 2], Vec<usize>>,
     /// Points touch if they are no farther apart in x and in y.
     cell: f64,
 }
@@ -111,15 +108,23 @@ struct Findings<'a> {
 impl<'a> Findings<'a> {
     fn new(all: &'a [Diagnosis]) -> Self {
         let features: Vec<Vec<usize>> = all.iter().map(numbers).collect();
-        let mut about: HashMap<usize, Vec<usize>> = HashMap::new();
+        let largest = all.iter().flat_map(corners).flatten().map(f64::abs).fold(0.0, f64::max);
+        let cell = (largest * NEAR).max(f64::MIN_POSITIVE);
+        let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
         for (number, one) in all.iter().enumerate().filter(|(_, one)| !is_rule(one, CoverageRule::Duplicate)) {
-            for feature in numbers(one) {
-                about.entry(feature).or_default().push(number);
+            for corner in corners(one) {
+                let here = at.entry(corner.map(|x| (x / cell).round() as i64)).or_default();
+                if here.last() != Some(&number) {
+                    here.push(number);
+                }
             }
         }
-        let largest = all.iter().flat_map(corners).flatten().map(f64::abs).fold(0.0, f64::max);
-        let boxes = all.iter().map(|one| Window::tight(corners(one))).collect();
-        Self { all, features, about, boxes, cell: (largest * NEAR).max(f64::MIN_POSITIVE) }
+        Self { all, features, at, cell }
+    }
+
+    /// The findings with a corner in a cell.
+    fn in_cell(&self, cell: [i64; 2]) -> impl Iterator<Item = usize> {
+        self.at.get(&cell).into_iter().flatten().copied()
     }
 
     /// The order of causes: an invalid feature first, then by area; missing vertices last.
@@ -131,23 +136,17 @@ impl<'a> Findings<'a> {
         weight(b).total_cmp(&weight(a)).then(a.cmp(&b))
     }
 
-    /// The pairs of findings that touch, and the number of features that they have in common, if there is one.
+    /// The pairs of findings that touch and are not accepted, and the number of features that they have in common, if there is one.
     fn touching(&self) -> Vec<([usize; 2], usize)> {
-        let mut at: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
+        let joined = |cell| self.in_cell(cell).filter(|one| self.all[*one].accepted.is_none()).take(AT_A_POINT);
         let mut pairs = Vec::new();
-        for (number, one) in self.all.iter().enumerate() {
-            if one.accepted.is_some() || is_rule(one, CoverageRule::Duplicate) {
-                continue;
-            }
-            for corner in corners(one) {
-                let [x, y] = corner.map(|x| (x / self.cell).round() as i64);
-                for beside in [-1, 0, 1].into_iter().flat_map(|dx| [-1, 0, 1].map(|dy| [x + dx, y + dy])) {
-                    pairs.extend(at.get(&beside).into_iter().flatten().map(|other| [*other, number]));
-                }
-                let here = at.entry([x, y]).or_default();
-                if here.last() != Some(&number) && here.len() < AT_A_POINT {
-                    here.push(number);
-                }
+        for [x, y] in self.at.keys().copied() {
+            // Each two neighbouring cells once.
+            for beside in
+                [[0, 0], [1, -1], [1, 0], [1, 1], [0, 1]].map(|[dx, dy]| [x.saturating_add(dx), y.saturating_add(dy)])
+            {
+                let sorted = |a: usize, b: usize| if a < b { [a, b] } else { [b, a] };
+                pairs.extend(joined([x, y]).flat_map(|a| joined(beside).map(move |b| sorted(a, b))));
             }
         }
         pairs.sort_unstable();
@@ -193,16 +192,19 @@ impl<'a> Findings<'a> {
     }
 
     /// The explanation of a clash of borders: findings that touch it, about two of its features, or an invalid one. Missing vertices explain only the
-    /// clashes at them. O(corners of the findings about its features).
+    /// clashes at them. O(findings there).
     fn explanation(&self, clash: &Diagnosis) -> Option<Explanation> {
         let is_at_missing_vertex = clash.follows_from == Some(CoverageRule::Mismatch.id());
-        let (features, at) = (numbers(clash), places(clash));
-        let mut about: Vec<usize> =
-            features.iter().filter_map(|feature| self.about.get(feature)).flatten().copied().collect();
+        let features = numbers(clash);
+        let mut about = Vec::new();
+        for [x, y] in places(clash).into_iter().map(|at| at.map(|x| (x / self.cell).round() as i64)) {
+            let around =
+                [-1, 0, 1].into_iter().flat_map(|dx| [-1, 0, 1].map(|dy| [x.saturating_add(dx), y.saturating_add(dy)]));
+            about.extend(around.flat_map(|cell| self.in_cell(cell)));
+        }
         about.sort_unstable();
         about.dedup();
-        about.retain(|one| at.iter().any(|place| self.boxes[*one].is_some_and(|window| window.has(*place, self.cell))));
-        about.retain(|one| corners(&self.all[*one]).any(|corner| at.iter().any(|place| self.are_near(corner, *place))));
+        about.retain(|one| in_common(&self.features[*one], &features) > 0);
         let explains = |one: &usize| {
             let (shared, one) = (in_common(&self.features[*one], &features), &self.all[*one]);
             let is_enough = shared > usize::from(!is_rule(one, CoverageRule::Validity));
@@ -216,10 +218,6 @@ impl<'a> Findings<'a> {
         let is_accepted = about.iter().all(|one| self.all[*one].accepted.is_some());
         let greatest = about.into_iter().filter(explains).min_by(order)?;
         Some(Explanation { greatest, is_accepted })
-    }
-
-    fn are_near(&self, a: Position, b: Position) -> bool {
-        [0, 1].iter().all(|axis| (a[*axis] - b[*axis]).abs() <= self.cell)
     }
 }
 

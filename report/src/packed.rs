@@ -20,7 +20,6 @@ use crate::trace::{finite, target};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde::{Serialize, Serializer};
-use std::borrow::Borrow;
 use twinedge::validate::Embedding;
 use twinedge_formats::diagnosis::Position;
 
@@ -93,18 +92,11 @@ impl Window {
         Some(Self { low: all.low.map(|x| x - margin), high: all.high.map(|x| x + margin) })
     }
 
-    /// Around points.
-    pub(crate) fn tight(points: impl IntoIterator<Item = impl Borrow<Position>>) -> Option<Self> {
+    fn tight<'a>(points: impl IntoIterator<Item = &'a Position>) -> Option<Self> {
         points.into_iter().fold(None, |found: Option<Self>, p| {
-            let p = *p.borrow();
-            let Self { low, high } = found.unwrap_or(Self { low: p, high: p });
+            let Self { low, high } = found.unwrap_or(Self { low: *p, high: *p });
             Some(Self { low: [low[0].min(p[0]), low[1].min(p[1])], high: [high[0].max(p[0]), high[1].max(p[1])] })
         })
-    }
-
-    /// Returns true if a point lies inside, or no farther away than this in x and in y.
-    pub(crate) fn has(&self, at: Position, margin: f64) -> bool {
-        [0, 1].iter().all(|i| self.low[*i] - margin <= at[*i] && at[*i] <= self.high[*i] + margin)
     }
 
     fn meets(&self, other: &Self) -> bool {
