@@ -96,6 +96,13 @@ describe("audit", () => {
     await assert.rejects(twinedge.convert([shp, dbf, cpg, other], { to: "geojson" }), { message: /a\.shp, b\.shp/ });
   });
 
+  it("advises no format that it does not read", async () => {
+    const photo = { name: "photo.png", bytes: new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]) };
+    await assert.rejects(twinedge.audit(photo), ({ code, message }) => code === "format" && !/GeoPackage|GeoParquet|GPKG/.test(message));
+    const database = { name: "a.gpkg", bytes: new TextEncoder().encode("SQLite format 3\0") };
+    await assert.rejects(twinedge.audit(database), { code: "needs-program" });
+  });
+
   it("takes a File and a Blob", async () => {
     const blob = new Blob([JSON.stringify(overlapping)]);
     for (const input of [blob, new File([blob], "a.geojson"), [new File([blob], "a.geojson")], { name: "a.geojson", bytes: blob }]) {

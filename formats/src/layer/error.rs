@@ -50,10 +50,7 @@ pub enum ReadError {
     #[error("this looks like {0}, which is not read here: {advice}", advice = .0.advice())]
     Foreign(ForeignFormat),
     /// The content is of no known format.
-    #[error(
-        "the format is not recognised: GeoJSON, TopoJSON, well-known text and binary, Shapefiles, GeoPackages, GeoParquet and FlatGeobuf are read; \
-         convert others with `ogr2ogr -f GPKG map.gpkg FILE`"
-    )]
+    #[error("the format is not recognised: {}", what_is_read())]
     Unrecognised,
     /// The crate was built without the feature that reads this format.
     #[error("{0} is read with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
@@ -89,6 +86,27 @@ pub enum ArchiveError {
     /// It has no file whose name says that it is a layer.
     #[error("the archive has no layer of a format that is read here")]
     NoLayer,
+}
+
+/// The formats that this build reads, and the command that makes one of them.
+fn what_is_read() -> String {
+    let all = [
+        (cfg!(feature = "geojson"), "GeoJSON"),
+        (cfg!(feature = "topojson"), "TopoJSON"),
+        (cfg!(feature = "wkt"), "well-known text and binary"),
+        (cfg!(feature = "shapefile"), "Shapefiles"),
+        (cfg!(feature = "geopackage"), "GeoPackages"),
+        (cfg!(feature = "geoparquet"), "GeoParquet"),
+        (cfg!(feature = "flatgeobuf"), "FlatGeobuf"),
+    ];
+    let read: Vec<&str> = all.into_iter().filter(|(is_on, _)| *is_on).map(|(_, name)| name).collect();
+    let names = match &read[..] {
+        [] => "no format is".to_owned(),
+        [one] => format!("{one} is"),
+        [all @ .., last] => format!("{} and {last} are", all.join(", ")),
+    };
+    let output = if cfg!(feature = "geopackage") { "GPKG map.gpkg" } else { "GeoJSONSeq map.geojsonl" };
+    format!("{names} read; convert others with `ogr2ogr -f {output} FILE`")
 }
 
 fn choose_layer(wanted: Option<&str>, layers: &[String]) -> String {
