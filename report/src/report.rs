@@ -292,7 +292,7 @@ impl AuditReport {
                 format!("unknown: nothing wrong was found, and {}{beside}", self.unknown().join("; "))
             }
             Verdict::Valid => match of_coverage {
-                // What relies on accepted violations was not checked.
+                // Rules that rely on accepted violations were not checked.
                 None if self.open_violations() < self.violation_count => {
                     format!("valid{accepted}: all else that was checked holds")
                 }
