@@ -95,7 +95,15 @@ async function parcelsByMouse(browser, url) {
   same("heading", await text(page, "h1"), "parcels.geojson");
   same("half-edges are off", await page.$eval("#links-on", (box) => box.checked), false);
   check("verdict", (await text(page, "#verdict")).startsWith("not valid:"), await text(page, "#verdict"));
+  // Consequences are folded under their causes.
+  const causes = await options(page);
+  const told = await page.evaluate(() => data.findings.filter(({ follows }) => follows === null).length);
+  same("causes are listed", causes.length, told);
+  check("with the number of consequences", causes.some((one) => /\d+ others follow from it/.test(one)), causes);
+  check("the count is that of the causes", (await text(page, "#shown")).startsWith(`${told} of ${told} findings`), await text(page, "#shown"));
+  await click(page, "#follow-on");
   const all = await options(page);
+  same("all are listed then", all.length, await page.evaluate(() => data.findings.length));
   for (const [rule, features] of [
     ["C1 overlap", "Alder (id P-1), Birch (id P-2)"],
     ["C2 gap", "Dogwood (id P-4)"],
@@ -279,6 +287,7 @@ async function brokenLink(browser, url) {
 /** Clashes come after the findings that say the same, in words about features; an edge is found by its number. */
 async function crossings(browser, url) {
   const { page, complaints } = await open(browser, url);
+  await click(page, "#follow-on");
   const all = await options(page);
   const [first, clash] = [all.findIndex((one) => one.startsWith("C1")), all.findIndex((one) => one.startsWith("G4"))];
   check("findings come first", 0 <= first && first < clash, all);
@@ -393,6 +402,7 @@ async function accepting(browser, url) {
   same("nothing is accepted", await count(), "0 findings are accepted.");
   const isOffered = () => page.$eval("#accept", (form) => !form.hidden);
   same("nothing is chosen", await isOffered(), false);
+  await click(page, "#follow-on");
   await page.focus("#list");
   await press(page, "End", "End");
   same("a violation of the structure cannot be accepted", await isOffered(), false);

@@ -80,18 +80,20 @@ class FindingList {
     const isNamed = (one) =>
       one.features.some((number) => matching.has(number)) ||
       (half >= 0 && one.records.some((record) => isSameEdge(this.structure, half, halfEdgeCalled(this.structure, record))));
-    const isUnfolded = document.getElementById("follow-on").checked;
-    const isTold = (one) => one.follows === null || isUnfolded;
-    this.left = this.all.filter((one) => isTold(one) && !this.rulesOff.has(one.rule) && (text === "" || isNamed(one)));
+    // Whoever names a feature or an edge is told of all that is about it.
+    const isUnfolded = document.getElementById("follow-on").checked || text !== "";
+    const drawn = this.all.filter((one) => !this.rulesOff.has(one.rule) && (text === "" || isNamed(one)));
+    this.left = drawn.filter((one) => one.follows === null || isUnfolded);
+    const told = isUnfolded ? this.all.length : (this.following.get(null) ?? 0);
     const listed = this.all.length < total ? ` (${total.toLocaleString("en")} were found; --list N lists more)` : "";
     document.getElementById("shown").textContent =
-      this.all.length === 0 ? "Nothing was found." : `${this.left.length} of ${this.all.length} findings shown${listed}`;
+      this.all.length === 0 ? "Nothing was found." : `${this.left.length} of ${told} findings shown${listed}`;
     this.list.replaceChildren();
     this.rendered = 0;
     this.render();
-    if (this.chosen && !this.left.includes(this.chosen)) this.choose(null);
+    if (this.chosen && !drawn.includes(this.chosen)) this.choose(null);
     this.mark();
-    this.onFilter(this.left, matching, half);
+    this.onFilter(drawn, matching, half);
   }
 
   /** Adds the next findings to the list, up to one of them. */
@@ -127,7 +129,7 @@ class FindingList {
     }
     option.append(element("span", { className: "what", textContent: sentence ?? message }));
     const following = this.following.get(finding.number - 1);
-    if (following) option.append(element("span", { className: "follow", textContent: `${following.toLocaleString("en")} others follow from it.` }));
+    if (following) option.append(element("span", { className: "follow", textContent: following === 1 ? "1 other follows from it." : `${following.toLocaleString("en")} others follow from it.` }));
     option.classList.toggle("follows", finding.follows !== null);
     if (finding.accepted) option.append(element("span", { className: "accepted", textContent: `Accepted: ${finding.accepted}` }));
     return option;
@@ -136,6 +138,10 @@ class FindingList {
   /** Chooses a finding; null for none. */
   choose(finding) {
     this.chosen = finding;
+    if (finding && !this.left.includes(finding)) {
+      document.getElementById("follow-on").checked = true;
+      this.filter();
+    }
     // The panel takes room from the list.
     this.describe();
     this.mark();
