@@ -200,7 +200,11 @@ async function show() {
   const frame = byId("report");
   frame.hidden = false;
   chosen = null;
-  frame.onload = () => watch(frame.contentDocument);
+  frame.dataset.state = "loading";
+  frame.onload = () => {
+    watch(frame.contentDocument);
+    frame.dataset.state = "shown";
+  };
   frame.srcdoc = version.page;
   showTools();
   offerNames(version);

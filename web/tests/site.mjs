@@ -145,14 +145,15 @@ try {
   assert.ok(await page.$eval("#repair", ({ hidden }) => !hidden));
 
   // A file is dropped on a report that is shown, whichever way the pointer comes.
-  for (const way of [[[640, 400]], [[640, 10], [640, 400]], [[200, 400], [900, 400]], [[640, 400], [640, 10], [900, 600]]]) {
-    await upload(path);
-    await page.waitForFunction(() => {
-      const { readyState, body } = document.getElementById("report").contentDocument;
-      return readyState === "complete" && body.querySelector("#input")?.textContent === "parcels.zip";
-    });
-    await dropAlong(way, await put("dropped.geojson", JSON.stringify(planted)));
-    await waitFor("status", /^dropped\.geojson: 1 finding$/);
+  const ways = [[[640, 400]], [[640, 10], [640, 400]], [[200, 400], [900, 400]], [[640, 400], [640, 10], [900, 600]]];
+  for (const [i, way] of ways.entries()) {
+    await upload(await put(`shown-${i}.zip`, zip.bytes));
+    await page.waitForFunction((name) => {
+      const { contentDocument, dataset } = document.getElementById("report");
+      return dataset.state === "shown" && contentDocument.getElementById("input")?.textContent === name;
+    }, {}, `shown-${i}.zip`);
+    await dropAlong(way, await put(`dropped-${i}.geojson`, JSON.stringify(planted)));
+    await waitFor("status", new RegExp(`^dropped-${i}\\.geojson: 1 finding$`));
   }
 
   // Two maps are refused, with a button for each.
