@@ -46,6 +46,8 @@ pub(crate) fn trace(findings: &mut [Diagnosis], violations: &mut [Diagnosis], cl
             clash.accepted = of.accepted.clone().filter(|_| is_accepted);
             clash.is_violation = clash.accepted.is_none();
             of.is_violation |= clash.is_violation;
+        } else {
+            clash.follows_from = None;
         }
         listed += 1;
         is_accepted &= clash.accepted.is_some();
@@ -216,7 +218,9 @@ impl<'a> Findings<'a> {
             is_of_one(a).cmp(&is_of_one(b)).then(self.greater(*a, *b))
         };
         let is_accepted = about.iter().all(|one| self.all[*one].accepted.is_some());
-        let greatest = about.into_iter().filter(explains).min_by(order)?;
+        // An accepted finding is told no more, so nothing that counts follows from it.
+        let is_open = |one: &usize| is_accepted || self.all[*one].accepted.is_none();
+        let greatest = about.into_iter().filter(explains).filter(is_open).min_by(order)?;
         Some(Explanation { greatest, is_accepted })
     }
 }

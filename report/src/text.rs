@@ -69,7 +69,7 @@ pub(crate) fn text(report: &AuditReport) -> std::result::Result<String, std::fmt
     Ok(out)
 }
 
-/// Returns true if it is told by itself, and not with another one.
+/// Returns true if the diagnosis follows from no other one and is not accepted.
 fn is_cause(one: &Diagnosis) -> bool {
     one.follows_from.is_none() && one.accepted.is_none()
 }

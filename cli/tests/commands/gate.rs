@@ -95,6 +95,14 @@ fn what_follows_from_accepted_findings_is_accepted_with_them() {
     fs::write(&list, lists.to_string()).unwrap();
     let (status, found) = run(&["audit", &file, "--format", "json", "--accept", &list]);
     assert_eq!((status, &found["verdict"]), (Some(1), &json!("invalid")));
+    // All that counts is a cause, or follows from one that is told.
+    assert!(found["causes"].as_u64() > Some(0) && found["first"]["id"].is_string(), "{found}");
+    let told = |id: &Value| {
+        let lists = [&found["violations"], &found["coverage"]["findings"]].map(|list| list.as_array().unwrap());
+        lists.into_iter().flatten().any(|one| one["id"] == *id && one.get("accepted").is_none())
+    };
+    let open = found["violations"].as_array().unwrap().iter().filter(|one| one.get("accepted").is_none());
+    assert!(open.filter_map(|one| one.get("follows_from_id")).all(told), "{found}");
 }
 
 #[test]

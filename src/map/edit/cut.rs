@@ -35,7 +35,7 @@ impl PlanarMap {
     ///
     /// [`Edited::vertices`] has the two ends of each stretch of the line in the face, in the direction of the line.
     ///
-    /// What a [`zone`](Self::zone) of the whole line costs, and for each stretch what [`insert_segment`](Self::insert_segment) costs.
+    /// The cost of a [`zone`](Self::zone) of the whole line, and of [`insert_segment`](Self::insert_segment) for each stretch.
     ///
     /// ```
     /// use twinedge::map::PlanarMap;
