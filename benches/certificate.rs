@@ -16,9 +16,7 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Noding, PlanarMap, certificate};
-use twinedge::validate::certificate::{
-    Column, Labels, check, check_drawing, check_parallel, check_surface, check_surface_parallel,
-};
+use twinedge::validate::certificate::{Column, Labels, check, check_drawing, check_surface};
 use twinedge::validate::{Collect, Expectation, validate};
 
 fn grid(criterion: &mut Criterion) {
@@ -40,9 +38,6 @@ fn grid(criterion: &mut Criterion) {
     group.bench_function("mesh: check", |b| {
         b.iter(|| assert_eq!(check_surface(black_box(&mesh), black_box(&labels), genus), Ok(())));
     });
-    group.bench_function("mesh: check, all threads", |b| {
-        b.iter(|| assert_eq!(check_surface_parallel(black_box(&mesh), black_box(&labels), genus), Ok(())));
-    });
     group.bench_function("mesh: labels", |b| b.iter(|| Labels::of_surface(black_box(&mesh))));
 
     let labels = Labels::new(dcel).expect("there is memory");
@@ -52,9 +47,6 @@ fn grid(criterion: &mut Criterion) {
     });
     group.bench_function("plane: check", |b| {
         b.iter(|| assert_eq!(check(black_box(dcel), black_box(&labels)), Ok(())));
-    });
-    group.bench_function("plane: check, all threads", |b| {
-        b.iter(|| assert_eq!(check_parallel(black_box(dcel), black_box(&labels)), Ok(())));
     });
     group.bench_function("plane: labels", |b| b.iter(|| Labels::new(black_box(dcel))));
     group.finish();

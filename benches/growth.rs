@@ -32,7 +32,7 @@ use twinedge::dcel::{Audited, Dcel, Face, HalfEdge, HalfEdgeKey, Vertex};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
 use twinedge::map::{Builder, Locator, PlanarMap};
-use twinedge::validate::{Collect, Expectation, validate, validate_parallel};
+use twinedge::validate::{Collect, Expectation, validate};
 
 type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 
@@ -124,9 +124,6 @@ fn of_grids(criterion: &mut Criterion) {
         });
         group.bench_function(BenchmarkId::new("twinedge", size), |b| {
             b.iter(|| assert!(validate(black_box(dcel), &plane, Collect::All).is_valid()));
-        });
-        group.bench_function(BenchmarkId::new("twinedge, all threads", size), |b| {
-            b.iter(|| assert!(validate_parallel(black_box(dcel), &plane, Collect::All).is_valid()));
         });
         group.finish();
 

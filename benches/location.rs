@@ -112,17 +112,6 @@ fn points(criterion: &mut Criterion) {
             b.iter_batched(&mut ask, |p| locator.locate(p), BatchSize::SmallInput);
         });
     }
-    group.bench_function("twinedge without index, from a point a degree away", |b| {
-        let mut next = queries.iter().cycle();
-        b.iter_batched(
-            || {
-                let p = *next.next().expect("a cycle");
-                (p, locator.locate(Point::new(p.x + 1.0, p.y)).expect("in range"))
-            },
-            |(p, hint)| map.locate_from(p, hint),
-            BatchSize::SmallInput,
-        );
-    });
     group.finish();
 }
 

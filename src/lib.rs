@@ -86,7 +86,7 @@
 //! | `program` | `program`; with `map`, `map::program` | `near`, and those of `dcel` |
 //! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
 //! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
-//! | `rayon` | several threads, same results: `validate::validate_parallel`; building, noding, coverages and batches of locations use the threads of the current pool; needs `std` | rayon |
+//! | `rayon` | building, noding, coverages and batches of locations use the threads of the current pool, with the same results; needs `std` | rayon |
 //! | `arbitrary`, `quickcheck`, `proptest` | random programs for these three crates, and for `proptest` structures and maps | those of `program`; the crate of the name |
 //! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
 //! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |

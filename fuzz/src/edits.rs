@@ -9,7 +9,7 @@ use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::in_range;
 use twinedge::map::program::{AtPick, EditKind, EditOp, EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Builder, LocateError, Located, Locator, PlanarMap, Shape};
+use twinedge::map::{Builder, Located, Locator, PlanarMap, Shape};
 use twinedge::program::choose::Bytes;
 
 /// Longer programs are cut.
@@ -51,7 +51,6 @@ pub fn edits(bytes: &[u8]) {
     let program = program(bytes);
     let mut places = Bytes::new(bytes);
     let mut runner = EditRunner::audited(PlanarMap::new()).expect("the empty map is valid");
-    let mut last = Located::Face(runner.map().dcel().unbounded_face().key());
     let mut shadow = Shadow::of(runner.map());
     for (i, op) in (1..).zip(&program.0) {
         // These say nothing of what they do.
@@ -70,30 +69,26 @@ pub fn edits(bytes: &[u8]) {
             let report = map.validate();
             assert!(report.is_valid(), "only found by full validation after edit {i} of {program}\n{report}");
             assert_eq!(walls(&rebuilt(map)), walls(map), "edit {i} of {program}");
-            last = located(&mut places, map, last);
+            located(&mut places, map);
         }
     }
 }
 
-/// A point is found where the index finds it, from where the last was.
-fn located(places: &mut Bytes<'_>, map: &PlanarMap, last: Located) -> Located {
+/// A point is found by the index that the map keeps where a new index finds it.
+fn located(places: &mut Bytes<'_>, map: &PlanarMap) {
     let p = point(places);
-    let walked = match map.locate_from(p, last) {
-        Err(LocateError::Stale(_)) => map.locate_from(p, map.dcel().unbounded_face().key()),
-        walked => walked,
-    };
+    let kept = map.locate(p);
     let there = Locator::new(map).expect("edits keep it plane").locate(p);
-    assert_eq!(walked.is_err(), !in_range(p), "{p:?}: {walked:?}");
-    let (Ok(walked), Ok(there)) = (walked, there) else {
-        assert!(there.is_err() && walked.is_err(), "{p:?}: {walked:?}, {there:?}");
-        return last;
+    assert_eq!(kept.is_err(), !in_range(p), "{p:?}: {kept:?}");
+    let (Ok(kept), Ok(there)) = (kept, there) else {
+        assert!(there.is_err() && kept.is_err(), "{p:?}: {kept:?}, {there:?}");
+        return;
     };
-    let other = match walked {
-        Located::Edge(h) => map.dcel().half_edge(h).map_or(walked, |h| h.twin().key().into()),
-        _ => walked,
+    let other = match kept {
+        Located::Edge(h) => map.dcel().half_edge(h).map_or(kept, |h| Located::Edge(h.twin().key())),
+        _ => kept,
     };
-    assert!(walked == there || other == there, "{p:?}: {walked:?}, {there:?} of {map:?}");
-    there
+    assert!(kept == there || other == there, "{p:?}: {kept:?}, {there:?} of {map:?}");
 }
 
 /// The same points and segments, built at once.

@@ -135,6 +135,4 @@ pub use rule::Rule;
 pub use structure::Embedding;
 pub use structure::{BoundaryPlace, Link, Only, Part, Parts, Start, View};
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, ParseTableError, Table, VertexRow};
-#[cfg(feature = "rayon")]
-pub use validator::validate_parallel;
 pub use validator::{accepts, validate};

@@ -87,30 +87,6 @@ const fn stop(collect: Collect) -> Stop {
     if matches!(collect, Collect::First) { Stop::AfterRule } else { Stop::Never }
 }
 
-/// The same report as that of [`validate`], by all threads of the current pool of `rayon`.
-///
-/// Structures are read in parts if they are closed and have records of boundary components with their places, and vertices that
-/// keep a half-edge, as a `Dcel` has. Where all of R1 … F2 holds, the half-edges, the vertices and the faces are each divided
-/// among the threads. Others, and what is broken, are validated as by [`validate`], after one more look in parts at most.
-///
-/// Cost: O(n) time in each thread and O(n) memory: beyond that of [`validate`], 4 bytes per vertex in each thread.
-///
-/// ```
-/// use twinedge::validate::{Collect, Expectation, Table, validate, validate_parallel};
-/// let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
-/// let expectation = Expectation::plane();
-/// let report = validate_parallel(&table, &expectation, Collect::All);
-/// assert!(report.is_valid());
-/// assert_eq!(report, validate(&table, &expectation, Collect::All));
-/// # Ok::<(), twinedge::validate::ParseTableError>(())
-/// ```
-#[cfg(feature = "rayon")]
-pub fn validate_parallel<V: View + Sync + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
-    judge(view, expectation, collect, |subject| {
-        fast_path::settle_in_parts(subject).unwrap_or_else(|| fast_path::settle(subject, stop(collect)))
-    })
-}
-
 /// The same report without the fast path: every rule asks each record.
 ///
 /// Nobody needs it but to compare the two. O(n), and three to ten times as long.

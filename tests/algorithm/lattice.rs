@@ -85,8 +85,7 @@ fn counts_are_those_of_single_points(shapes: planar::Scribble) -> bool {
     let counts = of_map(&map).unwrap();
     let mut inside = vec![0; map.dcel().faces().map(|face| face.index()).max().unwrap() + 1];
     for (x, y) in (-1..=13).flat_map(|x| (-1..=13).map(move |y| (x, y))) {
-        let hint = map.dcel().unbounded_face().key();
-        match map.locate_from(Point::new(f64::from(x), f64::from(y)), hint).unwrap() {
+        match map.locate(Point::new(f64::from(x), f64::from(y))).unwrap() {
             Located::Face(face) => inside[map.dcel().face(face).unwrap().index()] += 1,
             Located::Edge(_) | Located::Vertex(_) => {}
         }

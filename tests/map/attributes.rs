@@ -11,7 +11,7 @@ use twinedge::dcel::{
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Audited, Builder, Feature, FeatureId, History, Located, PlanarMap, Shape};
+use twinedge::map::{Audited, Builder, Feature, FeatureId, History, Located, Locator, PlanarMap, Shape};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::WriteSet;
 
@@ -302,9 +302,9 @@ fn an_edit_that_is_refused_halfway_leaves_everything_as_it_was() {
                 refused += 1;
             }
             let p = Point::new(0.75, 0.5);
-            let walked = map.locate_from(p, map.dcel().unbounded_face().key());
+            let searched = Locator::new(map).unwrap().locate(p);
             let place = |located: Located| Some(located).filter(|located| !matches!(located, Located::Edge(_)));
-            assert_eq!(map.locate(p).map(place), walked.map(place));
+            assert_eq!(map.locate(p).map(place), searched.map(place));
         }
         refused
     }

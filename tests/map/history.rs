@@ -6,7 +6,7 @@ use quickcheck::{Gen, QuickCheck, Testable};
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Builder, History, Located, PlanarMap, Shape};
+use twinedge::map::{Builder, History, Located, Locator, PlanarMap, Shape};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -16,14 +16,13 @@ fn check(tests: u64, size: usize, law: impl Testable) {
 fn edits_are_undone_and_redone_in_step_with_copies() {
     fn law(program: EditProgram) {
         let mut rewound = Rewound::new(PlanarMap::new());
-        let outside = rewound.map().dcel().unbounded_face().key();
         // The index is there from the start.
         let _ = rewound.map().locate(Point::new(0.5, 0.5));
         for op in &program.0 {
             rewound.step(op, |map| {
                 let p = Point::new(0.75, 0.5);
-                let [found, walked] = [map.locate(p), map.locate_from(p, outside)];
-                assert_eq!(found.map(place), walked.map(place));
+                let [found, searched] = [map.locate(p), Locator::new(map).unwrap().locate(p)];
+                assert_eq!(found.map(place), searched.map(place));
             });
         }
     }

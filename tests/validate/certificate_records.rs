@@ -3,8 +3,7 @@
 use crate::support::only_live::OnlyLive;
 use crate::support::tables::{TETRAHEDRON, half_edge, textbook_mesh};
 use twinedge::validate::certificate::{
-    Certificate, Column, Failure, Labels, SurfaceCertificate, Test, check, check_parallel, check_surface,
-    check_surface_parallel,
+    Certificate, Column, Failure, Labels, SurfaceCertificate, Test, check, check_surface,
 };
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Rule, Start, Table, View};
@@ -97,23 +96,20 @@ fn a_surface_is_counted_and_the_counts_are_said_in_words() {
 }
 
 #[test]
-fn labels_of_another_structure_are_readable_for_no_number_of_threads() {
+fn labels_of_another_structure_are_not_readable() {
     let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
     let none = Labels::default();
     assert!(tests(check(&edge, &none)).contains(&Test::Readable));
-    assert_eq!(check_parallel(&edge, &none), check(&edge, &none));
     assert!(tests(check_surface(&edge, &none, 0)).contains(&Test::Readable));
-    assert_eq!(check_surface_parallel(&edge, &none, 0), check_surface(&edge, &none, 0));
 }
 
-/// A loop, whose unbounded face is the last record, so that another thread finds it than the first one.
+/// A loop, whose unbounded face is the last record.
 #[test]
-fn the_unbounded_face_is_counted_whichever_thread_finds_it() {
+fn the_unbounded_face_is_counted_where_it_is_the_last_record() {
     let table = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 0 h0 o 1 h1 i0 F 2 0 0 - 1 1";
     let table: Table = table.parse().unwrap();
     let labels = Labels::new(&table).unwrap();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
-    assert_eq!((check(&table, &labels), pool.install(|| check_parallel(&table, &labels))), (Ok(()), Ok(())));
+    assert_eq!(check(&table, &labels), Ok(()));
 }
 
 /// A certificate of its own columns is the same, and one of columns that do not fit together is none.

@@ -24,7 +24,6 @@ mod near;
 mod near_checks;
 mod near_embedded;
 mod open_embeddings;
-mod parallel;
 mod parts;
 mod reports;
 mod serialized;

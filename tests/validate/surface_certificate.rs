@@ -3,7 +3,7 @@
 use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
 use std::collections::BTreeSet;
 use twinedge::validate::certificate::{
-    Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test, check_surface, check_surface_parallel,
+    Column, Failure, Labels, SurfaceCertificate, SurfaceCounts, Test, check_surface,
 };
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, FaceRow, Part, Rule, Table};
@@ -266,15 +266,6 @@ fn a_boundary_component_is_the_outer_one_of_one_face() {
     assert_eq!(failures, [Test::SurfaceFaceOk]);
 }
 
-/// Sums of nothing are those of a sphere, and not those of a torus.
-#[test]
-fn parts_add_up_to_the_whole() {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(5).build().unwrap();
-    let mesh = textbook_mesh(9, &torus([3, 3]).into_iter().collect::<Vec<_>>());
-    let (labels, genus) = Labels::of_surface(&mesh).unwrap();
-    assert_eq!((pool.install(|| check_surface_parallel(&mesh, &labels, genus)), genus), (Ok(()), 1));
-}
-
 #[test]
 fn ranks_of_another_number_are_refused() {
     let mesh = textbook_mesh(4, &TETRAHEDRON);
@@ -282,19 +273,4 @@ fn ranks_of_another_number_are_refused() {
     labels.column_mut(Column::HalfEdgeRank).push(0);
     let failures = check_surface(&mesh, &labels, genus).unwrap_err();
     assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::Readable]);
-}
-
-/// Twelve half-edges, and five threads: the last part is shorter than the others.
-#[test]
-fn parts_find_what_the_whole_finds() {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(5).build().unwrap();
-    let mesh = textbook_mesh(4, &TETRAHEDRON);
-    let (labels, genus) = Labels::of_surface(&mesh).unwrap();
-    for h in 0..12 {
-        let mut wrong = mesh.clone();
-        half_edge(&mut wrong, h).twin = Some(h);
-        let found = pool.install(|| check_surface_parallel(&wrong, &labels, genus));
-        assert!(found.is_err(), "half-edge {h}");
-        assert_eq!(found, check_surface(&wrong, &labels, genus), "half-edge {h}");
-    }
 }

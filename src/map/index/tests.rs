@@ -6,7 +6,7 @@ use super::{BoxedRecord, RecordIndex, is_hub};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
 use crate::map::program::{EditOutcome, EditProgram, EditRunner};
-use crate::map::{History, LocateError, Located, PlanarMap};
+use crate::map::{History, LocateError, Located, Locator, PlanarMap};
 use crate::validate::Embedding;
 use quickcheck::{QuickCheck, TestResult};
 
@@ -54,12 +54,12 @@ fn check(map: &PlanarMap) -> Result<(), String> {
             return Err(format!("vertex {vertex}: {leaving:?} leave, but the fan has {fan:?}"));
         }
     }
-    let outside = map.dcel().unbounded_face().key();
+    let locator = Locator::new(map).map_err(|error| error.to_string())?;
     for i in 0..16 {
         let p = Point::new(f64::from(i % 4) * 1.5, f64::from(i / 4) * 1.5);
-        let [found, walked] = [map.locate(p), map.locate_from(p, outside)];
-        if either_half(map, found) != either_half(map, walked) {
-            return Err(format!("at {p:?}: {found:?}, by walking {walked:?}"));
+        let [found, searched] = [map.locate(p), locator.locate(p)];
+        if either_half(map, found) != either_half(map, searched) {
+            return Err(format!("at {p:?}: {found:?}, by an index of its own {searched:?}"));
         }
     }
     Ok(())

@@ -75,7 +75,7 @@ impl PlanarMap {
             }
             TreeRecord::Vertex(v) => [dcel.vertex_at(v as usize), None],
         };
-        ends.into_iter().flatten().find(|v| self.point(v.index()) == p).map(|v| v.key().into())
+        ends.into_iter().flatten().find(|v| self.point(v.index()) == p).map(|v| Located::Vertex(v.key()))
     }
 
     /// Returns the location of a point, found from the first record that the segment to another point meets; none if it meets
@@ -97,11 +97,11 @@ impl PlanarMap {
             EventRecord::Vertex(v) if is_here => Located::Vertex(v.key()),
             EventRecord::Vertex(v) => match self.towards(v, p) {
                 Towards::Along(h) => Located::Edge(self.rising(h).key()),
-                Towards::Corner(h) => h.face().key().into(),
-                Towards::Isolated => v.isolated()?.face().key().into(),
+                Towards::Corner(h) => Located::Face(h.face().key()),
+                Towards::Isolated => Located::Face(v.isolated()?.face().key()),
             },
             EventRecord::Edge(across) if is_here => Located::Edge(self.rising(across).key()),
-            EventRecord::Edge(across) => across.twin().face().key().into(),
+            EventRecord::Edge(across) => Located::Face(across.twin().face().key()),
         })
     }
 

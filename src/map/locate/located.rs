@@ -17,24 +17,6 @@ pub enum Located {
     Vertex(VertexKey),
 }
 
-impl From<FaceKey> for Located {
-    fn from(face: FaceKey) -> Self {
-        Self::Face(face)
-    }
-}
-
-impl From<HalfEdgeKey> for Located {
-    fn from(half_edge: HalfEdgeKey) -> Self {
-        Self::Edge(half_edge)
-    }
-}
-
-impl From<VertexKey> for Located {
-    fn from(vertex: VertexKey) -> Self {
-        Self::Vertex(vertex)
-    }
-}
-
 /// The error of point location and of zones.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
@@ -46,9 +28,6 @@ pub enum LocateError {
     /// The two points that should give a direction are this same one.
     #[error("there is no direction from ({}, {}) to itself", .0.x, .0.y)]
     NoDirection(Point),
-    /// The line does not meet the edge of this half-edge in a point.
-    #[error("the line does not meet the edge of {0:?}")]
-    NotMet(HalfEdgeKey),
     /// The map is not plane.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),

@@ -1,12 +1,11 @@
-//! Point location: by an index, or by walking.
+//! Point location by an index.
 //!
 //! | | builds | answers in | for |
 //! | --- | --- | --- | --- |
 //! | [`Locator`] | O(n log n) | O(log n) | many questions about one map |
 //! | [`PlanarMap::locate`](crate::map::PlanarMap::locate) | once, O(n log n), and keeps it through edits | O(log n) on most maps, O(n) at worst | a map that changes between questions |
-//! | [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) | nothing | the boundaries of the faces on the way | few questions |
 //!
-//! All are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
+//! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
 //!
 //! ```text
 //!    ●────────────●
@@ -29,8 +28,7 @@
 //! let locator = Locator::new(&map)?;
 //! let Located::Face(face) = locator.locate(Point::new(3.0, 3.0))? else { panic!("it is inside") };
 //! assert!(map.features_of(face)?.eq([land]));
-//! // From one answer to the next question, without the index.
-//! let Located::Face(lake) = map.locate_from(Point::new(1.25, 1.25), face)? else { panic!("it is inside") };
+//! let Located::Face(lake) = locator.locate(Point::new(1.25, 1.25))? else { panic!("it is inside") };
 //! assert_eq!(map.features_of(lake)?.count(), 0);
 //! assert!(matches!(locator.locate(Point::new(1.5, 1.5))?, Located::Edge(_)));
 //! assert!(matches!(locator.locate(Point::new(4.0, 4.0))?, Located::Vertex(_)));

@@ -41,21 +41,6 @@ pub(in crate::map) struct LineEvent<'m> {
     pub(in crate::map) place: LinePlace,
 }
 
-impl LineEvent<'_> {
-    /// The same, for the line in the other direction.
-    pub(in crate::map) fn turned(self) -> Self {
-        let record = match self.record {
-            EventRecord::Edge(h) => EventRecord::Edge(h.twin()),
-            vertex @ EventRecord::Vertex(_) => vertex,
-        };
-        let place = match self.place {
-            LinePlace::Crossing(left, right) => LinePlace::Crossing(right, left),
-            point @ LinePlace::At(_) => point,
-        };
-        Self { record, place }
-    }
-}
-
 /// The record that a line meets in one point.
 #[derive(Clone, Copy)]
 pub(in crate::map) enum EventRecord<'m> {

@@ -3,7 +3,6 @@
 use super::columns::{Column, Labels, MOST_SLOTS};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use crate::validate::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
-use core::ops::Range;
 
 /// A structure together with labels. What is asked of a slot that is vacant, or not there, is nil.
 pub(super) struct Answers<'a, V: ?Sized, C = Labels> {
@@ -15,8 +14,6 @@ pub(super) struct Answers<'a, V: ?Sized, C = Labels> {
     pub(super) half_edges: usize,
     pub(super) boundaries: usize,
     pub(super) faces: usize,
-    /// The part of the records that is looked at, and of how many: one for each thread.
-    part: (usize, usize),
 }
 
 impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
@@ -32,21 +29,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
             half_edges: view.half_edge_slots(),
             boundaries: if by_record { view.boundary_slots() } else { length(Column::BoundaryFace) },
             faces: if parts.has(Part::Faces) { view.face_slots() } else { length(Column::FaceOuter) },
-            part: (0, 1),
         }
-    }
-
-    /// The same, for one part of the records.
-    #[cfg(feature = "rayon")]
-    pub(super) fn part(&self, part: usize, of: usize) -> Self {
-        Self { part: (part, of), ..*self }
-    }
-
-    /// The slots that are looked at.
-    pub(super) fn share(&self, slots: usize) -> Range<usize> {
-        let (part, of) = self.part;
-        let length = slots.div_ceil(of);
-        (part * length).min(slots)..((part + 1) * length).min(slots)
     }
 
     /// Each half-edge has a rank, and numbers fit into columns.

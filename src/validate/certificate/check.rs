@@ -68,15 +68,15 @@ fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, noted: &mut impl Note
 #[inline(always)]
 pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &mut impl Noted) -> Option<Sums> {
     let mut sums = Sums::default();
-    for h in s.share(s.half_edges).filter(|h| s.is_half_edge(*h)) {
+    for h in (0..s.half_edges).filter(|h| s.is_half_edge(*h)) {
         sums.half_edges += 1;
         s.half_edge(h, noted)?;
     }
-    for v in s.share(s.vertices).filter(|v| s.is_vertex(*v)) {
+    for v in (0..s.vertices).filter(|v| s.is_vertex(*v)) {
         sums.rotations += usize::from(s.leaving(v).is_some());
         noted.note(Test::VertexOk, v, s.vertex_ok(v))?;
     }
-    for b in s.share(s.boundaries).filter(|b| s.is_boundary(*b)) {
+    for b in (0..s.boundaries).filter(|b| s.is_boundary(*b)) {
         let is_cycle = s.cycle_start(b).is_some();
         sums.cycles += usize::from(is_cycle);
         sums.roots += usize::from(is_cycle && s.is_inner(b));
@@ -85,7 +85,7 @@ pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &
     }
     // A boundary component is at one place. More entries can only be right if answers change.
     let mut entries = s.boundaries;
-    for f in s.share(s.faces).filter(|f| s.is_face(*f)) {
+    for f in (0..s.faces).filter(|f| s.is_face(*f)) {
         sums.unbounded += usize::from(s.outer(f).is_none());
         noted.note(Test::FaceOk, f, s.face_ok(f, &mut entries))?;
         noted.note(Test::FaceStartsOk, f, s.face_starts_ok(f))?;

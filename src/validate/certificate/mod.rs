@@ -61,8 +61,6 @@ mod closed;
 mod columns;
 mod drawing;
 mod labels;
-#[cfg(feature = "rayon")]
-mod parts;
 mod saved;
 mod storage;
 mod sums;
@@ -76,8 +74,6 @@ pub use check::{check, passes};
 pub use check_drawing::check_drawing;
 pub use columns::{Column, Labels, LabelsError, VACANT};
 pub use drawing::Drawing;
-#[cfg(feature = "rayon")]
-pub use parts::{check_parallel, check_surface_parallel};
 pub use saved::Certificate;
 pub use storage::{Columns, Numbers};
 pub use surface::{check_surface, passes_surface};

@@ -43,17 +43,4 @@ impl Sums {
             faces: self.cycles.saturating_sub(self.holes),
         }
     }
-
-    /// Those of two parts.
-    #[cfg(feature = "rayon")]
-    pub(super) const fn join(self, other: Self) -> Self {
-        Self {
-            half_edges: self.half_edges + other.half_edges,
-            rotations: self.rotations + other.rotations,
-            cycles: self.cycles + other.cycles,
-            roots: self.roots + other.roots,
-            unbounded: self.unbounded + other.unbounded,
-            holes: self.holes + other.holes,
-        }
-    }
 }

@@ -73,24 +73,24 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     #[inline(always)]
     pub(super) fn scan(&self, open: bool, noted: &mut impl Noted) -> Option<Sums> {
         let mut sums = Sums::default();
-        for h in self.0.share(self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
+        for h in (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
             sums.half_edges += 1;
             sums.roots += usize::from(self.component(h) == Some(h));
             self.half_edge(h, open, noted)?;
         }
-        for v in self.0.share(self.0.vertices).filter(|v| self.0.is_vertex(*v)) {
+        for v in (0..self.0.vertices).filter(|v| self.0.is_vertex(*v)) {
             let leaving = self.0.leaving(v);
             sums.rotations += usize::from(leaving.is_some());
             noted.note(Test::SurfaceVertexOk, v, leaving.is_none_or(|h| self.0.origin(h) == Some(v)))?;
         }
-        for b in self.0.share(self.boundaries()).filter(|b| self.is_boundary(*b)) {
+        for b in (0..self.boundaries()).filter(|b| self.is_boundary(*b)) {
             let is_hole = open && self.0.boundary_face(b).is_none();
             sums.cycles += usize::from(self.start(b).is_some());
             sums.holes += usize::from(is_hole);
             let starts_there = self.start(b).is_some_and(|h| self.boundary(h) == Some(b));
             noted.note(Test::SurfaceBoundaryOk, b, starts_there && (is_hole || self.bounds_its_face(b)))?;
         }
-        for f in self.0.share(self.0.faces).filter(|f| self.0.by_record() && self.0.is_face(*f)) {
+        for f in (0..self.0.faces).filter(|f| self.0.by_record() && self.0.is_face(*f)) {
             let face_ok = self.0.outer(f).is_some_and(|b| self.0.boundary_face(b) == Some(f));
             noted.note(Test::SurfaceFaceOk, f, face_ok)?;
         }

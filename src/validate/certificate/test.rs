@@ -176,18 +176,6 @@ impl Failures {
         self.0[test as usize].get_or_insert(Failure { test, count: 0, first: i }).count += 1;
     }
 
-    /// Those of two parts, of which the records of the other one come later.
-    #[cfg(feature = "rayon")]
-    pub(super) fn join(mut self, other: &Self) -> Self {
-        for (mine, other) in self.0.iter_mut().zip(&other.0) {
-            *mine = match (*mine, other) {
-                (Some(mine), Some(other)) => Some(Failure { count: mine.count + other.count, ..mine }),
-                (mine, other) => mine.or(*other),
-            };
-        }
-        self
-    }
-
     pub(super) fn into_result(self) -> Result<(), alloc::vec::Vec<Failure>> {
         let failures: alloc::vec::Vec<Failure> = self.0.into_iter().flatten().collect();
         if failures.is_empty() { Ok(()) } else { Err(failures) }

@@ -208,23 +208,6 @@ fn inside_and_right<V: View + ?Sized, const WITH_PREV: bool>(
     holds.then_some((target, n))
 }
 
-/// Returns the number of live half-edges among these; none if something is wrong with one, or one has no twin.
-#[cfg(feature = "rayon")]
-pub(super) fn count_right<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
-    with_prev: bool,
-    range: Range<usize>,
-) -> Option<usize> {
-    let (half_edges, all) = (extent.half_edges, range.clone());
-    let (end, live) = if with_prev {
-        right_ones::<V, true>(view, half_edges, range, &mut |_, _| {})
-    } else {
-        right_ones::<V, false>(view, half_edges, range, &mut |_, _| {})
-    };
-    (end == all.end).then_some(live)
-}
-
 /// Looks at what may be at the border, notes what is, and what is wrong. Tells `note` the next of what is at the border.
 #[cold]
 #[inline(never)]

@@ -52,8 +52,8 @@
 //! `proofs/coq/FastPath.v` models the scan with `prev`, the walks from what vertices keep and from records of boundary components, the
 //! counts, the joining and T1: what structures in the plane with every part and without open boundary go through. It is proved to accept
 //! exactly what keeps R1 … T1 and T3. That is a proof of the model; `proofs/coq/compare --fast-path` runs it beside this code, and tests compare
-//! this code with the rules. The rest is argued here and tested, not proved: structures that lack a part, open boundaries, other surfaces, cycles without faces, what is settled
-//! where something is wrong, and what several threads read in parts.
+//! this code with the rules. The rest is argued here and tested, not proved: structures that lack a part, open boundaries, other surfaces, cycles without faces, and what is
+//! settled where something is wrong.
 //!
 //! # Where something is wrong
 //!
@@ -79,14 +79,10 @@ mod doubts;
 mod facts;
 mod links;
 mod marks;
-#[cfg(feature = "rayon")]
-mod parallel;
 mod rotations;
 mod vertices;
 
 pub(crate) use facts::{Facts, Rotations, Whole};
-#[cfg(feature = "rayon")]
-pub(crate) use parallel::settle_in_parts;
 
 use super::columns::{Component, Components, NIL};
 use super::structure::{Part, View};

@@ -31,62 +31,6 @@ fn the_zone_agrees_with_the_oracle() {
     quickcheck(1500, zones as fn(Drawing, Vec<(u8, u8, u8, u8)>) -> bool);
 }
 
-fn walks(drawing: Drawing, queries: Vec<(usize, u8, u8)>) -> bool {
-    let map = drawing.map();
-    let plain = Plain::new(&map);
-    let vertices: Vec<_> = map.dcel().vertices().collect();
-    queries.into_iter().all(|(v, x, y)| {
-        let Some(v) = vertices.get(v % vertices.len().max(1)) else { return true };
-        let (from, to) = (map.position(v.key()).unwrap(), place(x, y));
-        let expected =
-            if from == to { vec![ZoneElement::Vertex(v.key())] } else { plain.zone(&QueryLine::Segment(from, to)) };
-        map.zone_from(v.key(), to) == Ok(expected)
-    })
-}
-
-#[test]
-fn the_walk_agrees_with_the_oracle() {
-    quickcheck(1500, walks as fn(Drawing, Vec<(usize, u8, u8)>) -> bool);
-}
-
-fn walks_through(drawing: Drawing, queries: Vec<(usize, u8, u8, u8, u8)>) -> bool {
-    let map = drawing.map();
-    let plain = Plain::new(&map);
-    let edges: Vec<_> = map.dcel().half_edges().collect();
-    queries.into_iter().all(|(h, a, b, c, d)| {
-        let Some(h) = edges.get(h % edges.len().max(1)) else { return true };
-        let (from, to) = (place(a, b), place(c, d));
-        [QueryLine::Segment(from, to), QueryLine::Ray(from, to), QueryLine::Line(from, to)].iter().all(|stretch| {
-            let found = map.zone_through(h.key(), stretch);
-            if from == to {
-                return found == Err(LocateError::NoDirection(from));
-            }
-            let expected = plain.zone(stretch);
-            let ends = [h.origin().key(), h.target().key()];
-            let meets = expected.iter().any(|met| match met {
-                ZoneElement::Edge(other) => {
-                    [h.key(), h.twin().key()].contains(other) && !expected.contains(&ZoneElement::Along(*other))
-                }
-                ZoneElement::Vertex(v) => ends.contains(v),
-                _ => false,
-            });
-            // A segment that begins or ends inside an edge and runs along it meets it in no point but by its ends.
-            let along = expected
-                .iter()
-                .any(|met| *met == ZoneElement::Along(h.key()) || *met == ZoneElement::Along(h.twin().key()));
-            match found {
-                Ok(found) => found == expected,
-                Err(error) => error == LocateError::NotMet(h.key()) && (!meets || along),
-            }
-        })
-    })
-}
-
-#[test]
-fn the_walk_both_ways_agrees_with_the_oracle() {
-    quickcheck(1500, walks_through as fn(Drawing, Vec<(usize, u8, u8, u8, u8)>) -> bool);
-}
-
 /// Returns the elements met, for the opposite direction.
 fn turned(map: &PlanarMap, met: &[ZoneElement]) -> Vec<ZoneElement> {
     let twin = |h| map.dcel().half_edge(h).unwrap().twin().key();
@@ -131,7 +75,7 @@ fn across_the_world_and_back() {
         assert!(is_a_way(&map, &there));
         assert_eq!(there[0], ZoneElement::Vertex(v.key()));
         assert_eq!(locator.zone(&QueryLine::Segment(to, from)).unwrap(), turned(&map, &there));
-        assert_eq!(map.zone_from(v.key(), to).unwrap(), there);
+        assert_eq!(map.zone(&QueryLine::Segment(from, to)).unwrap(), there);
         // The line is what the two rays have in common, and what each of them has alone.
         let line = locator.zone(&QueryLine::Line(from, to)).unwrap();
         let onwards = locator.zone(&QueryLine::Ray(from, to)).unwrap();
@@ -201,20 +145,16 @@ fn what_cannot_be_asked_is_an_error() {
         assert_eq!(locator.zone(&stretch), Err(LocateError::OutOfRange(bad)));
     }
     assert_eq!(locator.zone(&QueryLine::Line(p, p)), Err(LocateError::NoDirection(p)));
-    let v = map.dcel().vertices().next().unwrap().key();
-    assert_eq!(map.zone_from(v, bad), Err(LocateError::OutOfRange(bad)));
-    let stale = Drawing::square().map().dcel().vertices().next().unwrap().key();
-    assert_eq!(map.zone_from(stale, p), Err(twinedge::dcel::StaleKey::Vertex(stale).into()));
 
-    // Two triangles that overlap: inside the first, the walk comes upon the second from what should be outside.
+    // Two triangles that overlap.
     let mut builder = Builder::new();
     for corners in [[(0, 0), (8, 0), (0, 8)], [(1, 1), (9, 1), (1, 9)]] {
         let ring = corners.map(|(x, y)| point(x, y)).to_vec();
         builder.shape(&Shape::Polygon(vec![ring])).unwrap();
     }
     let map = builder.build().unwrap();
-    let at_origin = map.dcel().vertices().find(|v| map.position(v.key()) == Ok(point(0, 0))).unwrap().key();
-    assert_eq!(map.zone_from(at_origin, point(7, 6)), Err(map.not_plane().unwrap().into()));
+    let line = QueryLine::Segment(point(0, 0), point(7, 6));
+    assert_eq!(map.zone(&line), Err(map.not_plane().unwrap().into()));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::{Plain, whole};
 use std::collections::HashMap;
-use twinedge::dcel::{FaceKey, StaleKey};
+use twinedge::dcel::FaceKey;
 use twinedge::geometry::predicates::{Orientation, compare_lexicographic, on_segment, orientation};
 use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::{Builder, LocateError, Located, Locator, PlanarMap, Shape};
@@ -26,33 +26,12 @@ fn the_index_agrees_with_the_oracle() {
     quickcheck(1500, grid_maps as fn(Drawing) -> bool);
 }
 
-/// The walk, from anything to anywhere.
-fn walks(drawing: Drawing, queries: Vec<(u8, u8, usize)>) -> bool {
-    let map = drawing.map();
-    let plain = Plain::new(&map);
-    let dcel = map.dcel();
-    let mut hints: Vec<Located> = dcel.faces().map(|f| f.key().into()).collect();
-    hints.extend(dcel.half_edges().map(|h| Located::from(h.key())));
-    hints.extend(dcel.vertices().map(|v| Located::from(v.key())));
-    queries.into_iter().all(|(x, y, hint)| {
-        let side = Drawing::SIDE + 5;
-        let p = point(i32::from(x) % side - 2, i32::from(y) % side - 2);
-        let found = map.locate_from(p, hints[hint % hints.len()]).unwrap();
-        same_edge(&map, found, plain.locate(whole(p), 1))
-    })
-}
-
 /// Returns true if both are the same, except for the choice of the half-edge that names an edge.
 pub(crate) fn same_edge(map: &PlanarMap, a: Located, b: Located) -> bool {
     match (a, b) {
         (Located::Edge(h), Located::Edge(g)) => h == g || map.dcel().half_edge(h).unwrap().twin().key() == g,
         _ => a == b,
     }
-}
-
-#[test]
-fn the_walk_agrees_with_the_oracle() {
-    quickcheck(1500, walks as fn(Drawing, Vec<(u8, u8, usize)>) -> bool);
 }
 
 #[test]
@@ -97,57 +76,27 @@ fn nothing_is_around_nothing() {
     let unbounded = map.dcel().unbounded_face().key();
     let origin = Point::default();
     assert_eq!(Locator::new(&map).unwrap().locate(origin), Ok(Located::Face(unbounded)));
-    assert_eq!(map.locate_from(origin, unbounded), Ok(Located::Face(unbounded)));
+    assert_eq!(map.locate(origin), Ok(Located::Face(unbounded)));
 }
 
 #[test]
 fn what_cannot_be_asked_is_an_error() {
     let map = Drawing::square().map();
     let locator = Locator::new(&map).unwrap();
-    let anywhere = map.dcel().unbounded_face().key();
     for p in [Point::new(0.0, f64::INFINITY), Point::new(2.0 * MAX_COORDINATE, 0.0), Point::new(1e-200, 0.0)] {
         assert_eq!(locator.locate(p), Err(LocateError::OutOfRange(p)));
-        assert_eq!(map.locate_from(p, anywhere), Err(LocateError::OutOfRange(p)));
+        assert_eq!(map.locate(p), Err(LocateError::OutOfRange(p)));
     }
     assert!(matches!(locator.locate(Point::new(f64::NAN, 0.0)), Err(LocateError::OutOfRange(_))));
-    assert!(matches!(map.locate_from(Point::new(0.0, f64::NAN), anywhere), Err(LocateError::OutOfRange(_))));
-
-    let other = Drawing::square().map();
-    let h = other.dcel().half_edges().next().unwrap();
-    let p = Point::default();
-    assert_eq!(map.locate_from(p, h.key()), Err(StaleKey::HalfEdge(h.key()).into()));
-    assert_eq!(map.locate_from(p, h.face().key()), Err(StaleKey::Face(h.face().key()).into()));
-    assert_eq!(map.locate_from(p, h.origin().key()), Err(StaleKey::Vertex(h.origin().key()).into()));
+    assert!(matches!(map.locate(Point::new(0.0, f64::NAN)), Err(LocateError::OutOfRange(_))));
 }
 
 #[test]
-fn a_map_that_is_not_plane_has_no_index_but_every_walk_ends() {
+fn a_map_that_is_not_plane_has_no_index() {
     let map = world(include_bytes!("../../../tests/data/world-110m-crossing.geojson"));
     assert!(!map.is_plane());
     assert_eq!(Locator::new(&map).unwrap_err(), map.not_plane().unwrap().into());
-
-    // Triangles that overlap: the walks come upon edges from the wrong side.
-    let mut builder = Builder::new();
-    for i in 0..5 {
-        let ring = [point(i, i % 3), point(i + 6, 1 + i % 2), point(i, 9)].to_vec();
-        builder.shape(&Shape::Polygon(vec![ring])).unwrap();
-    }
-    let map = builder.build().unwrap();
-    let mut lost = 0;
-    for x in 0..11 {
-        for y in 0..11 {
-            for v in map.dcel().vertices() {
-                match map.locate_from(Point::new(f64::from(x) + 0.25, f64::from(y) + 0.125), v.key()) {
-                    Ok(_) => {}
-                    Err(error) => {
-                        assert_eq!(error, map.not_plane().unwrap().into());
-                        lost += 1;
-                    }
-                }
-            }
-        }
-    }
-    assert!(lost > 0);
+    assert_eq!(map.locate(Point::default()), Err(map.not_plane().unwrap().into()));
 }
 
 /// The face whose boundary a ray straight up passes an odd number of times; every half-edge is asked.
@@ -177,7 +126,6 @@ fn the_world_is_where_every_border_says() {
     let locator = Locator::new(&map).unwrap();
     let places: Vec<Point> = map.dcel().vertices().map(|v| map.position(v.key()).unwrap()).collect();
     let mut random = Random(110);
-    let mut at = Located::Face(map.dcel().unbounded_face().key());
     for i in 0..240 {
         let p = Point::new(random.between(-181.0, 191.0), random.between(-91.0, 84.0));
         let (v, w) = (places[random.index(places.len())], places[random.index(places.len())]);
@@ -185,8 +133,7 @@ fn the_world_is_where_every_border_says() {
         let p = [p, v, Point::new(p.x, v.y), Point::new(v.x, p.y), Point::new(v.x, w.y)][i % 5];
         let expected = by_parity(&map, p);
         assert_eq!(locator.locate(p), Ok(expected), "{p:?}");
-        at = map.locate_from(p, at).unwrap();
-        assert!(same_edge(&map, at, expected), "{p:?}");
+        assert!(same_edge(&map, map.locate(p).unwrap(), expected), "{p:?}");
     }
 }
 
@@ -232,6 +179,6 @@ fn countries_and_seas_are_where_they_are() {
         let Ok(Located::Face(face)) = locator.locate(Point::new(x, y)) else { panic!("({x}, {y}) is in a face") };
         let features: Vec<_> = map.features_of(face).unwrap().filter_map(|f| map.name(f)).collect();
         assert_eq!((features.as_slice(), face == unbounded), (names, at_sea));
-        assert_eq!(map.locate_from(Point::new(x, y), unbounded), Ok(Located::Face(face)));
+        assert_eq!(map.locate(Point::new(x, y)), Ok(Located::Face(face)));
     }
 }
