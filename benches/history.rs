@@ -15,7 +15,6 @@ use std::hint::black_box;
 use std::time::Instant;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, History, Side, Split, VertexKey};
 use twinedge::map::{self, PlanarMap};
-use twinedge::store::Store;
 
 const ROUNDS: usize = 41;
 
@@ -45,8 +44,8 @@ fn print(name: &str, (nanoseconds, ratios): (f64, Vec<f64>)) {
 /// A pair of operators, of which the second one takes the first one back.
 trait Pair {
     type Made: Copy;
-    fn make<S: Store>(&self, dcel: &mut Dcel<S>, place: usize) -> Self::Made;
-    fn take_back<S: Store>(&self, dcel: &mut Dcel<S>, made: Self::Made);
+    fn make(&self, dcel: &mut Dcel, place: usize) -> Self::Made;
+    fn take_back(&self, dcel: &mut Dcel, made: Self::Made);
 }
 
 struct SplitEdges(Vec<HalfEdgeKey>);
@@ -55,32 +54,32 @@ struct Diagonals(Vec<[HalfEdgeKey; 2]>);
 
 impl Pair for SplitEdges {
     type Made = HalfEdgeKey;
-    fn make<S: Store>(&self, dcel: &mut Dcel<S>, place: usize) -> HalfEdgeKey {
+    fn make(&self, dcel: &mut Dcel, place: usize) -> HalfEdgeKey {
         dcel.split_edge(self.0[place]).expect("it is an edge");
         self.0[place]
     }
-    fn take_back<S: Store>(&self, dcel: &mut Dcel<S>, made: HalfEdgeKey) {
+    fn take_back(&self, dcel: &mut Dcel, made: HalfEdgeKey) {
         black_box(dcel.join_edges(made).expect("the new vertex has two edges"));
     }
 }
 
 impl Pair for Isolated {
     type Made = VertexKey;
-    fn make<S: Store>(&self, dcel: &mut Dcel<S>, place: usize) -> VertexKey {
+    fn make(&self, dcel: &mut Dcel, place: usize) -> VertexKey {
         dcel.add_isolated_vertex(self.0[place]).expect("it is a face").vertex
     }
-    fn take_back<S: Store>(&self, dcel: &mut Dcel<S>, made: VertexKey) {
+    fn take_back(&self, dcel: &mut Dcel, made: VertexKey) {
         dcel.remove_isolated_vertex(made).expect("it is isolated");
     }
 }
 
 impl Pair for Diagonals {
     type Made = HalfEdgeKey;
-    fn make<S: Store>(&self, dcel: &mut Dcel<S>, place: usize) -> HalfEdgeKey {
+    fn make(&self, dcel: &mut Dcel, place: usize) -> HalfEdgeKey {
         let [from, to] = self.0[place];
         dcel.connect(from, to, Split { new_face: Side::Left, inner: &[] }).expect("one face").half_edge
     }
-    fn take_back<S: Store>(&self, dcel: &mut Dcel<S>, made: HalfEdgeKey) {
+    fn take_back(&self, dcel: &mut Dcel, made: HalfEdgeKey) {
         dcel.remove_edge(made).expect("just made");
     }
 }

@@ -10,9 +10,10 @@
 
 use std::error::Error;
 use twinedge::algorithm::area::face_area;
+use twinedge::dcel::History;
 use twinedge::dcel::{Attribute, FaceKey, Faces, Policy, SecondaryMap};
+use twinedge::map::PlanarMap;
 use twinedge::map::edit::EditError;
-use twinedge::map::{History, PlanarMap};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 
@@ -21,7 +22,7 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 type Values<T> = SecondaryMap<FaceKey, T>;
 
 struct Editor {
-    history: History,
+    history: History<PlanarMap>,
     baseline: EmbeddingBaseline,
     number: Attribute<Faces, u64>,
     owners: Attribute<Faces, String>,
@@ -54,7 +55,7 @@ impl Editor {
         Ok(edited)
     }
 
-    fn step(&mut self, step: fn(&mut History) -> bool) -> Outcome<bool> {
+    fn step(&mut self, step: fn(&mut History<PlanarMap>) -> bool) -> Outcome<bool> {
         let done = step(&mut self.history);
         validate_embedding_near(&mut self.baseline, self.history.get(), &self.history.written())?;
         Ok(done)

@@ -4,9 +4,10 @@
 //! cargo run --example undo_owners_ids
 //! ```
 
+use twinedge::dcel::History;
 use twinedge::dcel::Policy;
+use twinedge::map::PlanarMap;
 use twinedge::map::edit::EditError;
-use twinedge::map::{History, PlanarMap};
 
 fn main() -> Result<(), EditError> {
     let mut map = PlanarMap::new();

@@ -48,16 +48,16 @@
 //! | --- | --- | --- |
 //! | validate a half-edge structure of your own | [`validate::validate`], after implementing [`validate::View`] | none |
 //! | validate its coordinates, too | [`validate::validate_embedding`], after implementing [`validate::Embedding`] | `geometry` |
-//! | validate after each change, in the time that the change took | `validate::near`; `dcel::Audited`, `map::Audited` | `near` (default) |
+//! | validate after each change, in the time that the change took | [`validate::near`]; [`dcel::Audited`] | none; `dcel` |
 //! | write down a structure as tables, and corrupt them in tests | [`validate::Table`] | none |
 //! | convert a structure of your own into one of this crate | [`dcel::Dcel::from_view`] | `dcel` |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
 //! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
 //! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
-//! | undo and redo changes, as an editor does | `dcel::History`, `map::History` | `near` (default) |
-//! | keep owners, taxes, names: values that follow changes | `dcel::Policy`, [attributes](map::PlanarMap#attributes) | `near` (default) |
+//! | undo and redo changes, as an editor does | [`dcel::History`], of a structure or a map | `dcel` |
+//! | keep owners, taxes, names: values that follow changes | [`dcel::Policy`], [attributes](map::PlanarMap#attributes) | `dcel` |
 //! | save and load, with the keys; certified, if you like | [`map::PlanarMap`] by serde | `serde` |
-//! | compare two edited copies of a map, and merge them | `map::diff` | `near` (default) |
+//! | compare two edited copies of a map, and merge them | [`mod@map::diff`] | `map` (default) |
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
 //! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
 //! | find overlaps, gaps, slivers, duplicates, polygons that are not valid by the OGC | [`algorithm::coverage`] | `map` (default) |
@@ -74,22 +74,20 @@
 //!
 //! | feature | what it adds | dependencies |
 //! | --- | --- | --- |
-//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; `no_std` with `alloc` | none |
-//! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
+//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; [`validate::near`]: validation of what has changed; `no_std` with `alloc` | none |
+//! | `dcel` | [`dcel`] | hashbrown, slotmap, thiserror |
 //! | `std` (default) | with `program`, panics of a structure under test are caught | none |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`] | `std`; robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`tile`] | those of `dcel` and `geometry` |
-//! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, attributes, `dcel::Audited` and `dcel::History`; with `map`, `map::Audited` and `map::History` | none |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
-//! | `program` | `program`; with `map`, `map::program` | `near`, and those of `dcel` |
+//! | `program` | `program`; with `map`, `map::program` | those of `dcel` |
 //! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
 //! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
 //! | `rayon` | building, noding, coverages and batches of locations use the threads of the current pool, with the same results; needs `std` | rayon |
 //! | `arbitrary`, `quickcheck`, `proptest` | random programs for these three crates, and for `proptest` structures and maps | those of `program`; the crate of the name |
 //! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
-//! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |
 //!
 //! # Words
 //!
@@ -137,7 +135,7 @@
 //! | layer | purpose |
 //! | --- | --- |
 //! | [`mod@validate`] | the rules, the trait [`validate::View`], the report |
-//! | [`store`] | where records live: keys, slots, columns |
+//! | `store` | where records live: keys, slots, columns, the log of what is overwritten |
 //! | [`dcel`] | the structure: accessors, circulators, operators |
 //! | `program` | sequences of operators as data, canonical forms, conformance tests |
 //! | [`geometry`] | points, exact predicates, crossings, noding; no half-edges |
@@ -179,7 +177,7 @@ mod slots;
 pub mod validate;
 
 #[cfg(feature = "dcel")]
-pub mod store;
+mod store;
 
 #[cfg(feature = "dcel")]
 #[forbid(unsafe_code)]

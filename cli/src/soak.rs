@@ -1,4 +1,4 @@
-//! `twinedge soak`: random programs on every store, in step with a reference.
+//! `twinedge soak`: random programs in step with a reference.
 
 use crate::document::{Document, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
@@ -17,7 +17,7 @@ use std::time::Instant;
 use twinedge_trials::soak::{Comparable, SoakFailure, SoakOutcome, SoakWork};
 use twinedge_trials::{Estimate, soak};
 
-/// Run random programs on every store, and on a second model, in step with a reference.
+/// Run random programs on the structure, with limits and without, and on a second model, in step with a reference.
 ///
 /// The reference is the pointer structure of the literature, written from the definitions of the operators. After each operator
 /// all structures must have done the same (applied, refused for the same reason, or skipped), must be valid, must be isomorphic,
@@ -115,7 +115,7 @@ fn per_second(on: &[StructureName], steps: u32) -> u64 {
     let thousands = f64::from(steps) / 1000.0;
     let seconds = |on: &StructureName| match on {
         // It is soon full.
-        StructureName::Fixed => 0.025 * thousands,
+        StructureName::Limited => 0.025 * thousands,
         // Copies are kept and compared.
         StructureName::History => 0.4 * thousands.powf(2.4),
         StructureName::RotationSystem => 1.7 * thousands.powf(2.8),

@@ -1,8 +1,7 @@
 //! The structures that the commands work on, by name.
 
 use clap::ValueEnum;
-use twinedge::dcel::{Audited, Dcel};
-use twinedge::store::{FixedStore, PointerStore, SlotStore};
+use twinedge::dcel::{Audited, Dcel, Room};
 use twinedge::validate::Expectation;
 use twinedge_trials::Structure;
 use twinedge_trials::planted::Planted;
@@ -14,16 +13,14 @@ use twinedge_trials::{Erased, ReportAudit, Rewound, RotationSystem};
 /// A structure that programs can be run on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum StructureName {
-    /// The default store: slotmap keys over columns.
+    /// The structure of the library: slotmap keys over columns.
     #[default]
     Slots,
-    /// Records joined by raw pointers.
-    Pointers,
-    /// Fixed arrays, with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
-    Fixed,
-    /// The default store, validated locally after each operator.
+    /// The same, with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
+    Limited,
+    /// The same, validated locally after each operator.
     Audited,
-    /// The default store with a history: after each operator some changes are undone and redone, and compared with copies.
+    /// The same with a history: after each operator some changes are undone and redone, and compared with copies.
     History,
     /// A second independent model: a rotation system.
     #[value(name = "model")]
@@ -41,14 +38,11 @@ pub(crate) trait Task {
     fn run<K: Indexed + Clone + 'static>(self, structure: Structure<K>) -> Self::Result;
 }
 
-type Arrays = FixedStore<24, 40, 40, 24>;
-
 const DCEL: &str = "twinedge::dcel::Dcel";
 const PROGRAM: &str = "twinedge::program::*";
 const REPORT_AUDIT: &str = "twinedge_trials::ReportAudit";
 const EXPECTATION: &str = "twinedge::validate::Expectation";
-const POINTER_STORE: &str = "twinedge::store::PointerStore";
-const FIXED_STORE: &str = "twinedge::store::FixedStore";
+const DCEL_AND_ROOM: &str = "twinedge::dcel::{Dcel, Room}";
 
 /// A structure by the source that names it.
 const fn source(imports: &'static [&'static str], make: &'static str) -> TestSource {
@@ -56,9 +50,10 @@ const fn source(imports: &'static [&'static str], make: &'static str) -> TestSou
 }
 
 const SLOTS: TestSource = source(&[DCEL, PROGRAM, EXPECTATION], "Dcel::new()");
-const POINTERS: TestSource = source(&[DCEL, PROGRAM, POINTER_STORE, EXPECTATION], "Dcel::<PointerStore>::default()");
-const FIXED: TestSource =
-    source(&[DCEL, PROGRAM, FIXED_STORE, EXPECTATION], "Dcel::<FixedStore<24, 40, 40, 24>>::default()");
+const LIMITED: TestSource = source(
+    &[DCEL_AND_ROOM, PROGRAM, EXPECTATION],
+    "Dcel::with_limits(Room { vertices: 24, edges: 40, boundaries: 40, faces: 24 })",
+);
 const AUDITED: TestSource = source(
     &["twinedge::dcel::{Audited, Dcel}", PROGRAM, EXPECTATION],
     r#"Audited::new(Dcel::new()).expect("the empty map is valid")"#,
@@ -69,12 +64,15 @@ const ROTATION_SYSTEM: TestSource =
 const PLANTED: TestSource =
     TestSource { remark: "The structure with the planted bug is not public. This one passes.", ..SLOTS };
 const AUDITED_SLOTS: TestSource = source(&[DCEL, PROGRAM, EXPECTATION, REPORT_AUDIT], "ReportAudit::new(Dcel::new())");
-const AUDITED_POINTERS: TestSource =
-    source(&[PROGRAM, POINTER_STORE, EXPECTATION, REPORT_AUDIT], "ReportAudit::<PointerStore>::default()");
-const AUDITED_FIXED: TestSource = source(
-    &[DCEL, PROGRAM, FIXED_STORE, EXPECTATION, REPORT_AUDIT],
-    "ReportAudit::new(Dcel::<FixedStore<24, 40, 40, 24>>::default())",
+const AUDITED_LIMITED: TestSource = source(
+    &[DCEL_AND_ROOM, PROGRAM, EXPECTATION, REPORT_AUDIT],
+    "ReportAudit::new(Dcel::with_limits(Room { vertices: 24, edges: 40, boundaries: 40, faces: 24 }))",
 );
+
+/// The empty map with limits.
+fn limited() -> Dcel {
+    Dcel::with_limits(Room { vertices: 24, edges: 40, boundaries: 40, faces: 24 })
+}
 
 /// The empty map, audited.
 fn audited() -> Audited {
@@ -82,14 +80,13 @@ fn audited() -> Audited {
 }
 
 impl StructureName {
-    /// The stores and the second model, without the structures that have a bug.
-    pub(crate) const SOUND: [Self; 4] = [Self::Slots, Self::Pointers, Self::Fixed, Self::RotationSystem];
+    /// The structure with limits and without, and the second model.
+    pub(crate) const SOUND: [Self; 3] = [Self::Slots, Self::Limited, Self::RotationSystem];
 
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Slots => "slots",
-            Self::Pointers => "pointers",
-            Self::Fixed => "fixed",
+            Self::Limited => "limited",
             Self::Audited => "audited",
             Self::History => "history",
             Self::RotationSystem => "model",
@@ -102,8 +99,7 @@ impl StructureName {
     pub(crate) fn with<T: Task>(self, task: T) -> T::Result {
         match self {
             Self::Slots => task.run(self.made(|| Erased::new(Dcel::new()), SLOTS)),
-            Self::Pointers => task.run(self.made(|| Erased::new(Dcel::<PointerStore>::default()), POINTERS)),
-            Self::Fixed => task.run(self.made(|| Erased::new(Dcel::<Arrays>::default()), FIXED)),
+            Self::Limited => task.run(self.made(|| Erased::new(limited()), LIMITED)),
             Self::Audited => task.run(self.made(|| Erased::new(audited()), AUDITED)),
             Self::History => task.run(self.made(|| Erased::new(Rewound::default()), HISTORY)),
             Self::RotationSystem => task.run(self.made(RotationSystem::new, ROTATION_SYSTEM)),
@@ -112,7 +108,7 @@ impl StructureName {
         }
     }
 
-    /// The structure of this name, to compare programs on. What the operators of the stores report is checked, too.
+    /// The structure of this name, to compare programs on. What the operators report is checked, too.
     pub(crate) fn comparable(self) -> Box<dyn Comparable> {
         struct Boxed;
         impl Task for Boxed {
@@ -123,11 +119,8 @@ impl StructureName {
             }
         }
         match self {
-            Self::Slots => Box::new(self.made(|| Erased::new(ReportAudit::<SlotStore>::default()), AUDITED_SLOTS)),
-            Self::Pointers => {
-                Box::new(self.made(|| Erased::new(ReportAudit::<PointerStore>::default()), AUDITED_POINTERS))
-            }
-            Self::Fixed => Box::new(self.made(|| Erased::new(ReportAudit::<Arrays>::default()), AUDITED_FIXED)),
+            Self::Slots => Box::new(self.made(|| Erased::new(ReportAudit::default()), AUDITED_SLOTS)),
+            Self::Limited => Box::new(self.made(|| Erased::new(ReportAudit::new(limited())), AUDITED_LIMITED)),
             Self::Audited | Self::History | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
         }
     }
@@ -162,8 +155,7 @@ mod tests {
 
     printed! {
         slots: Slots;
-        pointers: Pointers;
-        fixed: Fixed;
+        limited: Limited;
         audited: Audited;
         history: History;
         model: RotationSystem;

@@ -2,10 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Debug;
-use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Split, Turn, VertexKey};
+use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Room, Side, Split, Turn, VertexKey};
 use twinedge::program::conformance::{Conformance, Coverage};
 use twinedge::program::{Program, Runner, Subject};
-use twinedge::store::{FixedStore, PointerStore};
 use twinedge::validate::{Expectation, Table};
 use twinedge_trials::RotationSystem;
 
@@ -32,7 +31,7 @@ pub fn programs(bytes: &[u8]) {
     }
 }
 
-/// The structure over every store, and the second model, in step with the first.
+/// The structure, with limits and without, and the second model, in step with the first.
 ///
 /// # Panics
 /// If one does something else than the others.
@@ -40,9 +39,8 @@ pub fn in_step(bytes: &[u8]) {
     let program = program(bytes);
     conforms(&program, Dcel::new(), Expectation::plane());
     conforms(&program, RotationSystem::new(), Expectation::plane());
-    conforms(&program, Dcel::<PointerStore>::default(), Expectation::plane());
-    conforms(&program, Dcel::<FixedStore<255, 127, 255, 255>>::default(), Expectation::plane());
-    conforms(&program, Dcel::<FixedStore<4, 5, 4, 3>>::default(), Expectation::plane());
+    let most = Room { vertices: 4, edges: 5, boundaries: 4, faces: 3 };
+    conforms(&program, Dcel::with_limits(most), Expectation::plane());
 }
 
 fn conforms<K: Subject + Debug>(program: &Program, subject: K, expectation: Expectation) {

@@ -9,15 +9,19 @@ use crate::judges::{Judge, Tables, agrees_with_reference};
 use crate::operators::{Handle, is_undone, keeps_rules, refuses_stale, refuses_without_a_trace};
 #[cfg(not(kani))]
 use crate::planted::{Fault, Field, Planted};
-use twinedge::dcel::Dcel;
-use twinedge::store::FixedStore;
+use twinedge::dcel::{Dcel, Room};
 #[cfg(not(kani))]
 use twinedge::validate::Rule;
 
 /// Room for all that three edges and an island (or two of each) and one operator can come to.
-type Roomy = FixedStore<6, 5, 7, 5>;
+fn roomy() -> Dcel {
+    Dcel::with_limits(Room { vertices: 6, edges: 5, boundaries: 7, faces: 5 })
+}
+
 /// Less room than two edges and an island can come to, so that operators are refused for want of it.
-type Tight = FixedStore<3, 2, 2, 2>;
+fn tight() -> Dcel {
+    Dcel::with_limits(Room { vertices: 3, edges: 2, boundaries: 2, faces: 2 })
+}
 
 const fn maps(edges: usize, islands: usize) -> Bound {
     Bound { edges, islands }
@@ -26,168 +30,168 @@ const fn maps(edges: usize, islands: usize) -> Bound {
 harnesses! {
     add_isolated_vertex_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::AddIsolatedVertex, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::AddIsolatedVertex, Field::Inner));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::AddIsolatedVertex, Field::Inner));
 
     remove_isolated_vertex_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::RemoveIsolatedVertex, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::RemoveIsolatedVertex, Field::Inner));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::RemoveIsolatedVertex, Field::Inner));
 
     connect_keeps_rules_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::Connect, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::Connect, Field::Boundary));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::Connect, Field::Boundary));
 
     remove_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::RemoveEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::RemoveEdge, Field::Leaving));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::RemoveEdge, Field::Leaving));
 
     split_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::SplitEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::SplitEdge, Field::Prev));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::SplitEdge, Field::Prev));
 
     join_edges_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::JoinEdges, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::JoinEdges, Field::Origin));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::JoinEdges, Field::Origin));
 
     split_vertex_keeps_rules_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::SplitVertex, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::SplitVertex, Field::Next));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::SplitVertex, Field::Next));
 
     contract_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::ContractEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::ContractEdge, Field::Origin));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::ContractEdge, Field::Origin));
 
     flip_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
         |subject, source| keeps_rules(Operator::FlipEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::FlipEdge, Field::Boundary));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::FlipEdge, Field::Boundary));
 
     move_inner_keeps_rules_on_maps_of_2_edges_and_2_islands (unwind 32) =
         |subject, source| keeps_rules(Operator::MoveInner, maps(2, 2), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::MoveInner, Field::Face));
+        with roomy(),
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::MoveInner, Field::Face));
 
     add_isolated_vertex_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::AddIsolatedVertex, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveIsolatedVertex, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveIsolatedVertex, 0));
 
     remove_isolated_vertex_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::RemoveIsolatedVertex, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveIsolatedVertex, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveIsolatedVertex, 0));
 
     connect_is_undone_on_maps_of_2_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::Connect, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveEdge, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveEdge, 0));
 
     remove_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::RemoveEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveEdge, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveEdge, 0));
 
     split_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::SplitEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::JoinEdges, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::JoinEdges, 0));
 
     join_edges_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::JoinEdges, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::JoinEdges, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::JoinEdges, 0));
 
     split_vertex_is_undone_on_maps_of_2_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::SplitVertex, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::ContractEdge, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::ContractEdge, 0));
 
     contract_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::ContractEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::ContractEdge, 0));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::ContractEdge, 0));
 
     flip_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
         |subject, source| is_undone(Operator::FlipEdge, maps(3, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::FlipEdge, 1));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::FlipEdge, 1));
 
     move_inner_is_undone_on_maps_of_2_edges_and_2_islands (unwind 64) =
         |subject, source| is_undone(Operator::MoveInner, maps(2, 2), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::MoveInner, 1));
+        with roomy(),
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::MoveInner, 1));
 
     add_isolated_vertex_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::AddIsolatedVertex, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::AddIsolatedVertex));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::AddIsolatedVertex));
 
     remove_isolated_vertex_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::RemoveIsolatedVertex, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::RemoveIsolatedVertex));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::RemoveIsolatedVertex));
 
     connect_refuses_without_a_trace_on_maps_of_1_edge_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::Connect, maps(1, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::Connect));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::Connect));
 
     remove_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::RemoveEdge, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::RemoveEdge));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::RemoveEdge));
 
     split_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::SplitEdge, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::SplitEdge));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::SplitEdge));
 
     join_edges_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::JoinEdges, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::JoinEdges));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::JoinEdges));
 
     split_vertex_refuses_without_a_trace_on_maps_of_1_edge_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::SplitVertex, maps(1, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::SplitVertex));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::SplitVertex));
 
     contract_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::ContractEdge, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::ContractEdge));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::ContractEdge));
 
     flip_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::FlipEdge, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::FlipEdge));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::FlipEdge));
 
     move_inner_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_without_a_trace(Operator::MoveInner, maps(2, 1), subject, source);
-        with Dcel::<Tight>::default(),
-        but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::MoveInner));
+        with tight(),
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::MoveInner));
 
     stale_vertex_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_stale(Handle::Vertex, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a stale handle is not refused" with Planted::<Roomy>::new(Fault::TakesStale(Handle::Vertex));
+        with roomy(),
+        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(Handle::Vertex));
 
     stale_half_edge_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_stale(Handle::HalfEdge, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a stale handle is not refused" with Planted::<Roomy>::new(Fault::TakesStale(Handle::HalfEdge));
+        with roomy(),
+        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(Handle::HalfEdge));
 
     stale_face_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
         |subject, source| refuses_stale(Handle::Face, maps(2, 1), subject, source);
-        with Dcel::<Roomy>::default(),
-        but "a stale handle is not refused" with Planted::<Roomy>::new(Fault::TakesStale(Handle::Face));
+        with roomy(),
+        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(Handle::Face));
 
     validators_agree_on_tables_of_2_half_edges (unwind 32) =
         |judge, source| agrees_with_reference(judge, Tables::Links { half_edges: 2, vertices: 1 }, source);

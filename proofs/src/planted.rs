@@ -6,7 +6,6 @@ use core::cell::Cell;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use twinedge::delegate_view;
 use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
-use twinedge::store::Store;
 use twinedge::validate::{Table, View};
 
 /// A field of a record.
@@ -36,8 +35,8 @@ pub(crate) enum Fault {
 
 /// The structure of the library, seen through a fault.
 #[derive(Clone, Debug)]
-pub(crate) struct Planted<S: Store> {
-    dcel: Dcel<S>,
+pub(crate) struct Planted {
+    dcel: Dcel,
     /// The table that it shows of itself.
     table: Table,
     fault: Fault,
@@ -45,9 +44,8 @@ pub(crate) struct Planted<S: Store> {
     calls: Cell<u32>,
 }
 
-impl<S: Store> Planted<S> {
-    pub(crate) fn new(fault: Fault) -> Self {
-        let dcel = Dcel::default();
+impl Planted {
+    pub(crate) fn new(dcel: Dcel, fault: Fault) -> Self {
         let table = Table::copy_of(&dcel).unwrap_or_default();
         Self { dcel, table, fault, calls: Cell::new(0) }
     }
@@ -57,7 +55,7 @@ impl<S: Store> Planted<S> {
         &mut self,
         operator: Operator,
         skipped: T,
-        run: impl FnOnce(&mut Dcel<S>) -> Result<T, Refusal>,
+        run: impl FnOnce(&mut Dcel) -> Result<T, Refusal>,
     ) -> Result<T, Refusal> {
         if let Fault::Skips(faulty, from) = self.fault
             && faulty == operator
@@ -126,7 +124,7 @@ fn lose(before: &Table, after: &mut Table, field: Field) {
     }
 }
 
-impl<S: Store> Subject for Planted<S> {
+impl Subject for Planted {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
@@ -211,6 +209,6 @@ impl<S: Store> Subject for Planted<S> {
     }
 }
 
-impl<S: Store> View for Planted<S> {
+impl View for Planted {
     delegate_view!(|this| &this.table);
 }

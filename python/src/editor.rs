@@ -14,7 +14,8 @@ use twinedge::dcel::{Face, HalfEdge, OperatorError, StaleKey, Vertex};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::edit::{At, EditError, Edited};
-use twinedge::map::{FeatureId, History, Located, PlanarMap};
+use twinedge::dcel::History;
+use twinedge::map::{FeatureId, Located, PlanarMap};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 
@@ -22,7 +23,7 @@ use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 #[pyclass(name = "Editor", module = "twinedge._twinedge")]
 pub(crate) struct Editor {
     /// None while a change runs.
-    history: Option<History>,
+    history: Option<History<PlanarMap>>,
     /// The map while a change runs.
     open: Option<PlanarMap>,
     baseline: EmbeddingBaseline,
@@ -121,7 +122,7 @@ impl Editor {
         self.open.as_ref().or(self.history.as_ref().map(History::get)).ok_or_else(busy)
     }
 
-    fn history(&mut self) -> PyResult<&mut History> {
+    fn history(&mut self) -> PyResult<&mut History<PlanarMap>> {
         self.history.as_mut().ok_or_else(busy)
     }
 
@@ -211,7 +212,7 @@ impl Editor {
             self.history = Some(history);
             return Err(PyValueError::new_err("attributes are added before the first change"));
         }
-        let mut map = history.into_map();
+        let mut map = history.into_inner();
         let added = add(&mut map, of, &split, &merge, ids, raised);
         self.history = Some(History::new(map));
         self.attributes.insert(name, added?);

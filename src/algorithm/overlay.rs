@@ -199,7 +199,6 @@ pub fn overlay(left: &PlanarMap, right: &PlanarMap, snap: Snap) -> Result<Overla
     });
     let mut both = Overlay { map: noded, faces: labels.faces, features };
     both.put_features(operands.map(|(_, map)| map), &labels.edges, &meanings);
-    #[cfg(feature = "near")]
     for (operand, map) in operands {
         let within = |face: Face<'_>| both.faces.get(face.index()).map(|of| of[operand as usize]);
         let features = &both.features[operand as usize];

@@ -3,7 +3,7 @@
 use super::elements::{Boundary, Face, HalfEdge, Vertex};
 use super::error::StaleKey;
 use super::structure::Dcel;
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 
 mod sealed {
     pub trait Sealed {}
@@ -12,13 +12,13 @@ mod sealed {
 /// A key of one of the four kinds of element: vertices, half-edges, boundary components and faces.
 pub trait ElementKey: Copy + sealed::Sealed {
     /// The element that the key names.
-    type Element<'a, S: Store + 'a>;
+    type Element<'a>;
 
     /// The element with this key. O(1).
     ///
     /// # Errors
     /// [`StaleKey`], if there is none.
-    fn find<S: Store>(self, dcel: &Dcel<S>) -> Result<Self::Element<'_, S>, StaleKey>;
+    fn find(self, dcel: &Dcel) -> Result<Self::Element<'_>, StaleKey>;
 }
 
 macro_rules! element_keys {
@@ -26,9 +26,9 @@ macro_rules! element_keys {
         impl sealed::Sealed for $key {}
 
         impl ElementKey for $key {
-            type Element<'a, S: Store + 'a> = $element<'a, S>;
+            type Element<'a> = $element<'a>;
 
-            fn find<S: Store>(self, dcel: &Dcel<S>) -> Result<$element<'_, S>, StaleKey> {
+            fn find(self, dcel: &Dcel) -> Result<$element<'_>, StaleKey> {
                 dcel.$find(self)
             }
         }
@@ -42,7 +42,7 @@ element_keys! {
     FaceKey Face face;
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// The element with this key, which must be live: for keys that were just made or are otherwise known to be. O(1).
     ///
     /// [`Index`](core::ops::Index) cannot do this: it returns references to what is stored, and elements are not stored.
@@ -62,7 +62,7 @@ impl<S: Store> Dcel<S> {
     /// ```
     #[must_use]
     #[track_caller]
-    pub fn at<K: ElementKey>(&self, key: K) -> K::Element<'_, S> {
+    pub fn at<K: ElementKey>(&self, key: K) -> K::Element<'_> {
         match key.find(self) {
             Ok(element) => element,
             Err(stale) => panic!("{stale}"),
@@ -73,7 +73,7 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// [`StaleKey::Vertex`] if there is none (any more).
-    pub fn vertex(&self, key: VertexKey) -> Result<Vertex<'_, S>, StaleKey> {
+    pub fn vertex(&self, key: VertexKey) -> Result<Vertex<'_>, StaleKey> {
         self.store.find_vertex(key).map(|slot| Vertex::new(self, slot)).ok_or(StaleKey::Vertex(key))
     }
 
@@ -81,7 +81,7 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// [`StaleKey::HalfEdge`] if there is none (any more).
-    pub fn half_edge(&self, key: HalfEdgeKey) -> Result<HalfEdge<'_, S>, StaleKey> {
+    pub fn half_edge(&self, key: HalfEdgeKey) -> Result<HalfEdge<'_>, StaleKey> {
         self.store.find_half_edge(key).map(|slot| HalfEdge::new(self, slot)).ok_or(StaleKey::HalfEdge(key))
     }
 
@@ -89,7 +89,7 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// [`StaleKey::Boundary`] if there is none (any more).
-    pub fn boundary(&self, key: BoundaryKey) -> Result<Boundary<'_, S>, StaleKey> {
+    pub fn boundary(&self, key: BoundaryKey) -> Result<Boundary<'_>, StaleKey> {
         self.store.find_boundary(key).map(|slot| Boundary::new(self, slot)).ok_or(StaleKey::Boundary(key))
     }
 
@@ -97,62 +97,62 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// [`StaleKey::Face`] if there is none (any more).
-    pub fn face(&self, key: FaceKey) -> Result<Face<'_, S>, StaleKey> {
+    pub fn face(&self, key: FaceKey) -> Result<Face<'_>, StaleKey> {
         self.store.find_face(key).map(|slot| Face::new(self, slot)).ok_or(StaleKey::Face(key))
     }
 
     /// The unbounded face, which every map has. O(1).
     #[must_use]
-    pub fn unbounded_face(&self) -> Face<'_, S> {
+    pub fn unbounded_face(&self) -> Face<'_> {
         Face::new(self, self.store.unbounded())
     }
 
     /// All vertices, in order of their indices. O(slots).
-    pub fn vertices(&self) -> impl Iterator<Item = Vertex<'_, S>> + '_ {
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex<'_>> + '_ {
         (0..self.store.vertex_slots()).filter_map(|i| self.vertex_at(i))
     }
 
     /// All half-edges, in order of their indices. O(slots).
-    pub fn half_edges(&self) -> impl Iterator<Item = HalfEdge<'_, S>> + '_ {
+    pub fn half_edges(&self) -> impl Iterator<Item = HalfEdge<'_>> + '_ {
         (0..self.store.half_edge_slots()).filter_map(|i| self.half_edge_at(i))
     }
 
     /// One half-edge of each edge: of the two, the one with the smaller index. O(slots).
-    pub fn edges(&self) -> impl Iterator<Item = HalfEdge<'_, S>> + '_ {
+    pub fn edges(&self) -> impl Iterator<Item = HalfEdge<'_>> + '_ {
         self.half_edges().filter(|h| h.index() < h.twin().index())
     }
 
     /// All boundary components, in order of their indices. O(slots).
-    pub fn boundaries(&self) -> impl Iterator<Item = Boundary<'_, S>> + '_ {
+    pub fn boundaries(&self) -> impl Iterator<Item = Boundary<'_>> + '_ {
         (0..self.store.boundary_slots()).filter_map(|i| self.boundary_at(i))
     }
 
     /// All faces, in order of their indices. O(slots).
-    pub fn faces(&self) -> impl Iterator<Item = Face<'_, S>> + '_ {
+    pub fn faces(&self) -> impl Iterator<Item = Face<'_>> + '_ {
         (0..self.store.face_slots()).filter_map(|i| self.face_at(i))
     }
 
     /// The vertex with this index, which is how reports name it. O(1).
     #[must_use]
-    pub fn vertex_at(&self, index: usize) -> Option<Vertex<'_, S>> {
+    pub fn vertex_at(&self, index: usize) -> Option<Vertex<'_>> {
         self.store.vertex_at(index).map(|slot| Vertex::new(self, slot))
     }
 
     /// The half-edge with this index, which is how reports name it. O(1).
     #[must_use]
-    pub fn half_edge_at(&self, index: usize) -> Option<HalfEdge<'_, S>> {
+    pub fn half_edge_at(&self, index: usize) -> Option<HalfEdge<'_>> {
         self.store.half_edge_at(index).map(|slot| HalfEdge::new(self, slot))
     }
 
     /// The boundary component with this index, which is how reports name it. O(1).
     #[must_use]
-    pub fn boundary_at(&self, index: usize) -> Option<Boundary<'_, S>> {
+    pub fn boundary_at(&self, index: usize) -> Option<Boundary<'_>> {
         self.store.boundary_at(index).map(|slot| Boundary::new(self, slot))
     }
 
     /// The face with this index, which is how reports name it. O(1).
     #[must_use]
-    pub fn face_at(&self, index: usize) -> Option<Face<'_, S>> {
+    pub fn face_at(&self, index: usize) -> Option<Face<'_>> {
         self.store.face_at(index).map(|slot| Face::new(self, slot))
     }
 }

@@ -2,9 +2,8 @@
 
 use super::circulators::{Cycle, Rotation};
 use super::elements::{Boundary, Face, HalfEdge, Vertex};
-use crate::store::Store;
 
-impl<'a, S: Store> Vertex<'a, S> {
+impl<'a> Vertex<'a> {
     /// The half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
     ///
     /// ```
@@ -25,7 +24,7 @@ impl<'a, S: Store> Vertex<'a, S> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn rotation(self) -> Rotation<'a, S> {
+    pub fn rotation(self) -> Rotation<'a> {
         Rotation::new(self.leaving())
     }
 
@@ -75,7 +74,7 @@ impl<'a, S: Store> Vertex<'a, S> {
     }
 }
 
-impl<'a, S: Store> HalfEdge<'a, S> {
+impl<'a> HalfEdge<'a> {
     /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
     ///
     /// ```
@@ -95,7 +94,7 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     /// ```
     #[must_use]
     #[inline]
-    pub fn rotation(self) -> Rotation<'a, S> {
+    pub fn rotation(self) -> Rotation<'a> {
         Rotation::new(Some(self))
     }
 
@@ -118,12 +117,12 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     /// ```
     #[must_use]
     #[inline]
-    pub fn boundary_cycle(self) -> Cycle<'a, S> {
+    pub fn boundary_cycle(self) -> Cycle<'a> {
         Cycle::new(Some(self))
     }
 }
 
-impl<'a, S: Store> Boundary<'a, S> {
+impl<'a> Boundary<'a> {
     /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
     ///
     /// ```
@@ -143,12 +142,12 @@ impl<'a, S: Store> Boundary<'a, S> {
     /// ```
     #[must_use]
     #[inline]
-    pub fn half_edges(self) -> Cycle<'a, S> {
+    pub fn half_edges(self) -> Cycle<'a> {
         Cycle::new(self.start())
     }
 }
 
-impl<'a, S: Store> Face<'a, S> {
+impl<'a> Face<'a> {
     /// All its boundary components, the outer one first. O(1) per step.
     ///
     /// ```
@@ -167,7 +166,7 @@ impl<'a, S: Store> Face<'a, S> {
     /// assert_eq!(places, [true, false]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn boundaries(self) -> impl Iterator<Item = Boundary<'a, S>> {
+    pub fn boundaries(self) -> impl Iterator<Item = Boundary<'a>> {
         self.outer().into_iter().chain(self.inner())
     }
 
@@ -187,7 +186,7 @@ impl<'a, S: Store> Face<'a, S> {
     /// assert_eq!(map.unbounded_face().half_edges().count(), 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a, S>> {
+    pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a>> {
         self.boundaries().flat_map(Boundary::half_edges)
     }
 

@@ -7,9 +7,7 @@
 //! ```
 
 use super::structure::Dcel;
-use crate::store::SlotStore;
-use crate::store::links::{BoundaryStart, Links, Need, RecordKind, VertexLink};
-use crate::store::slots::{InOrder, Numbered};
+use crate::store::{BoundaryStart, InOrder, Numbered, RecordKind, Room, Store, VertexLink};
 
 /// A planar subdivision as columns. Records are numbered from 0 without gaps, and every number is in range.
 ///
@@ -35,8 +33,8 @@ pub(crate) struct Assembly<'a> {
 
 impl Assembly<'_> {
     /// Returns the number of records of each kind, without the unbounded face.
-    fn need(&self) -> Need {
-        Need {
+    fn need(&self) -> Room {
+        Room {
             vertices: self.vertices.len(),
             edges: self.origin.len() / 2,
             boundaries: self.starts.len(),
@@ -50,7 +48,7 @@ impl Assembly<'_> {
     /// # Errors
     /// The kind of record of which there are more than a store can hold.
     pub(crate) fn assemble(&self) -> Result<Dcel, RecordKind> {
-        Ok(self.link(SlotStore::with_records(self.need())?, &InOrder))
+        Ok(self.link(Store::with_records(self.need())?, &InOrder))
     }
 
     /// The index of the vertex with this number.
@@ -66,7 +64,7 @@ impl Assembly<'_> {
     }
 
     /// Sets the links of all records, of which those with the numbers of this assembly have these slots.
-    pub(super) fn link(&self, mut store: SlotStore, slots: &impl Numbered) -> Dcel {
+    pub(super) fn link(&self, mut store: Store, slots: &impl Numbered) -> Dcel {
         for (v, link) in (0..).zip(self.vertices) {
             store.set_vertex_link(
                 slots.vertex(v),

@@ -3,8 +3,8 @@
 use super::error::{OperatorError, StaleKey};
 use super::import::Keys;
 use super::structure::Dcel;
-use crate::store::attributes::{Attribute, Attributed, Edges, Kind, Policy, Sealed, Value};
-use crate::store::{AttributeStore, FaceKey, HalfEdgeKey, Store, VertexKey};
+use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Kind, Policy, Sealed, Value};
+use crate::store::{FaceKey, HalfEdgeKey, VertexKey};
 use alloc::vec::Vec;
 use slotmap::{Key, KeyData, SecondaryMap};
 
@@ -42,7 +42,7 @@ use slotmap::{Key, KeyData, SecondaryMap};
 ///
 /// A structure without attributes pays nothing for them. For each attribute, an operator takes O(1) for each record that it makes, splits,
 /// merges or drops, beside the functions of the policy.
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Returns the value that a record has, if it has one. O(1).
     #[must_use]
     pub fn value<K: Attributed, T: Value>(&self, of: Attribute<K, T>, key: K::Key) -> Option<&T> {
@@ -97,7 +97,7 @@ impl<S: Store> Dcel<S> {
     }
 }
 
-impl<S: AttributeStore> Dcel<S> {
+impl Dcel {
     /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n) if the
     /// policy gives [ids](Policy::ids), which the n records that are there get at once, except the unbounded face.
     ///
@@ -132,11 +132,8 @@ impl<S: AttributeStore> Dcel<S> {
         let records = if policy.counts() { self.record_keys::<K>() } else { Vec::new() };
         let values: Vec<_> =
             values.into_iter().filter_map(|(key, value)| Some((self.record_key::<K>(key).ok()?, value))).collect();
-        let attributes = self.store.kept_attributes();
-        if !S::RECORDS {
-            attributes.clear_log();
-        }
-        attributes.add(policy, values, records)
+        self.attributes_to_change();
+        self.store.kept_attributes().add(policy, values, records)
     }
 
     /// The keys under which records have values; of faces, the bounded ones.
@@ -190,17 +187,14 @@ impl<S: AttributeStore> Dcel<S> {
             return Err(OperatorError::NoSuchAttribute);
         }
         let key = self.record_key::<K>(key)?;
-        let attributes = self.store.attributes_mut().ok_or(OperatorError::NoSuchAttribute)?;
-        if !S::RECORDS {
-            attributes.clear_log();
-        }
+        let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
         attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
     }
 
     /// Adds the attributes of another structure, without values: they are the same ones, with the same policies. O(attributes).
     ///
     /// So values are given to a structure that was loaded, and two that were loaded apart can be compared.
-    pub fn add_attributes_of<R: Store>(&mut self, other: &Dcel<R>) {
+    pub fn add_attributes_of(&mut self, other: &Self) {
         if let Some(mut all) = other.store.attributes().cloned() {
             all.rename(&|_, _| None);
             self.store.kept_attributes().extend(all);
@@ -225,18 +219,13 @@ impl<S: AttributeStore> Dcel<S> {
     /// assert_eq!(new.value(owner, inside.key()), Some(&"Ada"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn carry_values<R: Store>(&mut self, other: &Dcel<R>, keys: &Keys) {
+    pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
         self.carry(other, keys, |_| None);
     }
 
     /// As above. Features have other keys, too, if they are there.
     #[cfg_attr(not(feature = "map"), allow(unused_variables, reason = "only maps have features"))]
-    pub(crate) fn carry<R: Store>(
-        &mut self,
-        other: &Dcel<R>,
-        keys: &Keys,
-        feature: impl Fn(KeyData) -> Option<KeyData>,
-    ) {
+    pub(crate) fn carry(&mut self, other: &Self, keys: &Keys, feature: impl Fn(KeyData) -> Option<KeyData>) {
         let Some(mut all) = other.store.attributes().cloned() else { return };
         let half_edge = |old: KeyData| keys.half_edge(other.half_edge(old.into()).ok()?.index());
         all.rename(&|kind, old| match kind {
@@ -247,10 +236,17 @@ impl<S: AttributeStore> Dcel<S> {
             #[cfg(feature = "map")]
             Kind::Feature => feature(old),
         });
-        let attributes = self.store.kept_attributes();
-        attributes.extend(all);
-        if !S::RECORDS {
+        self.store.kept_attributes().extend(all);
+        self.attributes_to_change();
+    }
+
+    /// The attributes, if there are any, before a change. Unless the change is logged, earlier ones are forgotten.
+    pub(crate) fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
+        let is_logged = self.store.is_logged();
+        let attributes = self.store.attributes_mut()?;
+        if !is_logged {
             attributes.clear_log();
         }
+        Some(attributes)
     }
 }

@@ -1,39 +1,38 @@
 //! Walks that come back to where they started.
 
 use super::elements::HalfEdge;
-use crate::store::{SlotStore, Store};
 use core::iter::FusedIterator;
 
 macro_rules! circulator {
     ($(#[$doc:meta])* $name:ident, $forward:ident, $backward:ident) => {
         $(#[$doc])*
-        pub struct $name<'a, S: Store = SlotStore> {
+        pub struct $name<'a> {
             /// The next half-edge from the front, and the last one given from the back; none once they have met. Both are
             /// the start at first, so that nothing is followed before it is asked for.
-            ends: Option<(HalfEdge<'a, S>, HalfEdge<'a, S>)>,
+            ends: Option<(HalfEdge<'a>, HalfEdge<'a>)>,
         }
 
-        impl<S: Store> Clone for $name<'_, S> {
+        impl Clone for $name<'_> {
             fn clone(&self) -> Self {
                 Self { ends: self.ends }
             }
         }
 
-        impl<S: Store> core::fmt::Debug for $name<'_, S> {
+        impl core::fmt::Debug for $name<'_> {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 f.debug_list().entries(self.clone()).finish()
             }
         }
 
-        impl<'a, S: Store> $name<'a, S> {
+        impl<'a> $name<'a> {
             #[inline]
-            pub(super) fn new(start: Option<HalfEdge<'a, S>>) -> Self {
+            pub(super) fn new(start: Option<HalfEdge<'a>>) -> Self {
                 Self { ends: start.map(|start| (start, start)) }
             }
         }
 
-        impl<'a, S: Store> Iterator for $name<'a, S> {
-            type Item = HalfEdge<'a, S>;
+        impl<'a> Iterator for $name<'a> {
+            type Item = HalfEdge<'a>;
 
             #[inline]
             fn next(&mut self) -> Option<Self::Item> {
@@ -44,7 +43,7 @@ macro_rules! circulator {
             }
         }
 
-        impl<S: Store> DoubleEndedIterator for $name<'_, S> {
+        impl DoubleEndedIterator for $name<'_> {
             #[inline]
             fn next_back(&mut self) -> Option<Self::Item> {
                 let (front, back) = self.ends?;
@@ -54,7 +53,7 @@ macro_rules! circulator {
             }
         }
 
-        impl<S: Store> FusedIterator for $name<'_, S> {}
+        impl FusedIterator for $name<'_> {}
     };
 }
 

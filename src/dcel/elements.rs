@@ -1,52 +1,53 @@
 //! References to records: the key has been checked, and steps from one record to the next are not checked again.
 
 use super::structure::Dcel;
-use crate::store::links::{BoundaryStart, VertexLink};
-use crate::store::place::OUTER;
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
+use crate::store::{
+    BoundaryKey, BoundarySlot, BoundaryStart, FaceKey, FaceSlot, HalfEdgeKey, HalfEdgeSlot, OUTER, VertexKey,
+    VertexLink, VertexSlot,
+};
 use core::fmt;
 use core::hash::{Hash, Hasher};
 
 macro_rules! element {
-    ($(#[$doc:meta])* $name:ident, $slot:ident, $key:ident, $key_of:ident, $index_of:ident, $slots:literal) => {
+    ($(#[$doc:meta])* $name:ident, $slot:ident, $key:ident, $key_of:ident, $slots:literal) => {
         $(#[$doc])*
-        pub struct $name<'a, S: Store = SlotStore> {
-            dcel: &'a Dcel<S>,
-            slot: S::$slot,
+        pub struct $name<'a> {
+            dcel: &'a Dcel,
+            slot: $slot,
         }
 
-        impl<S: Store> Clone for $name<'_, S> {
+        impl Clone for $name<'_> {
             fn clone(&self) -> Self {
                 *self
             }
         }
 
-        impl<S: Store> Copy for $name<'_, S> {}
+        impl Copy for $name<'_> {}
 
         /// Two references are equal if they name the same record of the same structure.
-        impl<S: Store> PartialEq for $name<'_, S> {
+        impl PartialEq for $name<'_> {
             fn eq(&self, other: &Self) -> bool {
                 core::ptr::eq(self.dcel, other.dcel) && self.slot == other.slot
             }
         }
 
-        impl<S: Store> Eq for $name<'_, S> {}
+        impl Eq for $name<'_> {}
 
-        impl<S: Store> Hash for $name<'_, S> {
+        impl Hash for $name<'_> {
             fn hash<H: Hasher>(&self, state: &mut H) {
                 self.index().hash(state);
             }
         }
 
-        impl<S: Store> fmt::Debug for $name<'_, S> {
+        impl fmt::Debug for $name<'_> {
             fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 self.key().fmt(f)
             }
         }
 
-        impl<'a, S: Store> $name<'a, S> {
+        impl<'a> $name<'a> {
             #[inline]
-            pub(super) const fn new(dcel: &'a Dcel<S>, slot: S::$slot) -> Self {
+            pub(super) const fn new(dcel: &'a Dcel, slot: $slot) -> Self {
                 Self { dcel, slot }
             }
 
@@ -63,7 +64,7 @@ macro_rules! element {
             #[must_use]
             #[inline]
             pub fn index(self) -> usize {
-                self.dcel.store.$index_of(self.slot)
+                self.slot.index()
             }
         }
     };
@@ -88,7 +89,7 @@ element! {
     /// assert!(v.isolated().is_none());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    Vertex, Vertex, VertexKey, vertex_key, vertex_index, "vertex_slots"
+    Vertex, VertexSlot, VertexKey, vertex_key, "vertex_slots"
 }
 element! {
     /// A half-edge.
@@ -120,7 +121,7 @@ element! {
     /// assert!(!h.face().is_unbounded() && h.twin().face().is_unbounded());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    HalfEdge, HalfEdge, HalfEdgeKey, half_edge_key, half_edge_index, "half_edge_slots"
+    HalfEdge, HalfEdgeSlot, HalfEdgeKey, half_edge_key, "half_edge_slots"
 }
 element! {
     /// A boundary component: a cycle of half-edges, or one isolated vertex.
@@ -144,7 +145,7 @@ element! {
     /// assert!(other.face().is_unbounded());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    Boundary, Boundary, BoundaryKey, boundary_key, boundary_index, "boundary_slots"
+    Boundary, BoundarySlot, BoundaryKey, boundary_key, "boundary_slots"
 }
 element! {
     /// A face.
@@ -167,13 +168,13 @@ element! {
     /// assert_eq!(map.unbounded_face().inner().count(), 1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    Face, Face, FaceKey, face_key, face_index, "face_slots"
+    Face, FaceSlot, FaceKey, face_key, "face_slots"
 }
 
-impl<'a, S: Store> Vertex<'a, S> {
+impl<'a> Vertex<'a> {
     /// A half-edge that leaves the vertex; none if it is isolated. O(1).
     #[must_use]
-    pub fn leaving(self) -> Option<HalfEdge<'a, S>> {
+    pub fn leaving(self) -> Option<HalfEdge<'a>> {
         match self.dcel.store.vertex_link(self.slot) {
             VertexLink::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
             VertexLink::Isolated(_) => None,
@@ -182,7 +183,7 @@ impl<'a, S: Store> Vertex<'a, S> {
 
     /// The boundary component that the vertex is, if it is isolated. O(1).
     #[must_use]
-    pub fn isolated(self) -> Option<Boundary<'a, S>> {
+    pub fn isolated(self) -> Option<Boundary<'a>> {
         match self.dcel.store.vertex_link(self.slot) {
             VertexLink::Leaving(_) => None,
             VertexLink::Isolated(b) => Some(Boundary::new(self.dcel, b)),
@@ -190,7 +191,7 @@ impl<'a, S: Store> Vertex<'a, S> {
     }
 }
 
-impl<'a, S: Store> HalfEdge<'a, S> {
+impl<'a> HalfEdge<'a> {
     /// True if both are the same half-edge. Both must be of the same structure.
     #[inline]
     pub(super) fn is(self, other: Self) -> bool {
@@ -200,14 +201,14 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     /// The vertex where it starts. O(1).
     #[must_use]
     #[inline]
-    pub fn origin(self) -> Vertex<'a, S> {
+    pub fn origin(self) -> Vertex<'a> {
         Vertex::new(self.dcel, self.dcel.store.origin(self.slot))
     }
 
     /// The vertex where it ends. O(1).
     #[must_use]
     #[inline]
-    pub fn target(self) -> Vertex<'a, S> {
+    pub fn target(self) -> Vertex<'a> {
         self.twin().origin()
     }
 
@@ -249,23 +250,23 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     /// The boundary component that it is part of. O(1).
     #[must_use]
     #[inline]
-    pub fn boundary(self) -> Boundary<'a, S> {
+    pub fn boundary(self) -> Boundary<'a> {
         Boundary::new(self.dcel, self.dcel.store.boundary(self.slot))
     }
 
     /// The face to its left. O(1).
     #[must_use]
     #[inline]
-    pub fn face(self) -> Face<'a, S> {
+    pub fn face(self) -> Face<'a> {
         self.boundary().face()
     }
 }
 
-impl<'a, S: Store> Boundary<'a, S> {
+impl<'a> Boundary<'a> {
     /// The face that it bounds. O(1).
     #[must_use]
     #[inline]
-    pub fn face(self) -> Face<'a, S> {
+    pub fn face(self) -> Face<'a> {
         Face::new(self.dcel, self.dcel.store.face(self.slot))
     }
 
@@ -278,7 +279,7 @@ impl<'a, S: Store> Boundary<'a, S> {
     /// The half-edge where its cycle starts; none if it is an isolated vertex. O(1).
     #[must_use]
     #[inline]
-    pub fn start(self) -> Option<HalfEdge<'a, S>> {
+    pub fn start(self) -> Option<HalfEdge<'a>> {
         match self.dcel.store.start(self.slot) {
             BoundaryStart::HalfEdge(h) => Some(HalfEdge::new(self.dcel, h)),
             BoundaryStart::Vertex(_) => None,
@@ -287,7 +288,7 @@ impl<'a, S: Store> Boundary<'a, S> {
 
     /// The isolated vertex that it is; none if it is a cycle. O(1).
     #[must_use]
-    pub fn isolated_vertex(self) -> Option<Vertex<'a, S>> {
+    pub fn isolated_vertex(self) -> Option<Vertex<'a>> {
         match self.dcel.store.start(self.slot) {
             BoundaryStart::HalfEdge(_) => None,
             BoundaryStart::Vertex(v) => Some(Vertex::new(self.dcel, v)),
@@ -295,7 +296,7 @@ impl<'a, S: Store> Boundary<'a, S> {
     }
 }
 
-impl<'a, S: Store> Face<'a, S> {
+impl<'a> Face<'a> {
     /// True if it is the unbounded face. O(1).
     #[must_use]
     pub fn is_unbounded(self) -> bool {
@@ -305,14 +306,14 @@ impl<'a, S: Store> Face<'a, S> {
     /// Its outer boundary component; none for the unbounded face. O(1).
     #[must_use]
     #[inline]
-    pub fn outer(self) -> Option<Boundary<'a, S>> {
+    pub fn outer(self) -> Option<Boundary<'a>> {
         self.dcel.store.outer(self.slot).map(|b| Boundary::new(self.dcel, b))
     }
 
     /// A half-edge of its outer boundary component, the textbooks' `OuterComponent`; none for the unbounded face. O(1).
     #[must_use]
     #[inline]
-    pub fn outer_half_edge(self) -> Option<HalfEdge<'a, S>> {
+    pub fn outer_half_edge(self) -> Option<HalfEdge<'a>> {
         self.dcel.store.outer_half_edge(self.slot).map(|h| HalfEdge::new(self.dcel, h))
     }
 
@@ -323,7 +324,7 @@ impl<'a, S: Store> Face<'a, S> {
     }
 
     /// Its inner boundary components: holes and isolated vertices. O(1) per step.
-    pub fn inner(self) -> impl Iterator<Item = Boundary<'a, S>> {
+    pub fn inner(self) -> impl Iterator<Item = Boundary<'a>> {
         (0..self.inner_count())
             .filter_map(move |i| self.dcel.store.inner(self.slot, i).map(|b| Boundary::new(self.dcel, b)))
     }

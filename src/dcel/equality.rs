@@ -2,7 +2,7 @@
 
 use super::elements::{Boundary, Face, HalfEdge, Vertex};
 use super::structure::Dcel;
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 
 /// Two structures are equal if they have the same records under the same keys, with the same links, and lists in the same order.
 /// Slots that are vacant make no difference. O(n).
@@ -18,7 +18,7 @@ use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 /// assert_eq!(map, before);
 /// # Ok::<(), twinedge::dcel::OperatorError>(())
 /// ```
-impl<S: Store> PartialEq for Dcel<S> {
+impl PartialEq for Dcel {
     fn eq(&self, other: &Self) -> bool {
         self.vertices().map(vertex).eq(other.vertices().map(vertex))
             && self.half_edges().map(half_edge).eq(other.half_edges().map(half_edge))
@@ -28,21 +28,21 @@ impl<S: Store> PartialEq for Dcel<S> {
     }
 }
 
-impl<S: Store> Eq for Dcel<S> {}
+impl Eq for Dcel {}
 
-fn vertex<S: Store>(v: Vertex<'_, S>) -> (VertexKey, Option<HalfEdgeKey>, Option<BoundaryKey>) {
+fn vertex(v: Vertex<'_>) -> (VertexKey, Option<HalfEdgeKey>, Option<BoundaryKey>) {
     (v.key(), v.leaving().map(|h| h.key()), v.isolated().map(|b| b.key()))
 }
 
-fn half_edge<S: Store>(h: HalfEdge<'_, S>) -> ([HalfEdgeKey; 4], VertexKey, BoundaryKey) {
+fn half_edge(h: HalfEdge<'_>) -> ([HalfEdgeKey; 4], VertexKey, BoundaryKey) {
     let links = [h, h.twin(), h.next(), h.prev()].map(|h| h.key());
     (links, h.origin().key(), h.boundary().key())
 }
 
-fn boundary<S: Store>(b: Boundary<'_, S>) -> (BoundaryKey, FaceKey, Option<HalfEdgeKey>, Option<VertexKey>) {
+fn boundary(b: Boundary<'_>) -> (BoundaryKey, FaceKey, Option<HalfEdgeKey>, Option<VertexKey>) {
     (b.key(), b.face().key(), b.start().map(|h| h.key()), b.isolated_vertex().map(|v| v.key()))
 }
 
-fn face<S: Store>(f: Face<'_, S>) -> (FaceKey, Option<BoundaryKey>) {
+fn face(f: Face<'_>) -> (FaceKey, Option<BoundaryKey>) {
     (f.key(), f.outer().map(|b| b.key()))
 }

@@ -1,7 +1,6 @@
 //! Errors of calls.
 
-use crate::store::links::RecordKind;
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, RecordKind, VertexKey};
 use thiserror::Error;
 
 /// A key that names no record of this structure: its record is gone, or it is of another structure.

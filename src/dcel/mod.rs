@@ -1,4 +1,4 @@
-//! The doubly connected edge list: accessors, circulators and operators, written once for every store.
+//! The doubly connected edge list: accessors, circulators and operators, and changes that are taken back.
 //!
 //! ```
 //! use twinedge::dcel::{Dcel, Side, Split};
@@ -52,13 +52,13 @@
 //! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes what a condition does not hold for, as the
 //! operators would one by one, and [`compact`](Dcel::compact) closes the gaps that removed records leave.
 //!
-//! What was changed can be taken back: with the feature `near`, `History` has changes of one or more operators that are undone and redone,
+//! What was changed can be taken back: [`History`] has changes of one or more operators that are undone and redone,
 //! keys included.
 //!
 //! # Data of your own
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept
-//! a key of another structure: see [Keys](Dcel#keys). With the feature `near`, [attributes](Dcel#attributes) follow what operators do by
+//! a key of another structure: see [Keys](Dcel#keys). [Attributes](Dcel#attributes) follow what operators do by
 //! themselves.
 //!
 //! ```
@@ -87,58 +87,46 @@
 mod access;
 mod around;
 mod assemble;
-#[cfg(feature = "near")]
 mod attributes;
-#[cfg(feature = "near")]
 mod audited;
 mod bulk;
 mod circulators;
 mod elements;
 mod equality;
 mod error;
-#[cfg(feature = "near")]
 mod history;
 mod import;
 mod operators;
-#[cfg(feature = "near")]
-mod past;
+mod recorder;
 mod structure;
-#[cfg(feature = "near")]
 mod timeline;
 mod view;
-#[cfg(feature = "near")]
-mod watched;
 
 pub use access::ElementKey;
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
 pub(crate) use assemble::Assembly;
-#[cfg(feature = "near")]
+#[cfg(feature = "map")]
+pub(crate) use audited::Auditable;
 pub use audited::Audited;
 pub use bulk::{MergedFace, Renamed, Retained};
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};
-#[cfg(feature = "near")]
-pub use history::{History, Recorded};
+pub use history::History;
 pub use import::{FacesError, ImportError, Keys, Outside, Placement, RotationsError};
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
 };
-#[cfg(all(feature = "near", feature = "map"))]
-pub(crate) use past::{Past, Recorder};
+#[cfg(feature = "map")]
+pub(crate) use recorder::Recorder;
 pub use structure::Dcel;
-#[cfg(feature = "near")]
 pub use timeline::Mark;
-#[cfg(feature = "near")]
-pub use watched::Watched;
 
-#[cfg(all(feature = "near", feature = "map"))]
+#[cfg(feature = "map")]
 pub use crate::store::attributes::Features;
-#[cfg(feature = "near")]
 pub use crate::store::attributes::{
     Attribute, Attributed, Corners, Edges, Faces, HalfEdges, Policy, Quantity, Value, Vertices,
 };
-pub use crate::store::links::RecordKind;
-pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, RecordKind, Room, VertexKey};
 pub use slotmap::{Key, KeyData, SecondaryMap};

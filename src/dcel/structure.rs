@@ -1,7 +1,6 @@
 //! The structure itself: a store, and how many records there are.
 
-use crate::store::links::Need;
-use crate::store::{SlotStore, Store};
+use crate::store::{Room, Store};
 use core::fmt;
 
 /// A doubly connected edge list of a planar subdivision.
@@ -21,12 +20,12 @@ use core::fmt;
 /// - A [`SecondaryMap`](crate::dcel::SecondaryMap) does not know to which structure its keys belong. It compares slots and
 ///   generations only, so look up in it with keys of the structure that it was filled for.
 #[derive(Clone)]
-pub struct Dcel<S: Store = SlotStore> {
-    pub(super) store: S,
+pub struct Dcel {
+    pub(super) store: Store,
 }
 
 /// Prints the numbers of records.
-impl<S: Store> fmt::Debug for Dcel<S> {
+impl fmt::Debug for Dcel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Dcel")
             .field("vertices", &self.vertex_count())
@@ -66,28 +65,47 @@ impl Dcel {
     #[must_use]
     pub fn with_capacity(vertices: usize, edges: usize) -> Self {
         let faces = edges.saturating_add(1).saturating_sub(vertices);
-        Self::with_room(Need { vertices, edges, boundaries: faces.saturating_add(1), faces })
+        Self::with_room(Room { vertices, edges, boundaries: faces.saturating_add(1), faces })
+    }
+
+    /// The empty map, which never has more records than that: an operator that would need more is refused with
+    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, OperatorError, RecordKind, Room};
+    ///
+    /// let mut map = Dcel::with_limits(Room { vertices: 1, edges: 2, boundaries: 3, faces: 3 });
+    /// let outside = map.unbounded_face().key();
+    /// map.add_isolated_vertex(outside)?;
+    /// assert_eq!(map.add_isolated_vertex(outside), Err(OperatorError::Full(RecordKind::Vertex)));
+    /// # Ok::<(), OperatorError>(())
+    /// ```
+    #[must_use]
+    pub fn with_limits(most: Room) -> Self {
+        let mut dcel = Self::default();
+        dcel.store.limit(most);
+        dcel
     }
 }
 
-impl<S: Store> Default for Dcel<S> {
+impl Default for Dcel {
     fn default() -> Self {
-        Self::with_room(Need::NONE)
+        Self::with_room(Room::NONE)
     }
 }
 
-impl<S: Store> Dcel<S> {
-    pub(crate) fn with_room(need: Need) -> Self {
-        Self { store: S::with_room(need) }
+impl Dcel {
+    pub(crate) fn with_room(need: Room) -> Self {
+        Self { store: Store::with_room(need) }
     }
 
     #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) const fn store(&self) -> &S {
+    pub(crate) const fn store(&self) -> &Store {
         &self.store
     }
 
     #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) const fn store_mut(&mut self) -> &mut S {
+    pub(crate) const fn store_mut(&mut self) -> &mut Store {
         &mut self.store
     }
 

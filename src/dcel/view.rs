@@ -1,14 +1,12 @@
 //! The structure as the validator sees it.
 
 use super::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::{BoundaryStart, VertexLink};
-use crate::store::place::OUTER;
+use crate::store::{BoundaryStart, OUTER, VertexLink};
 use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Parts, Report, Start, View, validate};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
 /// slots are unspecified.
-impl<S: Store> View for Dcel<S> {
+impl View for Dcel {
     fn parts(&self) -> Parts {
         Parts::ALL
     }
@@ -63,7 +61,7 @@ impl<S: Store> View for Dcel<S> {
     #[inline]
     fn leaving(&self, vertex: usize) -> Link {
         match self.store.vertex_link(self.store.vertex_at(vertex)?) {
-            VertexLink::Leaving(h) => Some(self.store.half_edge_index(h)),
+            VertexLink::Leaving(h) => Some(h.index()),
             VertexLink::Isolated(_) => None,
         }
     }
@@ -71,18 +69,18 @@ impl<S: Store> View for Dcel<S> {
     fn isolated(&self, vertex: usize) -> Link {
         match self.store.vertex_link(self.store.vertex_at(vertex)?) {
             VertexLink::Leaving(_) => None,
-            VertexLink::Isolated(b) => Some(self.store.boundary_index(b)),
+            VertexLink::Isolated(b) => Some(b.index()),
         }
     }
     #[inline]
     fn boundary_face(&self, boundary: usize) -> Link {
-        Some(self.store.face_index(self.store.face(self.store.boundary_at(boundary)?)))
+        Some(self.store.face(self.store.boundary_at(boundary)?).index())
     }
     #[inline]
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
         Some(match self.store.start(self.store.boundary_at(boundary)?) {
-            BoundaryStart::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
-            BoundaryStart::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
+            BoundaryStart::HalfEdge(h) => Start::HalfEdge(h.index()),
+            BoundaryStart::Vertex(v) => Start::Vertex(v.index()),
         })
     }
     #[inline]
@@ -94,7 +92,7 @@ impl<S: Store> View for Dcel<S> {
     }
     #[inline]
     fn outer(&self, face: usize) -> Link {
-        self.store.outer(self.store.face_at(face)?).map(|b| self.store.boundary_index(b))
+        self.store.outer(self.store.face_at(face)?).map(|b| b.index())
     }
     #[inline]
     fn inner_count(&self, face: usize) -> usize {
@@ -102,11 +100,11 @@ impl<S: Store> View for Dcel<S> {
     }
     #[inline]
     fn inner(&self, face: usize, position: usize) -> Link {
-        self.store.inner(self.store.face_at(face)?, position).map(|b| self.store.boundary_index(b))
+        self.store.inner(self.store.face_at(face)?, position).map(|b| b.index())
     }
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Checks every rule from R1 to T4. O(n).
     ///
     /// No sequence of operators breaks a rule, so the report is always valid. This is useful in tests.

@@ -1,7 +1,7 @@
 //! Attributes of a map: values that follow its edits.
 
 use super::edit::EditError;
-use super::notes::{MapEntry, Notes};
+use super::notes::MapEntry;
 use super::planar_map::PlanarMap;
 use crate::dcel::{
     Attribute, Attributed, Connected, Face, FaceKey, Faces, Features, HalfEdge, HalfEdgeKey, Keys, OperatorError,
@@ -9,8 +9,7 @@ use crate::dcel::{
 };
 use crate::geometry::Point;
 use crate::store::attributes::{Attributes, Kind, Sealed, Step};
-use crate::store::links::Links;
-use crate::store::{AttributeStore, FeatureId, Way};
+use crate::store::{FeatureId, Way};
 use slotmap::{Key, KeyData, SecondaryMap};
 use std::mem;
 
@@ -20,7 +19,8 @@ use std::mem;
 ///
 /// ```
 /// use twinedge::dcel::{Attribute, Faces, Policy};
-/// use twinedge::map::{History, PlanarMap};
+/// use twinedge::dcel::History;
+/// use twinedge::map::PlanarMap;
 ///
 /// let mut map = PlanarMap::new();
 /// let owner: Attribute<Faces, String> = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
@@ -33,7 +33,7 @@ use std::mem;
 /// let mut history = History::new(map);
 /// let fence = history.change("divide", |map| map.insert_segment([1.0, 0.0], [1.0, 4.0]))?;
 /// let (kept, made) = fence.faces_split[0];
-/// let of = |history: &History, face| (history.get().value(owner, face).cloned(), history.get().value(tax, face).copied());
+/// let of = |history: &History<PlanarMap>, face| (history.get().value(owner, face).cloned(), history.get().value(tax, face).copied());
 /// assert_eq!([of(&history, kept), of(&history, made)].map(|(owner, _)| owner), [Some("Ada".to_owned()), Some("Ada".to_owned())]);
 /// let mut taxes = [kept, made].map(|face| of(&history, face).1.unwrap());
 /// taxes.sort_by(f64::total_cmp);
@@ -57,7 +57,7 @@ use std::mem;
 /// were there, values follow these steps.
 ///
 /// As a map with attributes may have to take an edit back that is refused halfway, it notes what edits overwrite, as a
-/// [`History`](super::History) does.
+/// [`History`](crate::dcel::History) does.
 impl PlanarMap {
     /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n) if the
     /// policy gives [ids](Policy::ids), which the n records that are there get at once, except the unbounded face.
@@ -93,17 +93,10 @@ impl PlanarMap {
             let features =
                 if policy.counts() { self.features().filter_map(|f| feature(f.data())).collect() } else { vec![] };
             let features = features.into_iter().map(|feature: FeatureId| feature.data()).collect();
-            if self.notes.journal.is_none() {
-                self.dcel.store_mut().kept_attributes().clear_log();
-            }
+            self.attributes_to_change();
             return self.dcel.store_mut().kept_attributes().add(policy, values, features);
         }
-        match &mut self.notes {
-            Notes { journal: Some(journal), .. } => {
-                self.dcel.watched(&mut journal.links, |dcel| dcel.add_attribute_with(policy, values))
-            }
-            Notes { journal: None, .. } => self.dcel.add_attribute_with(policy, values),
-        }
+        self.dcel.add_attribute_with(policy, values)
     }
 
     /// Returns the value that a record has, if it has one. O(1).
@@ -182,12 +175,7 @@ impl PlanarMap {
             let had = attributes.put(of, known.data().into(), value);
             return Ok(had.map_err(|()| OperatorError::NoSuchAttribute)?);
         }
-        Ok(match &mut self.notes {
-            Notes { journal: Some(journal), .. } => {
-                self.dcel.watched(&mut journal.links, |dcel| dcel.put_value(of, key, value))
-            }
-            Notes { journal: None, .. } => self.dcel.put_value(of, key, value),
-        }?)
+        Ok(self.dcel.put_value(of, key, value)?)
     }
 
     /// Adds the attributes of another map, without values: they are the same ones, with the same policies. O(attributes).
@@ -262,12 +250,7 @@ impl PlanarMap {
     pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
         let count = self.names.len();
         let feature = |old: KeyData| (FeatureId::from(old).index() < count).then_some(old);
-        match &mut self.notes {
-            Notes { journal: Some(journal), .. } => {
-                self.dcel.watched(&mut journal.links, |dcel| dcel.carry(&other.dcel, keys, feature));
-            }
-            Notes { journal: None, .. } => self.dcel.carry(&other.dcel, keys, feature),
-        }
+        self.dcel.carry(&other.dcel, keys, feature);
     }
 
     /// Takes over the attributes of another map, and the values of its features and faces. Each face was cut into faces of this one:
@@ -321,12 +304,8 @@ impl PlanarMap {
         let known = |new: FeatureId| self.feature(new.index());
         let features: Vec<_> = other.features().map(|old| (old, feature(old).and_then(known))).collect();
         let cut = attributes.cut(&faces, &features).map_err(OperatorError::Refused)?;
-        let is_recorded = self.notes.journal.is_some();
-        let attributes = self.dcel.store_mut().kept_attributes();
-        attributes.extend(cut);
-        if !is_recorded {
-            attributes.clear_log();
-        }
+        self.dcel.store_mut().kept_attributes().extend(cut);
+        self.attributes_to_change();
         Ok(())
     }
 
@@ -336,12 +315,7 @@ impl PlanarMap {
 
     /// The attributes, if there are any, for a change that no operator makes.
     fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
-        let is_recorded = self.notes.journal.is_some();
-        let attributes = self.dcel.store_mut().attributes_mut()?;
-        if !is_recorded {
-            attributes.clear_log();
-        }
-        Some(attributes)
+        self.dcel.attributes_to_change()
     }
 
     /// Does to the values of features what is about to be done to these.
@@ -367,46 +341,33 @@ impl PlanarMap {
     /// The same for any map.
     #[cold]
     pub(super) fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
-        let written = self.notes.written.take();
-        let is_recorded = self.notes.journal.is_some();
-        if !is_recorded {
-            self.begin();
+        let is_logged = self.dcel.store().is_logged();
+        if !is_logged {
+            self.begin_logs();
         }
         let values = self.attributes().map_or(0, Attributes::log_len);
-        let [links, entries] =
-            self.notes.journal.as_ref().map_or([0; 2], |journal| [journal.links.entries.len(), journal.entries.len()]);
+        let (links, entries) = (self.dcel.store().log.get().map_or(0, |log| log.entries.len()), self.notes.len());
         let outcome = edit(self);
         if outcome.is_err() {
             self.rewind(links, entries, values);
         }
-        if !is_recorded {
-            let journal = self.notes.journal.take().unwrap_or_default();
-            self.notes.written = written.map(|mut all| {
-                let more = journal.links.written(self.dcel.store(), 0..journal.links.entries.len());
-                let points = journal.entries.iter().filter_map(MapEntry::vertex);
-                all.vertices.extend(more.vertices.into_iter().chain(points));
-                all.half_edges.extend(more.half_edges);
-                all.boundaries.extend(more.boundaries);
-                all.faces.extend(more.faces);
-                all.listed.extend(more.listed);
-                all
-            });
+        if !is_logged {
+            self.end_logs();
         }
         outcome
     }
 
-    /// Takes back what was written last: all but the first entries of the journal, others and values.
+    /// Takes back what was written last: all but the first entries of the logs of links, others and values.
     fn rewind(&mut self, links: usize, entries: usize, values: usize) {
-        let Some(journal) = self.notes.journal.as_deref_mut() else { return };
-        let end = journal.links.entries.len();
-        let mut others = journal.entries.split_off(entries);
+        let mut others = self.notes.split_off(entries);
         if let Some(attributes) = self.dcel.store_mut().attributes_mut() {
             others.extend(attributes.split_log(values).into_iter().map(MapEntry::Value));
         }
+        let end = self.dcel.store().log.get().map_or(0, |log| log.entries.len());
         self.replay(links..end, &mut others, Way::Back);
-        if let Some(journal) = self.notes.journal.as_deref_mut() {
-            let failed = journal.links.entries.split_off(links);
-            journal.links.keep_from(&failed);
+        if let Some(log) = self.dcel.store_mut().log.get_mut() {
+            let failed = log.entries.split_off(links);
+            log.keep_from(&failed);
         }
     }
 

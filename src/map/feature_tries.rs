@@ -11,7 +11,7 @@ use crate::store::FeatureId;
 
 /// The number of a set of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
-pub(crate) struct SetId(u32);
+pub struct SetId(u32);
 
 const EMPTY: SetId = SetId(0);
 

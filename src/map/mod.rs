@@ -24,21 +24,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! With the feature `near`, `History` has edits that are undone and redone, `Audited` validates after each, and
+//! A [`History`](crate::dcel::History) has edits that are undone and redone, [`Audited`](crate::dcel::Audited) validates after each, and
 //! [attributes](PlanarMap#attributes) follow them. The example `undo_owners_ids` is the core of an editor in short.
 //!
 //! | module | purpose |
 //! | --- | --- |
 //! | `certificate` (feature `spade`) | a triangulation by which anyone can check that a map is drawn in the plane |
-//! | `diff` (feature `near`) | the changes from one map to another, by ids: shown, saved, applied, merged |
+//! | [`mod@diff`] | the changes from one map to another, by ids: shown, saved, applied, merged |
 //! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
-//! | [`locate`] | where a point lies, by an index or by walking there |
+//! | [`locate`] | where a point lies, by an index |
 //! | [`zone`] | what a line meets, in order |
 //! | `program` (feature `program`) | sequences of edits as data |
 
 #[cfg(feature = "spade")]
 pub mod certificate;
-#[cfg(feature = "near")]
 pub mod diff;
 pub mod edit;
 pub mod locate;
@@ -48,36 +47,26 @@ pub mod zone;
 
 #[cfg(feature = "spade")]
 mod assembled;
-#[cfg(feature = "near")]
 mod attributes;
-#[cfg(feature = "near")]
-mod audited;
 mod construct;
 mod feature;
 mod feature_sets;
 mod feature_tries;
-#[cfg(feature = "near")]
-mod history;
 mod import;
 mod index;
 mod not_plane;
-#[cfg(feature = "near")]
 mod notes;
 mod number_table;
 mod planar_map;
+mod recorder;
 #[cfg(feature = "serde")]
 mod saved;
 mod summary;
 
-#[cfg(feature = "near")]
-pub use audited::Audited;
 pub(crate) use construct::usual_cuts;
 pub use construct::{BuildError, Builder, Noding, UnmatchedVertex};
-#[cfg(feature = "near")]
 pub use diff::{diff, merge};
 pub use feature::{Feature, Shape};
-#[cfg(feature = "near")]
-pub use history::History;
 pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use not_plane::NotPlane;

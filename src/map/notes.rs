@@ -1,34 +1,39 @@
-//! Notes of what edits write, for a map that is audited or has a history.
+//! The log of what edits overwrite beside the links of the structure: points, features and their names, values.
 
 use super::feature_tries::SetId;
 use crate::geometry::Point;
-use crate::store::Journal;
 use crate::store::attributes::Saved;
-use crate::validate::near::WriteSet;
 
-/// The notes that edits take. A clone of the map goes on without.
+/// The entries that the change that is being made has logged, if the log is on. A clone of the map goes on without.
 #[derive(Default)]
-pub(super) struct Notes {
-    /// The records that were written.
-    pub(super) written: Option<Box<WriteSet>>,
-    /// Values that were overwritten. A map has one or the other, or neither.
-    pub(super) journal: Option<Box<MapJournal>>,
-}
+pub(super) struct Notes(Option<Vec<MapEntry>>);
 
 impl Notes {
     /// Notes something that is about to be overwritten, if it is to.
     pub(super) fn write(&mut self, entry: impl FnOnce() -> MapEntry) {
-        if let Some(journal) = &mut self.journal {
-            journal.entries.push(entry());
+        if let Some(entries) = &mut self.0 {
+            entries.push(entry());
         }
     }
 
-    /// Notes that a vertex is about to lie elsewhere.
-    pub(super) fn write_point(&mut self, vertex: usize, from: Point) {
-        if let Some(written) = &mut self.written {
-            written.vertices.push(vertex);
-        }
-        self.write(|| MapEntry::Point(vertex as u32, from));
+    /// Notes from now on, and forgets earlier entries.
+    pub(super) fn begin(&mut self) {
+        self.0 = Some(Vec::new());
+    }
+
+    /// Notes nothing any more.
+    pub(super) fn end(&mut self) {
+        self.0 = None;
+    }
+
+    /// The number of entries.
+    pub(super) fn len(&self) -> usize {
+        self.0.as_ref().map_or(0, Vec::len)
+    }
+
+    /// Takes the entries off but for the first.
+    pub(super) fn split_off(&mut self, first: usize) -> Vec<MapEntry> {
+        self.0.as_mut().map(|entries| entries.split_off(first)).unwrap_or_default()
     }
 }
 
@@ -38,16 +43,9 @@ impl Clone for Notes {
     }
 }
 
-/// Values that the change that is being made has overwritten.
-#[derive(Clone, Debug, Default)]
-pub(super) struct MapJournal {
-    pub(super) links: Journal,
-    pub(super) entries: Vec<MapEntry>,
-}
-
 /// Something of a map, other than a link, that was overwritten: its index, and what is not there.
 #[derive(Clone, Debug)]
-pub(crate) enum MapEntry {
+pub enum MapEntry {
     /// The point of a vertex.
     Point(u32, Point),
     /// The set of features of a face.
@@ -60,4 +58,11 @@ pub(crate) enum MapEntry {
     Name(u32, Option<Box<str>>),
     /// The value of an attribute.
     Value(Saved),
+}
+
+impl MapEntry {
+    /// The vertex whose point it is.
+    pub(super) const fn vertex(&self) -> Option<usize> {
+        if let Self::Point(v, _) = self { Some(*v as usize) } else { None }
+    }
 }

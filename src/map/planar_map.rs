@@ -3,7 +3,6 @@
 use super::feature_sets::FeatureSets;
 use super::index::{KeptIndex, RecordIndex};
 use super::not_plane::NotPlane;
-#[cfg(feature = "near")]
 use super::notes::Notes;
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
@@ -68,7 +67,6 @@ pub struct PlanarMap {
     /// A place where edges meet and no vertex is, if there is one.
     pub(super) not_plane: Option<NotPlane>,
     pub(super) index: KeptIndex,
-    #[cfg(feature = "near")]
     pub(super) notes: Notes,
 }
 

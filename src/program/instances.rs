@@ -75,7 +75,7 @@ impl quickcheck::Arbitrary for Op {
 
 /// The structure that a program makes of the empty one. Shrinks as the program does.
 #[cfg(feature = "proptest")]
-impl<S: crate::store::Store + core::fmt::Debug + 'static> proptest::arbitrary::Arbitrary for crate::dcel::Dcel<S> {
+impl proptest::arbitrary::Arbitrary for crate::dcel::Dcel {
     type Parameters = Generator;
     type Strategy = proptest::strategy::BoxedStrategy<Self>;
 

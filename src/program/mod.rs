@@ -25,7 +25,7 @@
 //!
 //! | to | take |
 //! | --- | --- |
-//! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
+//! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it |
 //! | see whether it does what it should | [`conformance::check`]: it and [`PointerModel`] in step, compared after every operator of random programs |
 //! | try operators that are not in this language | [`choose`]: draw an operator and its arguments from a source, and call [`validate`](crate::validate::validate) after each |
 //! | check what the operators of `Dcel` report as well | `ReportAudit` of the crate `twinedge-trials` |

@@ -38,11 +38,6 @@ pub(super) struct Issuer {
 }
 
 impl Issuer {
-    /// One without slot 0, in place of another for a moment. It must not be asked for anything.
-    pub(super) const fn hollow() -> Self {
-        Self { generations: Vec::new(), free: Vec::new(), offset: 0 }
-    }
-
     pub(super) fn with_room(room: usize, offset: u32) -> Self {
         let mut generations = with_room(room.saturating_add(1));
         generations.push(0);
@@ -92,26 +87,22 @@ impl Issuer {
     }
 
     /// Returns the slot that is issued next.
-    #[cfg(feature = "near")]
     pub(super) fn next(&self) -> u32 {
         self.free.last().copied().unwrap_or(self.generations.len() as u32)
     }
 
     /// Takes back that the last slot was issued, which was never used before.
-    #[cfg(feature = "near")]
     pub(super) fn forget_last(&mut self) {
         self.generations.pop();
     }
 
     /// Issues the slot after the last one, in a generation.
-    #[cfg(feature = "near")]
     pub(super) fn issue_last(&mut self, generation: u32) {
         self.generations.push(generation);
     }
 
     /// Exchanges the generation of a slot for another, by which it becomes live or vacant, in the opposite order of the calls
     /// that made it what it is.
-    #[cfg(feature = "near")]
     pub(super) fn exchange(&mut self, slot: u32, generation: &mut u32) {
         core::mem::swap(&mut self.generations[slot as usize], generation);
         if self.is_live(slot) {
@@ -122,7 +113,6 @@ impl Issuer {
     }
 
     /// Gives a slot that has just been issued another generation.
-    #[cfg(feature = "near")]
     pub(super) fn set_generation(&mut self, slot: u32, generation: u32) {
         self.generations[slot as usize] = generation;
     }

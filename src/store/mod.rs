@@ -1,20 +1,18 @@
-//! Stores of records. A [`Dcel`](crate::dcel::Dcel) is written once, over any of these.
+//! The records of a [`Dcel`](crate::dcel::Dcel): slotmap keys over columns of 32-bit slots.
 //!
-//! | store | links are | grows | choose it |
-//! | --- | --- | --- | --- |
-//! | [`SlotStore`] | 32-bit slots in columns, twins implicit | yes | unless you have a reason for another |
-//! | `PointerStore` (feature `pointer-store`) | raw pointers between boxed records | yes | to measure against the structure that the literature draws |
-//! | [`FixedStore`] | 8-bit slots in fixed arrays, twins implicit | no: what does not fit is an error | for a model checker, or for small maps without heap |
+//! ```text
+//!   keys                       columns
+//!   edges          [e1][e2]…   origin   [· ·][· ·]…   two half-edges per edge, side by side:
+//!                              next     [· ·][· ·]…   slot 2e and 2e + 1, so that twin(h) is h ^ 1
+//!                              prev     [· ·][· ·]…   and L1 holds by construction
+//!                              boundary [· ·][· ·]…
+//!   vertices       [v1][v2]…   link     [·][·]…       a half-edge, or (high bit) a boundary component
+//!   …
+//! ```
 //!
-//! Measured on a square grid of a million vertices (4 million half-edges, one thread), and on one of 49:
-//!
-//! | store | bytes per half-edge | face loops, ns per half-edge | vertex rotations | the same, small |
-//! | --- | --- | --- | --- | --- |
-//! | [`SlotStore`] | 29 | 3.0 | 2.1 | 1.7, 0.8 |
-//! | `PointerStore` | 113 | 29 | 19 | 2.0, 0.7 |
-//! | [`FixedStore`] | | | | 2.4, 1.1 |
-//!
-//! As long as a map fits into the cache, pointers cost memory only. Once it does not, they take ten times the time.
+//! Bytes per record, all keys included: 36 per edge, 8 per vertex, 16 per boundary component, 12 per face, and 4 more for
+//! each inner boundary component of a face that has several; 4 more for each record that was removed. A triangulated grid
+//! needs 28.7 per half-edge.
 //!
 //! # Keys and slots
 //!
@@ -25,40 +23,33 @@
 //!
 //! # Unsafe code
 //!
-//! Without the feature `pointer-store` there is none but the expansion of slotmap's `new_key_type!`, in one file: every
-//! other module of the crate forbids it.
+//! There is none but the expansion of slotmap's `new_key_type!`, in one file: every other module of the crate forbids it.
 
-#[cfg(feature = "near")]
 #[forbid(unsafe_code)]
 pub(crate) mod attributes;
 #[forbid(unsafe_code)]
-mod fixed;
+mod columns;
+#[forbid(unsafe_code)]
+mod inner;
 #[forbid(unsafe_code)]
 mod issuer;
 mod keys;
 #[forbid(unsafe_code)]
-pub(crate) mod links;
+mod log;
 #[forbid(unsafe_code)]
-pub(crate) mod place;
-#[cfg(feature = "pointer-store")]
-mod pointers;
+mod records;
 #[forbid(unsafe_code)]
-pub(crate) mod slots;
+mod replay;
 #[forbid(unsafe_code)]
-#[cfg(feature = "near")]
-mod watch;
+mod slots;
 
-pub use fixed::FixedStore;
+pub(crate) use columns::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, LAST, OUTER, VertexLink, VertexSlot};
+pub use columns::{RecordKind, Room};
 #[cfg(feature = "map")]
 pub use keys::FeatureId;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
-#[cfg(feature = "near")]
-pub use links::AttributeStore;
-pub use links::Store;
-#[cfg(feature = "pointer-store")]
-pub use pointers::PointerStore;
-pub use slots::SlotStore;
-#[cfg(feature = "near")]
-pub(crate) use slots::{Entry, Journal, Way};
-#[cfg(feature = "near")]
-pub(crate) use watch::Watch;
+pub(crate) use log::{Entry, Log, Way};
+#[cfg(feature = "serde")]
+pub(crate) use records::{Generations, Live};
+pub(crate) use records::{InOrder, Numbered};
+pub(crate) use slots::Store;

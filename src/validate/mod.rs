@@ -109,7 +109,6 @@ mod fast_path;
 mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
-#[cfg(feature = "near")]
 pub mod near;
 mod passes;
 pub mod reference;

@@ -5,8 +5,8 @@ use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{
-    Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Outside, Policy, Quantity, Recorded, Split,
-    VertexKey, Vertices,
+    Attribute, Dcel, Edges, FaceKey, HalfEdgeKey, History, OperatorError, Outside, Policy, Quantity, Split, VertexKey,
+    Vertices,
 };
 use twinedge::program::{Program, Refusal, Runner, StepOutcome};
 use twinedge::validate::Expectation;
@@ -181,8 +181,7 @@ fn values_are_undone_and_redone_with_the_structure() {
     fn law(program: Program, refuses: bool) {
         let mints = Mints::default();
         let mut history = History::new(Dcel::new());
-        let add =
-            |dcel: &mut Dcel<Recorded>| Ok::<_, OperatorError>(Handles::new(dcel, &mints, if refuses { 7 } else { 0 }));
+        let add = |dcel: &mut Dcel| Ok::<_, OperatorError>(Handles::new(dcel, &mints, if refuses { 7 } else { 0 }));
         let handles = history.change("add attributes", add).unwrap();
         let mut states = vec![handles.values(history.get())];
         let mut runner = Runner::new(Recording(history));
@@ -230,11 +229,11 @@ fn all_values_that_a_change_overwrote_come_back() {
     let (dcel, h) = triangle();
     let [inside, outside] = [dcel.half_edge(h).unwrap().face().key(), dcel.unbounded_face().key()];
     let mut history = History::new(dcel);
-    let add = |dcel: &mut Dcel<Recorded>| Ok::<_, OperatorError>(dcel.add_attribute(Policy::of_faces()));
+    let add = |dcel: &mut Dcel| Ok::<_, OperatorError>(dcel.add_attribute(Policy::of_faces()));
     let owner = history.change("attribute", add).unwrap();
     let values = |history: &History| [inside, outside].map(|f| history.get().value(owner, f).copied());
     history.change("value", |dcel| dcel.set_value(owner, inside, 1)).unwrap();
-    let several = |dcel: &mut Dcel<Recorded>| {
+    let several = |dcel: &mut Dcel| {
         dcel.set_value(owner, inside, 2)?;
         dcel.split_edge(h)?;
         assert_eq!(dcel.value(owner, inside), Some(&2));
@@ -265,7 +264,7 @@ fn retaining_in_a_change_merges_the_values_of_faces() {
         assert_eq!(dcel.set_value(count, side, 1), Ok(None));
     }
     let mut history = History::new(dcel);
-    let without = |dcel: &mut Dcel<Recorded>| dcel.retain(|_| true, |h| h.key() != chord && h.twin().key() != chord);
+    let without = |dcel: &mut Dcel| dcel.retain(|_| true, |h| h.key() != chord && h.twin().key() != chord);
     let merged = history.change("retain", without).unwrap().faces[0];
     assert_eq!(history.get().value(count, merged.kept), Some(&2));
     assert!(history.undo());
@@ -353,7 +352,7 @@ fn ids_find_their_records_through_operators_undoing_and_compacting() {
     }
     fn law(program: Program) {
         let mut history = History::new(Dcel::new());
-        let add = |dcel: &mut Dcel<Recorded>| Ok::<_, OperatorError>(dcel.add_attribute(Policy::of_edges().ids(7)));
+        let add = |dcel: &mut Dcel| Ok::<_, OperatorError>(dcel.add_attribute(Policy::of_edges().ids(7)));
         let id = history.change("number edges", add).unwrap();
         let mut given = BTreeMap::new();
         let mut runner = Runner::new(Recording(history));
@@ -371,7 +370,7 @@ fn ids_find_their_records_through_operators_undoing_and_compacting() {
                 runner = Runner::new(Recording(history));
             }
         }
-        let mut dcel = runner.into_subject().0.into_dcel();
+        let mut dcel = runner.into_subject().0.into_inner();
         let before = dcel.clone();
         let renamed = dcel.compact();
         for (key, number) in before.values(id).unwrap() {

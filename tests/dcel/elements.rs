@@ -5,7 +5,6 @@ use std::fmt::Debug;
 use twinedge::dcel::{
     Boundary, BoundaryKey, Dcel, Face, FaceKey, HalfEdge, HalfEdgeKey, Side, Split, Vertex, VertexKey,
 };
-use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 
 /// ```text
 ///          ,--.
@@ -18,15 +17,15 @@ use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 ///        /   ∙p  \
 ///       a─────────b
 /// ```
-struct Drawn<S: Store> {
-    dcel: Dcel<S>,
+struct Drawn {
+    dcel: Dcel,
     vertices: [VertexKey; 7],
     half_edges: [HalfEdgeKey; 10],
     faces: [FaceKey; 3],
 }
 
-fn draw<S: Store>() -> Drawn<S> {
-    let mut dcel = Dcel::<S>::default();
+fn draw() -> Drawn {
+    let mut dcel = Dcel::default();
     let outside = dcel.unbounded_face().key();
     // Removed records leave slots that are used again, or gaps.
     let gone = dcel.add_isolated_vertex(outside).unwrap().vertex;
@@ -38,7 +37,7 @@ fn draw<S: Store>() -> Drawn<S> {
     let to_b = dcel.split_edge(ab).unwrap();
     let to_c = dcel.split_edge(to_b.half_edge).unwrap();
     let (bc, ca) = (to_b.half_edge, to_c.half_edge);
-    let twin = |dcel: &Dcel<S>, h| dcel.half_edge(h).unwrap().twin().key();
+    let twin = |dcel: &Dcel, h| dcel.half_edge(h).unwrap().twin().key();
     let [ba, cb, ac] = [ab, bc, ca].map(|h| twin(&dcel, h));
     // A loop from a corner to itself has the rest of the cycle to its left.
     let made = dcel.connect(cb, cb, Split { new_face: Side::Right, inner: &[] }).unwrap();
@@ -67,7 +66,7 @@ fn from<T: Copy + PartialEq + Debug>(first: T, items: impl IntoIterator<Item = T
     items
 }
 
-fn vertices<S: Store>(Drawn { dcel, vertices, half_edges, .. }: &Drawn<S>) {
+fn vertices(Drawn { dcel, vertices, half_edges, .. }: &Drawn) {
     let [a, b, c, d, e, p, q] = *vertices;
     let [ab, bc, ca, ba, cb, ac, l, l2, de, ed] = *half_edges;
     let expected: [(VertexKey, &[HalfEdgeKey], &[VertexKey]); 7] = [
@@ -108,7 +107,7 @@ fn vertices<S: Store>(Drawn { dcel, vertices, half_edges, .. }: &Drawn<S>) {
     }
 }
 
-fn half_edges<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Drawn<S>) {
+fn half_edges(Drawn { dcel, vertices, half_edges, faces }: &Drawn) {
     let [a, b, c, d, e, ..] = *vertices;
     let [ab, bc, ca, ba, cb, ac, l, l2, de, ed] = *half_edges;
     let [outside, triangle, inside] = *faces;
@@ -145,7 +144,7 @@ fn half_edges<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Drawn<S>) 
 /// A face, its outer boundary component, its inner ones as it lists them, and the faces across its half-edges.
 type Lists<'a> = (FaceKey, Option<BoundaryKey>, &'a [BoundaryKey], &'a [FaceKey]);
 
-fn boundaries_and_faces<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Drawn<S>) {
+fn boundaries_and_faces(Drawn { dcel, vertices, half_edges, faces }: &Drawn) {
     let [.., p, q] = *vertices;
     let [ab, bc, ca, ba, cb, ac, l, l2, de, ed] = *half_edges;
     let [outside, triangle, inside] = *faces;
@@ -193,7 +192,7 @@ fn boundaries_and_faces<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &
     }
 }
 
-fn counts_and_indices<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Drawn<S>) {
+fn counts_and_indices(Drawn { dcel, vertices, half_edges, faces }: &Drawn) {
     assert_eq!((dcel.vertex_count(), dcel.edge_count(), dcel.half_edge_count()), (7, 5, 10));
     assert_eq!((dcel.boundary_count(), dcel.face_count()), (6, 3));
     assert_eq!(dcel.vertices().count() + dcel.half_edges().count(), 17);
@@ -216,9 +215,9 @@ fn counts_and_indices<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Dr
     assert!(validate_plane(&dcel).is_valid());
 }
 
-fn of_one_structure<S: Store + Clone>(Drawn { dcel, vertices, .. }: &Drawn<S>) {
+fn of_one_structure(Drawn { dcel, vertices, .. }: &Drawn) {
     let copy = dcel.clone();
-    assert!(copy == *dcel && Dcel::<S>::default() != copy);
+    assert!(copy == *dcel && Dcel::default() != copy);
     let (here, there) = (dcel.vertex(vertices[0]).unwrap(), copy.vertex(vertices[0]).unwrap());
     assert_eq!((here.key(), here.index()), (there.key(), there.index()));
     assert_ne!(here, there, "elements of two structures are not the same, whatever their keys");
@@ -226,26 +225,12 @@ fn of_one_structure<S: Store + Clone>(Drawn { dcel, vertices, .. }: &Drawn<S>) {
     assert_eq!(format!("{here:?}"), format!("{:?}", here.key()));
 }
 
-fn all<S: Store + Clone>() {
-    let drawn = draw::<S>();
+#[test]
+fn elements_of_a_drawn_structure() {
+    let drawn = draw();
     vertices(&drawn);
     half_edges(&drawn);
     boundaries_and_faces(&drawn);
     counts_and_indices(&drawn);
     of_one_structure(&drawn);
-}
-
-#[test]
-fn in_the_default_store() {
-    all::<SlotStore>();
-}
-
-#[test]
-fn in_the_pointer_store() {
-    all::<PointerStore>();
-}
-
-#[test]
-fn in_the_fixed_store() {
-    all::<FixedStore<8, 8, 8, 8>>();
 }

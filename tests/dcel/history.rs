@@ -2,7 +2,7 @@
 
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use twinedge::dcel::{Corner, Dcel, History, OperatorError, Recorded, Split, VertexKey};
+use twinedge::dcel::{Corner, Dcel, History, OperatorError, Split, VertexKey};
 use twinedge::program::{Program, Refusal, Runner, StepOutcome, Subject, conformance};
 use twinedge::validate::{Expectation, Table, View};
 use twinedge::{delegate_subject, delegate_view};
@@ -21,7 +21,7 @@ impl Recording {
         self.0.get()
     }
 
-    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel<Recorded>) -> Result<T, Refusal>) -> Result<T, Refusal> {
+    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel) -> Result<T, Refusal>) -> Result<T, Refusal> {
         self.0.change("operator", operator)
     }
 }
@@ -79,7 +79,7 @@ fn a_program_undone_in_any_part_and_redone_gives_the_bytes_of_the_program() {
     check(60, 60, law as fn(Program, Vec<usize>));
 }
 
-fn loop_at(dcel: &mut Dcel<Recorded>, v: VertexKey) -> Result<twinedge::dcel::Connected, OperatorError> {
+fn loop_at(dcel: &mut Dcel, v: VertexKey) -> Result<twinedge::dcel::Connected, OperatorError> {
     let corner = dcel.vertex(v)?.leaving().map_or(Corner::Isolated(v), |h| Corner::At(h.key()));
     dcel.connect(corner, corner, Split::default())
 }
@@ -225,7 +225,7 @@ fn another_structure_begins_another_history() {
     let ((mut one, v, made), (mut other, ..)) = (with_loop(), with_loop());
     one.undo();
     let mark = one.mark();
-    let swap = |a: &mut Dcel<Recorded>, b: &mut Dcel<Recorded>| {
+    let swap = |a: &mut Dcel, b: &mut Dcel| {
         std::mem::swap(a, b);
         Ok::<_, OperatorError>(())
     };

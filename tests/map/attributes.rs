@@ -5,13 +5,14 @@ use crate::support::tokens::{Handles, Mint, Mints, Tokens};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::algorithm::area::face_area;
+use twinedge::dcel::{Audited, History};
 use twinedge::dcel::{
     FaceKey, Features, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap, VertexKey,
 };
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Audited, Builder, Feature, FeatureId, History, Located, Locator, PlanarMap, Shape};
+use twinedge::map::{Builder, Feature, FeatureId, Located, Locator, PlanarMap, Shape};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::WriteSet;
 
@@ -48,7 +49,7 @@ fn no_token_is_lost_or_doubled_by_any_edit_undone_or_not() {
 }
 
 /// Adds, merges or removes features now and then, as a change of its own.
-fn shuffle_features(history: &mut History, step: usize) {
+fn shuffle_features(history: &mut History<PlanarMap>, step: usize) {
     let count = history.get().features().count();
     let feature = |map: &PlanarMap, i: usize| map.feature(i % count.max(1)).unwrap();
     let outcome = match step % 5 {
@@ -71,7 +72,7 @@ fn no_token_of_a_feature_is_lost_or_doubled_undone_or_not() {
     fn law(program: EditProgram, refuses: bool) {
         let (mint, mut map) = (Mint::default(), PlanarMap::new());
         let of = map.add_attribute(mint.policy(Policy::of_features(), if refuses { 7 } else { 0 }));
-        let values = |history: &History| {
+        let values = |history: &History<PlanarMap>| {
             history.get().values(of).unwrap().iter().map(|(k, all)| (k, all.clone())).collect::<Vec<_>>()
         };
         let mut history = History::new(map);
@@ -322,7 +323,7 @@ fn an_audited_map_with_attributes_notes_what_one_without_notes() {
     let mut step = |edit: &dyn Fn(&mut PlanarMap)| {
         let written = both.each_mut().map(|audited| {
             audited.change(|map| edit(map)).unwrap();
-            let WriteSet { mut vertices, mut half_edges, mut faces, .. } = audited.written().unwrap().clone();
+            let WriteSet { mut vertices, mut half_edges, mut faces, .. } = audited.written().clone();
             for list in [&mut vertices, &mut half_edges, &mut faces] {
                 list.sort_unstable();
                 list.dedup();
@@ -504,7 +505,7 @@ fn values_that_are_carried_over_in_a_change_are_taken_back_with_it() {
         let cell = old.values(owner).unwrap().keys().next();
         map.carry_parts(&old, |face| cell.filter(|_| !face.is_unbounded()), |_| None)
     };
-    let values = |history: &History| history.get().values(owner).map_or(0, SecondaryMap::len);
+    let values = |history: &History<PlanarMap>| history.get().values(owner).map_or(0, SecondaryMap::len);
     let mut failed = history();
     let refused: Result<(), EditError> = failed.change("carry", |map| {
         carry(map)?;

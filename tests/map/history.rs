@@ -3,10 +3,11 @@
 use crate::rewound::{Rewound, change};
 use crate::support::edits::EvenEdits;
 use quickcheck::{Gen, QuickCheck, Testable};
+use twinedge::dcel::History;
 use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Builder, History, Located, Locator, PlanarMap, Shape};
+use twinedge::map::{Builder, Located, Locator, PlanarMap, Shape};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -56,7 +57,7 @@ fn a_program_undone_and_redone_gives_the_bytes_of_the_program() {
             }
         }
         assert!(states.len() <= applied + 1);
-        let walk = |history: &mut History, step: fn(&mut History) -> bool| {
+        let walk = |history: &mut History<PlanarMap>, step: fn(&mut History<PlanarMap>) -> bool| {
             let mut passed = vec![serde_json::to_string(history.get()).unwrap()];
             while step(history) {
                 passed.push(serde_json::to_string(history.get()).unwrap());
@@ -122,7 +123,7 @@ fn another_map_begins_another_history() {
     assert!(history.undo() && !history.undo());
     assert_eq!(clone.get(), history.get());
     // For good, it writes no journal any more.
-    let mut map = history.into_map();
+    let mut map = history.into_inner();
     map.insert_point([5.0, 5.0]).unwrap();
     assert!(map.validate().is_valid());
 }

@@ -2,8 +2,9 @@
 
 use std::collections::VecDeque;
 use std::mem;
+use twinedge::dcel::History;
+use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditRunner};
-use twinedge::map::{History, PlanarMap};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 
@@ -11,7 +12,7 @@ use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
 const LONGEST: usize = 8;
 
 pub(crate) struct Rewound {
-    history: History,
+    history: History<PlanarMap>,
     baseline: EmbeddingBaseline,
     /// The map after each of the last changes, the latest last.
     copies: VecDeque<PlanarMap>,
@@ -19,7 +20,7 @@ pub(crate) struct Rewound {
 }
 
 /// Runs an edit as a change, which is taken back if it is refused.
-pub(crate) fn change(history: &mut History, op: &EditOp) -> EditOutcome {
+pub(crate) fn change(history: &mut History<PlanarMap>, op: &EditOp) -> EditOutcome {
     let outcome = history.change(op.to_string(), |map| {
         let mut runner = EditRunner::new(mem::take(map));
         let outcome = runner.step(op);

@@ -9,7 +9,6 @@ use twinedge::dcel::Dcel;
 use twinedge::map::program::{EditKind, EditProgram};
 use twinedge::program::choose::Bytes;
 use twinedge::program::*;
-use twinedge::store::{FixedStore, PointerStore};
 
 /// The same programs every time, and nothing written down.
 fn runner() -> TestRunner {
@@ -146,7 +145,7 @@ fn the_tree_of_a_program_shrinks_as_shrink_does() {
 }
 
 #[test]
-fn proptest_makes_valid_structures_over_every_store_and_shrinks_them() {
+fn proptest_makes_valid_structures_and_shrinks_them() {
     let outcome = runner().run(&any::<Dcel>(), |dcel| {
         assert!(dcel.validate().is_valid());
         if dcel.face_count() > 2 { Err(TestCaseError::fail("three faces")) } else { Ok(()) }
@@ -156,8 +155,7 @@ fn proptest_makes_valid_structures_over_every_store_and_shrinks_them() {
     assert_eq!((small.face_count(), small.edge_count(), small.vertex_count()), (3, 2, 1));
     let few = Program::generator().length(20..=20);
     for _ in 0..20 {
-        let pointers = any_with::<Dcel<PointerStore>>(few.clone()).new_tree(&mut runner()).expect("always").current();
-        let fixed = any_with::<Dcel<FixedStore<4, 5, 4, 3>>>(few.clone()).new_tree(&mut runner()).expect("always");
-        assert!(pointers.validate().is_valid() && fixed.current().validate().is_valid());
+        let dcel = any_with::<Dcel>(few.clone()).new_tree(&mut runner()).expect("always").current();
+        assert!(dcel.validate().is_valid());
     }
 }

@@ -5,7 +5,6 @@ use std::fmt::Debug;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use twinedge::dcel::{Attribute, Attributed, Corners, Dcel, Edges, Faces, HalfEdges, Policy, Vertices};
-use twinedge::store::AttributeStore;
 
 pub(crate) type Tokens = Vec<u64>;
 
@@ -77,7 +76,7 @@ macro_rules! handles {
 
 impl Handles {
     /// Attributes of the empty structure.
-    pub(crate) fn new<S: AttributeStore>(dcel: &mut Dcel<S>, mints: &Mints, refuses: u64) -> Self {
+    pub(crate) fn new(dcel: &mut Dcel, mints: &Mints, refuses: u64) -> Self {
         let handles = handles!(dcel, mints, refuses);
         dcel.set_value(handles.faces, dcel.unbounded_face().key(), mints[4].purse()).unwrap();
         handles

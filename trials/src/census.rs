@@ -26,7 +26,6 @@ use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::{
     FacePick, HalfEdgePick, InnerPick, Op, Program, Runner, SecondPick, StepOutcome, VertexPick, every_op,
 };
-use twinedge::store::Store;
 
 /// The maps that a census takes in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -71,7 +70,7 @@ impl Scope {
 
     /// Tells whether the census takes in this map. O(1).
     #[must_use]
-    pub fn takes_in<S: Store>(&self, map: &Dcel<S>) -> bool {
+    pub fn takes_in(&self, map: &Dcel) -> bool {
         match *self {
             // Of a valid map: V − E + F = 1 + C.
             Self::Connected { edges } => {

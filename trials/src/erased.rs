@@ -13,12 +13,11 @@ use twinedge::{delegate_subject, delegate_view};
 ///
 /// ```
 /// use twinedge::dcel::Dcel;
-/// use twinedge::store::FixedStore;
 /// use twinedge::validate::Expectation;
 /// use twinedge_trials::soak::SoakWork;
 /// use twinedge_trials::{Erased, Outcome, Run, Structure, soak};
 /// let columns = Structure::new("columns", || Erased::new(Dcel::new()), Expectation::plane());
-/// let arrays = || Erased::new(Dcel::<FixedStore<24, 40, 40, 24>>::default());
+/// let arrays = || Erased::new(Dcel::new());
 /// let arrays = Structure::new("arrays", arrays, Expectation::plane());
 /// soak(&[&columns, &arrays], SoakWork { programs: 5, steps: 20, seed: 1 }, &Run::default()).into_result()?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Boundary, Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
+use twinedge::dcel::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use twinedge::mesh_operators_by_steps;
 use twinedge::program::{Refusal, Subject};
-use twinedge::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
@@ -29,13 +29,13 @@ use twinedge::{delegate_subject, delegate_view};
 /// # Ok::<(), conformance::Failure>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct ReportAudit<S: Store = SlotStore> {
-    dcel: Dcel<S>,
+pub struct ReportAudit {
+    dcel: Dcel,
     dropped: Vec<BoundaryKey>,
 }
 
 /// The boundary component on which a corner lies.
-fn boundary_of<S: Store>(dcel: &Dcel<S>, corner: Corner) -> Result<Boundary<'_, S>, OperatorError> {
+fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
         Corner::Isolated(v) => dcel.vertex(v)?.isolated().ok_or(OperatorError::NotIsolated(v)),
@@ -51,7 +51,7 @@ struct Records {
 }
 
 impl Records {
-    fn of<S: Store>(dcel: &Dcel<S>) -> Self {
+    fn of(dcel: &Dcel) -> Self {
         let mut boundaries: BTreeMap<_, _> = dcel.boundaries().map(|b| (b.key(), (b.face().key(), 0))).collect();
         for h in dcel.half_edges() {
             if let Some((_, length)) = boundaries.get_mut(&h.boundary().key()) {
@@ -116,27 +116,27 @@ fn reports<T: Copy + PartialEq + std::fmt::Debug>(operator: &str, what: &str, re
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");
 }
 
-impl<S: Store> Default for ReportAudit<S> {
+impl Default for ReportAudit {
     fn default() -> Self {
         Self::new(Dcel::default())
     }
 }
 
-impl<S: Store> ReportAudit<S> {
+impl ReportAudit {
     /// The same map, whose reports are checked from here on.
-    pub const fn new(dcel: Dcel<S>) -> Self {
+    pub const fn new(dcel: Dcel) -> Self {
         Self { dcel, dropped: Vec::new() }
     }
 
     /// The map.
-    pub const fn dcel(&self) -> &Dcel<S> {
+    pub const fn dcel(&self) -> &Dcel {
         &self.dcel
     }
 
     /// Runs an operator, and tells what it changed if it was applied. One that refuses changes nothing.
     fn run<T>(
         &mut self,
-        operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
+        operator: impl FnOnce(&mut Dcel) -> Result<T, OperatorError>,
     ) -> Result<(T, Change), OperatorError> {
         let before = Records::of(&self.dcel);
         let result = operator(&mut self.dcel);
@@ -166,12 +166,12 @@ impl<S: Store> ReportAudit<S> {
     }
 }
 
-impl<S: Store> View for ReportAudit<S> {
+impl View for ReportAudit {
     delegate_view!(|this| &this.dcel);
 }
 
-impl<S: Store> Subject for ReportAudit<S> {
-    delegate_subject!(Dcel<S>, Self::dcel);
+impl Subject for ReportAudit {
+    delegate_subject!(Dcel, Self::dcel);
 
     fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
         let (added, changed) = self.run(|dcel| dcel.add_isolated_vertex(face))?;

@@ -2,7 +2,7 @@
 
 use crate::replay::Indexed;
 use std::collections::VecDeque;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, History, OperatorError, Recorded, Split, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, History, OperatorError, Split, VertexKey};
 use twinedge::program::Refusal;
 use twinedge::program::Subject;
 use twinedge::validate::near::{Baseline, validate_near};
@@ -97,7 +97,7 @@ impl Rewound {
         self.check(back, "after a change that failed");
     }
 
-    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel<Recorded>) -> Result<T, Refusal>) -> Result<T, Refusal> {
+    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel) -> Result<T, Refusal>) -> Result<T, Refusal> {
         let answer = self.history.change("operator", operator);
         let written = self.history.written();
         if answer.is_err() || written.is_empty() {

@@ -24,14 +24,14 @@ fn all_stores_stay_in_step() {
     assert_eq!((status, &found["ok"], &found["failure"]), (Some(0), &true.into(), &serde_json::Value::Null));
     let rows = found["structures"].as_array().unwrap();
     let names: Vec<&str> = rows.iter().map(|row| row["on"].as_str().unwrap()).collect();
-    assert_eq!(names, ["slots", "pointers", "fixed", "model"]);
+    assert_eq!(names, ["slots", "limited", "model"]);
     let count = |row: &serde_json::Value, key: &str| row[key].as_u64().unwrap();
     for row in rows {
         let steps = ["applied", "refused", "skipped", "no_room"].map(|key| count(row, key)).iter().sum::<u64>();
         assert_eq!((count(row, "programs"), steps), (60, 60 * 60));
         // Refusals and steps without room are tried on purpose, and are the smaller part.
         assert!(count(row, "applied") > 1000 && count(row, "refused") > 300, "{row}");
-        assert!(row["on"] == "fixed" || count(row, "no_room") == 0, "{row}");
+        assert!(row["on"] == "limited" || count(row, "no_room") == 0, "{row}");
     }
     // The same seed gives the same programs.
     let (_, again) = json(&["soak", "--programs", "60", "--steps", "60", "--seed", "1", "--format", "json"]);
@@ -77,7 +77,7 @@ fn a_planted_bug_is_found_made_small_saved_and_replayed() {
     // The bug keeps every rule: only the reference can tell.
     assert!(steps.iter().all(|step| step["valid"] == true));
 
-    let (status, replayed) = json(&["replay", &name, "--on", "pointers", "--format", "json"]);
+    let (status, replayed) = json(&["replay", &name, "--on", "limited", "--format", "json"]);
     assert_eq!((status, &replayed["ok"]), (Some(0), &true.into()));
 }
 

@@ -48,7 +48,7 @@ fn the_parts_of_each_command_add_up_to_the_whole() {
         (&["prove", "--edges", "0", "--on", "model"], 9),
         (&["prove", "--meshes", "4"], 3),
         (&["corrupt", "--edges", "1", "--pairs", "2500", "--seed", "7"], 2),
-        (&["corrupt", "--edges", "0", "--pairs", "10", "--seed", "7", "--on", "pointers"], 5),
+        (&["corrupt", "--edges", "0", "--pairs", "10", "--seed", "7", "--on", "audited"], 5),
         (&["tables", "--half-edges", "0"], 40),
         (&["sample", "--tables", "2500", "--seed", "7"], 2),
         (&["soak", "--programs", "12", "--steps", "20", "--seed", "3"], 4),

@@ -3,11 +3,11 @@
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
-#[cfg(feature = "near")]
 use crate::store::attributes::Kind;
-use crate::store::links::{BoundaryStart, Links, Need, VertexLink};
-use crate::store::slots::{InOrder, Numbered};
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, VertexKey};
+use crate::store::{
+    BoundaryKey, BoundarySlot, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, InOrder, Numbered, Room, Store,
+    VertexKey, VertexLink, VertexSlot,
+};
 use alloc::vec;
 use alloc::vec::Vec;
 use slotmap::{Key, SecondaryMap};
@@ -56,7 +56,6 @@ impl<T: Copy> Live<T> {
     }
 }
 
-#[cfg(feature = "near")]
 impl Dcel {
     /// Gives the attributes to another structure, whose records have other keys.
     fn renamed_attributes(&mut self, mut new: Self, renamed: &Renamed) -> Self {
@@ -108,12 +107,12 @@ impl Dcel {
         let vertices = Live::new(old.vertex_slots(), None, |i| old.vertex_at(i));
         let half_edges = Live::new(old.half_edge_slots(), None, |i| old.half_edge_at(i));
         let boundaries = Live::new(old.boundary_slots(), None, |i| old.boundary_at(i));
-        let unbounded = old.face_index(old.unbounded());
+        let unbounded = old.unbounded().index();
         let faces = Live::new(old.face_slots(), Some(unbounded), |i| old.face_at(i));
 
-        let vertex = |v| vertices.numbers[old.vertex_index(v)];
-        let half_edge = |h| half_edges.numbers[old.half_edge_index(h)];
-        let boundary = |b| boundaries.numbers[old.boundary_index(b)];
+        let vertex = |v: VertexSlot| vertices.numbers[v.index()];
+        let half_edge = |h: HalfEdgeSlot| half_edges.numbers[h.index()];
+        let boundary = |b: BoundarySlot| boundaries.numbers[b.index()];
         let links: Vec<_> = vertices
             .slots
             .iter()
@@ -144,13 +143,13 @@ impl Dcel {
             outer: &faces.slots.iter().filter_map(|f| old.outer(*f)).map(boundary).collect::<Vec<_>>(),
             inner: &inner,
         };
-        let need = Need {
+        let need = Room {
             vertices: vertices.slots.len(),
             edges: half_edges.slots.len() / 2,
             boundaries: boundaries.slots.len(),
             faces: faces.slots.len() - 1,
         };
-        let new = assembly.link(SlotStore::with_room(need).filled(need), &InOrder);
+        let new = assembly.link(Store::with_room(need).filled(need), &InOrder);
         let to = &new.store;
         let renamed = Renamed {
             vertices: vertices.renamed(|v| old.vertex_key(v), |n| to.vertex_key(InOrder.vertex(n))),
@@ -158,7 +157,6 @@ impl Dcel {
             boundaries: boundaries.renamed(|b| old.boundary_key(b), |n| to.boundary_key(InOrder.boundary(n))),
             faces: faces.renamed(|f| old.face_key(f), |n| to.face_key(InOrder.face(n))),
         };
-        #[cfg(feature = "near")]
         let new = self.renamed_attributes(new, &renamed);
         *self = new;
         renamed

@@ -15,8 +15,7 @@
 //! end take linear time together, and the one that is left takes no longer than the longest of these.
 
 use crate::slots::{NIL, Sets};
-use crate::store::Store;
-use crate::store::links::BoundaryStart;
+use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, Store};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::mem;
@@ -41,18 +40,18 @@ pub(super) struct Group {
 }
 
 /// A cycle of a group in which something changes.
-pub(super) struct Cycle<S: Store> {
-    pub(super) boundary: S::Boundary,
+pub(super) struct Cycle {
+    pub(super) boundary: BoundarySlot,
     pub(super) group: u32,
     /// The face to the left of the half-edge with the smallest index, as it was, once it is known.
-    pub(super) face: Option<S::Face>,
+    pub(super) face: Option<FaceSlot>,
 }
 
 impl Groups {
     /// Groups the faces that become one when these edges are removed. Each edge is given by one half-edge. O(slots α(slots)),
     /// where α is the inverse of Ackermann's function.
-    pub(super) fn without<S: Store>(store: &S, edges: &[S::HalfEdge]) -> Self {
-        let index = |h: S::HalfEdge| store.face_index(store.face(store.boundary(h))) as u32;
+    pub(super) fn without(store: &Store, edges: &[HalfEdgeSlot]) -> Self {
+        let index = |h: HalfEdgeSlot| store.face(store.boundary(h)).index() as u32;
         let mut faces = Sets::new(store.face_slots());
         let mut parted = Vec::new();
         for h in edges {
@@ -70,7 +69,7 @@ impl Groups {
             let inner = (0..store.inner_count(f)).filter_map(|place| store.inner(f, place));
             let cycles = inner.filter(|b| matches!(store.start(*b), BoundaryStart::HalfEdge(_))).count() as u32;
             let cycles = cycles + u32::from(f != unbounded);
-            let group = faces.number(store.face_index(f) as u32, &mut count) as usize;
+            let group = faces.number(f.index() as u32, &mut count) as usize;
             if group == all.len() {
                 all.push(Group { cycles, changes: false });
             } else {
@@ -85,23 +84,23 @@ impl Groups {
     }
 
     /// Notes that the group of a boundary component changes.
-    pub(super) fn change<S: Store>(&mut self, store: &S, b: S::Boundary) {
+    pub(super) fn change(&mut self, store: &Store, b: BoundarySlot) {
         let group = self.of_boundary(store, b);
         self.all[group].changes = true;
     }
 
-    pub(super) fn of_face<S: Store>(&self, store: &S, f: S::Face) -> usize {
-        self.faces.known_number(store.face_index(f) as u32) as usize
+    pub(super) fn of_face(&self, f: FaceSlot) -> usize {
+        self.faces.known_number(f.index() as u32) as usize
     }
 
-    pub(super) fn of_boundary<S: Store>(&self, store: &S, b: S::Boundary) -> usize {
-        self.of_face(store, store.face(b))
+    pub(super) fn of_boundary(&self, store: &Store, b: BoundarySlot) -> usize {
+        self.of_face(store.face(b))
     }
 
     /// By group that changes the index of the boundary component that is its outer one, or nil. These are all cycles of such groups, each
     /// with a boundary component, which still names a face of its group. O(slots).
-    pub(super) fn outer<S: Store>(&self, store: &S, cycles: &[Cycle<S>]) -> Vec<u32> {
-        let index = |cycle: &Cycle<S>| store.boundary_index(cycle.boundary) as u32;
+    pub(super) fn outer(&self, store: &Store, cycles: &[Cycle]) -> Vec<u32> {
+        let index = |cycle: &Cycle| cycle.boundary.index() as u32;
         let mut nest =
             Nest { groups: self, outer: vec![NIL; self.all.len()], cycles, first: Vec::new(), next: Vec::new() };
         let mut several = Vec::new();
@@ -135,40 +134,40 @@ impl Groups {
 const DONE: u32 = NIL;
 
 /// The cycles of groups with several, and what is known of them.
-struct Nest<'a, S: Store> {
+struct Nest<'a> {
     groups: &'a Groups,
     outer: Vec<u32>,
-    cycles: &'a [Cycle<S>],
+    cycles: &'a [Cycle],
     /// By group its first cycle, then by cycle the next one of its group.
     first: Vec<u32>,
     next: Vec<u32>,
 }
 
 /// A search for what lies beyond a cycle.
-struct Search<S: Store> {
+struct Search {
     /// The boundary component with which it began.
     from: u32,
     /// Boundary components still to be walked around.
-    ahead: Vec<S::Boundary>,
+    ahead: Vec<BoundarySlot>,
     /// The half-edge to be crossed next, and that with which the walk ends.
-    walk: Option<[S::HalfEdge; 2]>,
+    walk: Option<[HalfEdgeSlot; 2]>,
     /// The groups that it reached, and the boundary components by which.
     reached: Vec<(usize, u32)>,
     /// True if it reached the unbounded face, from which it does not go on.
     is_outer: bool,
 }
 
-impl<S: Store> Nest<'_, S> {
+impl Nest<'_> {
     /// Finds out which cycle of a group is outer, and the same for all groups beyond the others.
-    fn search(&mut self, store: &S, group: usize, round: u32, seen: &mut [u32]) {
+    fn search(&mut self, store: &Store, group: usize, round: u32, seen: &mut [u32]) {
         seen[group] = round;
         let mut ahead = Vec::new();
         self.push_cycles(store, group, self.cycles[self.first[group] as usize].boundary, &mut ahead);
-        let begin = |b: S::Boundary| {
-            let from = store.boundary_index(b) as u32;
+        let begin = |b: BoundarySlot| {
+            let from = b.index() as u32;
             Search { from, ahead: vec![b], walk: None, reached: Vec::new(), is_outer: false }
         };
-        let mut searches: Vec<Search<S>> = ahead.into_iter().map(begin).collect();
+        let mut searches: Vec<Search> = ahead.into_iter().map(begin).collect();
         while searches.len() > 1 {
             searches.retain_mut(|search| {
                 let goes_on = search.is_outer || self.step(store, search, round, seen);
@@ -185,7 +184,7 @@ impl<S: Store> Nest<'_, S> {
     }
 
     /// Crosses one half-edge. False if there was none left.
-    fn step(&self, store: &S, search: &mut Search<S>, round: u32, seen: &mut [u32]) -> bool {
+    fn step(&self, store: &Store, search: &mut Search, round: u32, seen: &mut [u32]) -> bool {
         let Some([h, last]) = search.walk.take() else {
             let Some(b) = search.ahead.pop() else { return false };
             if let BoundaryStart::HalfEdge(h) = store.start(b) {
@@ -202,7 +201,7 @@ impl<S: Store> Nest<'_, S> {
             search.is_outer = true;
         } else if seen[group] != round && seen[group] != DONE {
             seen[group] = round;
-            search.reached.push((group, store.boundary_index(b) as u32));
+            search.reached.push((group, b.index() as u32));
             if self.outer[group] == NIL {
                 self.push_cycles(store, group, b, &mut search.ahead);
             } else {
@@ -213,7 +212,7 @@ impl<S: Store> Nest<'_, S> {
     }
 
     /// Pushes the boundary components of a group, of which this is one.
-    fn push_cycles(&self, store: &S, group: usize, b: S::Boundary, all: &mut Vec<S::Boundary>) {
+    fn push_cycles(&self, store: &Store, group: usize, b: BoundarySlot, all: &mut Vec<BoundarySlot>) {
         if self.groups.all[group].changes {
             let mut cycle = self.first[group];
             while let Some(Cycle { boundary, .. }) = self.cycles.get(cycle as usize) {

@@ -5,9 +5,10 @@ use crate::dcel::elements::{HalfEdge, Vertex};
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
-use crate::store::links::{BoundaryStart, Need, VertexLink};
-use crate::store::place::OUTER;
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use crate::store::{
+    BoundaryKey, BoundarySlot, BoundaryStart, FaceKey, FaceSlot, HalfEdgeKey, HalfEdgeSlot, OUTER, Room, Store,
+    VertexKey, VertexLink, VertexSlot,
+};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -36,7 +37,7 @@ pub struct MergedFace {
     pub kept: FaceKey,
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Removes all vertices and edges for which a condition does not hold, in one pass. An edge goes with either of its ends.
     ///
     /// The vertices are asked first, in order; then of each edge whose ends stay the half-edge with the smaller index. Vertices
@@ -70,8 +71,8 @@ impl<S: Store> Dcel<S> {
     /// ```
     pub fn retain(
         &mut self,
-        mut vertices: impl FnMut(Vertex<'_, S>) -> bool,
-        mut edges: impl FnMut(HalfEdge<'_, S>) -> bool,
+        mut vertices: impl FnMut(Vertex<'_>) -> bool,
+        mut edges: impl FnMut(HalfEdge<'_>) -> bool,
     ) -> Result<Retained, OperatorError> {
         let store = &self.store;
         let mut vertex_goes = vec![false; store.vertex_slots()];
@@ -99,8 +100,7 @@ impl<S: Store> Dcel<S> {
         // Euler's formula gives the number of components, hence that of boundary components.
         let [vertices, edges] = [self.vertex_count() - retained.vertices.len(), self.edge_count() - removed.len()];
         let boundaries = (vertices + 2 * groups.all.len() - 2 - edges).saturating_sub(self.boundary_count());
-        self.room_for(Need { boundaries, ..Need::NONE })?;
-        #[cfg(feature = "near")]
+        self.room_for(Room { boundaries, ..Room::NONE })?;
         if self.has_attributes() {
             let merged = self.would_merge(&vertex_goes, &goes)?;
             self.announce_retained(&vertex_goes, &goes, &merged)?;
@@ -111,13 +111,12 @@ impl<S: Store> Dcel<S> {
     }
 }
 
-#[cfg(feature = "near")]
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// The faces that would be merged. The policies of attributes are asked before anything changes, and which face is kept is known
     /// when all has changed: so it is tried on a copy. O(slots α(slots)).
     #[cold]
     fn would_merge(&self, vertex_goes: &[bool], goes: &[bool]) -> Result<Vec<MergedFace>, OperatorError> {
-        let Some(store) = self.store.trial() else { return Ok(Vec::new()) };
+        let store = self.store.without_attributes();
         Ok(Dcel { store }.retain(|v| !vertex_goes[v.index()], |h| !goes[h.index()])?.faces)
     }
 }
@@ -138,7 +137,7 @@ struct Work {
 }
 
 impl Work {
-    fn apply<S: Store>(&mut self, dcel: &mut Dcel<S>, removed: &[S::HalfEdge]) {
+    fn apply(&mut self, dcel: &mut Dcel, removed: &[HalfEdgeSlot]) {
         let isolated = self.splice(dcel, removed);
         let store = &mut dcel.store;
         let mut islands = Vec::new();
@@ -169,14 +168,14 @@ impl Work {
         let outer = self.groups.outer(store, &cycles);
         let mut kept = vec![store.unbounded(); self.groups.all.len()];
         for Cycle { boundary, group, face } in &cycles {
-            if outer[*group as usize] as usize == store.boundary_index(*boundary) {
+            if outer[*group as usize] as usize == boundary.index() {
                 let kept = &mut kept[*group as usize];
                 *kept = face.unwrap_or(*kept);
                 store.list_outer(*kept, *boundary);
             }
         }
         for Cycle { boundary, group, .. } in cycles {
-            if outer[group as usize] as usize != store.boundary_index(boundary) {
+            if outer[group as usize] as usize != boundary.index() {
                 store.list_inner(kept[group as usize], boundary);
             }
         }
@@ -193,7 +192,7 @@ impl Work {
     }
 
     /// Takes the edges out of the links. Gives the vertices that become isolated and stay, with their groups.
-    fn splice<S: Store>(&mut self, dcel: &mut Dcel<S>, removed: &[S::HalfEdge]) -> Vec<(S::Vertex, usize)> {
+    fn splice(&mut self, dcel: &mut Dcel, removed: &[HalfEdgeSlot]) -> Vec<(VertexSlot, usize)> {
         let mut last = Vec::new();
         for h in removed {
             dcel.splice_out(*h, &mut last);
@@ -208,7 +207,7 @@ impl Work {
         for h in last {
             let (v, group) = (store.origin(h), self.groups.of_boundary(store, store.boundary(h)));
             self.groups.all[group].cycles -= 1;
-            if !self.vertex_goes[store.vertex_index(v)] {
+            if !self.vertex_goes[v.index()] {
                 isolated.push((v, group));
             }
         }
@@ -217,11 +216,11 @@ impl Work {
 
     /// Takes all boundary components of groups that change from the lists. Gives those that are cycles now, and by group the number of
     /// its only one, nil if none is known, or what stands for that; those that stay isolated vertices are put in `islands`, with their groups.
-    fn keep_boundaries<S: Store>(
+    fn keep_boundaries(
         &mut self,
-        store: &mut S,
-        islands: &mut Vec<(S::Boundary, usize)>,
-    ) -> (Vec<Cycle<S>>, Vec<u32>) {
+        store: &mut Store,
+        islands: &mut Vec<(BoundarySlot, usize)>,
+    ) -> (Vec<Cycle>, Vec<u32>) {
         let number = |group: &Group| match group {
             Group { changes: false, .. } => UNCHANGED,
             Group { cycles: 1, .. } => NIL,
@@ -241,9 +240,7 @@ impl Work {
                 store.unlist(boundary);
             }
             match store.start(boundary) {
-                BoundaryStart::HalfEdge(h)
-                    if (*number == NIL || *number == SEVERAL) && !self.goes[store.half_edge_index(h)] =>
-                {
+                BoundaryStart::HalfEdge(h) if (*number == NIL || *number == SEVERAL) && !self.goes[h.index()] => {
                     let face = if *number == SEVERAL {
                         Some(self.relabel(store, h, boundary))
                     } else {
@@ -252,7 +249,7 @@ impl Work {
                     };
                     cycles.push(Cycle { boundary, group: group as u32, face });
                 }
-                BoundaryStart::Vertex(v) if !self.vertex_goes[store.vertex_index(v)] => islands.push((boundary, group)),
+                BoundaryStart::Vertex(v) if !self.vertex_goes[v.index()] => islands.push((boundary, group)),
                 _ => self.retained.dropped.push(store.boundary_key(boundary)),
             }
         }
@@ -260,11 +257,11 @@ impl Work {
     }
 
     /// Gives a cycle a boundary component. Gives the face that was to the left of the half-edge with the smallest index.
-    fn relabel<S: Store>(&mut self, store: &mut S, start: S::HalfEdge, boundary: S::Boundary) -> S::Face {
+    fn relabel(&mut self, store: &mut Store, start: HalfEdgeSlot, boundary: BoundarySlot) -> FaceSlot {
         let mut least = (usize::MAX, boundary);
         let mut h = start;
         loop {
-            let (index, before) = (store.half_edge_index(h), store.boundary(h));
+            let (index, before) = (h.index(), store.boundary(h));
             self.goes[index] = true;
             if index < least.0 {
                 least = (index, before);
@@ -281,12 +278,12 @@ impl Work {
 
     /// Gives the half-edges of each group with one cycle its boundary component, without a walk. Gives the cycles on which no boundary
     /// component starts: of each the half-edge with the smallest index, the group, and the face that was to its left.
-    fn relabel_others<S: Store>(
+    fn relabel_others(
         &mut self,
-        store: &mut S,
-        cycles: &mut [Cycle<S>],
+        store: &mut Store,
+        cycles: &mut [Cycle],
         mut numbers: Vec<u32>,
-    ) -> Vec<(S::HalfEdge, usize, S::Face)> {
+    ) -> Vec<(HalfEdgeSlot, usize, FaceSlot)> {
         let mut fresh = Vec::new();
         for index in 0..self.goes.len() {
             if self.goes[index] {
@@ -295,7 +292,7 @@ impl Work {
             let Some(start) = store.half_edge_at(index) else { continue };
             let before = store.boundary(start);
             let face = store.face(before);
-            let group = self.groups.of_face(store, face);
+            let group = self.groups.of_face(face);
             let number = &mut numbers[group];
             if let Some(Cycle { boundary, face: of_first, .. }) = cycles.get_mut(*number as usize) {
                 of_first.get_or_insert(face);
@@ -315,7 +312,7 @@ impl Work {
             }
             let mut h = start;
             loop {
-                self.goes[store.half_edge_index(h)] = true;
+                self.goes[h.index()] = true;
                 h = store.next(h);
                 if h == start {
                     break;
@@ -326,10 +323,10 @@ impl Work {
     }
 
     /// Removes the faces that are part of another one now.
-    fn merge_faces<S: Store>(&mut self, store: &mut S, kept: &[S::Face]) {
+    fn merge_faces(&mut self, store: &mut Store, kept: &[FaceSlot]) {
         for index in 0..store.face_slots() {
             let Some(f) = store.face_at(index) else { continue };
-            let group = self.groups.of_face(store, f);
+            let group = self.groups.of_face(f);
             if self.groups.all[group].changes && kept[group] != f {
                 self.retained.faces.push(MergedFace { dropped: store.face_key(f), kept: store.face_key(kept[group]) });
                 store.remove_face(f);

@@ -1,13 +1,12 @@
 //! Taking edges out of the links.
 
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::VertexLink;
+use crate::store::{HalfEdgeSlot, VertexLink};
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Takes an edge out of the cycles and rotations that it is part of. Its own record and the labels stay. The half-edges by which
     /// vertices lose their last one are put in `last`. O(1).
-    pub(super) fn splice_out(&mut self, n: S::HalfEdge, last: &mut impl Extend<S::HalfEdge>) {
+    pub(super) fn splice_out(&mut self, n: HalfEdgeSlot, last: &mut impl Extend<HalfEdgeSlot>) {
         let store = &mut self.store;
         let t = store.twin(n);
         for h in [n, t] {

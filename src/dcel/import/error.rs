@@ -1,6 +1,6 @@
 //! Errors of imports.
 
-use crate::store::links::RecordKind;
+use crate::store::RecordKind;
 use crate::validate::{Part, Report};
 use alloc::boxed::Box;
 use core::fmt;

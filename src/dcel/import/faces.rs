@@ -7,7 +7,7 @@ use super::pieces::Pieces;
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
-use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
+use crate::store::{BoundaryStart, RecordKind, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;

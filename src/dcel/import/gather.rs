@@ -7,7 +7,7 @@ use super::error::ImportError;
 use super::outside::Outside;
 use crate::dcel::assemble::Assembly;
 use crate::slots::NIL;
-use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
+use crate::store::{BoundaryStart, RecordKind, VertexLink};
 use crate::validate::{Expectation, Link, Part, Parts, Start, View};
 use alloc::vec;
 use alloc::vec::Vec;

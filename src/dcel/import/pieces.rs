@@ -1,7 +1,7 @@
 //! The components of a structure in columns, found by walks around its vertices.
 
 use crate::slots::NIL;
-use crate::store::links::BoundaryStart;
+use crate::store::BoundaryStart;
 use alloc::vec;
 use alloc::vec::Vec;
 

@@ -8,7 +8,7 @@ use crate::dcel::assemble::Assembly;
 use crate::dcel::operators::Corner;
 use crate::dcel::structure::Dcel;
 use crate::slots::{NIL, cycles};
-use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
+use crate::store::{BoundaryStart, RecordKind, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;

@@ -6,8 +6,7 @@ use super::gather::Numbers;
 use super::outside::Outside;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
-use crate::store::SlotStore;
-use crate::store::slots::{Generations, Live};
+use crate::store::{Generations, Live, Store};
 use crate::validate::{
     BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow,
 };
@@ -99,7 +98,7 @@ impl<'de> Deserialize<'de> for Dcel {
         let table = saved.table().ok_or_else(|| D::Error::custom("a column is too short or too long"))?;
         let Saved { generations, .. } = saved;
         let restore = |columns: &super::gather::Columns, numbers: &Numbers| {
-            let (store, slots) = SlotStore::restored(generations, &live(numbers)).ok_or(ImportError::Inconsistent)?;
+            let (store, slots) = Store::restored(generations, &live(numbers)).ok_or(ImportError::Inconsistent)?;
             Ok(columns.assembly().link(store, &slots))
         };
         let (dcel, _) = import(&table, Expectation::plane(), Outside::Given, restore).map_err(D::Error::custom)?;

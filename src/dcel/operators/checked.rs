@@ -2,34 +2,32 @@
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
-use crate::store::links::Need;
-use crate::store::place::OUTER;
-use crate::store::{FaceKey, HalfEdgeKey, Store, VertexKey};
+use crate::store::{BoundarySlot, FaceKey, FaceSlot, HalfEdgeKey, HalfEdgeSlot, OUTER, Room, VertexKey, VertexSlot};
 
-impl<S: Store> Dcel<S> {
-    pub(super) fn vertex_slot(&self, key: VertexKey) -> Result<S::Vertex, OperatorError> {
+impl Dcel {
+    pub(super) fn vertex_slot(&self, key: VertexKey) -> Result<VertexSlot, OperatorError> {
         self.store.find_vertex(key).ok_or(OperatorError::Stale(StaleKey::Vertex(key)))
     }
 
-    pub(super) fn half_edge_slot(&self, key: HalfEdgeKey) -> Result<S::HalfEdge, OperatorError> {
+    pub(super) fn half_edge_slot(&self, key: HalfEdgeKey) -> Result<HalfEdgeSlot, OperatorError> {
         self.store.find_half_edge(key).ok_or(OperatorError::Stale(StaleKey::HalfEdge(key)))
     }
 
-    pub(super) fn face_slot(&self, key: FaceKey) -> Result<S::Face, OperatorError> {
+    pub(super) fn face_slot(&self, key: FaceKey) -> Result<FaceSlot, OperatorError> {
         self.store.find_face(key).ok_or(OperatorError::Stale(StaleKey::Face(key)))
     }
 
-    pub(crate) fn room_for(&self, need: Need) -> Result<(), OperatorError> {
+    pub(crate) fn room_for(&self, need: Room) -> Result<(), OperatorError> {
         self.store.room_for(need).map_err(OperatorError::Full)
     }
 
     /// True if `b` is the outer boundary component of its face.
-    pub(super) fn is_outer(&self, b: S::Boundary) -> bool {
+    pub(super) fn is_outer(&self, b: BoundarySlot) -> bool {
         self.store.place(b) == OUTER
     }
 
     /// Lists `b` in `f` as the outer or as an inner boundary component.
-    pub(super) fn list(&mut self, f: S::Face, b: S::Boundary, outer: bool) {
+    pub(super) fn list(&mut self, f: FaceSlot, b: BoundarySlot, outer: bool) {
         if outer {
             self.store.list_outer(f, b);
         } else {

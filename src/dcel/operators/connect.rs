@@ -4,9 +4,7 @@ use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::{BoundaryStart, Need, VertexLink};
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
+use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, Room, VertexLink};
 
 /// A side of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -74,7 +72,7 @@ impl Connected {
     }
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Connects two corners of one face by a new edge.
     ///
     /// If the corners lie on different boundary components, the edge is a bridge and makes one of the two. If they lie on the
@@ -134,21 +132,25 @@ impl<S: Store> Dcel<S> {
             return Err(OperatorError::FacesDiffer(self.store.face_key(fa), self.store.face_key(fb)));
         }
         if ba != bb {
-            self.room_for(Need { edges: 1, ..Need::NONE })?;
-            announce!(self.announce_connected([from, to], None));
+            self.room_for(Room { edges: 1, ..Room::NONE })?;
+            if self.has_attributes() {
+                self.announce_connected([from, to], None)?;
+            }
             return Ok(self.bridge(from, to));
         }
-        self.room_for(Need { edges: 1, boundaries: 1, faces: 1, ..Need::NONE })?;
+        self.room_for(Room { edges: 1, boundaries: 1, faces: 1, ..Room::NONE })?;
         if let Some(key) = not_inner {
             return Err(OperatorError::NotInner(key));
         }
-        announce!(self.announce_connected([from, to], Some(fa)));
+        if self.has_attributes() {
+            self.announce_connected([from, to], Some(fa))?;
+        }
         Ok(self.split_face(from, to, split))
     }
 
     /// Puts a new edge between two corners, which are not the same unless it is that of an isolated vertex or a loop, and
     /// gives the half-edge from the first to the second. Its boundary component is not settled.
-    fn attach(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>) -> S::HalfEdge {
+    fn attach(&mut self, from: CheckedCorner, to: CheckedCorner) -> HalfEdgeSlot {
         let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
         let n = self.store.add_edge(va, vb, from.boundary(&self.store));
         let t = self.store.twin(n);
@@ -188,9 +190,9 @@ impl<S: Store> Dcel<S> {
         n
     }
 
-    fn bridge(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>) -> Connected {
+    fn bridge(&mut self, from: CheckedCorner, to: CheckedCorner) -> Connected {
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
-        let stretch = |corner: CheckedCorner<S>| match corner {
+        let stretch = |corner: CheckedCorner| match corner {
             CheckedCorner::At(h) => Some(h),
             CheckedCorner::Isolated(..) => None,
         };
@@ -226,19 +228,21 @@ impl<S: Store> Dcel<S> {
         let connection =
             Connection::Bridge { kept: self.store.boundary_key(kept), dropped: self.store.boundary_key(dropped) };
         self.store.remove_boundary(dropped);
-        settle!(self.settle_connected(n, None));
+        if self.has_attributes() {
+            self.settle_connected(n, None);
+        }
         Connected { half_edge: self.store.half_edge_key(n), connection }
     }
 
     /// The shorter of two whole cycles, the first if both are equally long. O(shorter).
-    fn shorter_or_first(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> OneOfTwo {
+    fn shorter_or_first(&self, a: (HalfEdgeSlot, HalfEdgeSlot), b: (HalfEdgeSlot, HalfEdgeSlot)) -> OneOfTwo {
         match self.shorter_or_second((Some(b.0), b.1), (Some(a.0), a.1)) {
             OneOfTwo::First => OneOfTwo::Second,
             OneOfTwo::Second => OneOfTwo::First,
         }
     }
 
-    fn split_face(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>, split: Split<'_>) -> Connected {
+    fn split_face(&mut self, from: CheckedCorner, to: CheckedCorner, split: Split<'_>) -> Connected {
         let kept = from.boundary(&self.store);
         let f = self.store.face(kept);
         let was_outer = self.is_outer(kept);
@@ -272,7 +276,9 @@ impl<S: Store> Dcel<S> {
                 self.store.list_inner(g, b);
             }
         }
-        settle!(self.settle_connected(n, Some(g)));
+        if self.has_attributes() {
+            self.settle_connected(n, Some(g));
+        }
         Connected {
             half_edge: self.store.half_edge_key(n),
             connection: Connection::Split {

@@ -2,9 +2,7 @@
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::VertexLink;
-use crate::store::{HalfEdgeKey, VertexKey};
+use crate::store::{BoundarySlot, HalfEdgeKey, HalfEdgeSlot, Store, VertexKey, VertexLink, VertexSlot};
 
 /// A place at a vertex where an edge can be attached.
 ///
@@ -40,28 +38,28 @@ impl From<VertexKey> for Corner {
 }
 
 /// A corner whose key has been checked.
-pub(super) enum CheckedCorner<S: Store> {
-    At(S::HalfEdge),
-    Isolated(S::Vertex, S::Boundary),
+pub(super) enum CheckedCorner {
+    At(HalfEdgeSlot),
+    Isolated(VertexSlot, BoundarySlot),
 }
 
-impl<S: Store> Clone for CheckedCorner<S> {
+impl Clone for CheckedCorner {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S: Store> Copy for CheckedCorner<S> {}
+impl Copy for CheckedCorner {}
 
-impl<S: Store> CheckedCorner<S> {
-    pub(super) fn vertex(self, store: &S) -> S::Vertex {
+impl CheckedCorner {
+    pub(super) fn vertex(self, store: &Store) -> VertexSlot {
         match self {
             Self::At(h) => store.origin(h),
             Self::Isolated(v, _) => v,
         }
     }
 
-    pub(super) fn boundary(self, store: &S) -> S::Boundary {
+    pub(super) fn boundary(self, store: &Store) -> BoundarySlot {
         match self {
             Self::At(h) => store.boundary(h),
             Self::Isolated(_, b) => b,
@@ -69,8 +67,8 @@ impl<S: Store> CheckedCorner<S> {
     }
 }
 
-impl<S: Store> Dcel<S> {
-    pub(super) fn checked_corner(&self, corner: Corner) -> Result<CheckedCorner<S>, OperatorError> {
+impl Dcel {
+    pub(super) fn checked_corner(&self, corner: Corner) -> Result<CheckedCorner, OperatorError> {
         match corner {
             Corner::At(h) => self.half_edge_slot(h).map(CheckedCorner::At),
             Corner::Isolated(key) => {

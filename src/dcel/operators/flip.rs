@@ -2,9 +2,7 @@
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::HalfEdgeKey;
-use crate::store::Store;
-use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::{BoundaryStart, HalfEdgeKey, HalfEdgeSlot, VertexLink};
 
 /// The sense in which an edge is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -27,7 +25,7 @@ impl Turn {
     }
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Turns an edge one step: each of its ends moves to the next vertex along the boundary of the two faces that it
     /// separates. In a triangulation this is the flip of a diagonal.
     ///
@@ -74,14 +72,18 @@ impl<S: Store> Dcel<S> {
             (true, false) => self.slide(n, t, turn)?,
             (false, true) => self.slide(t, n, turn)?,
             (false, false) => {
-                announce!(self.announce_flipped([n, t], turn));
+                if self.has_attributes() {
+                    self.announce_flipped([n, t], turn)?;
+                }
                 self.release_end(n);
                 self.release_end(t);
                 match turn {
                     Turn::CounterClockwise => self.turn_counter_clockwise(n, t),
                     Turn::Clockwise => self.turn_clockwise(n, t),
                 }
-                settle!(self.settle_turned([n, t]));
+                if self.has_attributes() {
+                    self.settle_turned([n, t]);
+                }
             }
         }
         self.store.set_start(bn, BoundaryStart::HalfEdge(n));
@@ -90,13 +92,13 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Gives the origin of `h` the half-edge that leaves it clockwise of `h`.
-    fn release_end(&mut self, h: S::HalfEdge) {
+    fn release_end(&mut self, h: HalfEdgeSlot) {
         let other = self.store.next(self.store.twin(h));
         self.store.set_vertex_link(self.store.origin(h), VertexLink::Leaving(other));
     }
 
     /// `x` and `y`, the first half-edges after `n` and `t`, change sides.
-    fn turn_counter_clockwise(&mut self, n: S::HalfEdge, t: S::HalfEdge) {
+    fn turn_counter_clockwise(&mut self, n: HalfEdgeSlot, t: HalfEdgeSlot) {
         let (x, y) = (self.store.next(n), self.store.next(t));
         let (before_n, before_t) = (self.store.prev(n), self.store.prev(t));
         // Without the edge there is one cycle …
@@ -114,7 +116,7 @@ impl<S: Store> Dcel<S> {
     }
 
     /// `x` and `y`, the last half-edges before `n` and `t`, change sides.
-    fn turn_clockwise(&mut self, n: S::HalfEdge, t: S::HalfEdge) {
+    fn turn_clockwise(&mut self, n: HalfEdgeSlot, t: HalfEdgeSlot) {
         let (x, y) = (self.store.prev(n), self.store.prev(t));
         let (after_n, after_t) = (self.store.next(n), self.store.next(t));
         self.store.join(x, after_t);
@@ -129,16 +131,18 @@ impl<S: Store> Dcel<S> {
         self.swap_sides(x, y);
     }
 
-    fn swap_sides(&mut self, x: S::HalfEdge, y: S::HalfEdge) {
+    fn swap_sides(&mut self, x: HalfEdgeSlot, y: HalfEdgeSlot) {
         let (bx, by) = (self.store.boundary(x), self.store.boundary(y));
         self.store.set_boundary(x, by);
         self.store.set_boundary(y, bx);
     }
 
     /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
-    fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) -> Result<(), OperatorError> {
+    fn slide(&mut self, lone: HalfEdgeSlot, t: HalfEdgeSlot, turn: Turn) -> Result<(), OperatorError> {
         let (before, after) = (self.store.prev(t), self.store.next(t));
-        announce!(self.announce_slid([lone, t], turn));
+        if self.has_attributes() {
+            self.announce_slid([lone, t], turn)?;
+        }
         self.store.set_vertex_link(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {
@@ -150,7 +154,9 @@ impl<S: Store> Dcel<S> {
         let v = self.store.origin(first);
         self.store.set_origin(t, v);
         self.store.set_origin(lone, v);
-        settle!(self.settle_turned([lone, t]));
+        if self.has_attributes() {
+            self.settle_turned([lone, t]);
+        }
         Ok(())
     }
 }

@@ -5,8 +5,8 @@ use super::flip::Turn;
 use crate::dcel::bulk::MergedFace;
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
 use crate::store::attributes::{Kind, Step};
+use crate::store::{FaceSlot, HalfEdgeSlot, VertexSlot};
 use alloc::vec::Vec;
 use slotmap::{Key, KeyData};
 
@@ -20,7 +20,7 @@ struct EdgeData {
     sides: [KeyData; 2],
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// True if there are attributes.
     #[inline]
     pub(in crate::dcel) fn has_attributes(&self) -> bool {
@@ -28,10 +28,7 @@ impl<S: Store> Dcel<S> {
     }
 
     pub(in crate::dcel) fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), OperatorError> {
-        let Some(attributes) = self.store.attributes_mut() else { return Ok(()) };
-        if !S::RECORDS {
-            attributes.clear_log();
-        }
+        let Some(attributes) = self.attributes_to_change() else { return Ok(()) };
         attributes.announce(steps).map_err(OperatorError::Refused)
     }
 
@@ -41,22 +38,22 @@ impl<S: Store> Dcel<S> {
         }
     }
 
-    fn half_edge_data(&self, h: S::HalfEdge) -> KeyData {
+    fn half_edge_data(&self, h: HalfEdgeSlot) -> KeyData {
         self.store.half_edge_key(h).data()
     }
 
-    fn vertex_data(&self, v: S::Vertex) -> KeyData {
+    fn vertex_data(&self, v: VertexSlot) -> KeyData {
         self.store.vertex_key(v).data()
     }
 
-    fn face_data(&self, f: S::Face) -> KeyData {
+    fn face_data(&self, f: FaceSlot) -> KeyData {
         self.store.face_key(f).data()
     }
 
-    fn edge_data(&self, h: S::HalfEdge) -> EdgeData {
+    fn edge_data(&self, h: HalfEdgeSlot) -> EdgeData {
         let t = self.store.twin(h);
         let sides = [h, t].map(|h| self.half_edge_data(h));
-        let is_first = self.store.half_edge_index(h) < self.store.half_edge_index(t);
+        let is_first = h.index() < t.index();
         EdgeData { edge: sides[usize::from(!is_first)], sides }
     }
 
@@ -66,12 +63,12 @@ impl<S: Store> Dcel<S> {
     }
 
     #[cold]
-    pub(super) fn settle_vertex(&mut self, v: S::Vertex) {
+    pub(super) fn settle_vertex(&mut self, v: VertexSlot) {
         self.settle(&[(Kind::Vertex, self.vertex_data(v))]);
     }
 
     #[cold]
-    pub(super) fn announce_no_vertex(&mut self, v: S::Vertex) -> Result<(), OperatorError> {
+    pub(super) fn announce_no_vertex(&mut self, v: VertexSlot) -> Result<(), OperatorError> {
         self.announce(&[(Kind::Vertex, Step::Drop(self.vertex_data(v)))])
     }
 
@@ -79,8 +76,8 @@ impl<S: Store> Dcel<S> {
     #[cold]
     pub(super) fn announce_connected(
         &mut self,
-        corners: [CheckedCorner<S>; 2],
-        split: Option<S::Face>,
+        corners: [CheckedCorner; 2],
+        split: Option<FaceSlot>,
     ) -> Result<(), OperatorError> {
         let mut steps = edge_made();
         for corner in corners {
@@ -91,14 +88,14 @@ impl<S: Store> Dcel<S> {
     }
 
     #[cold]
-    pub(super) fn settle_connected(&mut self, n: S::HalfEdge, face: Option<S::Face>) {
+    pub(super) fn settle_connected(&mut self, n: HalfEdgeSlot, face: Option<FaceSlot>) {
         let mut made = self.made_edge(n);
         made.extend(face.map(|f| (Kind::Face, self.face_data(f))));
         self.settle(&made);
     }
 
     /// The step that makes a corner at which an edge begins.
-    fn corner_made(&self, corner: CheckedCorner<S>) -> Step {
+    fn corner_made(&self, corner: CheckedCorner) -> Step {
         match corner {
             CheckedCorner::At(h) => Step::Split(self.half_edge_data(h)),
             CheckedCorner::Isolated(..) => Step::Make,
@@ -106,7 +103,7 @@ impl<S: Store> Dcel<S> {
     }
 
     /// An edge, its half-edges, and the corners of these.
-    fn made_edge(&self, n: S::HalfEdge) -> Vec<(Kind, KeyData)> {
+    fn made_edge(&self, n: HalfEdgeSlot) -> Vec<(Kind, KeyData)> {
         let EdgeData { edge, sides: [n, t] } = self.edge_data(n);
         [(Kind::Edge, edge), (Kind::HalfEdge, n), (Kind::HalfEdge, t), (Kind::Corner, n), (Kind::Corner, t)].into()
     }
@@ -115,8 +112,8 @@ impl<S: Store> Dcel<S> {
     #[cold]
     pub(super) fn announce_removed(
         &mut self,
-        n: S::HalfEdge,
-        merged: Option<[S::Face; 2]>,
+        n: HalfEdgeSlot,
+        merged: Option<[FaceSlot; 2]>,
     ) -> Result<(), OperatorError> {
         let t = self.store.twin(n);
         let mut steps = self.edge_dropped(n);
@@ -134,18 +131,18 @@ impl<S: Store> Dcel<S> {
     }
 
     /// The corner of a half-edge becomes part of another one, if there is one.
-    fn corner_joined(&self, h: S::HalfEdge, other: Option<S::HalfEdge>) -> Step {
+    fn corner_joined(&self, h: HalfEdgeSlot, other: Option<HalfEdgeSlot>) -> Step {
         let gone = self.half_edge_data(h);
         other.map_or(Step::Drop(gone), |other| Step::Merge(self.half_edge_data(other), gone))
     }
 
-    fn edge_dropped(&self, n: S::HalfEdge) -> Steps {
+    fn edge_dropped(&self, n: HalfEdgeSlot) -> Steps {
         let EdgeData { edge, sides: [n, t] } = self.edge_data(n);
         [(Kind::Edge, edge), (Kind::HalfEdge, n), (Kind::HalfEdge, t)].map(|(kind, key)| (kind, Step::Drop(key))).into()
     }
 
     #[cold]
-    pub(super) fn announce_split_edge(&mut self, h: S::HalfEdge) -> Result<(), OperatorError> {
+    pub(super) fn announce_split_edge(&mut self, h: HalfEdgeSlot) -> Result<(), OperatorError> {
         let EdgeData { edge, sides: [of_h, of_t] } = self.edge_data(h);
         let [a, b] = [h, self.store.twin(h)].map(|h| self.vertex_data(self.store.origin(h)));
         self.announce(&[
@@ -161,7 +158,7 @@ impl<S: Store> Dcel<S> {
     }
 
     #[cold]
-    pub(super) fn settle_split_edge(&mut self, h: S::HalfEdge, n: S::HalfEdge) {
+    pub(super) fn settle_split_edge(&mut self, h: HalfEdgeSlot, n: HalfEdgeSlot) {
         let EdgeData { edge, sides: [n, m] } = self.edge_data(n);
         let t = self.store.twin(h);
         let (w, t) = (self.vertex_data(self.store.origin(t)), self.half_edge_data(t));
@@ -177,7 +174,7 @@ impl<S: Store> Dcel<S> {
     }
 
     #[cold]
-    pub(super) fn announce_joined(&mut self, h: S::HalfEdge, n: S::HalfEdge) -> Result<(), OperatorError> {
+    pub(super) fn announce_joined(&mut self, h: HalfEdgeSlot, n: HalfEdgeSlot) -> Result<(), OperatorError> {
         let (kept, gone) = (self.edge_data(h), self.edge_data(n));
         let v = self.vertex_data(self.store.origin(n));
         let ([h, t], [n, m]) = (kept.sides, gone.sides);
@@ -195,8 +192,8 @@ impl<S: Store> Dcel<S> {
     #[cold]
     pub(super) fn announce_split_vertex(
         &mut self,
-        v: S::Vertex,
-        corners: [CheckedCorner<S>; 2],
+        v: VertexSlot,
+        corners: [CheckedCorner; 2],
     ) -> Result<(), OperatorError> {
         let mut steps = edge_made();
         steps.push((Kind::Vertex, Step::Split(self.vertex_data(v))));
@@ -208,7 +205,7 @@ impl<S: Store> Dcel<S> {
     }
 
     #[cold]
-    pub(super) fn settle_split_vertex(&mut self, w: S::Vertex, n: S::HalfEdge) {
+    pub(super) fn settle_split_vertex(&mut self, w: VertexSlot, n: HalfEdgeSlot) {
         let mut made = self.made_edge(n);
         made.push((Kind::Vertex, self.vertex_data(w)));
         self.settle(&made);
@@ -217,8 +214,8 @@ impl<S: Store> Dcel<S> {
     #[cold]
     pub(super) fn announce_contracted(
         &mut self,
-        n: S::HalfEdge,
-        [kept, dropped]: [S::Vertex; 2],
+        n: HalfEdgeSlot,
+        [kept, dropped]: [VertexSlot; 2],
     ) -> Result<(), OperatorError> {
         let t = self.store.twin(n);
         let mut steps = self.edge_dropped(n);
@@ -236,7 +233,7 @@ impl<S: Store> Dcel<S> {
 
     /// Both ends of an edge leave their corners, and split off others.
     #[cold]
-    pub(super) fn announce_flipped(&mut self, [n, t]: [S::HalfEdge; 2], turn: Turn) -> Result<(), OperatorError> {
+    pub(super) fn announce_flipped(&mut self, [n, t]: [HalfEdgeSlot; 2], turn: Turn) -> Result<(), OperatorError> {
         let store = &self.store;
         let [after_n, after_t] = [store.next(n), store.next(t)];
         let entered = match turn {
@@ -250,7 +247,7 @@ impl<S: Store> Dcel<S> {
 
     /// A loop that is alone on one side leaves its corner, and splits off another one, for both its half-edges.
     #[cold]
-    pub(super) fn announce_slid(&mut self, [lone, t]: [S::HalfEdge; 2], turn: Turn) -> Result<(), OperatorError> {
+    pub(super) fn announce_slid(&mut self, [lone, t]: [HalfEdgeSlot; 2], turn: Turn) -> Result<(), OperatorError> {
         let store = &self.store;
         let (before, after) = (store.prev(t), store.next(t));
         let first = match turn {
@@ -261,7 +258,7 @@ impl<S: Store> Dcel<S> {
         self.announce_turned(&[[t, lone], [after, t]], &[first; 2])
     }
 
-    fn announce_turned(&mut self, left: &[[S::HalfEdge; 2]], entered: &[S::HalfEdge]) -> Result<(), OperatorError> {
+    fn announce_turned(&mut self, left: &[[HalfEdgeSlot; 2]], entered: &[HalfEdgeSlot]) -> Result<(), OperatorError> {
         let left = left.iter().map(|[kept, gone]| Step::Merge(self.half_edge_data(*kept), self.half_edge_data(*gone)));
         let entered = entered.iter().map(|h| Step::Split(self.half_edge_data(*h)));
         let steps: Steps = left.chain(entered).map(|step| (Kind::Corner, step)).collect();
@@ -269,7 +266,7 @@ impl<S: Store> Dcel<S> {
     }
 
     #[cold]
-    pub(super) fn settle_turned(&mut self, turned: [S::HalfEdge; 2]) {
+    pub(super) fn settle_turned(&mut self, turned: [HalfEdgeSlot; 2]) {
         self.settle(&turned.map(|h| (Kind::Corner, self.half_edge_data(h))));
     }
 
@@ -284,9 +281,9 @@ impl<S: Store> Dcel<S> {
         let store = &self.store;
         let merged = merged.iter().map(|face| Step::Merge(face.kept.data(), face.dropped.data()));
         let mut steps: Steps = merged.map(|step| (Kind::Face, step)).collect();
-        let gone: Vec<S::HalfEdge> =
+        let gone: Vec<HalfEdgeSlot> =
             goes.iter().enumerate().filter(|(_, goes)| **goes).filter_map(|(i, _)| store.half_edge_at(i)).collect();
-        let index = |h: S::HalfEdge| store.half_edge_index(h);
+        let index = |h: HalfEdgeSlot| h.index();
         for h in &gone {
             if index(*h) < index(store.twin(*h)) {
                 steps.extend(self.edge_dropped(*h));

@@ -2,9 +2,7 @@
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::{Need, VertexLink};
-use crate::store::{BoundaryKey, FaceKey, VertexKey};
+use crate::store::{BoundaryKey, FaceKey, Room, VertexKey, VertexLink};
 
 /// The records that [`Dcel::add_isolated_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,7 +22,7 @@ pub struct RemovedVertex {
     pub face: FaceKey,
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Adds an isolated vertex in a face, as a new inner boundary component. O(1).
     ///
     #[doc = include_str!("../pictures/add_isolated_vertex.svg")]
@@ -47,10 +45,14 @@ impl<S: Store> Dcel<S> {
     #[doc(alias = "MVFS")]
     pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
         let f = self.face_slot(face)?;
-        self.room_for(Need { vertices: 1, boundaries: 1, ..Need::NONE })?;
-        announce!(self.announce_vertex());
+        self.room_for(Room { vertices: 1, boundaries: 1, ..Room::NONE })?;
+        if self.has_attributes() {
+            self.announce_vertex()?;
+        }
         let (v, b) = self.store.add_isolated(f);
-        settle!(self.settle_vertex(v));
+        if self.has_attributes() {
+            self.settle_vertex(v);
+        }
         Ok(AddedVertex { vertex: self.store.vertex_key(v), boundary: self.store.boundary_key(b) })
     }
 
@@ -80,7 +82,9 @@ impl<S: Store> Dcel<S> {
         let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };
         let removed =
             RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.face(b)) };
-        announce!(self.announce_no_vertex(v));
+        if self.has_attributes() {
+            self.announce_no_vertex(v)?;
+        }
         self.store.unlist(b);
         self.store.remove_boundary(b);
         self.store.remove_vertex(v);

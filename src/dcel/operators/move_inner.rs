@@ -2,11 +2,9 @@
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::BoundaryStart;
-use crate::store::{BoundaryKey, FaceKey};
+use crate::store::{BoundaryKey, BoundaryStart, FaceKey};
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.
     ///
     #[doc = include_str!("../pictures/move_inner.svg")]

@@ -3,9 +3,7 @@
 use super::walk::OneOfTwo;
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::{BoundaryStart, Need, VertexLink};
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
+use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, Room, Store, VertexLink};
 
 /// The result of [`Dcel::remove_edge`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -41,7 +39,7 @@ struct Neighbourhood<H> {
     after_t: H,
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Removes an edge. Its vertices stay, and those that have no other edge become isolated.
     ///
     /// If the edge separates two faces, they become one. If it is part of the outer boundary of both, the face to the left of
@@ -97,13 +95,15 @@ impl<S: Store> Dcel<S> {
         if self.store.boundary(n) != self.store.boundary(t) {
             return self.merge(&around);
         }
-        self.room_for(Need { boundaries: 1, ..Need::NONE })?;
-        announce!(self.announce_removed(n, None));
+        self.room_for(Room { boundaries: 1, ..Room::NONE })?;
+        if self.has_attributes() {
+            self.announce_removed(n, None)?;
+        }
         Ok(self.part(&around))
     }
 
     /// Gives the ends of the edge another leaving half-edge, if they have one.
-    fn release_ends(&mut self, around: &Neighbourhood<S::HalfEdge>) {
+    fn release_ends(&mut self, around: &Neighbourhood<HalfEdgeSlot>) {
         let Neighbourhood { n, t, after_n, after_t, .. } = *around;
         let others = [after_t, after_n];
         for end in [self.store.origin(n), self.store.origin(t)] {
@@ -113,7 +113,7 @@ impl<S: Store> Dcel<S> {
         }
     }
 
-    fn merge(&mut self, around: &Neighbourhood<S::HalfEdge>) -> Result<RemovedEdge, OperatorError> {
+    fn merge(&mut self, around: &Neighbourhood<HalfEdgeSlot>) -> Result<RemovedEdge, OperatorError> {
         let Neighbourhood { n, t, before_n, after_n, before_t, after_t } = *around;
         let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
@@ -123,7 +123,9 @@ impl<S: Store> Dcel<S> {
             (true, false) => (ft, fn_, false),
             (false, _) => (fn_, ft, false),
         };
-        announce!(self.announce_removed(n, Some([kept_face, dropped_face])));
+        if self.has_attributes() {
+            self.announce_removed(n, Some([kept_face, dropped_face]))?;
+        }
         let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (kept, dropped, relabelled) = match shorter {
             OneOfTwo::First => (bt, bn, n),
@@ -157,7 +159,7 @@ impl<S: Store> Dcel<S> {
         self.store.unlist(dropped);
         self.list(kept_face, kept, outer);
         // From the end, so that no other one changes its place.
-        let last = |store: &S| store.inner(dropped_face, store.inner_count(dropped_face).checked_sub(1)?);
+        let last = |store: &Store| store.inner(dropped_face, store.inner_count(dropped_face).checked_sub(1)?);
         while let Some(b) = last(&self.store) {
             self.store.unlist(b);
             self.store.list_inner(kept_face, b);
@@ -174,7 +176,7 @@ impl<S: Store> Dcel<S> {
         Ok(merged)
     }
 
-    fn part(&mut self, around: &Neighbourhood<S::HalfEdge>) -> RemovedEdge {
+    fn part(&mut self, around: &Neighbourhood<HalfEdgeSlot>) -> RemovedEdge {
         let Neighbourhood { n, t, before_n, after_n, before_t, after_t } = *around;
         let kept = self.store.boundary(n);
         let f = self.store.face(kept);

@@ -2,9 +2,7 @@
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::{BoundaryStart, Need, VertexLink};
-use crate::store::{HalfEdgeKey, VertexKey};
+use crate::store::{BoundaryStart, HalfEdgeKey, Room, VertexKey, VertexLink};
 
 /// The records that [`Dcel::split_edge`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,7 +22,7 @@ pub struct JoinedEdges {
     pub half_edge: HalfEdgeKey,
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Puts a new vertex on an edge. The given half-edge keeps its origin and ends at the new vertex. O(1).
     ///
     #[doc = include_str!("../pictures/split_edge.svg")]
@@ -53,8 +51,10 @@ impl<S: Store> Dcel<S> {
     #[doc(alias = "MEV")]
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
-        self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
-        announce!(self.announce_split_edge(h));
+        self.room_for(Room { vertices: 1, edges: 1, ..Room::NONE })?;
+        if self.has_attributes() {
+            self.announce_split_edge(h)?;
+        }
         let t = self.store.twin(h);
         let b = self.store.origin(t);
         let (after_h, before_t) = (self.store.next(h), self.store.prev(t));
@@ -74,7 +74,9 @@ impl<S: Store> Dcel<S> {
         if self.store.vertex_link(b) == VertexLink::Leaving(t) {
             self.store.set_vertex_link(b, VertexLink::Leaving(m));
         }
-        settle!(self.settle_split_edge(h, n));
+        if self.has_attributes() {
+            self.settle_split_edge(h, n);
+        }
         Ok(SplitEdge { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
@@ -116,7 +118,9 @@ impl<S: Store> Dcel<S> {
         if n == h || m == h {
             return Err(OperatorError::Loop(half_edge));
         }
-        announce!(self.announce_joined(h, n));
+        if self.has_attributes() {
+            self.announce_joined(h, n)?;
+        }
         let v = self.store.origin(t);
         let b = self.store.origin(m);
         let (after_n, before_m) = (self.store.next(n), self.store.prev(m));

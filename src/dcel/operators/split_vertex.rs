@@ -4,9 +4,7 @@ use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::{BoundaryStart, Need, VertexLink};
-use crate::store::{HalfEdgeKey, VertexKey};
+use crate::store::{BoundaryStart, HalfEdgeKey, HalfEdgeSlot, Room, VertexKey, VertexLink, VertexSlot};
 
 /// The records that [`Dcel::split_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -26,7 +24,7 @@ pub struct ContractedEdge {
     pub dropped: VertexKey,
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Splits a vertex in two, joined by a new edge that runs between two of its corners.
     ///
     /// The half-edges met when turning counter-clockwise from the first corner to the second go to the target of the new
@@ -76,8 +74,10 @@ impl<S: Store> Dcel<S> {
         if v != other {
             return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
         }
-        self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
-        announce!(self.announce_split_vertex(v, [from, to]));
+        self.room_for(Room { vertices: 1, edges: 1, ..Room::NONE })?;
+        if self.has_attributes() {
+            self.announce_split_vertex(v, [from, to])?;
+        }
         let b = from.boundary(&self.store);
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);
@@ -108,13 +108,15 @@ impl<S: Store> Dcel<S> {
                 self.store.set_vertex_link(w, VertexLink::Leaving(n));
             }
         }
-        settle!(self.settle_split_vertex(w, n));
+        if self.has_attributes() {
+            self.settle_split_vertex(w, n);
+        }
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
     /// Returns the smaller of two rotations, of different vertices; the second if both are equally large. O(smaller).
-    fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> OneOfTwo {
-        let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
+    fn smaller_rotation(&self, first: HalfEdgeSlot, second: HalfEdgeSlot) -> OneOfTwo {
+        let turn = |h: HalfEdgeSlot| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);
         loop {
             b = turn(b);
@@ -129,7 +131,7 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Makes all half-edges of a rotation leave `v`.
-    fn hand_over(&mut self, first: S::HalfEdge, v: S::Vertex) {
+    fn hand_over(&mut self, first: HalfEdgeSlot, v: VertexSlot) {
         let mut h = first;
         loop {
             self.store.set_origin(h, v);
@@ -181,7 +183,9 @@ impl<S: Store> Dcel<S> {
             OneOfTwo::Second => (origin, target),
             OneOfTwo::First => (target, origin),
         };
-        announce!(self.announce_contracted(n, [kept, dropped]));
+        if self.has_attributes() {
+            self.announce_contracted(n, [kept, dropped])?;
+        }
         self.hand_over(if dropped == target { t } else { n }, kept);
         let stays = [self.store.next(t), self.store.next(n)].into_iter().find(|h| *h != n && *h != t);
         for h in [n, t] {

@@ -1,9 +1,7 @@
 //! Walks that operators share: two sides in step, and the search for the outside of a component.
 
 use crate::dcel::structure::Dcel;
-use crate::store::Store;
-use crate::store::links::BoundaryStart;
-use crate::store::place::{LAST, OUTER};
+use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, LAST, OUTER, Store};
 
 /// One of two sides that are walked in step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,25 +11,25 @@ pub(super) enum OneOfTwo {
 }
 
 /// A queue of outer boundary components, threaded through their places. Being in it is also the mark of having been seen.
-struct Queue<S: Store> {
-    ends: Option<(S::Boundary, S::Boundary)>,
-    current: Option<S::Boundary>,
+struct Queue {
+    ends: Option<(BoundarySlot, BoundarySlot)>,
+    current: Option<BoundarySlot>,
 }
 
-impl<S: Store> Queue<S> {
+impl Queue {
     const fn new() -> Self {
         Self { ends: None, current: None }
     }
 
     /// Appends `b` unless it has been seen.
-    fn offer(&mut self, store: &mut S, b: S::Boundary) {
+    fn offer(&mut self, store: &mut Store, b: BoundarySlot) {
         if store.place(b) != OUTER {
             return;
         }
         store.set_place(b, LAST);
         match &mut self.ends {
             Some((_, last)) => {
-                store.set_place(*last, store.boundary_index(b) as u32);
+                store.set_place(*last, b.index() as u32);
                 *last = b;
             }
             None => self.ends = Some((b, b)),
@@ -39,7 +37,7 @@ impl<S: Store> Queue<S> {
     }
 
     /// The next one that has not been handed out.
-    fn take(&mut self, store: &S) -> Option<S::Boundary> {
+    fn take(&mut self, store: &Store) -> Option<BoundarySlot> {
         let next = match self.current {
             None => self.ends.map(|(first, _)| first),
             Some(b) => Self::after(store, b),
@@ -50,7 +48,7 @@ impl<S: Store> Queue<S> {
         next
     }
 
-    fn after(store: &S, b: S::Boundary) -> Option<S::Boundary> {
+    fn after(store: &Store, b: BoundarySlot) -> Option<BoundarySlot> {
         match store.place(b) {
             LAST => None,
             index => store.boundary_at(index as usize),
@@ -58,7 +56,7 @@ impl<S: Store> Queue<S> {
     }
 
     /// Takes all marks off again.
-    fn clear(self, store: &mut S) {
+    fn clear(self, store: &mut Store) {
         let mut at = self.ends.map(|(first, _)| first);
         while let Some(b) = at {
             at = Self::after(store, b);
@@ -69,10 +67,10 @@ impl<S: Store> Queue<S> {
 
 /// A search through the faces of one part of a component: first along a stretch of the cycle that is being cut, then along
 /// every outer cycle met across it.
-struct Search<S: Store> {
-    at: Option<S::HalfEdge>,
-    stop: S::HalfEdge,
-    queue: Queue<S>,
+struct Search {
+    at: Option<HalfEdgeSlot>,
+    stop: HalfEdgeSlot,
+    queue: Queue,
 }
 
 /// The result of one step of a search.
@@ -82,12 +80,12 @@ enum Step {
     Exhausted,
 }
 
-impl<S: Store> Search<S> {
-    fn along(first: S::HalfEdge, stop: S::HalfEdge) -> Self {
+impl Search {
+    fn along(first: HalfEdgeSlot, stop: HalfEdgeSlot) -> Self {
         Self { at: (first != stop).then_some(first), stop, queue: Queue::new() }
     }
 
-    fn step(&mut self, store: &mut S) -> Step {
+    fn step(&mut self, store: &mut Store) -> Step {
         let Some(h) = self.at else {
             let Some(b) = self.queue.take(store) else { return Step::Exhausted };
             if let BoundaryStart::HalfEdge(start) = store.start(b) {
@@ -106,17 +104,17 @@ impl<S: Store> Search<S> {
     }
 }
 
-impl<S: Store> Dcel<S> {
+impl Dcel {
     /// Walks along two cycles in step, from each half-edge until the one that ends the walk, and tells which walk is the
     /// shorter one: the second if both are equally long. A walk without a first half-edge is empty.
     ///
     /// O(shorter).
     pub(super) fn shorter_or_second(
         &self,
-        (mut first, first_stop): (Option<S::HalfEdge>, S::HalfEdge),
-        (mut second, second_stop): (Option<S::HalfEdge>, S::HalfEdge),
+        (mut first, first_stop): (Option<HalfEdgeSlot>, HalfEdgeSlot),
+        (mut second, second_stop): (Option<HalfEdgeSlot>, HalfEdgeSlot),
     ) -> OneOfTwo {
-        let step = |h: S::HalfEdge, stop: S::HalfEdge| Some(self.store.next(h)).filter(|next| *next != stop);
+        let step = |h: HalfEdgeSlot, stop: HalfEdgeSlot| Some(self.store.next(h)).filter(|next| *next != stop);
         loop {
             let Some(b) = second else { return OneOfTwo::Second };
             let Some(a) = first else { return OneOfTwo::First };
@@ -126,7 +124,7 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Labels the half-edges from `first` until `stop` (excluded, or the whole cycle if they are equal).
-    pub(super) fn relabel(&mut self, first: S::HalfEdge, stop: S::HalfEdge, b: S::Boundary) {
+    pub(super) fn relabel(&mut self, first: HalfEdgeSlot, stop: HalfEdgeSlot, b: BoundarySlot) {
         let mut h = first;
         loop {
             self.store.set_boundary(h, b);
@@ -143,12 +141,12 @@ impl<S: Store> Dcel<S> {
     /// Topology decides: the part from which an inner boundary component can be reached across edges. Both parts are
     /// searched in step, so the cost is O(size of the smaller part), and less if the outside is near. No memory is
     /// allocated: the queues run through a field that is free in outer boundary components.
-    pub(super) fn part_with_outside(&mut self, n: S::HalfEdge, t: S::HalfEdge) -> OneOfTwo {
+    pub(super) fn part_with_outside(&mut self, n: HalfEdgeSlot, t: HalfEdgeSlot) -> OneOfTwo {
         let cut = self.store.boundary(n);
         // The cycle that is cut counts as seen by both.
         self.store.set_place(cut, LAST);
-        let mut origin = Search::<S>::along(self.store.next(t), n);
-        let mut target = Search::<S>::along(self.store.next(n), t);
+        let mut origin = Search::along(self.store.next(t), n);
+        let mut target = Search::along(self.store.next(n), t);
         let which = loop {
             match origin.step(&mut self.store) {
                 Step::GoOn => {}
@@ -170,8 +168,8 @@ impl<S: Store> Dcel<S> {
     /// Returns true if face `f` belongs to the component of the inner boundary component `b`, or to one that lies inside it.
     ///
     /// O(size of that component and of all that lies inside it), without allocating.
-    pub(super) fn encloses(&mut self, b: S::Boundary, f: S::Face) -> bool {
-        let mut queue = Queue::<S>::new();
+    pub(super) fn encloses(&mut self, b: BoundarySlot, f: FaceSlot) -> bool {
+        let mut queue = Queue::new();
         self.offer_across(&mut queue, b);
         let mut found = false;
         while let Some(outer) = if found { None } else { queue.take(&self.store) } {
@@ -189,7 +187,7 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Queues the outer boundary components met across the half-edges of `b`.
-    fn offer_across(&mut self, queue: &mut Queue<S>, b: S::Boundary) {
+    fn offer_across(&mut self, queue: &mut Queue, b: BoundarySlot) {
         let BoundaryStart::HalfEdge(start) = self.store.start(b) else { return };
         let mut h = start;
         loop {

@@ -17,7 +17,7 @@ use crate::geometry::predicates::{compare_angle, compare_lexicographic};
 use crate::geometry::sweep::sweep_all;
 use crate::geometry::threads;
 use crate::slots::{NIL, Sets, cycles};
-use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::{BoundaryStart, VertexLink};
 use core::cmp::Ordering;
 
 /// Fewer darts are not divided among threads.

@@ -15,7 +15,6 @@ use crate::geometry::threads;
 use crate::map::feature::{Feature, Shape};
 use crate::map::index::KeptIndex;
 use crate::map::not_plane::NotPlane;
-#[cfg(feature = "near")]
 use crate::map::notes::Notes;
 use crate::map::number_table::{NumberTable, hash};
 use crate::map::planar_map::PlanarMap;
@@ -470,7 +469,6 @@ fn assembled(
         summary: BuildSummary::default(),
         noding: None,
         index: KeptIndex::default(),
-        #[cfg(feature = "near")]
         notes: Notes::default(),
     })
 }

@@ -11,7 +11,6 @@ use crate::map::edit::EditError;
 use crate::map::feature_tries::SetId;
 use crate::store::FeatureId;
 use crate::store::attributes::Kind;
-use crate::store::links::Links;
 use slotmap::{Key, KeyData};
 use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
@@ -22,7 +21,7 @@ impl Diff {
     ///
     /// [Policies](crate::dcel::Policy) of vertices, half-edges, edges, corners and faces are not asked: values that are compared become those of the second map, others stay with
     /// their records, and new records have none. Features come and go as by [`add_feature`](PlanarMap::add_feature) and
-    /// [`remove_feature`](PlanarMap::remove_feature). In a [`History`](crate::map::History) it is a change as any other. O(n log n) for the map, beside the edits.
+    /// [`remove_feature`](PlanarMap::remove_feature). In a [`History`](crate::dcel::History) it is a change as any other. O(n log n) for the map, beside the edits.
     ///
     /// # Errors
     /// [`ApplyError`]; the map is unchanged then.

@@ -4,13 +4,13 @@ use super::error::EditError;
 use crate::dcel::{Corner, HalfEdgeKey, Split};
 use crate::map::feature_tries::SetId;
 use crate::map::planar_map::PlanarMap;
-use crate::store::links::Need;
+use crate::store::Room;
 
 impl PlanarMap {
     /// Checks that there is room for so many edges between existing vertices.
     pub(crate) fn room_for_edges(&self, edges: usize) -> Result<(), EditError> {
         self.editable()?;
-        Ok(self.dcel.room_for(Need { edges, boundaries: edges, faces: edges, vertices: 0 })?)
+        Ok(self.dcel.room_for(Room { edges, boundaries: edges, faces: edges, vertices: 0 })?)
     }
 
     /// Draws the straight edge between two corners of a face. The caller knows that it meets nothing else, and that the face

@@ -1,21 +1,16 @@
 //! Cutting a face by a line, merging two faces, and joining the edges at a vertex that is needed no more.
 
-#[cfg(feature = "near")]
 use super::at::At;
 use super::error::EditError;
 use super::move_vertex::in_triangle;
 use super::outcome::Edited;
-#[cfg(feature = "near")]
 use crate::dcel::FaceKey;
 use crate::dcel::{HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
-#[cfg(feature = "near")]
 use crate::geometry::predicates::{Orientation, on_segment, orientation};
-#[cfg(feature = "near")]
 use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
-#[cfg(feature = "near")]
 use crate::map::zone::{QueryLine, ZoneElement};
 
 impl PlanarMap {
@@ -52,7 +47,6 @@ impl PlanarMap {
     /// [`EditError::NotThrough`]; [`EditError::NoLength`]; [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`];
     /// [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] or [`EditError::Crosses`] if something lies within rounding of the line or
     /// of a crossing; [`EditError::Operator`] for a stale key, a map that is full or a policy that refuses.
-    #[cfg(feature = "near")]
     pub fn split_face(
         &mut self,
         face: FaceKey,
@@ -100,7 +94,6 @@ impl PlanarMap {
     }
 
     /// Puts a vertex where a line crosses an edge, as nearly as doubles allow.
-    #[cfg(feature = "near")]
     fn cut_edge(&mut self, h: HalfEdgeKey, line: [Point; 2], edited: &mut Edited) -> Result<VertexKey, EditError> {
         let edge = self.dcel.half_edge(h)?;
         let ends = self.ends(edge);
@@ -140,7 +133,6 @@ impl PlanarMap {
     ///
     /// # Errors
     /// [`EditError::NoEdgeBetween`]; and as for [`remove_edge`](Self::remove_edge).
-    #[cfg(feature = "near")]
     pub fn merge_faces(&mut self, kept: FaceKey, dropped: FaceKey) -> Result<Edited, EditError> {
         self.editable()?;
         self.dcel.face(dropped)?;
@@ -251,7 +243,6 @@ fn ends<'a>(h: &HalfEdge<'a>) -> [Vertex<'a>; 2] {
 }
 
 /// The point where a line crosses a segment, rounded.
-#[cfg(feature = "near")]
 fn crossing([from, through]: [Point; 2], [tail, head]: [Point; 2]) -> Point {
     let (d, e) = ([through.x - from.x, through.y - from.y], [head.x - tail.x, head.y - tail.y]);
     let part = ((from.x - tail.x) * d[1] - (from.y - tail.y) * d[0]) / (e[0] * d[1] - e[1] * d[0]);

@@ -11,14 +11,14 @@ use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
-use crate::store::links::Need;
+use crate::store::Room;
 
 impl PlanarMap {
     /// Checks that there is room to draw straight edges through so many vertices, new or existing.
     pub(super) fn room_for_drawing(&self, vertices: usize) -> Result<(), EditError> {
         // A plane drawing has fewer than 3 edges per vertex, and a vertex may split one edge.
         let edges = vertices.saturating_mul(4);
-        Ok(self.dcel.room_for(Need { vertices, edges, boundaries: edges, faces: edges })?)
+        Ok(self.dcel.room_for(Room { vertices, edges, boundaries: edges, faces: edges })?)
     }
 
     /// Makes a vertex at a point unless there is one.

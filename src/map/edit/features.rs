@@ -4,13 +4,10 @@ use super::error::EditError;
 use crate::dcel::{FaceKey, HalfEdgeKey};
 use crate::map::feature_sets::FeatureSets;
 use crate::map::feature_tries::SetId;
-#[cfg(feature = "near")]
 use crate::map::notes::MapEntry;
 use crate::map::planar_map::PlanarMap;
 use crate::store::FeatureId;
-#[cfg(feature = "near")]
 use crate::store::attributes::Step;
-#[cfg(feature = "near")]
 use slotmap::Key;
 
 impl PlanarMap {
@@ -32,11 +29,9 @@ impl PlanarMap {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
-        #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Feature(None));
         let feature = FeatureId::new(self.names.len() as u32);
         self.names.push(name);
-        #[cfg(feature = "near")]
         self.give_made_feature(feature);
         feature
     }
@@ -64,7 +59,6 @@ impl PlanarMap {
     /// changes then.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
-        #[cfg(feature = "near")]
         self.announce_feature(Step::Drop(feature.data()))?;
         Ok(self.replace_feature(feature, SetId::default()))
     }
@@ -90,7 +84,6 @@ impl PlanarMap {
     pub fn merge_features(&mut self, kept: FeatureId, dropped: FeatureId) -> Result<(), EditError> {
         self.checked([kept, dropped])?;
         if kept != dropped {
-            #[cfg(feature = "near")]
             self.announce_feature(Step::Merge(kept.data(), dropped.data()))?;
             let kept = self.features.single(kept);
             self.replace_feature(dropped, kept);
@@ -121,7 +114,6 @@ impl PlanarMap {
         }
         self.features.removed.insert(feature);
         let name = self.names[feature.index()].take();
-        #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Name(feature.number(), name.clone().map(String::into_boxed_str)));
         name
     }

@@ -8,31 +8,13 @@ use crate::geometry::Point;
 use crate::map::feature_sets::put;
 use crate::map::feature_tries::SetId;
 use crate::map::index::IndexedEdge;
-#[cfg(feature = "near")]
-use crate::map::notes::{MapEntry, Notes};
+use crate::map::notes::MapEntry;
 use crate::map::planar_map::PlanarMap;
-
-/// Runs an operator of topology, and notes what it writes if the map is to.
-macro_rules! operate {
-    ($map:ident.$operator:ident($($argument:expr),*)) => {{
-        #[cfg(feature = "near")]
-        let outcome = match &mut $map.notes {
-            Notes { written: Some(written), .. } => $map.dcel.watched(&mut **written, |dcel| dcel.$operator($($argument),*)),
-            Notes { journal: Some(journal), .. } => {
-                $map.dcel.watched(&mut journal.links, |dcel| dcel.$operator($($argument),*))
-            }
-            Notes { written: None, journal: None } => $map.dcel.$operator($($argument),*),
-        };
-        #[cfg(not(feature = "near"))]
-        let outcome = $map.dcel.$operator($($argument),*);
-        outcome
-    }};
-}
 
 impl PlanarMap {
     /// Adds an isolated vertex at a point in the interior of a face.
     pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
-        let key = operate!(self.add_isolated_vertex(face))?.vertex;
+        let key = self.dcel.add_isolated_vertex(face)?.vertex;
         self.set_point(self.dcel.vertex(key)?.index(), p);
         let v = self.dcel.vertex(key)?;
         if let Some(index) = self.index.if_built() {
@@ -44,7 +26,7 @@ impl PlanarMap {
     /// Removes an isolated vertex.
     pub(super) fn remove_isolated(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
         let v = self.dcel.vertex(vertex)?.index();
-        operate!(self.remove_isolated_vertex(vertex))?;
+        self.dcel.remove_isolated_vertex(vertex)?;
         if let Some(index) = self.index.if_built() {
             index.remove_vertex(v, self.points[v]);
         }
@@ -54,9 +36,8 @@ impl PlanarMap {
     /// Splits an edge by a vertex at a point.
     pub(super) fn split_at(&mut self, h: HalfEdgeKey, p: Point) -> Result<SplitEdge, OperatorError> {
         let before = self.indexed(h)?;
-        let made = operate!(self.split_edge(h))?;
+        let made = self.dcel.split_edge(h)?;
         self.set_point(self.dcel.vertex(made.vertex)?.index(), p);
-        #[cfg(feature = "near")]
         self.measure_split_edge(h, made)?;
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
@@ -69,8 +50,7 @@ impl PlanarMap {
 
     /// Draws an edge between two corners that see each other.
     pub(super) fn connect(&mut self, from: Corner, to: Corner, split: Split<'_>) -> Result<Connected, OperatorError> {
-        let connected = operate!(self.connect(from, to, split))?;
-        #[cfg(feature = "near")]
+        let connected = self.dcel.connect(from, to, split)?;
         self.measure_connected(connected)?;
         if let Some(index) = self.index.if_built() {
             for corner in [from, to] {
@@ -87,9 +67,8 @@ impl PlanarMap {
     /// Removes an edge.
     pub(super) fn disconnect(&mut self, h: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let before = self.indexed(h)?;
-        #[cfg(feature = "near")]
         self.measure_beside(h)?;
-        let removed = operate!(self.remove_edge(h))?;
+        let removed = self.dcel.remove_edge(h)?;
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
             let ends = before.vertices().into_iter().filter_map(|v| self.dcel.vertex_at(v));
@@ -101,7 +80,7 @@ impl PlanarMap {
     /// Joins the edge of a half-edge with that of the next one, whose key is stale then. Returns that key.
     pub(super) fn join_at(&mut self, h: HalfEdgeKey, next: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
         let before = [self.indexed(h)?, self.indexed(next)?];
-        let joined = operate!(self.join_edges(h))?;
+        let joined = self.dcel.join_edges(h)?;
         if let Some(index) = self.index.if_built() {
             before.iter().flatten().for_each(|edge| index.remove_edge(edge));
             index.add_edge(self.dcel.half_edge(h)?, &self.points);
@@ -113,8 +92,7 @@ impl PlanarMap {
     pub(super) fn put_at(&mut self, vertex: VertexKey, to: Point) -> Result<(), EditError> {
         let v = self.dcel.vertex(vertex)?;
         let from = self.points[v.index()];
-        #[cfg(feature = "near")]
-        self.notes.write_point(v.index(), from);
+        self.notes.write(|| MapEntry::Point(v.index() as u32, from));
         self.points[v.index()] = to;
         let Some(index) = self.index.if_built() else { return Ok(()) };
         if v.isolated().is_some() {
@@ -135,29 +113,21 @@ impl PlanarMap {
 
     /// Puts a vertex that was just made at its point.
     fn set_point(&mut self, vertex: usize, p: Point) {
-        #[cfg(feature = "near")]
-        self.notes.write_point(vertex, self.points.get(vertex).copied().unwrap_or_default());
+        let from = self.points.get(vertex).copied().unwrap_or_default();
+        self.notes.write(|| MapEntry::Point(vertex as u32, from));
         put(&mut self.points, vertex, p);
     }
 
     /// Says what covers a face, by its index.
     pub(in crate::map) fn cover_face(&mut self, face: usize, set: SetId) {
-        #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::OfFace(face as u32, self.features.of_face(face)));
         self.features.put_face(face, set);
     }
 
     /// Says what runs along an edge, by the index of either half-edge.
     pub(in crate::map) fn cover_edge(&mut self, half_edge: usize, set: SetId) {
-        #[cfg(feature = "near")]
         self.notes.write(|| MapEntry::Along(half_edge as u32, self.features.along(half_edge)));
         self.features.put_along(half_edge, set);
-    }
-
-    /// Runs an edit of several operators.
-    #[cfg(not(feature = "near"))]
-    pub(crate) fn atomically<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
-        edit(self)
     }
 
     /// An edge as the index has it, if there is one.

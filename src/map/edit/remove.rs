@@ -4,7 +4,7 @@ use super::error::EditError;
 use super::outcome::Edited;
 use crate::dcel::{HalfEdge, HalfEdgeKey, RemovedEdge, VertexKey};
 use crate::map::planar_map::PlanarMap;
-use crate::store::links::Need;
+use crate::store::Room;
 
 impl PlanarMap {
     /// Removes an edge. Its ends stay, isolated if it was their last edge.
@@ -56,7 +56,7 @@ impl PlanarMap {
     pub fn remove_vertex(&mut self, vertex: VertexKey) -> Result<Edited, EditError> {
         self.editable()?;
         let edges: Vec<HalfEdgeKey> = self.dcel.vertex(vertex)?.rotation().map(HalfEdge::key).collect();
-        self.dcel.room_for(Need { boundaries: edges.len(), ..Need::NONE })?;
+        self.dcel.room_for(Room { boundaries: edges.len(), ..Room::NONE })?;
         self.atomically(|map| {
             let mut edited = Edited::default();
             for h in edges {

@@ -3,10 +3,11 @@
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 use super::{BoxedRecord, RecordIndex, is_hub};
+use crate::dcel::History;
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
 use crate::map::program::{EditOutcome, EditProgram, EditRunner};
-use crate::map::{History, LocateError, Located, Locator, PlanarMap};
+use crate::map::{LocateError, Located, Locator, PlanarMap};
 use crate::validate::Embedding;
 use quickcheck::{QuickCheck, TestResult};
 
@@ -151,7 +152,7 @@ fn a_star_that_is_drawn_moved_and_erased_has_a_fan_meanwhile() {
         assert!(step(&mut history));
         check(history.get()).unwrap();
     }
-    let mut map = history.into_map();
+    let mut map = history.into_inner();
     let spokes: Vec<_> = map.dcel().vertex(hub).unwrap().rotation().map(|h| h.key()).collect();
     for h in spokes {
         map.remove_edge(h).unwrap();

@@ -3,7 +3,7 @@
 use super::arguments::{AtPick, FeaturesPick, List, MapFacePick, MapHalfEdgePick, MapVertexPick};
 use super::edits::{EditOp, EditProgram};
 use super::keys::Keys;
-use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
+use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Recorder, Vertex, VertexKey};
 use crate::map::edit::{At, EditError, Edited};
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::near::{BaselineError, EmbeddingBaseline, WriteSet, validate_embedding_near};
@@ -96,12 +96,14 @@ pub struct EditRunner {
     steps: usize,
     /// The baseline with which the map is compared, if it is audited.
     baseline: Option<EmbeddingBaseline>,
+    /// The records that were written since it was last found right, if it is audited.
+    written: WriteSet,
 }
 
 /// A clone of an audited runner is audited, too.
 impl Clone for EditRunner {
     fn clone(&self) -> Self {
-        let Self { map, vertices, half_edges, faces, steps, baseline } = self;
+        let Self { map, vertices, half_edges, faces, steps, baseline, written } = self;
         let mut clone = Self {
             map: map.clone(),
             vertices: vertices.clone(),
@@ -109,8 +111,11 @@ impl Clone for EditRunner {
             faces: faces.clone(),
             steps: *steps,
             baseline: baseline.clone(),
+            written: written.clone(),
         };
-        clone.map.notes.written.clone_from(&map.notes.written);
+        if clone.baseline.is_some() {
+            clone.map.begin_logs();
+        }
         clone
     }
 }
@@ -127,11 +132,12 @@ impl EditRunner {
             map,
             steps: 0,
             baseline: None,
+            written: WriteSet::default(),
         }
     }
 
     /// The same, but [`step_checked`](Self::step_checked) validates only what the edit has written, as
-    /// [`Audited`](crate::map::Audited) does: O(k log n) for k records, and to the same verdict. That an edit that is refused changes
+    /// [`Audited`](crate::dcel::Audited) does: O(k log n) for k records, and to the same verdict. That an edit that is refused changes
     /// nothing is checked of links and coordinates then, not of features. O(n log n).
     ///
     /// ```
@@ -149,7 +155,7 @@ impl EditRunner {
     pub fn audited(map: PlanarMap) -> Result<Self, BaselineError> {
         let baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
         let mut runner = Self::new(map);
-        runner.map.notes.written = Some(Box::default());
+        runner.map.begin_logs();
         runner.baseline = Some(baseline);
         Ok(runner)
     }
@@ -163,7 +169,9 @@ impl EditRunner {
     /// The map, for good.
     #[must_use]
     pub fn into_map(mut self) -> PlanarMap {
-        self.map.notes.written = None;
+        if self.baseline.is_some() {
+            self.map.end_logs();
+        }
         self.map
     }
 
@@ -227,12 +235,14 @@ impl EditRunner {
         let before = self.baseline.is_none().then(|| self.map.clone());
         let outcome = self.step(op);
         let (number, op) = (self.steps, op.clone());
-        let is_unchanged = || match (&before, &self.map.notes.written) {
-            (Some(before), _) => self.map == *before,
-            (None, notes) => notes.as_ref().is_none_or(|notes| notes.is_empty()),
+        let is_unchanged = if let Some(before) = &before {
+            matches!(outcome, EditOutcome::Refused(_)) && self.map == *before
+        } else {
+            self.written.extend(self.map.take_written());
+            self.written.is_empty()
         };
         match &outcome {
-            EditOutcome::Refused(error) if !is_unchanged() => {
+            EditOutcome::Refused(error) if !is_unchanged => {
                 return Err(EditFailure::Changed { number, op, error: *error });
             }
             EditOutcome::Refused(_) | EditOutcome::Skipped => return Ok(outcome),
@@ -246,11 +256,11 @@ impl EditRunner {
 
     /// Validates the map, or what has been written since it was last found right.
     fn validated(&mut self) -> Result<(), Box<Report>> {
-        let (Some(baseline), Some(notes)) = (&mut self.baseline, &self.map.notes.written) else {
+        let Some(baseline) = &mut self.baseline else {
             return self.map.validate().into_result().map(|_| ());
         };
-        validate_embedding_near(baseline, &self.map, notes)?;
-        self.map.notes.written.as_deref_mut().into_iter().for_each(WriteSet::clear);
+        validate_embedding_near(baseline, &self.map, &self.written)?;
+        self.written.clear();
         Ok(())
     }
 

@@ -1,14 +1,13 @@
-//! The structure of this crate as a subject, over every store.
+//! The structure of this crate as a subject.
 
 use super::{Refusal, Subject};
 use crate::dcel::{
     Boundary, BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split, Turn, VertexKey,
 };
-use crate::store::Store;
 use alloc::vec::Vec;
 
 /// The boundary component on which a corner lies.
-fn boundary_of<S: Store>(dcel: &Dcel<S>, corner: Corner) -> Result<Boundary<'_, S>, OperatorError> {
+fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
         Corner::Isolated(v) => dcel.vertex(v)?.isolated().ok_or(OperatorError::NotIsolated(v)),
@@ -35,7 +34,7 @@ impl From<OperatorError> for Refusal {
     }
 }
 
-impl<S: Store> Subject for Dcel<S> {
+impl Subject for Dcel {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;

@@ -60,7 +60,7 @@ pub(super) trait AnyColumn: Any + Debug + Send + Sync {
 
 /// A value that was overwritten.
 #[derive(Debug)]
-pub(crate) struct Saved(Box<dyn AnySaved>);
+pub struct Saved(Box<dyn AnySaved>);
 
 impl Clone for Saved {
     fn clone(&self) -> Self {

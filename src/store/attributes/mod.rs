@@ -56,7 +56,7 @@ impl<K, T> fmt::Debug for Attribute<K, T> {
 
 /// The attributes of a structure.
 #[derive(Debug, Default)]
-pub struct Attributes {
+pub(crate) struct Attributes {
     columns: Vec<Box<dyn AnyColumn>>,
     /// The values that were overwritten: by the last operator, or by the change that is being made if it is recorded.
     log: Vec<Saved>,

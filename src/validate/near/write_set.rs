@@ -31,6 +31,16 @@ impl WriteSet {
         self.listed.clear();
     }
 
+    /// Adds all of another one.
+    #[cfg(feature = "dcel")]
+    pub(crate) fn extend(&mut self, more: Self) {
+        self.vertices.extend(more.vertices);
+        self.half_edges.extend(more.half_edges);
+        self.boundaries.extend(more.boundaries);
+        self.faces.extend(more.faces);
+        self.listed.extend(more.listed);
+    }
+
     /// Returns true if there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -8,14 +8,13 @@ mod rotations;
 use quickcheck::{Gen, QuickCheck, Testable};
 use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
-use twinedge::store::Store;
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
 }
 
-fn built<S: Store>(program: &Program) -> Dcel<S> {
-    let mut runner = Runner::new(Dcel::<S>::default());
+fn built(program: &Program) -> Dcel {
+    let mut runner = Runner::new(Dcel::default());
     runner.run(program);
     runner.into_subject()
 }

@@ -3,11 +3,12 @@
 use super::{Named, draw, edited, erase, two_squares};
 use quickcheck::{Gen, QuickCheck, Testable};
 use slotmap::SecondaryMap;
+use twinedge::dcel::History;
 use twinedge::dcel::{Attribute, Attributed, Value};
 use twinedge::map::diff::{ApplyError, Change, Diff, DiffError, MergeError, Record, diff};
 use twinedge::map::edit::EditError;
 use twinedge::map::program::EditProgram;
-use twinedge::map::{Builder, History, PlanarMap};
+use twinedge::map::{Builder, PlanarMap};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -36,7 +37,7 @@ fn a_diff_applied_to_the_first_map_gives_the_second() {
         history.redo();
         assert_eq!(by.told(history.get()), by.told(&b));
         // And back again.
-        let mut map = history.into_map();
+        let mut map = history.into_inner();
         let back = diff(&b, &a, &by.ids());
         if a.features().count() == b.features().count() {
             back.unwrap().apply(&mut map, &by.ids()).unwrap();

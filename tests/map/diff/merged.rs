@@ -3,10 +3,11 @@
 use super::{Named, draw, edited, erase, two_squares};
 use quickcheck::Gen;
 use std::collections::BTreeMap;
+use twinedge::dcel::History;
 use twinedge::map::diff::{ApplyError, Conflict, DiffError, MergeError, Record, diff, merge};
 use twinedge::map::edit::EditError;
 use twinedge::map::program::EditProgram;
-use twinedge::map::{FeatureId, History, PlanarMap};
+use twinedge::map::{FeatureId, PlanarMap};
 
 #[test]
 fn merges_do_what_both_sides_did_in_either_order_or_refuse_in_both() {

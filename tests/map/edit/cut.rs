@@ -2,11 +2,12 @@
 
 use quickcheck::{Arbitrary as _, Gen};
 use twinedge::algorithm::area::face_area;
+use twinedge::dcel::History;
 use twinedge::dcel::{FaceKey, Faces, OperatorError, Policy, Vertex};
 use twinedge::geometry::Point;
+use twinedge::map::PlanarMap;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditProgram, EditRunner};
-use twinedge::map::{History, PlanarMap};
 use twinedge::program::choose::{Choose, Random};
 
 fn ring(map: &mut PlanarMap, points: &[[f64; 2]]) -> FaceKey {

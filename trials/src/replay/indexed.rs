@@ -3,7 +3,6 @@
 use crate::{ReportAudit, RotationSystem};
 use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::Subject;
-use twinedge::store::Store;
 use twinedge::validate::View;
 
 /// A structure that tells the index in its [`View`] of the record that a handle names.
@@ -16,7 +15,7 @@ pub trait Indexed: Subject {
     fn face_index(&self, face: Self::Face) -> Option<usize>;
 }
 
-impl<S: Store> Indexed for Dcel<S> {
+impl Indexed for Dcel {
     fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
         self.vertex(vertex).ok().map(|v| v.index())
     }
@@ -28,7 +27,7 @@ impl<S: Store> Indexed for Dcel<S> {
     }
 }
 
-impl<S: Store> Indexed for ReportAudit<S> {
+impl Indexed for ReportAudit {
     fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
         self.dcel().vertex_index(vertex)
     }
@@ -40,15 +39,15 @@ impl<S: Store> Indexed for ReportAudit<S> {
     }
 }
 
-impl<S: Store> Indexed for Audited<S> {
+impl Indexed for Audited {
     fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
-        self.dcel().vertex_index(vertex)
+        self.get().vertex_index(vertex)
     }
     fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
-        self.dcel().half_edge_index(half_edge)
+        self.get().half_edge_index(half_edge)
     }
     fn face_index(&self, face: Self::Face) -> Option<usize> {
-        self.dcel().face_index(face)
+        self.get().face_index(face)
     }
 }
 

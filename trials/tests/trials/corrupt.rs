@@ -1,9 +1,9 @@
 //! `corrupt` and `tables`, with validators that are right and with ones that are wrong.
 
 use super::incomplete::Partial;
+use super::limited;
 use std::sync::atomic::{AtomicU64, Ordering};
 use twinedge::dcel::Dcel;
-use twinedge::store::FixedStore;
 use twinedge::validate::{Expectation, Part, Rule, Table};
 use twinedge_trials::RotationSystem;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, ExpectationRow, Family, Tally, abort};
@@ -194,7 +194,7 @@ fn a_structure_without_records_for_boundary_components_has_one_form() {
 #[test]
 fn maps_that_the_structure_does_not_make_are_reported() {
     // The first program makes and removes a loop: there is room for that, but not for two vertices.
-    let small = Structure::new("small", Dcel::<FixedStore<1, 1, 2, 2>>::default, Expectation::plane());
+    let small = Structure::new("small", || limited([1, 1, 2, 2]), Expectation::plane());
     let outcome = corrupt(&small, WORK, &Validator, &Run::default(), &abort).unwrap();
     assert!(outcome.unusable > 0 && outcome.maps > 0, "{outcome:?}");
     assert_eq!(outcome.maps + outcome.unusable, outcome.maps_found);

@@ -9,3 +9,10 @@ mod prove;
 mod sample;
 mod shards;
 mod soak;
+
+use twinedge::dcel::{Dcel, Room};
+
+/// An empty structure with room for so many vertices, edges, boundary components and faces.
+fn limited([vertices, edges, boundaries, faces]: [usize; 4]) -> Dcel {
+    Dcel::with_limits(Room { vertices, edges, boundaries, faces })
+}

@@ -1,8 +1,8 @@
 //! `prove`.
 
 use super::incomplete::Partial;
+use super::limited;
 use twinedge::dcel::Dcel;
-use twinedge::store::FixedStore;
 use twinedge::validate::{Expectation, Part};
 use twinedge_trials::RotationSystem;
 use twinedge_trials::planted::Planted;
@@ -35,8 +35,8 @@ fn every_structure_does_the_same() {
     let work = ProveWork { edges: 2 };
     let expected = prove(&slots(), work, &Run::default()).unwrap();
     let model = Structure::new("model", RotationSystem::new, Expectation::plane());
-    let fixed = Structure::new("fixed", Dcel::<FixedStore<24, 40, 40, 24>>::default, Expectation::plane());
-    for found in [prove(&model, work, &Run::default()).unwrap(), prove(&fixed, work, &Run::default()).unwrap()] {
+    let roomy = Structure::new("limited", || limited([24, 40, 40, 24]), Expectation::plane());
+    for found in [prove(&model, work, &Run::default()).unwrap(), prove(&roomy, work, &Run::default()).unwrap()] {
         assert!(found.is_ok(), "{}: {:?}", found.on, found.reasons());
         assert_eq!(counts(&found), counts(&expected), "{}", found.on);
         assert_eq!(found.nested, expected.nested, "{}", found.on);
@@ -46,7 +46,7 @@ fn every_structure_does_the_same() {
 #[test]
 fn a_structure_without_room_falls_short_of_the_counts() {
     // Room for 2 half-edges less than the maps of 2 edges have.
-    let small = Structure::new("small", Dcel::<FixedStore<3, 1, 3, 3>>::default, Expectation::plane());
+    let small = Structure::new("small", || limited([3, 1, 3, 3]), Expectation::plane());
     let outcome = prove(&small, ProveWork { edges: 2 }, &Run::default()).unwrap();
     assert!(outcome.edges[1].is_as_published() && !outcome.edges[2].is_as_published(), "{:?}", outcome.edges);
     let reasons = outcome.into_result().unwrap_err().to_string();

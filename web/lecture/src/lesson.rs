@@ -4,7 +4,7 @@ use crate::cell;
 use crate::error::LessonError;
 use crate::state::{self, State};
 use serde::Deserialize;
-use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, History, OperatorError, Recorded, Side, Split};
+use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, History, OperatorError, Side, Split};
 use twinedge::dcel::{Turn, VertexKey};
 use twinedge::validate::{Record, Table};
 
@@ -84,7 +84,7 @@ impl Keys<'_> {
 }
 
 /// An operator with its keys.
-type Change = Box<dyn FnOnce(&mut Dcel<Recorded>) -> Result<(), OperatorError>>;
+type Change = Box<dyn FnOnce(&mut Dcel) -> Result<(), OperatorError>>;
 
 impl Operator {
     const fn name(&self) -> &'static str {

@@ -1,6 +1,5 @@
-//! The stores differ in how they keep records and in nothing else: the same operators on each give the same structure, step
-//! by step, with records named by the order in which they were made. Keys that name nothing are refused by all of them, and
-//! what does not fit into fixed arrays is refused without a trace.
+//! A structure with limits differs from one without in nothing but that it refuses what does not fit, without a trace: the same operators
+//! on both give the same structure, step by step, with records named by the order in which they were made. Keys that name nothing are refused.
 
 mod full;
 mod keys;
@@ -11,16 +10,15 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::mem::{Discriminant, discriminant};
 use twinedge::dcel::{
-    BoundaryKey, Connection, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RecordKind, RemovedEdge, Side, Split,
-    StaleKey, Turn, VertexKey,
+    BoundaryKey, Connection, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RecordKind, RemovedEdge, Room, Side,
+    Split, StaleKey, Turn, VertexKey,
 };
-use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 use twinedge::validate::{BoundaryRow, FaceRow, HalfEdgeRow, Start, Table, VertexRow};
 
-/// Room for every program of up to 100 steps.
-type Roomy = FixedStore<127, 127, 128, 128>;
-/// Room for next to nothing.
-type Tiny = FixedStore<3, 4, 4, 3>;
+/// An empty structure with room for so many vertices, edges, boundary components and faces.
+pub(crate) fn limited([vertices, edges, boundaries, faces]: [usize; 4]) -> Dcel {
+    Dcel::with_limits(Room { vertices, edges, boundaries, faces })
+}
 
 /// The keys of one kind by number: the order in which their records were made.
 struct Names<K>(Vec<K>);
@@ -68,17 +66,16 @@ enum Step {
 type Answer = Result<Vec<usize>, (Discriminant<OperatorError>, Option<Discriminant<StaleKey>>, Option<RecordKind>)>;
 
 /// A structure and the names of all that was ever made in it.
-struct Run<S: Store> {
-    dcel: Dcel<S>,
+struct Run {
+    dcel: Dcel,
     vertices: Names<VertexKey>,
     half_edges: Names<HalfEdgeKey>,
     boundaries: Names<BoundaryKey>,
     faces: Names<FaceKey>,
 }
 
-impl<S: Store + Clone> Run<S> {
-    fn new() -> Self {
-        let dcel = Dcel::default();
+impl Run {
+    fn of(dcel: Dcel) -> Self {
         let faces = Names(vec![dcel.unbounded_face().key()]);
         Self { dcel, vertices: Names(vec![]), half_edges: Names(vec![]), boundaries: Names(vec![]), faces }
     }
@@ -224,7 +221,7 @@ fn pick<K: Copy>(keys: &[K], live: impl Fn(K) -> bool, random: u16) -> Option<us
     candidates.get(random as usize / 16 % candidates.len().max(1)).copied()
 }
 
-impl<S: Store + Clone> Run<S> {
+impl Run {
     fn a_vertex(&self, random: u16) -> Option<usize> {
         pick(&self.vertices.0, |key| self.dcel.vertex(key).is_ok(), random)
     }
@@ -303,7 +300,7 @@ impl<S: Store + Clone> Run<S> {
 }
 
 /// Puts two vertices, joined by an edge, in the unbounded face. Takes one boundary component only.
-fn an_edge<S: Store>(dcel: &mut Dcel<S>) -> HalfEdgeKey {
+fn an_edge(dcel: &mut Dcel) -> HalfEdgeKey {
     let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
     dcel.split_vertex(v, v).unwrap().half_edge
 }
@@ -314,51 +311,30 @@ fn for_programs(property: fn(Vec<[u16; 4]>) -> bool) {
 }
 
 #[test]
-fn the_same_steps_give_the_same_structure_in_every_store() {
-    fn in_step(program: Vec<[u16; 4]>) -> bool {
-        let (mut slots, mut pointers, mut fixed) =
-            (Run::<SlotStore>::new(), Run::<PointerStore>::new(), Run::<Roomy>::new());
-        for numbers in program {
-            let Some(step) = slots.step(numbers) else { continue };
-            let answer = slots.apply(&step);
-            assert_eq!(answer, pointers.apply(&step), "{step:?}");
-            assert_eq!(answer, fixed.apply(&step), "{step:?}");
-            let table = slots.table();
-            assert_eq!(table, pointers.table(), "{step:?}");
-            assert_eq!(table, fixed.table(), "{step:?}");
-            let reports = [validate_plane(&slots.dcel), validate_plane(&pointers.dcel), validate_plane(&fixed.dcel)];
-            assert!(reports.iter().all(twinedge::validate::Report::is_valid), "{step:?}: {reports:?}");
-        }
-        true
-    }
-    for_programs(in_step);
-}
-
-#[test]
 fn what_does_not_fit_is_refused_without_a_trace_and_what_fits_is_not() {
-    fn like_the_default(program: Vec<[u16; 4]>) -> bool {
-        let (mut slots, mut fixed) = (Run::<SlotStore>::new(), Run::<Tiny>::new());
+    fn like_one_without_limits(program: Vec<[u16; 4]>) -> bool {
+        let (mut free, mut limited) = (Run::of(Dcel::new()), Run::of(limited([3, 4, 4, 3])));
         for numbers in program {
-            let Some(step) = slots.step(numbers) else { continue };
-            let before = Table::copy_of(&fixed.dcel);
-            let answer = fixed.apply(&step);
+            let Some(step) = free.step(numbers) else { continue };
+            let before = Table::copy_of(&limited.dcel);
+            let answer = limited.apply(&step);
             if let Err((_, _, Some(kind))) = answer {
-                assert_eq!(before, Table::copy_of(&fixed.dcel), "{step:?}");
+                assert_eq!(before, Table::copy_of(&limited.dcel), "{step:?}");
                 let (count, most) = match kind {
-                    RecordKind::Vertex => (fixed.dcel.vertex_count(), 3),
-                    RecordKind::Edge => (fixed.dcel.edge_count(), 4),
-                    RecordKind::Boundary => (fixed.dcel.boundary_count(), 4),
-                    RecordKind::Face => (fixed.dcel.face_count(), 3),
+                    RecordKind::Vertex => (limited.dcel.vertex_count(), 3),
+                    RecordKind::Edge => (limited.dcel.edge_count(), 4),
+                    RecordKind::Boundary => (limited.dcel.boundary_count(), 4),
+                    RecordKind::Face => (limited.dcel.face_count(), 3),
                     other => panic!("{other:?}"),
                 };
                 assert_eq!(count, most, "{step:?}");
                 continue;
             }
-            assert_eq!(answer, slots.apply(&step), "{step:?}");
-            assert_eq!(fixed.table(), slots.table(), "{step:?}");
-            assert!(validate_plane(&fixed.dcel).is_valid(), "{step:?}");
+            assert_eq!(answer, free.apply(&step), "{step:?}");
+            assert_eq!(limited.table(), free.table(), "{step:?}");
+            assert!(validate_plane(&limited.dcel).is_valid(), "{step:?}");
         }
         true
     }
-    for_programs(like_the_default);
+    for_programs(like_one_without_limits);
 }

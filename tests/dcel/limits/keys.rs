@@ -1,13 +1,12 @@
-//! Keys that name nothing are refused by every store, and those that are issued work as keys of slotmap.
+//! Keys that name nothing are refused, and those that are issued work as keys of slotmap.
 
-use super::{Roomy, an_edge};
+use super::an_edge;
 use std::collections::HashSet;
 use twinedge::dcel::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, RemovedEdge, Split, StaleKey, VertexKey};
-use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 use twinedge::validate::Table;
 
 /// All keys that a structure has now.
-fn all_keys<S: Store>(dcel: &Dcel<S>) -> (Vec<VertexKey>, Vec<HalfEdgeKey>, Vec<BoundaryKey>, Vec<FaceKey>) {
+fn all_keys(dcel: &Dcel) -> (Vec<VertexKey>, Vec<HalfEdgeKey>, Vec<BoundaryKey>, Vec<FaceKey>) {
     (
         dcel.vertices().map(twinedge::dcel::Vertex::key).collect(),
         dcel.half_edges().map(twinedge::dcel::HalfEdge::key).collect(),
@@ -17,9 +16,10 @@ fn all_keys<S: Store>(dcel: &Dcel<S>) -> (Vec<VertexKey>, Vec<HalfEdgeKey>, Vec<
 }
 
 /// Two structures made alike share no key, and each refuses those of the other by name.
-fn foreign_keys_are_refused<S: Store>() {
+#[test]
+fn foreign_keys_are_refused() {
     let make = || {
-        let mut dcel = Dcel::<S>::default();
+        let mut dcel = Dcel::default();
         let h = an_edge(&mut dcel);
         dcel.connect(h, h, Split::default()).unwrap();
         dcel
@@ -47,16 +47,10 @@ fn foreign_keys_are_refused<S: Store>() {
     assert_eq!(Table::copy_of(&one), before);
 }
 
-#[test]
-fn foreign_keys_are_refused_by_every_store() {
-    foreign_keys_are_refused::<SlotStore>();
-    foreign_keys_are_refused::<PointerStore>();
-    foreign_keys_are_refused::<Roomy>();
-}
-
 /// A slot is used again, with a key that was never there before, while all keys of the past stay refused.
-fn used_slots_get_new_keys<S: Store>() {
-    let mut dcel = Dcel::<S>::default();
+#[test]
+fn used_slots_get_new_keys() {
+    let mut dcel = Dcel::default();
     let outside = dcel.unbounded_face().key();
     let kept = dcel.add_isolated_vertex(outside).unwrap().vertex;
     let (mut vertices, mut half_edges, mut boundaries, mut faces) =
@@ -82,16 +76,10 @@ fn used_slots_get_new_keys<S: Store>() {
     assert!(dcel.vertex(kept).is_ok() && dcel.face(outside).is_ok());
 }
 
-#[test]
-fn used_slots_get_new_keys_in_every_store() {
-    used_slots_get_new_keys::<SlotStore>();
-    used_slots_get_new_keys::<PointerStore>();
-    used_slots_get_new_keys::<FixedStore<2, 1, 2, 2>>();
-}
-
 /// Keys made of arbitrary bits name a record only if they are its key.
-fn only_keys_that_were_issued_are_accepted<S: Store>() {
-    let mut dcel = Dcel::<S>::default();
+#[test]
+fn only_keys_that_were_issued_are_accepted() {
+    let mut dcel = Dcel::default();
     let h = an_edge(&mut dcel);
     dcel.connect(h, h, Split::default()).unwrap();
     let (vertices, half_edges, boundaries, faces) = all_keys(&dcel);
@@ -108,16 +96,10 @@ fn only_keys_that_were_issued_are_accepted<S: Store>() {
     }
 }
 
-#[test]
-fn only_keys_that_were_issued_are_accepted_by_every_store() {
-    only_keys_that_were_issued_are_accepted::<SlotStore>();
-    only_keys_that_were_issued_are_accepted::<PointerStore>();
-    only_keys_that_were_issued_are_accepted::<Roomy>();
-}
-
 /// Data kept beside the structure is found by key, and comes back in full when iterated.
-fn secondary_maps_take_the_keys<S: Store>() {
-    let mut dcel = Dcel::<S>::default();
+#[test]
+fn secondary_maps_take_the_keys() {
+    let mut dcel = Dcel::default();
     an_edge(&mut dcel);
     let (vertices, half_edges, boundaries, faces) = all_keys(&dcel);
     let of_vertices: slotmap::SecondaryMap<VertexKey, ()> = vertices.iter().map(|v| (*v, ())).collect();
@@ -130,16 +112,10 @@ fn secondary_maps_take_the_keys<S: Store>() {
     assert_eq!(of_faces.keys().collect::<Vec<_>>(), faces);
 }
 
-#[test]
-fn secondary_maps_take_the_keys_of_every_store() {
-    secondary_maps_take_the_keys::<SlotStore>();
-    secondary_maps_take_the_keys::<PointerStore>();
-    secondary_maps_take_the_keys::<Roomy>();
-}
-
 /// A change of a copy does not show in the original, nor the other way round.
-fn copies_are_apart<S: Store + Clone>() {
-    let mut dcel = Dcel::<S>::default();
+#[test]
+fn copies_are_apart() {
+    let mut dcel = Dcel::default();
     let h = an_edge(&mut dcel);
     dcel.connect(h, h, Split::default()).unwrap();
     let gone = dcel.split_edge(h).unwrap().half_edge;
@@ -156,11 +132,4 @@ fn copies_are_apart<S: Store + Clone>() {
     drop(dcel);
     assert_eq!(Table::copy_of(&copy), after);
     assert!(copy.validate().is_valid());
-}
-
-#[test]
-fn copies_are_apart_in_every_store() {
-    copies_are_apart::<SlotStore>();
-    copies_are_apart::<PointerStore>();
-    copies_are_apart::<Roomy>();
 }

@@ -1,15 +1,14 @@
-//! Fixed arrays refuse records that do not fit, without a trace, kind of record by kind.
+//! A structure with limits refuses records that do not fit, without a trace, kind of record by kind.
 
-use super::an_edge;
+use super::{an_edge, limited};
 use crate::support::erased::validate_plane;
 use twinedge::dcel::{Dcel, OperatorError, RecordKind, Side, Split};
-use twinedge::store::{FixedStore, Store};
 use twinedge::validate::Table;
 
-fn refused<S: Store, T: std::fmt::Debug + PartialEq>(
-    dcel: &mut Dcel<S>,
+fn refused<T: std::fmt::Debug + PartialEq>(
+    dcel: &mut Dcel,
     kind: RecordKind,
-    operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
+    operator: impl FnOnce(&mut Dcel) -> Result<T, OperatorError>,
 ) {
     let before = Table::copy_of(dcel);
     assert_eq!(operator(dcel), Err(OperatorError::Full(kind)));
@@ -19,7 +18,7 @@ fn refused<S: Store, T: std::fmt::Debug + PartialEq>(
 
 #[test]
 fn full_of_vertices() {
-    let mut dcel: Dcel<FixedStore<2, 9, 9, 9>> = Dcel::default();
+    let mut dcel = limited([2, 9, 9, 9]);
     let h = an_edge(&mut dcel);
     let outside = dcel.unbounded_face().key();
     refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
@@ -31,7 +30,7 @@ fn full_of_vertices() {
 
 #[test]
 fn full_of_edges() {
-    let mut dcel: Dcel<FixedStore<9, 1, 9, 9>> = Dcel::default();
+    let mut dcel = limited([9, 1, 9, 9]);
     let h = an_edge(&mut dcel);
     let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
     refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, v, Split::default()));
@@ -44,7 +43,7 @@ fn full_of_edges() {
 
 #[test]
 fn full_of_boundary_components() {
-    let mut dcel: Dcel<FixedStore<9, 9, 1, 9>> = Dcel::default();
+    let mut dcel = limited([9, 9, 1, 9]);
     let h = an_edge(&mut dcel);
     let outside = dcel.unbounded_face().key();
     refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.add_isolated_vertex(outside));
@@ -57,10 +56,10 @@ fn full_of_boundary_components() {
 
 #[test]
 fn full_of_faces() {
-    let mut dcel: Dcel<FixedStore<9, 9, 9, 1>> = Dcel::default();
+    let mut dcel = limited([9, 9, 9, 1]);
     let h = an_edge(&mut dcel);
     refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
-    let mut dcel: Dcel<FixedStore<9, 9, 9, 2>> = Dcel::default();
+    let mut dcel = limited([9, 9, 9, 2]);
     let h = an_edge(&mut dcel);
     let n = dcel.connect(h, h, Split::default()).unwrap().half_edge;
     refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
@@ -69,8 +68,8 @@ fn full_of_faces() {
 }
 
 #[test]
-fn the_largest_fixed_store_holds_what_it_says() {
-    let mut dcel: Dcel<FixedStore<255, 127, 255, 255>> = Dcel::default();
+fn a_structure_holds_as_many_records_as_its_limits_say() {
+    let mut dcel = limited([255, 127, 255, 255]);
     let outside = dcel.unbounded_face().key();
     let vertices: Vec<_> = (0..255).map(|_| dcel.add_isolated_vertex(outside).unwrap().vertex).collect();
     refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
@@ -82,7 +81,7 @@ fn the_largest_fixed_store_holds_what_it_says() {
     refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(first, vertices[200], Split::default()));
     assert_eq!(dcel.vertex(vertices[0]).unwrap().degree(), 127);
 
-    let mut dcel: Dcel<FixedStore<255, 127, 255, 128>> = Dcel::default();
+    let mut dcel = limited([255, 127, 255, 128]);
     let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
     let first = dcel.connect(v, v, Split::default()).unwrap().half_edge;
     for _ in 1..127 {

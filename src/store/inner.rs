@@ -88,14 +88,12 @@ impl InnerLists {
         list.get(place as usize).copied()
     }
     /// Takes off the last entry of the list of a face. O(1).
-    #[cfg(feature = "near")]
     pub(super) fn pop(&mut self, face: u32) {
         let last = self.of(face).len().saturating_sub(1);
         self.swap_remove(face, last as u32);
     }
 
     /// Takes back that an entry was taken off its place by [`swap_remove`](Self::swap_remove). O(1), amortised.
-    #[cfg(feature = "near")]
     pub(super) fn put_back(&mut self, face: u32, place: u32, b: BoundarySlot) {
         self.push(face, b);
         let entry = self.faces[face as usize];

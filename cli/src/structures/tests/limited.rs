@@ -1,6 +1,5 @@
-use twinedge::dcel::Dcel;
+use twinedge::dcel::{Dcel, Room};
 use twinedge::program::*;
-use twinedge::store::FixedStore;
 use twinedge::validate::Expectation;
 use twinedge_trials::ReportAudit;
 
@@ -12,6 +11,6 @@ fn regression() {
         Op::Connect { from: Corner::Isolated(VertexPick::Isolated(0)), to: SecondPick::Fitting(0), new_face: Side::Right, inner: InnerPick { mask: 1, also: Some(Corner::At(HalfEdgePick::Live(1))) } },
         Op::FlipEdge { half_edge: HalfEdgePick::Retired(0), turn: Turn::Clockwise },
     ]);
-    let result = conformance::run(&program, ReportAudit::new(Dcel::<FixedStore<24, 40, 40, 24>>::default()), &Expectation::plane());
+    let result = conformance::run(&program, ReportAudit::new(Dcel::with_limits(Room { vertices: 24, edges: 40, boundaries: 40, faces: 24 })), &Expectation::plane());
     assert!(result.is_ok(), "{result:?}");
 }

@@ -1,0 +1,147 @@
+//! Slots of 32 bits, how links are written with them, and how many records fit.
+
+use super::issuer::with_room;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// Marks a link that leads to the rarer of two kinds of record.
+pub(super) const OTHER: u32 = 1 << 31;
+
+/// Slots must leave room for [`OTHER`], and edges for two half-edges each.
+pub(super) const MOST: usize = OTHER as usize - 2;
+pub(super) const MOST_EDGES: usize = MOST / 2;
+
+/// It is the outer boundary component.
+///
+/// The place that a boundary component has in the lists of its face is one number: a position among the inner boundary components, or
+/// one of these names. While an operator runs, the places of outer boundary components also serve as links of a queue: then a number
+/// is the slot of the boundary component that follows.
+pub(crate) const OUTER: u32 = u32::MAX;
+
+/// It ends the queue of an operator.
+pub(crate) const LAST: u32 = u32::MAX - 1;
+
+/// No face lists it.
+pub(crate) const UNLISTED: u32 = u32::MAX - 2;
+
+const _: () = assert!(MOST < UNLISTED as usize);
+
+/// Stands for the outer half-edge of a face that was removed.
+pub(super) const VACANT: u32 = u32::MAX - 1;
+
+macro_rules! slot_types {
+    ($($(#[$doc:meta])* $name:ident;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(transparent)]
+        pub(crate) struct $name(pub(super) u32);
+
+        impl $name {
+            /// The number of the slot.
+            #[inline]
+            pub(crate) const fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
+    )*};
+}
+
+slot_types! {
+    /// The slot of a vertex.
+    VertexSlot;
+    /// The slot of a half-edge.
+    HalfEdgeSlot;
+    /// The slot of a boundary component.
+    BoundarySlot;
+    /// The slot of a face.
+    FaceSlot;
+}
+
+/// The link that a vertex keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum VertexLink<H = HalfEdgeSlot, B = BoundarySlot> {
+    /// A half-edge that leaves it.
+    Leaving(H),
+    /// The boundary component that it is.
+    Isolated(B),
+}
+
+/// The start of a boundary component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BoundaryStart<H = HalfEdgeSlot, V = VertexSlot> {
+    /// A half-edge of its cycle.
+    HalfEdge(H),
+    /// The isolated vertex that it is.
+    Vertex(V),
+}
+
+/// The numbers of records of each kind: of those that are about to be added, or the most that a structure may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Room {
+    /// Vertices.
+    pub vertices: usize,
+    /// Edges: pairs of half-edges.
+    pub edges: usize,
+    /// Boundary components.
+    pub boundaries: usize,
+    /// Faces, the unbounded one included.
+    pub faces: usize,
+}
+
+impl Room {
+    pub(crate) const NONE: Self = Self { vertices: 0, edges: 0, boundaries: 0, faces: 0 };
+}
+
+/// The kind of record for which there is no room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum RecordKind {
+    /// Vertices.
+    Vertex,
+    /// Edges: pairs of half-edges.
+    Edge,
+    /// Boundary components.
+    Boundary,
+    /// Faces.
+    Face,
+}
+
+impl fmt::Display for RecordKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Vertex => "vertices",
+            Self::Edge => "edges",
+            Self::Boundary => "boundary components",
+            Self::Face => "faces",
+        })
+    }
+}
+
+/// Writes to a column, growing it by one where the slot is new.
+pub(super) fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
+    match column.get_mut(slot as usize) {
+        Some(entry) => *entry = value,
+        None => column.push(value),
+    }
+}
+
+/// A column with room for `room` slots beyond the first, which slotmap does not use.
+pub(super) fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
+    let mut column = with_room(room.saturating_add(count));
+    column.resize(count, unused);
+    column
+}
+
+pub(super) const fn vertex_link_bits(link: VertexLink) -> u32 {
+    match link {
+        VertexLink::Leaving(h) => h.0,
+        VertexLink::Isolated(b) => b.0 | OTHER,
+    }
+}
+
+pub(super) const fn start_bits(start: BoundaryStart) -> u32 {
+    match start {
+        BoundaryStart::HalfEdge(h) => h.0,
+        BoundaryStart::Vertex(v) => v.0 | OTHER,
+    }
+}

@@ -1,0 +1,178 @@
+//! All records of a structure at once: built in order, or restored in the slots that they had when the structure was saved.
+
+use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, RecordKind, Room, UNLISTED, VertexSlot};
+#[cfg(feature = "serde")]
+use super::columns::{MOST, MOST_EDGES, VACANT};
+#[cfg(feature = "serde")]
+use super::issuer::Issuer;
+use super::slots::Store;
+use crate::slots::NIL;
+#[cfg(feature = "serde")]
+use alloc::vec::Vec;
+
+/// The slots of the records of a store that was saved, by number.
+#[cfg(feature = "serde")]
+pub(crate) struct Slots {
+    pub(crate) vertices: Vec<VertexSlot>,
+    /// The two of an edge side by side.
+    pub(crate) half_edges: Vec<HalfEdgeSlot>,
+    pub(crate) boundaries: Vec<BoundarySlot>,
+    pub(crate) faces: Vec<FaceSlot>,
+}
+
+/// The slots of records by their numbers. Face 0 is the unbounded one.
+pub(crate) trait Numbered {
+    fn vertex(&self, number: u32) -> VertexSlot;
+    /// The two of an edge have the numbers `2e` and `2e + 1`.
+    fn half_edge(&self, number: u32) -> HalfEdgeSlot;
+    fn boundary(&self, number: u32) -> BoundarySlot;
+    fn face(&self, number: u32) -> FaceSlot;
+}
+
+#[cfg(feature = "serde")]
+impl Numbered for Slots {
+    fn vertex(&self, number: u32) -> VertexSlot {
+        self.vertices[number as usize]
+    }
+
+    fn half_edge(&self, number: u32) -> HalfEdgeSlot {
+        self.half_edges[number as usize]
+    }
+
+    fn boundary(&self, number: u32) -> BoundarySlot {
+        self.boundaries[number as usize]
+    }
+
+    fn face(&self, number: u32) -> FaceSlot {
+        self.faces[number as usize]
+    }
+}
+
+/// The slots of a store that has just been filled: the first ones, in order. Slot 0 of each kind is vacant, and so is the first pair
+/// of half-edges.
+pub(crate) struct InOrder;
+
+impl Numbered for InOrder {
+    fn vertex(&self, number: u32) -> VertexSlot {
+        VertexSlot(number + 1)
+    }
+
+    fn half_edge(&self, number: u32) -> HalfEdgeSlot {
+        HalfEdgeSlot(number + 2)
+    }
+
+    fn boundary(&self, number: u32) -> BoundarySlot {
+        BoundarySlot(number + 1)
+    }
+
+    fn face(&self, number: u32) -> FaceSlot {
+        FaceSlot(number + 1)
+    }
+}
+
+impl Store {
+    /// A store with that many records beside the unbounded face, in the slots of [`InOrder`]. The caller sets all their links.
+    ///
+    /// # Errors
+    /// The kind of record of which there are more than a store can hold.
+    pub(crate) fn with_records(need: Room) -> Result<Self, RecordKind> {
+        let store = Self::with_room(need);
+        store.room_for(need)?;
+        Ok(store.filled(need))
+    }
+
+    /// An empty store with that many records more, for which there is room.
+    pub(crate) fn filled(mut self, need: Room) -> Self {
+        self.edges.issue_many(need.edges);
+        self.vertices.issue_many(need.vertices);
+        self.boundaries.issue_many(need.boundaries);
+        self.faces.issue_many(need.faces);
+        self.fill_columns();
+        self
+    }
+
+    /// Makes the columns as long as there are slots.
+    pub(super) fn fill_columns(&mut self) {
+        let half_edges = 2 * self.edges.end();
+        self.origin.resize(half_edges, VertexSlot(NIL));
+        self.next.resize(half_edges, HalfEdgeSlot(NIL));
+        self.prev.resize(half_edges, HalfEdgeSlot(NIL));
+        self.boundary.resize(half_edges, BoundarySlot(NIL));
+        self.vertex_link.resize(self.vertices.end(), NIL);
+        let boundaries = self.boundaries.end();
+        self.boundary_face.resize(boundaries, FaceSlot(NIL));
+        self.start.resize(boundaries, NIL);
+        self.place.resize(boundaries, UNLISTED);
+        self.outer.resize(self.faces.end(), NIL);
+        self.inner.resize(self.faces.end());
+    }
+}
+
+/// The generations of all slots, live and vacant: what keys are made of.
+#[cfg(feature = "serde")]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Generations {
+    /// The number that the structure adds to its generations. Even.
+    pub(crate) offset: u32,
+    /// By slot of a vertex. Odd if live.
+    pub(crate) vertices: Vec<u32>,
+    /// By slot of an edge.
+    pub(crate) edges: Vec<u32>,
+    /// By slot of a boundary component.
+    pub(crate) boundaries: Vec<u32>,
+    /// By slot of a face.
+    pub(crate) faces: Vec<u32>,
+}
+
+/// The live slots of a restored store, by the numbers that their records have elsewhere. The first face is the unbounded one.
+#[cfg(feature = "serde")]
+pub(crate) struct Live {
+    pub(crate) vertices: Vec<u32>,
+    pub(crate) half_edges: Vec<u32>,
+    pub(crate) boundaries: Vec<u32>,
+    pub(crate) faces: Vec<u32>,
+}
+
+#[cfg(feature = "serde")]
+impl Store {
+    /// The generations of all slots. O(slots).
+    pub(crate) fn generations(&self) -> Generations {
+        Generations {
+            offset: self.vertices.offset(),
+            vertices: self.vertices.generations().to_vec(),
+            edges: self.edges.generations().to_vec(),
+            boundaries: self.boundaries.generations().to_vec(),
+            faces: self.faces.generations().to_vec(),
+        }
+    }
+
+    /// A store whose slots have these generations, and the slots of its live records. The caller sets all their links.
+    /// None if no store can have such generations. O(slots).
+    pub(crate) fn restored(generations: Generations, live: &Live) -> Option<(Self, Slots)> {
+        let Generations { offset, vertices, edges, boundaries, faces } = generations;
+        let too_many =
+            vertices.len() > MOST || edges.len() > MOST_EDGES || boundaries.len() > MOST || faces.len() > MOST;
+        if offset % 2 == 1 || too_many {
+            return None;
+        }
+        let vacant_faces: Vec<usize> = (0..faces.len()).filter(|f| faces[*f] % 2 == 0).collect();
+        let mut store = Self::with_room(Room::NONE);
+        store.vertices = Issuer::restored(vertices, offset)?;
+        store.edges = Issuer::restored(edges, offset)?;
+        store.boundaries = Issuer::restored(boundaries, offset)?;
+        store.faces = Issuer::restored(faces, offset)?;
+        store.unbounded = FaceSlot(*live.faces.first()?);
+        store.fill_columns();
+        for f in vacant_faces {
+            store.outer[f] = VACANT;
+        }
+        let slots = Slots {
+            vertices: live.vertices.iter().copied().map(VertexSlot).collect(),
+            half_edges: live.half_edges.iter().copied().map(HalfEdgeSlot).collect(),
+            boundaries: live.boundaries.iter().copied().map(BoundarySlot).collect(),
+            faces: live.faces.iter().copied().map(FaceSlot).collect(),
+        };
+        Some((store, slots))
+    }
+}

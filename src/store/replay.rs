@@ -1,0 +1,212 @@
+//! The writing of the log of a store, and its replay: what is taken back and done again.
+
+use super::columns::{BoundarySlot, MOST};
+use super::issuer::Issuer;
+use super::log::{Entry, KINDS, Kind, Way, Written};
+use super::slots::Store;
+use crate::validate::near::WriteSet;
+use alloc::boxed::Box;
+use core::ops::Range;
+
+impl Store {
+    /// Starts the log anew, as another one. The keys stay those that must not be issued again.
+    pub(crate) fn begin_log(&mut self) {
+        let ends = self.ends();
+        self.log.0.get_or_insert_default().begin(ends);
+    }
+
+    /// Keeps no log any more.
+    pub(crate) fn end_log(&mut self) {
+        self.log.0 = None;
+    }
+
+    /// Goes on with a copy of the log of another store, of which this one is a clone.
+    pub(crate) fn copy_log(&mut self, other: &Self) {
+        self.log.0 = other.log.get().map(|log| Box::new(log.copied()));
+    }
+
+    /// Takes back what a part of the log says was written last, from the end, or writes it again. O(entries).
+    pub(crate) fn replay(&mut self, part: Range<usize>, way: Way) {
+        let Some(mut log) = self.log.0.take() else { return };
+        let entries = &mut log.entries[part];
+        match way {
+            Way::Back => entries.iter_mut().rev().for_each(|entry| self.undo(entry)),
+            Way::Forth => entries.iter_mut().for_each(|entry| self.redo(entry)),
+        }
+        log.ends = self.ends();
+        self.log.0 = Some(log);
+    }
+
+    /// The records that a part of the log wrote, or took back. O(entries).
+    pub(crate) fn written(&self, part: Range<usize>) -> WriteSet {
+        let mut written = WriteSet::default();
+        for entry in self.log.get().map_or(&[][..], |log| &log.entries[part]) {
+            let slot = entry.slot as usize;
+            match entry.written {
+                Written::Origin | Written::Next | Written::Prev | Written::Boundary => {
+                    written.half_edges.push(slot);
+                }
+                Written::VertexLink => written.vertices.push(slot),
+                Written::BoundaryFace | Written::Start => written.boundaries.push(slot),
+                Written::Place => {
+                    written.boundaries.push(slot);
+                    // Each entry of a list that is another one now is one of a boundary component with another place.
+                    if self.boundaries.is_live(entry.slot) && (self.place[slot] as usize) < MOST {
+                        written.listed.push((self.boundary_face[slot].0 as usize, self.place[slot] as usize));
+                    }
+                }
+                Written::Outer => {
+                    written.faces.push(slot);
+                    // The face is another region then: where one of those that lie in it is looked at, it need not be validated in full.
+                    written.boundaries.extend(self.inner.of(entry.slot).last().map(|b| b.index()));
+                }
+                Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
+                    Kind::Vertex => written.vertices.push(slot),
+                    Kind::Edge => written.half_edges.extend([2 * slot, 2 * slot + 1]),
+                    Kind::Boundary => written.boundaries.push(slot),
+                    Kind::Face => written.faces.push(slot),
+                },
+                Written::Listed | Written::Unlisted => {
+                    written.faces.push(slot);
+                    let b = entry.number as usize;
+                    written.boundaries.push(b);
+                    if entry.written == Written::Listed
+                        && self.boundaries.is_live(entry.number)
+                        && (self.place[b] as usize) < MOST
+                    {
+                        written.listed.push((self.boundary_face[b].0 as usize, self.place[b] as usize));
+                    }
+                }
+            }
+        }
+        written
+    }
+
+    /// Notes a number that is about to be overwritten.
+    #[inline]
+    pub(super) fn note(&mut self, written: Written, slot: u32, number: u32) {
+        if let Some(log) = &mut self.log.0 {
+            log.entries.push(Entry { written, slot, number });
+        }
+    }
+
+    /// Notes several at once, which takes less time.
+    #[inline]
+    pub(super) fn note_all<const N: usize>(&mut self, entries: [(Written, u32, u32); N]) {
+        if let Some(log) = &mut self.log.0 {
+            log.entries.extend(entries.map(|(written, slot, number)| Entry { written, slot, number }));
+        }
+    }
+
+    /// Notes that a slot was issued. Its generation grows if the key must not be issued again.
+    #[inline]
+    pub(super) fn note_issued(&mut self, kind: Kind, slot: u32) {
+        if let Some(mut log) = self.log.0.take() {
+            log.issued(self.issuer_mut(kind), kind, slot);
+            self.log.0 = Some(log);
+        }
+    }
+
+    /// Notes that a slot is about to be retired.
+    #[inline]
+    pub(super) fn note_retired(&mut self, kind: Kind, slot: u32) {
+        if self.is_logged() {
+            let generation = self.issuer(kind).generation(slot);
+            self.note(Written::Retired(kind), slot, generation);
+        }
+    }
+
+    /// Notes what is in the slot that is issued next, if it has ever been used, and if there are changes that can be done again.
+    #[inline]
+    pub(super) fn save_vacant(&mut self, kind: Kind) {
+        if let Some(mut log) = self.log.0.take_if(|log| log.saves_vacant) {
+            let edge = 2 * self.edges.next();
+            let (columns, slots): (&[Written], _) = match kind {
+                Kind::Vertex => (&[Written::VertexLink], self.vertices.next()..self.vertices.next() + 1),
+                Kind::Edge => (&[Written::Origin, Written::Next, Written::Prev, Written::Boundary], edge..edge + 2),
+                Kind::Boundary => (
+                    &[Written::BoundaryFace, Written::Start, Written::Place],
+                    self.boundaries.next()..self.boundaries.next() + 1,
+                ),
+                Kind::Face => (&[], 0..0),
+            };
+            for slot in slots {
+                for column in columns {
+                    if let Some(number) = self.link_mut(*column, slot) {
+                        log.entries.push(Entry { written: *column, slot, number: *number });
+                    }
+                }
+            }
+            self.log.0 = Some(log);
+        }
+    }
+
+    /// The numbers of slots, by kind.
+    fn ends(&self) -> [usize; 4] {
+        KINDS.map(|kind| self.issuer(kind).end())
+    }
+
+    const fn issuer(&self, kind: Kind) -> &Issuer {
+        match kind {
+            Kind::Vertex => &self.vertices,
+            Kind::Edge => &self.edges,
+            Kind::Boundary => &self.boundaries,
+            Kind::Face => &self.faces,
+        }
+    }
+
+    const fn issuer_mut(&mut self, kind: Kind) -> &mut Issuer {
+        match kind {
+            Kind::Vertex => &mut self.vertices,
+            Kind::Edge => &mut self.edges,
+            Kind::Boundary => &mut self.boundaries,
+            Kind::Face => &mut self.faces,
+        }
+    }
+
+    /// The link that an entry is about, in a slot that was used once.
+    #[inline]
+    fn link_mut(&mut self, written: Written, slot: u32) -> Option<&mut u32> {
+        let i = slot as usize;
+        match written {
+            Written::Origin => self.origin.get_mut(i).map(|v| &mut v.0),
+            Written::Next => self.next.get_mut(i).map(|h| &mut h.0),
+            Written::Prev => self.prev.get_mut(i).map(|h| &mut h.0),
+            Written::Boundary => self.boundary.get_mut(i).map(|b| &mut b.0),
+            Written::VertexLink => self.vertex_link.get_mut(i),
+            Written::BoundaryFace => self.boundary_face.get_mut(i).map(|f| &mut f.0),
+            Written::Start => self.start.get_mut(i),
+            Written::Place => self.place.get_mut(i),
+            Written::Outer => self.outer.get_mut(i),
+            _ => None,
+        }
+    }
+
+    fn undo(&mut self, Entry { written, slot, number }: &mut Entry) {
+        if let Some(link) = self.link_mut(*written, *slot) {
+            return core::mem::swap(link, number);
+        }
+        match written {
+            Written::New(kind) => self.issuer_mut(*kind).forget_last(),
+            Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
+            Written::Listed => self.inner.pop(*slot),
+            Written::Unlisted => self.inner.put_back(*slot, self.place[*number as usize], BoundarySlot(*number)),
+            _ => {}
+        }
+    }
+
+    fn redo(&mut self, Entry { written, slot, number }: &mut Entry) {
+        if let Some(link) = self.link_mut(*written, *slot) {
+            return core::mem::swap(link, number);
+        }
+        match written {
+            Written::New(kind) => self.issuer_mut(*kind).issue_last(*number),
+            Written::Issued(kind) | Written::Retired(kind) => self.issuer_mut(*kind).exchange(*slot, number),
+            Written::Listed => self.inner.push(*slot, BoundarySlot(*number)),
+            Written::Unlisted => {
+                self.inner.swap_remove(*slot, self.place[*number as usize]);
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,519 @@
+//! The records of a structure: keys, and the columns of their links.
+
+use super::attributes::Attributes;
+use super::columns::{
+    BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, OTHER, OUTER, RecordKind, Room, UNLISTED,
+    VACANT, VertexLink, VertexSlot, column, put, start_bits, vertex_link_bits,
+};
+use super::inner::InnerLists;
+use super::issuer::{Issuer, structure_offset};
+use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
+use super::log::{KeptLog, Kind, Written};
+use crate::slots::NIL;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
+/// The records of a structure. Every slot that is handed in must be live.
+#[derive(Clone, Debug)]
+pub(crate) struct Store {
+    pub(super) edges: Issuer,
+    pub(super) origin: Vec<VertexSlot>,
+    pub(super) next: Vec<HalfEdgeSlot>,
+    pub(super) prev: Vec<HalfEdgeSlot>,
+    pub(super) boundary: Vec<BoundarySlot>,
+
+    pub(super) vertices: Issuer,
+    pub(super) vertex_link: Vec<u32>,
+
+    pub(super) boundaries: Issuer,
+    pub(super) boundary_face: Vec<FaceSlot>,
+    pub(super) start: Vec<u32>,
+    pub(super) place: Vec<u32>,
+
+    pub(super) faces: Issuer,
+    /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
+    /// else. The boundary component is had through it.
+    pub(super) outer: Vec<u32>,
+    pub(super) inner: InnerLists,
+    pub(super) unbounded: FaceSlot,
+
+    /// The most records of each kind.
+    most: Room,
+    /// The values that follow the records, if there are any. Operators announce to them what they do.
+    pub(super) attributes: Option<Box<Attributes>>,
+    /// The log of what is overwritten, if one is kept.
+    pub(crate) log: KeptLog,
+}
+
+impl Store {
+    /// True if what is overwritten is logged.
+    #[inline]
+    pub(crate) const fn is_logged(&self) -> bool {
+        self.log.get().is_some()
+    }
+
+    #[inline]
+    pub(crate) fn attributes(&self) -> Option<&Attributes> {
+        self.attributes.as_deref()
+    }
+
+    pub(crate) fn attributes_mut(&mut self) -> Option<&mut Attributes> {
+        self.attributes.as_deref_mut()
+    }
+
+    /// The attributes, which are there from now on.
+    pub(crate) fn kept_attributes(&mut self) -> &mut Attributes {
+        self.attributes.get_or_insert_default()
+    }
+
+    pub(crate) const fn take_attributes(&mut self) -> Option<Box<Attributes>> {
+        self.attributes.take()
+    }
+
+    pub(crate) fn set_attributes(&mut self, attributes: Option<Box<Attributes>>) {
+        self.attributes = attributes;
+    }
+
+    /// A copy of the records in the same slots, without attributes.
+    pub(crate) fn without_attributes(&self) -> Self {
+        let mut copy = self.clone();
+        copy.attributes = None;
+        copy
+    }
+
+    pub(crate) fn with_room(need: Room) -> Self {
+        let offset = structure_offset();
+        let half_edges = need.edges.saturating_mul(2);
+        let faces = need.faces.saturating_add(1);
+        let mut store = Self {
+            edges: Issuer::with_room(need.edges, offset),
+            origin: column(half_edges, VertexSlot(NIL), 2),
+            next: column(half_edges, HalfEdgeSlot(NIL), 2),
+            prev: column(half_edges, HalfEdgeSlot(NIL), 2),
+            boundary: column(half_edges, BoundarySlot(NIL), 2),
+            vertices: Issuer::with_room(need.vertices, offset),
+            vertex_link: column(need.vertices, NIL, 1),
+            boundaries: Issuer::with_room(need.boundaries, offset),
+            boundary_face: column(need.boundaries, FaceSlot(NIL), 1),
+            start: column(need.boundaries, NIL, 1),
+            place: column(need.boundaries, NIL, 1),
+            faces: Issuer::with_room(faces, offset),
+            outer: column(faces, VACANT, 1),
+            inner: InnerLists::new(column(faces, InnerLists::unused(), 1)),
+            unbounded: FaceSlot(NIL),
+            most: Room { vertices: MOST, edges: MOST_EDGES, boundaries: MOST, faces: MOST },
+            attributes: None,
+            log: KeptLog::default(),
+        };
+        store.unbounded = store.add_face();
+        store
+    }
+
+    pub(crate) fn unbounded(&self) -> FaceSlot {
+        self.unbounded
+    }
+
+    /// Lets the structure have at most so many records of each kind.
+    pub(crate) fn limit(&mut self, most: Room) {
+        let [vertices, boundaries, faces] = [most.vertices, most.boundaries, most.faces].map(|most| most.min(MOST));
+        self.most = Room { vertices, edges: most.edges.min(MOST_EDGES), boundaries, faces };
+    }
+
+    /// Checks that so many more records fit; the first kind that does not is named.
+    pub(crate) fn room_for(&self, more: Room) -> Result<(), RecordKind> {
+        let checks = [
+            (RecordKind::Vertex, self.vertices.len(), more.vertices, self.most.vertices),
+            (RecordKind::Edge, self.edges.len(), more.edges, self.most.edges),
+            (RecordKind::Boundary, self.boundaries.len(), more.boundaries, self.most.boundaries),
+            (RecordKind::Face, self.faces.len(), more.faces, self.most.faces),
+        ];
+        match checks.into_iter().find(|(_, count, more, most)| count.saturating_add(*more) > *most) {
+            Some((kind, ..)) => Err(kind),
+            None => Ok(()),
+        }
+    }
+
+    pub(crate) fn find_vertex(&self, key: VertexKey) -> Option<VertexSlot> {
+        let (slot, generation) = parts(key);
+        (self.vertices.generation(slot) == generation).then_some(VertexSlot(slot))
+    }
+
+    pub(crate) fn find_half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeSlot> {
+        let (slot, generation) = parts(key);
+        (self.edges.generation(slot >> 1) == generation).then_some(HalfEdgeSlot(slot))
+    }
+
+    pub(crate) fn find_boundary(&self, key: BoundaryKey) -> Option<BoundarySlot> {
+        let (slot, generation) = parts(key);
+        (self.boundaries.generation(slot) == generation).then_some(BoundarySlot(slot))
+    }
+
+    pub(crate) fn find_face(&self, key: FaceKey) -> Option<FaceSlot> {
+        let (slot, generation) = parts(key);
+        (self.faces.generation(slot) == generation).then_some(FaceSlot(slot))
+    }
+
+    #[inline]
+    pub(crate) fn vertex_key(&self, v: VertexSlot) -> VertexKey {
+        key(v.0, self.vertices.generation(v.0))
+    }
+
+    #[inline]
+    pub(crate) fn half_edge_key(&self, h: HalfEdgeSlot) -> HalfEdgeKey {
+        key(h.0, self.edges.generation(h.0 >> 1))
+    }
+
+    #[inline]
+    pub(crate) fn boundary_key(&self, b: BoundarySlot) -> BoundaryKey {
+        key(b.0, self.boundaries.generation(b.0))
+    }
+
+    #[inline]
+    pub(crate) fn face_key(&self, f: FaceSlot) -> FaceKey {
+        key(f.0, self.faces.generation(f.0))
+    }
+
+    pub(crate) fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    pub(crate) fn edge_count(&self) -> usize {
+        self.edges.len()
+    }
+
+    pub(crate) fn boundary_count(&self) -> usize {
+        self.boundaries.len()
+    }
+
+    pub(crate) fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    pub(crate) fn vertex_slots(&self) -> usize {
+        self.vertices.end()
+    }
+
+    pub(crate) fn half_edge_slots(&self) -> usize {
+        2 * self.edges.end()
+    }
+
+    pub(crate) fn boundary_slots(&self) -> usize {
+        self.boundaries.end()
+    }
+
+    pub(crate) fn face_slots(&self) -> usize {
+        self.faces.end()
+    }
+
+    #[inline]
+    pub(crate) fn vertex_at(&self, index: usize) -> Option<VertexSlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.vertices.is_live(slot).then_some(VertexSlot(slot))
+    }
+
+    #[inline]
+    pub(crate) fn half_edge_at(&self, index: usize) -> Option<HalfEdgeSlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.edges.is_live(slot >> 1).then_some(HalfEdgeSlot(slot))
+    }
+
+    #[inline]
+    pub(crate) fn boundary_at(&self, index: usize) -> Option<BoundarySlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.boundaries.is_live(slot).then_some(BoundarySlot(slot))
+    }
+
+    #[inline]
+    pub(crate) fn face_at(&self, index: usize) -> Option<FaceSlot> {
+        let outer = *self.outer.get(index)?;
+        (outer != VACANT).then_some(FaceSlot(index as u32))
+    }
+
+    #[inline]
+    pub(crate) fn origin_in(&self, index: usize) -> Option<usize> {
+        self.origin.get(index).map(|v| v.0 as usize)
+    }
+
+    #[inline]
+    pub(crate) fn twin_in(&self, index: usize) -> Option<usize> {
+        (index < self.origin.len()).then_some(index ^ 1)
+    }
+
+    #[inline]
+    pub(crate) fn next_in(&self, index: usize) -> Option<usize> {
+        self.next.get(index).map(|h| h.0 as usize)
+    }
+
+    #[inline]
+    pub(crate) fn prev_in(&self, index: usize) -> Option<usize> {
+        self.prev.get(index).map(|h| h.0 as usize)
+    }
+
+    #[inline]
+    pub(crate) fn boundary_in(&self, index: usize) -> Option<usize> {
+        self.boundary.get(index).map(|b| b.0 as usize)
+    }
+
+    /// Adds a vertex. The caller has asked for room, here and below.
+    pub(crate) fn add_vertex(&mut self, link: VertexLink) -> VertexSlot {
+        self.save_vacant(Kind::Vertex);
+        let slot = self.vertices.issue();
+        put(&mut self.vertex_link, slot, vertex_link_bits(link));
+        self.note_issued(Kind::Vertex, slot);
+        VertexSlot(slot)
+    }
+
+    /// Adds an isolated vertex together with the inner boundary component that it is.
+    pub(crate) fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
+        self.save_vacant(Kind::Vertex);
+        self.save_vacant(Kind::Boundary);
+        let v = VertexSlot(self.vertices.issue());
+        let b = BoundarySlot(self.boundaries.issue());
+        put(&mut self.vertex_link, v.0, vertex_link_bits(VertexLink::Isolated(b)));
+        put(&mut self.boundary_face, b.0, f);
+        put(&mut self.start, b.0, start_bits(BoundaryStart::Vertex(v)));
+        put(&mut self.place, b.0, self.inner.of(f.0).len() as u32);
+        self.inner.push(f.0, b);
+        self.note_issued(Kind::Vertex, v.0);
+        self.note_issued(Kind::Boundary, b.0);
+        self.note(Written::Listed, f.0, b.0);
+        (v, b)
+    }
+
+    /// Adds an edge: two half-edges that are each other's twin, next and prev. Gives the one that leaves `from`.
+    pub(crate) fn add_edge(&mut self, from: VertexSlot, to: VertexSlot, b: BoundarySlot) -> HalfEdgeSlot {
+        self.save_vacant(Kind::Edge);
+        let edge = self.edges.issue();
+        let h = edge << 1;
+        for (slot, origin) in [(h, from), (h | 1, to)] {
+            put(&mut self.origin, slot, origin);
+            put(&mut self.next, slot, HalfEdgeSlot(slot ^ 1));
+            put(&mut self.prev, slot, HalfEdgeSlot(slot ^ 1));
+            put(&mut self.boundary, slot, b);
+        }
+        self.note_issued(Kind::Edge, edge);
+        HalfEdgeSlot(h)
+    }
+
+    /// Adds a boundary component that no face lists yet.
+    pub(crate) fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart) -> BoundarySlot {
+        self.save_vacant(Kind::Boundary);
+        let slot = self.boundaries.issue();
+        put(&mut self.boundary_face, slot, f);
+        put(&mut self.start, slot, start_bits(start));
+        put(&mut self.place, slot, UNLISTED);
+        self.note_issued(Kind::Boundary, slot);
+        BoundarySlot(slot)
+    }
+
+    /// Adds a face without boundary components.
+    pub(crate) fn add_face(&mut self) -> FaceSlot {
+        let slot = self.faces.issue();
+        put(&mut self.outer, slot, NIL);
+        self.inner.add(slot);
+        self.note_issued(Kind::Face, slot);
+        self.note(Written::Outer, slot, VACANT);
+        FaceSlot(slot)
+    }
+
+    pub(crate) fn remove_vertex(&mut self, v: VertexSlot) {
+        self.note(Written::VertexLink, v.0, self.vertex_link[v.index()]);
+        self.note_retired(Kind::Vertex, v.0);
+        self.vertices.retire(v.0);
+    }
+
+    /// Removes a half-edge and its twin.
+    pub(crate) fn remove_edge(&mut self, h: HalfEdgeSlot) {
+        for h in [h, self.twin(h)] {
+            let i = h.index();
+            self.note_all([
+                (Written::Origin, h.0, self.origin[i].0),
+                (Written::Next, h.0, self.next[i].0),
+                (Written::Prev, h.0, self.prev[i].0),
+                (Written::Boundary, h.0, self.boundary[i].0),
+            ]);
+        }
+        self.note_retired(Kind::Edge, h.0 >> 1);
+        self.edges.retire(h.0 >> 1);
+    }
+
+    /// Removes a boundary component that no face lists.
+    pub(crate) fn remove_boundary(&mut self, b: BoundarySlot) {
+        let i = b.index();
+        self.note_all([
+            (Written::Start, b.0, self.start[i]),
+            (Written::BoundaryFace, b.0, self.boundary_face[i].0),
+            (Written::Place, b.0, self.place[i]),
+        ]);
+        self.note_retired(Kind::Boundary, b.0);
+        self.boundaries.retire(b.0);
+    }
+
+    /// Removes a face without inner boundary components.
+    pub(crate) fn remove_face(&mut self, f: FaceSlot) {
+        self.note(Written::Outer, f.0, self.outer[f.index()]);
+        self.note_retired(Kind::Face, f.0);
+        self.outer[f.index()] = VACANT;
+        self.faces.retire(f.0);
+    }
+
+    #[inline]
+    pub(crate) fn origin(&self, h: HalfEdgeSlot) -> VertexSlot {
+        self.origin[h.index()]
+    }
+
+    #[inline]
+    pub(crate) fn twin(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+        HalfEdgeSlot(h.0 ^ 1)
+    }
+
+    #[inline]
+    pub(crate) fn next(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+        self.next[h.index()]
+    }
+
+    #[inline]
+    pub(crate) fn prev(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+        self.prev[h.index()]
+    }
+
+    #[inline]
+    pub(crate) fn boundary(&self, h: HalfEdgeSlot) -> BoundarySlot {
+        self.boundary[h.index()]
+    }
+
+    #[inline]
+    pub(crate) fn vertex_link(&self, v: VertexSlot) -> VertexLink {
+        let bits = self.vertex_link[v.index()];
+        if bits & OTHER == 0 {
+            VertexLink::Leaving(HalfEdgeSlot(bits))
+        } else {
+            VertexLink::Isolated(BoundarySlot(bits ^ OTHER))
+        }
+    }
+
+    #[inline]
+    pub(crate) fn face(&self, b: BoundarySlot) -> FaceSlot {
+        self.boundary_face[b.index()]
+    }
+
+    #[inline]
+    pub(crate) fn start(&self, b: BoundarySlot) -> BoundaryStart {
+        let bits = self.start[b.index()];
+        if bits & OTHER == 0 {
+            BoundaryStart::HalfEdge(HalfEdgeSlot(bits))
+        } else {
+            BoundaryStart::Vertex(VertexSlot(bits ^ OTHER))
+        }
+    }
+
+    #[inline]
+    pub(crate) fn place(&self, b: BoundarySlot) -> u32 {
+        self.place[b.index()]
+    }
+
+    #[inline]
+    pub(crate) fn outer(&self, f: FaceSlot) -> Option<BoundarySlot> {
+        self.outer_half_edge(f).map(|h| self.boundary(h))
+    }
+
+    #[inline]
+    pub(crate) fn outer_half_edge(&self, f: FaceSlot) -> Option<HalfEdgeSlot> {
+        let bits = self.outer[f.index()];
+        // The high bit is set if there is none, and if the outer boundary component is an isolated vertex, against the rules.
+        (bits & OTHER == 0).then_some(HalfEdgeSlot(bits))
+    }
+
+    #[inline]
+    pub(crate) fn inner_count(&self, f: FaceSlot) -> usize {
+        self.inner.of(f.0).len()
+    }
+
+    #[inline]
+    pub(crate) fn inner(&self, f: FaceSlot, position: usize) -> Option<BoundarySlot> {
+        self.inner.of(f.0).get(position).copied()
+    }
+
+    pub(crate) fn set_origin(&mut self, h: HalfEdgeSlot, v: VertexSlot) {
+        self.note(Written::Origin, h.0, self.origin[h.index()].0);
+        self.origin[h.index()] = v;
+    }
+
+    /// Makes `n` follow `h` on its cycle: sets `next(h)` and `prev(n)`.
+    pub(crate) fn join(&mut self, h: HalfEdgeSlot, n: HalfEdgeSlot) {
+        self.note_all([(Written::Next, h.0, self.next[h.index()].0), (Written::Prev, n.0, self.prev[n.index()].0)]);
+        self.next[h.index()] = n;
+        self.prev[n.index()] = h;
+    }
+
+    pub(crate) fn set_boundary(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
+        self.note(Written::Boundary, h.0, self.boundary[h.index()].0);
+        self.boundary[h.index()] = b;
+    }
+
+    pub(crate) fn set_vertex_link(&mut self, v: VertexSlot, link: VertexLink) {
+        self.note(Written::VertexLink, v.0, self.vertex_link[v.index()]);
+        self.vertex_link[v.index()] = vertex_link_bits(link);
+    }
+
+    pub(crate) fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart) {
+        self.note(Written::Start, b.0, self.start[b.index()]);
+        self.start[b.index()] = start_bits(start);
+        if self.place[b.index()] == OUTER {
+            let f = self.boundary_face[b.index()];
+            self.note(Written::Outer, f.0, self.outer[f.index()]);
+            if let BoundaryStart::HalfEdge(h) = start {
+                self.outer[f.index()] = h.0;
+            }
+        }
+    }
+
+    pub(crate) fn set_place(&mut self, b: BoundarySlot, place: u32) {
+        self.note(Written::Place, b.0, self.place[b.index()]);
+        self.place[b.index()] = place;
+    }
+
+    /// Makes `b`, a cycle, the outer boundary component of `f`.
+    pub(crate) fn list_outer(&mut self, f: FaceSlot, b: BoundarySlot) {
+        self.note_all([
+            (Written::Outer, f.0, self.outer[f.index()]),
+            (Written::BoundaryFace, b.0, self.boundary_face[b.index()].0),
+            (Written::Place, b.0, self.place[b.index()]),
+        ]);
+        self.outer[f.index()] = self.start[b.index()];
+        self.boundary_face[b.index()] = f;
+        self.place[b.index()] = OUTER;
+    }
+
+    /// Appends `b` to the inner boundary components of `f`.
+    pub(crate) fn list_inner(&mut self, f: FaceSlot, b: BoundarySlot) {
+        self.note_all([
+            (Written::BoundaryFace, b.0, self.boundary_face[b.index()].0),
+            (Written::Place, b.0, self.place[b.index()]),
+            (Written::Listed, f.0, b.0),
+        ]);
+        self.place[b.index()] = self.inner_count(f) as u32;
+        self.boundary_face[b.index()] = f;
+        self.inner.push(f.0, b);
+    }
+
+    /// Takes `b` off the lists of its face. The last inner boundary component takes the place that becomes free. O(1).
+    pub(crate) fn unlist(&mut self, b: BoundarySlot) {
+        let f = self.boundary_face[b.index()];
+        let place = self.place[b.index()];
+        if place == OUTER {
+            self.note(Written::Outer, f.0, self.outer[f.index()]);
+            self.outer[f.index()] = NIL;
+        } else {
+            self.note(Written::Unlisted, f.0, b.0);
+            if let Some(last) = self.inner.of(f.0).last().copied() {
+                self.note(Written::Place, last.0, self.place[last.index()]);
+            }
+            if let Some(moved) = self.inner.swap_remove(f.0, place) {
+                self.place[moved.index()] = place;
+            }
+        }
+        self.note(Written::Place, b.0, place);
+        self.place[b.index()] = UNLISTED;
+    }
+}
