@@ -5,7 +5,7 @@
 //! the face from outside and the other is an island now. Which is which? `Mine` believes that the part where the
 //! half-edge starts stays outside. Random programs find the bug, and shrinking leaves what matters of the one that did.
 
-use twinedge::program::{Corner, Refusal, Side, Subject, conformance};
+use twinedge::program::{Call, CallOf, Corner, Handle, HandleOf, Refusal, Side, Subject, conformance};
 use twinedge::validate::{Expectation, Part, Parts, Start, View};
 use twinedge::view_answers;
 
@@ -151,7 +151,7 @@ impl View for Mine {
     }
 }
 
-/// The operators that programs call.
+/// The questions and operators of programs.
 impl Subject for Mine {
     type Vertex = usize;
     type HalfEdge = usize;
@@ -183,6 +183,20 @@ impl Subject for Mine {
         Ok(self.live(h)?.next)
     }
 
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        match call {
+            Call::AddIsolatedVertex { face } => Ok(Some(Handle::Vertex(self.add_isolated_vertex(face)?))),
+            Call::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex).map(|()| None),
+            Call::Connect { from, to, new_face, inner } => {
+                Ok(Some(Handle::HalfEdge(self.connect(from, to, new_face, &inner)?)))
+            }
+            Call::RemoveEdge { half_edge } => Ok(self.remove_edge(half_edge)?.map(Handle::Face)),
+            _ => Err(Refusal::Unsupported),
+        }
+    }
+}
+
+impl Mine {
     fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
         self.faces.get(face).and_then(Option::as_ref).ok_or(Refusal::Stale)?;
         self.vertices.push(Some(Vertex { leaving: None, face }));

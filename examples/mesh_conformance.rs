@@ -226,9 +226,9 @@ impl From<Refused> for Refusal {
 
 impl Subject for Mesh {
     subject_by_index! {
-        mesh_flip_edge => Self::flip,
-        mesh_split_edge => Self::split,
-        mesh_collapse_edge => Self::collapse,
+        MeshFlipEdge => Self::flip,
+        MeshSplitEdge => Self::split,
+        MeshCollapseEdge => Self::collapse,
     }
 }
 

@@ -49,7 +49,7 @@ pub(crate) struct Soak {
     #[arg(long, value_name = "X")]
     seed: Option<u64>,
 
-    /// A structure to run them on; may be repeated. Default: all stores and the second model.
+    /// A structure to run them on; may be repeated. Default: the structure, with limits and without, and the second model.
     #[arg(long, value_enum, value_name = "STRUCTURE")]
     on: Vec<StructureName>,
 
@@ -118,7 +118,7 @@ fn per_second(on: &[StructureName], steps: u32) -> u64 {
         StructureName::Limited => 0.025 * thousands,
         // Copies are kept and compared.
         StructureName::History => 0.4 * thousands.powf(2.4),
-        StructureName::RotationSystem => 1.7 * thousands.powf(2.8),
+        StructureName::Pointers => 1.7 * thousands.powf(2.8),
         _ => 0.1 * thousands.powf(2.4),
     };
     let steps = f64::from(steps) * on.len() as f64;

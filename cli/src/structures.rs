@@ -8,7 +8,7 @@ use twinedge_trials::planted::Planted;
 use twinedge_trials::regression::TestSource;
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::soak::Comparable;
-use twinedge_trials::{Erased, ReportAudit, Rewound, RotationSystem};
+use twinedge_trials::{Erased, RawPointers, ReportAudit, Rewound};
 
 /// A structure that programs can be run on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -22,9 +22,8 @@ pub(crate) enum StructureName {
     Audited,
     /// The same with a history: after each operator some changes are undone and redone, and compared with copies.
     History,
-    /// A second independent model: a rotation system.
-    #[value(name = "model")]
-    RotationSystem,
+    /// A second independent model: records joined by raw pointers.
+    Pointers,
     /// A structure with a planted bug: it turns edges the wrong way.
     Planted,
     /// A structure with a planted bug: it panics when a boundary component is moved.
@@ -59,8 +58,7 @@ const AUDITED: TestSource = source(
     r#"Audited::new(Dcel::new()).expect("the empty map is valid")"#,
 );
 const HISTORY: TestSource = source(&[PROGRAM, EXPECTATION, "twinedge_trials::Rewound"], "Rewound::default()");
-const ROTATION_SYSTEM: TestSource =
-    source(&[PROGRAM, EXPECTATION, "twinedge_trials::RotationSystem"], "RotationSystem::new()");
+const POINTERS: TestSource = source(&[PROGRAM, EXPECTATION, "twinedge_trials::RawPointers"], "RawPointers::new()");
 const PLANTED: TestSource =
     TestSource { remark: "The structure with the planted bug is not public. This one passes.", ..SLOTS };
 const AUDITED_SLOTS: TestSource = source(&[DCEL, PROGRAM, EXPECTATION, REPORT_AUDIT], "ReportAudit::new(Dcel::new())");
@@ -81,7 +79,7 @@ fn audited() -> Audited {
 
 impl StructureName {
     /// The structure with limits and without, and the second model.
-    pub(crate) const SOUND: [Self; 3] = [Self::Slots, Self::Limited, Self::RotationSystem];
+    pub(crate) const SOUND: [Self; 3] = [Self::Slots, Self::Limited, Self::Pointers];
 
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -89,7 +87,7 @@ impl StructureName {
             Self::Limited => "limited",
             Self::Audited => "audited",
             Self::History => "history",
-            Self::RotationSystem => "model",
+            Self::Pointers => "pointers",
             Self::Planted => "planted",
             Self::Panicking => "panicking",
         }
@@ -102,7 +100,7 @@ impl StructureName {
             Self::Limited => task.run(self.made(|| Erased::new(limited()), LIMITED)),
             Self::Audited => task.run(self.made(|| Erased::new(audited()), AUDITED)),
             Self::History => task.run(self.made(|| Erased::new(Rewound::default()), HISTORY)),
-            Self::RotationSystem => task.run(self.made(RotationSystem::new, ROTATION_SYSTEM)),
+            Self::Pointers => task.run(self.made(RawPointers::new, POINTERS)),
             Self::Planted => task.run(self.made(|| Erased::new(Planted::<false>::default()), PLANTED)),
             Self::Panicking => task.run(self.made(|| Erased::new(Planted::<true>::default()), PLANTED)),
         }
@@ -121,7 +119,7 @@ impl StructureName {
         match self {
             Self::Slots => Box::new(self.made(|| Erased::new(ReportAudit::default()), AUDITED_SLOTS)),
             Self::Limited => Box::new(self.made(|| Erased::new(ReportAudit::new(limited())), AUDITED_LIMITED)),
-            Self::Audited | Self::History | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
+            Self::Audited | Self::History | Self::Pointers | Self::Planted | Self::Panicking => self.with(Boxed),
         }
     }
 
@@ -158,7 +156,7 @@ mod tests {
         limited: Limited;
         audited: Audited;
         history: History;
-        model: RotationSystem;
+        pointers: Pointers;
         planted: Planted;
     }
 

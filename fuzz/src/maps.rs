@@ -6,7 +6,7 @@ use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorEr
 use twinedge::program::conformance::{Conformance, Coverage};
 use twinedge::program::{Program, Runner, Subject};
 use twinedge::validate::{Expectation, Table};
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 
 /// Longer programs are cut: the second model of `in_step` takes O(n²) per operator.
 const LONGEST: usize = 300;
@@ -38,7 +38,7 @@ pub fn programs(bytes: &[u8]) {
 pub fn in_step(bytes: &[u8]) {
     let program = program(bytes);
     conforms(&program, Dcel::new(), Expectation::plane());
-    conforms(&program, RotationSystem::new(), Expectation::plane());
+    conforms(&program, RawPointers::new(), Expectation::plane());
     let most = Room { vertices: 4, edges: 5, boundaries: 4, faces: 3 };
     conforms(&program, Dcel::with_limits(most), Expectation::plane());
 }

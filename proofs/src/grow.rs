@@ -2,24 +2,9 @@
 
 use twinedge::program::choose::Choose;
 use twinedge::program::{
-    Corner, CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Runner, SecondPick, Side, Subject, Turn, VertexPick,
+    Corner, CornerPick, FacePick, HalfEdgePick, InnerPick, Op, OpKind, Runner, SecondPick, Side, Subject, Turn,
+    VertexPick,
 };
-
-/// One of the operators.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "named after the methods of `Subject`")]
-pub enum Operator {
-    AddIsolatedVertex,
-    RemoveIsolatedVertex,
-    Connect,
-    RemoveEdge,
-    SplitEdge,
-    JoinEdges,
-    SplitVertex,
-    ContractEdge,
-    FlipEdge,
-    MoveInner,
-}
 
 /// The bounds of the maps to choose from.
 #[derive(Clone, Copy, Debug)]
@@ -82,23 +67,21 @@ fn add_edge<K: Subject>(runner: &mut Runner<K>, bound: Bound, source: &mut impl 
     runner.step(Op::Connect { from, to: SecondPick::Any(to), new_face, inner: InnerPick { mask, also: None } });
 }
 
-/// An operator with arguments, each chosen from all there are; none if it needs one of which there is none.
+/// An operator with arguments, each chosen from all there are; none if it needs one of which there is none, or is one of meshes.
 ///
 /// `Connect` may send any of the first `islands` other boundary components of the face to the new one, and with
 /// [`Arguments::Any`] some other boundary component instead.
 pub fn choose_op<K: Subject>(
-    operator: Operator,
+    operator: OpKind,
     arguments: Arguments,
     islands: usize,
     runner: &Runner<K>,
     source: &mut impl Choose,
 ) -> Option<Op> {
     Some(match operator {
-        Operator::AddIsolatedVertex => Op::AddIsolatedVertex { face: choose_face(runner, arguments, source) },
-        Operator::RemoveIsolatedVertex => {
-            Op::RemoveIsolatedVertex { vertex: choose_vertex(runner, arguments, source)? }
-        }
-        Operator::Connect => {
+        OpKind::AddIsolatedVertex => Op::AddIsolatedVertex { face: choose_face(runner, arguments, source) },
+        OpKind::RemoveIsolatedVertex => Op::RemoveIsolatedVertex { vertex: choose_vertex(runner, arguments, source)? },
+        OpKind::Connect => {
             let from = choose_corner(runner, arguments, source)?;
             let to = SecondPick::Any(choose_corner(runner, arguments, source)?);
             let new_face = choose_side(source);
@@ -110,21 +93,22 @@ pub fn choose_op<K: Subject>(
             };
             Op::Connect { from, to, new_face, inner }
         }
-        Operator::RemoveEdge => Op::RemoveEdge { half_edge: choose_half_edge(runner, arguments, source)? },
-        Operator::SplitEdge => Op::SplitEdge { half_edge: choose_half_edge(runner, arguments, source)? },
-        Operator::JoinEdges => Op::JoinEdges { half_edge: choose_half_edge(runner, arguments, source)? },
-        Operator::SplitVertex => Op::SplitVertex {
+        OpKind::RemoveEdge => Op::RemoveEdge { half_edge: choose_half_edge(runner, arguments, source)? },
+        OpKind::SplitEdge => Op::SplitEdge { half_edge: choose_half_edge(runner, arguments, source)? },
+        OpKind::JoinEdges => Op::JoinEdges { half_edge: choose_half_edge(runner, arguments, source)? },
+        OpKind::SplitVertex => Op::SplitVertex {
             from: choose_corner(runner, arguments, source)?,
             to: SecondPick::Any(choose_corner(runner, arguments, source)?),
         },
-        Operator::ContractEdge => Op::ContractEdge { half_edge: choose_half_edge(runner, arguments, source)? },
-        Operator::FlipEdge => {
+        OpKind::ContractEdge => Op::ContractEdge { half_edge: choose_half_edge(runner, arguments, source)? },
+        OpKind::FlipEdge => {
             Op::FlipEdge { half_edge: choose_half_edge(runner, arguments, source)?, turn: choose_turn(source) }
         }
-        Operator::MoveInner => Op::MoveInner {
+        OpKind::MoveInner => Op::MoveInner {
             inner: choose_corner(runner, arguments, source)?,
             face: choose_face(runner, arguments, source),
         },
+        OpKind::MeshFlipEdge | OpKind::MeshSplitEdge | OpKind::MeshSplitFace | OpKind::MeshCollapseEdge => return None,
     })
 }
 

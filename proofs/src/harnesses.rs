@@ -4,12 +4,13 @@
 //! (64) the numbers of a canonical form. Where one is too small, Kani fails and says so; it never passes for a proof.
 
 use crate::engine::harnesses;
-use crate::grow::{Bound, Operator};
+use crate::grow::Bound;
 use crate::judges::{Judge, Tables, agrees_with_reference};
-use crate::operators::{Handle, is_undone, keeps_rules, refuses_stale, refuses_without_a_trace};
+use crate::operators::{HandleKind, is_undone, keeps_rules, refuses_stale, refuses_without_a_trace};
 #[cfg(not(kani))]
 use crate::planted::{Fault, Field, Planted};
 use twinedge::dcel::{Dcel, Room};
+use twinedge::program::OpKind;
 #[cfg(not(kani))]
 use twinedge::validate::Rule;
 
@@ -29,169 +30,169 @@ const fn maps(edges: usize, islands: usize) -> Bound {
 
 harnesses! {
     add_isolated_vertex_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::AddIsolatedVertex, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::AddIsolatedVertex, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::AddIsolatedVertex, Field::Inner));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::AddIsolatedVertex, Field::Inner));
 
     remove_isolated_vertex_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::RemoveIsolatedVertex, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::RemoveIsolatedVertex, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::RemoveIsolatedVertex, Field::Inner));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::RemoveIsolatedVertex, Field::Inner));
 
     connect_keeps_rules_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::Connect, maps(2, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::Connect, maps(2, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::Connect, Field::Boundary));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::Connect, Field::Boundary));
 
     remove_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::RemoveEdge, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::RemoveEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::RemoveEdge, Field::Leaving));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::RemoveEdge, Field::Leaving));
 
     split_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::SplitEdge, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::SplitEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::SplitEdge, Field::Prev));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::SplitEdge, Field::Prev));
 
     join_edges_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::JoinEdges, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::JoinEdges, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::JoinEdges, Field::Origin));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::JoinEdges, Field::Origin));
 
     split_vertex_keeps_rules_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::SplitVertex, maps(2, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::SplitVertex, maps(2, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::SplitVertex, Field::Next));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::SplitVertex, Field::Next));
 
     contract_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::ContractEdge, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::ContractEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::ContractEdge, Field::Origin));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::ContractEdge, Field::Origin));
 
     flip_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |subject, source| keeps_rules(Operator::FlipEdge, maps(3, 1), subject, source);
+        |subject, source| keeps_rules(OpKind::FlipEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::FlipEdge, Field::Boundary));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::FlipEdge, Field::Boundary));
 
     move_inner_keeps_rules_on_maps_of_2_edges_and_2_islands (unwind 32) =
-        |subject, source| keeps_rules(Operator::MoveInner, maps(2, 2), subject, source);
+        |subject, source| keeps_rules(OpKind::MoveInner, maps(2, 2), subject, source);
         with roomy(),
-        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(Operator::MoveInner, Field::Face));
+        but "a rule is broken" with Planted::new(roomy(), Fault::Loses(OpKind::MoveInner, Field::Face));
 
     add_isolated_vertex_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::AddIsolatedVertex, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::AddIsolatedVertex, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveIsolatedVertex, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::RemoveIsolatedVertex, 0));
 
     remove_isolated_vertex_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::RemoveIsolatedVertex, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::RemoveIsolatedVertex, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveIsolatedVertex, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::RemoveIsolatedVertex, 0));
 
     connect_is_undone_on_maps_of_2_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::Connect, maps(2, 1), subject, source);
+        |subject, source| is_undone(OpKind::Connect, maps(2, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveEdge, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::RemoveEdge, 0));
 
     remove_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::RemoveEdge, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::RemoveEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::RemoveEdge, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::RemoveEdge, 0));
 
     split_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::SplitEdge, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::SplitEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::JoinEdges, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::JoinEdges, 0));
 
     join_edges_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::JoinEdges, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::JoinEdges, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::JoinEdges, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::JoinEdges, 0));
 
     split_vertex_is_undone_on_maps_of_2_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::SplitVertex, maps(2, 1), subject, source);
+        |subject, source| is_undone(OpKind::SplitVertex, maps(2, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::ContractEdge, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::ContractEdge, 0));
 
     contract_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::ContractEdge, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::ContractEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::ContractEdge, 0));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::ContractEdge, 0));
 
     flip_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |subject, source| is_undone(Operator::FlipEdge, maps(3, 1), subject, source);
+        |subject, source| is_undone(OpKind::FlipEdge, maps(3, 1), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::FlipEdge, 1));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::FlipEdge, 1));
 
     move_inner_is_undone_on_maps_of_2_edges_and_2_islands (unwind 64) =
-        |subject, source| is_undone(Operator::MoveInner, maps(2, 2), subject, source);
+        |subject, source| is_undone(OpKind::MoveInner, maps(2, 2), subject, source);
         with roomy(),
-        but "is not undone" with Planted::new(roomy(), Fault::Skips(Operator::MoveInner, 1));
+        but "is not undone" with Planted::new(roomy(), Fault::Skips(OpKind::MoveInner, 1));
 
     add_isolated_vertex_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::AddIsolatedVertex, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::AddIsolatedVertex, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::AddIsolatedVertex));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::AddIsolatedVertex));
 
     remove_isolated_vertex_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::RemoveIsolatedVertex, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::RemoveIsolatedVertex, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::RemoveIsolatedVertex));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::RemoveIsolatedVertex));
 
     connect_refuses_without_a_trace_on_maps_of_1_edge_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::Connect, maps(1, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::Connect, maps(1, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::Connect));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::Connect));
 
     remove_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::RemoveEdge, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::RemoveEdge, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::RemoveEdge));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::RemoveEdge));
 
     split_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::SplitEdge, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::SplitEdge, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::SplitEdge));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::SplitEdge));
 
     join_edges_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::JoinEdges, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::JoinEdges, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::JoinEdges));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::JoinEdges));
 
     split_vertex_refuses_without_a_trace_on_maps_of_1_edge_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::SplitVertex, maps(1, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::SplitVertex, maps(1, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::SplitVertex));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::SplitVertex));
 
     contract_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::ContractEdge, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::ContractEdge, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::ContractEdge));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::ContractEdge));
 
     flip_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::FlipEdge, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::FlipEdge, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::FlipEdge));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::FlipEdge));
 
     move_inner_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_without_a_trace(Operator::MoveInner, maps(2, 1), subject, source);
+        |subject, source| refuses_without_a_trace(OpKind::MoveInner, maps(2, 1), subject, source);
         with tight(),
-        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(Operator::MoveInner));
+        but "a trace is left" with Planted::new(tight(), Fault::LeavesTrace(OpKind::MoveInner));
 
     stale_vertex_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_stale(Handle::Vertex, maps(2, 1), subject, source);
+        |subject, source| refuses_stale(HandleKind::Vertex, maps(2, 1), subject, source);
         with roomy(),
-        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(Handle::Vertex));
+        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(HandleKind::Vertex));
 
     stale_half_edge_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_stale(Handle::HalfEdge, maps(2, 1), subject, source);
+        |subject, source| refuses_stale(HandleKind::HalfEdge, maps(2, 1), subject, source);
         with roomy(),
-        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(Handle::HalfEdge));
+        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(HandleKind::HalfEdge));
 
     stale_face_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |subject, source| refuses_stale(Handle::Face, maps(2, 1), subject, source);
+        |subject, source| refuses_stale(HandleKind::Face, maps(2, 1), subject, source);
         with roomy(),
-        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(Handle::Face));
+        but "a stale handle is not refused" with Planted::new(roomy(), Fault::TakesStale(HandleKind::Face));
 
     validators_agree_on_tables_of_2_half_edges (unwind 32) =
         |judge, source| agrees_with_reference(judge, Tables::Links { half_edges: 2, vertices: 1 }, source);

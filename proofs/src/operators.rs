@@ -3,9 +3,11 @@
 //! Each body starts from the empty map, and tells whether the case was one that it speaks about: an operator that
 //! refuses keeps the rules too, but says little.
 
-use crate::grow::{Arguments, Bound, Operator, choose_op, choose_side, choose_turn, grow};
+use crate::grow::{Arguments, Bound, choose_op, choose_side, choose_turn, grow};
 use twinedge::program::choose::Choose;
-use twinedge::program::{Corner, CornerOf, Refusal, Runner, Side, StepOutcome, Subject, Turn, canonical};
+use twinedge::program::{
+    Call, CallOf, Corner, CornerOf, Handle, OpKind, Refusal, Runner, Side, StepOutcome, Subject, Turn, canonical,
+};
 use twinedge::validate::{Collect, Expectation, Table, View, validate};
 
 fn grown<K: Subject>(empty: K, bound: Bound, source: &mut impl Choose) -> Runner<K> {
@@ -22,7 +24,7 @@ fn keeps_all_rules<V: View>(view: &V) -> bool {
 ///
 /// # Panics
 /// If a rule is broken.
-pub fn keeps_rules<K: Subject>(operator: Operator, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
+pub fn keeps_rules<K: Subject>(operator: OpKind, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let mut runner = grown(empty, bound, source);
     let Some(op) = choose_op(operator, Arguments::Live, bound.islands, &runner, source) else { return false };
     let outcome = runner.step(op);
@@ -37,12 +39,7 @@ pub fn keeps_rules<K: Subject>(operator: Operator, bound: Bound, empty: K, sourc
 ///
 /// # Panics
 /// If a field has changed.
-pub fn refuses_without_a_trace<K: Subject>(
-    operator: Operator,
-    bound: Bound,
-    empty: K,
-    source: &mut impl Choose,
-) -> bool {
+pub fn refuses_without_a_trace<K: Subject>(operator: OpKind, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let mut runner = grown(empty, bound, source);
     retire(bound, &mut runner, source);
     let before = Table::copy_of(runner.subject());
@@ -56,10 +53,10 @@ pub fn refuses_without_a_trace<K: Subject>(
 fn retire<K: Subject>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Choose) -> bool {
     let operator = match source.choose(5) {
         0 => return false,
-        1 => Operator::RemoveIsolatedVertex,
-        2 => Operator::RemoveEdge,
-        3 => Operator::JoinEdges,
-        _ => Operator::ContractEdge,
+        1 => OpKind::RemoveIsolatedVertex,
+        2 => OpKind::RemoveEdge,
+        3 => OpKind::JoinEdges,
+        _ => OpKind::ContractEdge,
     };
     let op = choose_op(operator, Arguments::Live, bound.islands, runner, source);
     op.is_some_and(|op| runner.step(op) == StepOutcome::Applied)
@@ -68,7 +65,7 @@ fn retire<K: Subject>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Ch
 /// The kind of a handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "named after what is named")]
-pub enum Handle {
+pub enum HandleKind {
     Vertex,
     HalfEdge,
     Face,
@@ -78,7 +75,7 @@ pub enum Handle {
 ///
 /// # Panics
 /// If it is taken for a live one, or refused for another reason.
-pub fn refuses_stale<K: Subject>(kind: Handle, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
+pub fn refuses_stale<K: Subject>(kind: HandleKind, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let mut runner = grown(empty, bound, source);
     if !retire(bound, &mut runner, source) {
         return false;
@@ -90,19 +87,19 @@ pub fn refuses_stale<K: Subject>(kind: Handle, bound: Bound, empty: K, source: &
     let corner = runner.corners().next();
     let mut subject = runner.into_subject();
     match kind {
-        Handle::HalfEdge => {
+        HandleKind::HalfEdge => {
             for h in &stale_half_edges {
                 refuses_stale_half_edge(&mut subject, *h, corner);
             }
             !stale_half_edges.is_empty()
         }
-        Handle::Vertex => {
+        HandleKind::Vertex => {
             for v in &stale_vertices {
                 refuses_stale_vertex(&mut subject, *v, corner);
             }
             !stale_vertices.is_empty()
         }
-        Handle::Face => {
+        HandleKind::Face => {
             for f in &stale_faces {
                 refuses_stale_face(&mut subject, *f, corner);
             }
@@ -117,44 +114,49 @@ fn stale<T>(what: &str, answer: Result<T, Refusal>) {
     assert!(refusal == Some(Refusal::Stale), "a stale handle is not refused as such by {what}: {refusal:?}");
 }
 
-fn refuses_stale_half_edge<K: Subject>(subject: &mut K, h: K::HalfEdge, live: Option<CornerOf<K>>) {
-    let corner = Corner::At(h);
-    stale("origin_of", subject.origin_of(h));
-    stale("twin_of", subject.twin_of(h));
-    stale("next_of", subject.next_of(h));
-    stale("remove_edge", subject.remove_edge(h));
-    stale("split_edge", subject.split_edge(h));
-    stale("join_edges", subject.join_edges(h));
-    stale("contract_edge", subject.contract_edge(h));
-    for turn in [Turn::CounterClockwise, Turn::Clockwise] {
-        stale("flip_edge", subject.flip_edge(h, turn));
-    }
-    refuses_stale_corner(subject, corner, live);
+/// The same of an operator.
+fn refuses<K: Subject>(subject: &mut K, call: CallOf<K>) {
+    let name = call.kind().name();
+    stale(name, subject.apply(call));
 }
 
-fn refuses_stale_vertex<K: Subject>(subject: &mut K, v: K::Vertex, live: Option<CornerOf<K>>) {
-    stale("remove_isolated_vertex", subject.remove_isolated_vertex(v));
-    refuses_stale_corner(subject, Corner::Isolated(v), live);
+fn refuses_stale_half_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge, live: Option<CornerOf<K>>) {
+    stale("origin_of", subject.origin_of(half_edge));
+    stale("twin_of", subject.twin_of(half_edge));
+    stale("next_of", subject.next_of(half_edge));
+    refuses(subject, Call::RemoveEdge { half_edge });
+    refuses(subject, Call::SplitEdge { half_edge });
+    refuses(subject, Call::JoinEdges { half_edge });
+    refuses(subject, Call::ContractEdge { half_edge });
+    for turn in [Turn::CounterClockwise, Turn::Clockwise] {
+        refuses(subject, Call::FlipEdge { half_edge, turn });
+    }
+    refuses_stale_corner(subject, Corner::At(half_edge), live);
+}
+
+fn refuses_stale_vertex<K: Subject>(subject: &mut K, vertex: K::Vertex, live: Option<CornerOf<K>>) {
+    refuses(subject, Call::RemoveIsolatedVertex { vertex });
+    refuses_stale_corner(subject, Corner::Isolated(vertex), live);
 }
 
 fn refuses_stale_corner<K: Subject>(subject: &mut K, corner: CornerOf<K>, live: Option<CornerOf<K>>) {
     stale("face_of", subject.face_of(corner));
-    if let Some(outside) = subject.unbounded_face() {
-        stale("move_inner", subject.move_inner(corner, outside));
+    if let Some(face) = subject.unbounded_face() {
+        refuses(subject, Call::MoveInner { inner: corner, face });
     }
-    stale("connect", subject.connect(corner, corner, Side::Left, &[]));
-    stale("split_vertex", subject.split_vertex(corner, corner));
+    refuses(subject, Call::connect(corner, corner));
+    refuses(subject, Call::SplitVertex { from: corner, to: corner });
     if let Some(live) = live {
-        stale("connect", subject.connect(live, corner, Side::Left, &[]));
-        stale("connect", subject.connect(live, live, Side::Left, &[corner]));
-        stale("split_vertex", subject.split_vertex(live, corner));
+        refuses(subject, Call::connect(live, corner));
+        refuses(subject, Call::Connect { from: live, to: live, new_face: Side::Left, inner: vec![corner] });
+        refuses(subject, Call::SplitVertex { from: live, to: corner });
     }
 }
 
-fn refuses_stale_face<K: Subject>(subject: &mut K, f: K::Face, live: Option<CornerOf<K>>) {
-    stale("add_isolated_vertex", subject.add_isolated_vertex(f));
-    if let Some(live) = live {
-        stale("move_inner", subject.move_inner(live, f));
+fn refuses_stale_face<K: Subject>(subject: &mut K, face: K::Face, live: Option<CornerOf<K>>) {
+    refuses(subject, Call::AddIsolatedVertex { face });
+    if let Some(inner) = live {
+        refuses(subject, Call::MoveInner { inner, face });
     }
 }
 
@@ -162,7 +164,7 @@ fn refuses_stale_face<K: Subject>(subject: &mut K, f: K::Face, live: Option<Corn
 ///
 /// # Panics
 /// If it does not, or if the inverse is refused.
-pub fn is_undone<K: Subject>(operator: Operator, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
+pub fn is_undone<K: Subject>(operator: OpKind, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let runner = grown(empty, bound, source);
     let map = Map {
         half_edges: runner.half_edges().to_vec(),
@@ -190,62 +192,68 @@ struct Map<K: Subject> {
 impl<K: Subject> Map<K> {
     /// The subject after an operator and its inverse, and whether the latter was done; nothing if the former was
     /// refused.
-    fn there_and_back(mut self, operator: Operator, bound: Bound, source: &mut impl Choose) -> Option<(K, bool)> {
+    fn there_and_back(mut self, operator: OpKind, bound: Bound, source: &mut impl Choose) -> Option<(K, bool)> {
         let inverse = match operator {
-            Operator::AddIsolatedVertex => {
+            OpKind::AddIsolatedVertex => {
                 let face = self.choose_face(source)?;
-                let v = self.subject.add_isolated_vertex(face).ok()?;
-                self.subject.remove_isolated_vertex(v).is_ok()
+                let Handle::Vertex(vertex) = self.subject.apply(Call::AddIsolatedVertex { face }).ok()?? else {
+                    return None;
+                };
+                self.subject.apply(Call::RemoveIsolatedVertex { vertex }).is_ok()
             }
-            Operator::RemoveIsolatedVertex => {
-                let v = choose_of(&self.isolated, source)?;
-                let face = self.subject.face_of(Corner::Isolated(v)).ok()?;
-                self.subject.remove_isolated_vertex(v).ok()?;
-                self.subject.add_isolated_vertex(face).is_ok()
+            OpKind::RemoveIsolatedVertex => {
+                let vertex = choose_of(&self.isolated, source)?;
+                let face = self.subject.face_of(Corner::Isolated(vertex)).ok()?;
+                self.subject.apply(Call::RemoveIsolatedVertex { vertex }).ok()?;
+                self.subject.apply(Call::AddIsolatedVertex { face }).is_ok()
             }
-            Operator::Connect => {
+            OpKind::Connect => {
                 let from = choose_of(&self.corners, source)?;
                 let to = choose_of(&self.corners, source)?;
                 let inner: Vec<_> =
                     (0..source.choose(bound.islands + 1)).filter_map(|_| choose_of(&self.corners, source)).collect();
-                let n = self.subject.connect(from, to, choose_side(source), &inner).ok()?;
-                self.subject.remove_edge(n).is_ok()
+                let call = Call::Connect { from, to, new_face: choose_side(source), inner };
+                let half_edge = self.subject.make_edge(call).ok()?;
+                self.subject.apply(Call::RemoveEdge { half_edge }).is_ok()
             }
-            Operator::RemoveEdge => {
+            OpKind::RemoveEdge => {
                 let n = choose_of(&self.half_edges, source)?;
                 self.remove_and_connect(n)?
             }
-            Operator::SplitEdge => {
-                let h = choose_of(&self.half_edges, source)?;
-                self.subject.split_edge(h).ok()?;
-                self.subject.join_edges(h).is_ok()
+            OpKind::SplitEdge => {
+                let half_edge = choose_of(&self.half_edges, source)?;
+                self.subject.apply(Call::SplitEdge { half_edge }).ok()?;
+                self.subject.apply(Call::JoinEdges { half_edge }).is_ok()
             }
-            Operator::JoinEdges => {
-                let h = choose_of(&self.half_edges, source)?;
-                self.subject.join_edges(h).ok()?;
-                self.subject.split_edge(h).is_ok()
+            OpKind::JoinEdges => {
+                let half_edge = choose_of(&self.half_edges, source)?;
+                self.subject.apply(Call::JoinEdges { half_edge }).ok()?;
+                self.subject.apply(Call::SplitEdge { half_edge }).is_ok()
             }
-            Operator::SplitVertex => {
+            OpKind::SplitVertex => {
                 let from = choose_of(&self.corners, source)?;
                 let to = choose_of(&self.corners, source)?;
-                let n = self.subject.split_vertex(from, to).ok()?;
-                self.subject.contract_edge(n).is_ok()
+                let half_edge = self.subject.make_edge(Call::SplitVertex { from, to }).ok()?;
+                self.subject.apply(Call::ContractEdge { half_edge }).is_ok()
             }
-            Operator::ContractEdge => {
+            OpKind::ContractEdge => {
                 let n = choose_of(&self.half_edges, source)?;
                 self.contract_and_split(n)?
             }
-            Operator::FlipEdge => {
-                let (h, turn) = (choose_of(&self.half_edges, source)?, choose_turn(source));
-                self.subject.flip_edge(h, turn).ok()?;
-                self.subject.flip_edge(h, turn.reversed()).is_ok()
+            OpKind::FlipEdge => {
+                let (half_edge, turn) = (choose_of(&self.half_edges, source)?, choose_turn(source));
+                self.subject.apply(Call::FlipEdge { half_edge, turn }).ok()?;
+                self.subject.apply(Call::FlipEdge { half_edge, turn: turn.reversed() }).is_ok()
             }
-            Operator::MoveInner => {
+            OpKind::MoveInner => {
                 let inner = choose_of(&self.corners, source)?;
                 let old = self.subject.face_of(inner).ok()?;
                 let face = self.choose_face(source)?;
-                self.subject.move_inner(inner, face).ok()?;
-                self.subject.move_inner(inner, old).is_ok()
+                self.subject.apply(Call::MoveInner { inner, face }).ok()?;
+                self.subject.apply(Call::MoveInner { inner, face: old }).is_ok()
+            }
+            OpKind::MeshFlipEdge | OpKind::MeshSplitEdge | OpKind::MeshSplitFace | OpKind::MeshCollapseEdge => {
+                return None;
             }
         };
         Some((self.subject, inverse))
@@ -303,22 +311,25 @@ impl<K: Subject> Map<K> {
         // A loop drawn from a corner to itself has all else to its left. If this one has it to its right, its twin is
         // drawn.
         let is_alone = self.subject.next_of(n).ok()? == n;
-        let dropped = self.subject.remove_edge(n).ok()?;
+        let dropped = match self.subject.apply(Call::RemoveEdge { half_edge: n }).ok()? {
+            Some(Handle::Face(face)) => Some(face),
+            _ => None,
+        };
         let [(left, in_left), (_, in_right)] = sides;
-        let (side, inner) = match dropped {
+        let (new_face, inner) = match dropped {
             None => (Side::Left, Vec::new()),
             Some(_) if dropped == left => (if is_alone { Side::Right } else { Side::Left }, in_left),
             Some(_) => (if is_alone { Side::Left } else { Side::Right }, in_right),
         };
-        Some(self.subject.connect(from, to, side, &inner).is_ok())
+        Some(self.subject.apply(Call::Connect { from, to, new_face, inner }).is_ok())
     }
 
     fn contract_and_split(&mut self, n: K::HalfEdge) -> Option<bool> {
         let t = self.subject.twin_of(n).ok()?;
         let ends = [self.subject.origin_of(n).ok()?, self.subject.origin_of(t).ok()?];
         let (after_t, after_n) = (self.subject.next_of(t).ok()?, self.subject.next_of(n).ok()?);
-        let dropped = self.subject.contract_edge(n).ok()?;
-        let kept = if dropped == ends[0] { ends[1] } else { ends[0] };
+        let dropped = self.subject.apply(Call::ContractEdge { half_edge: n }).ok()?;
+        let kept = if dropped == Some(Handle::Vertex(ends[0])) { ends[1] } else { ends[0] };
         // The half-edges of the target are met between these two corners; a leaf has none, so they are one.
         let (from, to) = match (after_t == n, after_n == t) {
             (false, false) => (Corner::At(after_t), Corner::At(after_n)),
@@ -326,7 +337,7 @@ impl<K: Subject> Map<K> {
             (true, false) => (Corner::At(after_n), Corner::At(after_n)),
             (true, true) => (Corner::Isolated(kept), Corner::Isolated(kept)),
         };
-        Some(self.subject.split_vertex(from, to).is_ok())
+        Some(self.subject.apply(Call::SplitVertex { from, to }).is_ok())
     }
 }
 

@@ -1,11 +1,10 @@
 //! A subject with one fault: what a harness must notice.
 
-use crate::grow::Operator;
-use crate::operators::Handle;
+use crate::operators::HandleKind;
 use core::cell::Cell;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use twinedge::delegate_view;
-use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
+use twinedge::program::{CallOf, Corner, CornerOf, HandleOf, OpKind, Refusal, Subject};
 use twinedge::validate::{Table, View};
 
 /// A field of a record.
@@ -24,13 +23,13 @@ pub(crate) enum Field {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// The values that the operator writes to this field of older records are lost.
-    Loses(Operator, Field),
+    Loses(OpKind, Field),
     /// The operator says that it is done, and nothing is, from this call on, counted from 0.
-    Skips(Operator, u32),
+    Skips(OpKind, u32),
     /// The operator issues a record before it knows that it will refuse, and then retires it again.
-    LeavesTrace(Operator),
+    LeavesTrace(OpKind),
     /// A stale handle is taken for that of some live record.
-    TakesStale(Handle),
+    TakesStale(HandleKind),
 }
 
 /// The structure of the library, seen through a fault.
@@ -50,44 +49,18 @@ impl Planted {
         Self { dcel, table, fault, calls: Cell::new(0) }
     }
 
-    /// Runs an operator, unless it is skipped, and plants the fault in what the structure then says.
-    fn run<T>(
-        &mut self,
-        operator: Operator,
-        skipped: T,
-        run: impl FnOnce(&mut Dcel) -> Result<T, Refusal>,
-    ) -> Result<T, Refusal> {
-        if let Fault::Skips(faulty, from) = self.fault
-            && faulty == operator
-        {
-            let call = self.calls.replace(self.calls.get() + 1);
-            if call >= from {
-                return Ok(skipped);
-            }
-        }
-        let before = Table::copy_of(&self.dcel).unwrap_or_default();
-        let answer = run(&mut self.dcel);
-        self.table = Table::copy_of(&self.dcel).unwrap_or_default();
-        match self.fault {
-            Fault::Loses(faulty, field) if faulty == operator => lose(&before, &mut self.table, field),
-            Fault::LeavesTrace(faulty) if faulty == operator && answer.is_err() => self.table.vertices.push(None),
-            _ => {}
-        }
-        answer
-    }
-
     fn half_edge(&self, h: HalfEdgeKey) -> HalfEdgeKey {
-        let deceived = self.fault == Fault::TakesStale(Handle::HalfEdge) && self.dcel.half_edge(h).is_err();
+        let deceived = self.fault == Fault::TakesStale(HandleKind::HalfEdge) && self.dcel.half_edge(h).is_err();
         self.dcel.half_edges().next().filter(|_| deceived).map_or(h, HalfEdge::key)
     }
 
     fn vertex(&self, v: VertexKey) -> VertexKey {
-        let deceived = self.fault == Fault::TakesStale(Handle::Vertex) && self.dcel.vertex(v).is_err();
+        let deceived = self.fault == Fault::TakesStale(HandleKind::Vertex) && self.dcel.vertex(v).is_err();
         self.dcel.vertices().next().filter(|_| deceived).map_or(v, Vertex::key)
     }
 
     fn face(&self, f: FaceKey) -> FaceKey {
-        let deceived = self.fault == Fault::TakesStale(Handle::Face) && self.dcel.face(f).is_err();
+        let deceived = self.fault == Fault::TakesStale(HandleKind::Face) && self.dcel.face(f).is_err();
         if deceived { self.dcel.unbounded_face().key() } else { f }
     }
 
@@ -149,63 +122,27 @@ impl Subject for Planted {
         self.dcel.next_of(self.half_edge(half_edge))
     }
 
-    fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
-        let face = self.face(face);
-        let skipped = VertexKey::default();
-        self.run(Operator::AddIsolatedVertex, skipped, |dcel| Subject::add_isolated_vertex(dcel, face))
-    }
-
-    fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), Refusal> {
-        let vertex = self.vertex(vertex);
-        self.run(Operator::RemoveIsolatedVertex, (), |dcel| Subject::remove_isolated_vertex(dcel, vertex))
-    }
-
-    fn connect(
-        &mut self,
-        from: CornerOf<Self>,
-        to: CornerOf<Self>,
-        new_face: Side,
-        inner: &[CornerOf<Self>],
-    ) -> Result<HalfEdgeKey, Refusal> {
-        let (from, to) = (self.corner(from), self.corner(to));
-        let inner: Vec<_> = inner.iter().map(|corner| self.corner(*corner)).collect();
-        let skipped = HalfEdgeKey::default();
-        self.run(Operator::Connect, skipped, |dcel| Subject::connect(dcel, from, to, new_face, &inner))
-    }
-
-    fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, Refusal> {
-        let half_edge = self.half_edge(half_edge);
-        self.run(Operator::RemoveEdge, None, |dcel| Subject::remove_edge(dcel, half_edge))
-    }
-
-    fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        let half_edge = self.half_edge(half_edge);
-        self.run(Operator::SplitEdge, half_edge, |dcel| Subject::split_edge(dcel, half_edge))
-    }
-
-    fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        let half_edge = self.half_edge(half_edge);
-        self.run(Operator::JoinEdges, (), |dcel| Subject::join_edges(dcel, half_edge))
-    }
-
-    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<HalfEdgeKey, Refusal> {
-        let (from, to) = (self.corner(from), self.corner(to));
-        self.run(Operator::SplitVertex, HalfEdgeKey::default(), |dcel| Subject::split_vertex(dcel, from, to))
-    }
-
-    fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
-        let half_edge = self.half_edge(half_edge);
-        self.run(Operator::ContractEdge, VertexKey::default(), |dcel| Subject::contract_edge(dcel, half_edge))
-    }
-
-    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
-        let half_edge = self.half_edge(half_edge);
-        self.run(Operator::FlipEdge, (), |dcel| Subject::flip_edge(dcel, half_edge, turn))
-    }
-
-    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), Refusal> {
-        let (inner, face) = (self.corner(inner), self.face(face));
-        self.run(Operator::MoveInner, (), |dcel| Subject::move_inner(dcel, inner, face))
+    /// Applies an operator, unless it is skipped, and plants the fault in what the structure then says.
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        let kind = call.kind();
+        let call = call.map(|v| self.vertex(v), |h| self.half_edge(h), |f| self.face(f));
+        if let Fault::Skips(faulty, from) = self.fault
+            && faulty == kind
+        {
+            let number = self.calls.replace(self.calls.get() + 1);
+            if number >= from {
+                return Ok(None);
+            }
+        }
+        let before = Table::copy_of(&self.dcel).unwrap_or_default();
+        let answer = self.dcel.apply(call);
+        self.table = Table::copy_of(&self.dcel).unwrap_or_default();
+        match self.fault {
+            Fault::Loses(faulty, field) if faulty == kind => lose(&before, &mut self.table, field),
+            Fault::LeavesTrace(faulty) if faulty == kind && answer.is_err() => self.table.vertices.push(None),
+            _ => {}
+        }
+        answer
     }
 }
 

@@ -26,9 +26,9 @@
 //! | to | take |
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it |
-//! | see whether it does what it should | [`conformance::check`]: it and [`PointerModel`] in step, compared after every operator of random programs |
+//! | test a structure | [`conformance::check`]: the structure and [`PointerModel`] in step, compared after every operator of random programs |
 //! | try operators that are not in this language | [`choose`]: draw an operator and its arguments from a source, and call [`validate`](crate::validate::validate) after each |
-//! | check what the operators of `Dcel` report as well | `ReportAudit` of the crate `twinedge-trials` |
+//! | also check the reports of the operators of `Dcel` | `ReportAudit` of the crate `twinedge-trials` |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
 //! | say which operators, how often and how many | [`Generator`], for all of these; of bytes, [`Generator::decode`] |
 //! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
@@ -45,8 +45,13 @@
 
 #![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
 
+mod arguments;
 pub mod canonical;
+pub mod choose;
 pub mod conformance;
+mod dcel;
+mod every;
+mod generator;
 mod instances;
 pub(crate) mod language;
 pub mod mesh;
@@ -54,27 +59,25 @@ mod operators;
 #[doc(hidden)]
 pub mod panics;
 mod pointer_model;
-mod run;
+mod runner;
+pub(crate) mod shrink;
 mod subject;
+pub(crate) mod text;
 
 pub use crate::dcel::{Corner, Side, Turn};
-pub use language::choose;
-pub use language::generator::Generator;
+pub use arguments::{CornerPick, FacePick, HalfEdgePick, InnerPick, SecondPick, VertexPick};
+pub use every::{every_mesh_op, every_op, try_every_op};
+pub use generator::Generator;
 #[cfg(feature = "proptest")]
-pub use language::proptest::ProgramTree;
-pub use language::script::Language;
-pub use language::shrink::{candidates, shrink};
-pub use language::words::{Expected, ParseError};
-pub use operators::{
-    Call, CallOf, CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick,
-    VertexPick,
-};
+pub use generator::ProgramTree;
+pub use language::Language;
+pub use operators::{Call, CountChange, Handle, Op, OpKind, Program};
 pub use pointer_model::{
     PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelStart, PointerModelVertex, StartError,
 };
-pub use run::every::{every_mesh_op, every_op, try_every_op};
-pub use run::outcome::StepOutcome;
-pub use run::runner::Runner;
+pub use runner::Runner;
+pub use shrink::{candidates, shrink};
 #[doc(hidden)]
 pub use subject::by_index;
-pub use subject::{CornerOf, Refusal, Subject};
+pub use subject::{CallOf, CornerOf, HandleOf, Refusal, StepOutcome, Subject};
+pub use text::{Expected, ParseError};

@@ -3,7 +3,7 @@
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use twinedge::dcel::{Corner, Dcel, History, OperatorError, Split, VertexKey};
-use twinedge::program::{Program, Refusal, Runner, StepOutcome, Subject, conformance};
+use twinedge::program::{CallOf, HandleOf, Program, Refusal, Runner, StepOutcome, Subject, conformance};
 use twinedge::validate::{Expectation, Table, View};
 use twinedge::{delegate_subject, delegate_view};
 use twinedge_trials::Rewound;
@@ -20,10 +20,6 @@ impl Recording {
     pub(crate) const fn dcel(&self) -> &Dcel {
         self.0.get()
     }
-
-    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel) -> Result<T, Refusal>) -> Result<T, Refusal> {
-        self.0.change("operator", operator)
-    }
 }
 
 impl View for Recording {
@@ -31,8 +27,11 @@ impl View for Recording {
 }
 
 impl Subject for Recording {
-    delegate_subject!(Dcel, Self::dcel);
-    delegate_subject!(operators Self::run);
+    delegate_subject!(Dcel, |this| this.dcel());
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        self.0.change("operator", |dcel| dcel.apply(call))
+    }
 }
 
 fn bytes(dcel: &Dcel) -> String {

@@ -2,7 +2,7 @@
 
 use quickcheck::{Gen, QuickCheck};
 use std::rc::Weak;
-use twinedge::program::{PointerModel, Program, Runner, Subject};
+use twinedge::program::{Call, Handle, PointerModel, Program, Runner, Subject};
 use twinedge::validate::View;
 
 /// Returns the number of links from record to record, as the structure itself reports them.
@@ -54,11 +54,12 @@ fn every_record_is_freed_when_it_is_removed_and_all_when_the_structure_is_droppe
 #[test]
 fn a_record_that_is_removed_is_freed_at_once() {
     let mut pointers = PointerModel::new();
-    let outside = pointers.unbounded_face().unwrap();
+    let face = pointers.unbounded_face().unwrap();
     let empty = pointers.records();
-    let v = pointers.add_isolated_vertex(outside).unwrap();
+    let given = pointers.apply(Call::AddIsolatedVertex { face }).unwrap();
+    let Some(Handle::Vertex(vertex)) = given else { panic!("it gives {given:?}") };
     let with_vertex = pointers.records();
-    pointers.remove_isolated_vertex(v).unwrap();
+    pointers.apply(Call::RemoveIsolatedVertex { vertex }).unwrap();
     let alive = with_vertex.iter().filter(|record| record.strong_count() > 0).count();
     assert_eq!((empty.len(), with_vertex.len(), alive), (1, 3, 1));
 }

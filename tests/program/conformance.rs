@@ -3,13 +3,13 @@
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::dcel::Dcel;
+use twinedge::delegate_view;
 use twinedge::program::conformance::{
     Answer, Conformance, ConformanceSummary, Coverage, Difference, Failure, InStep, OperatorCounts, Question,
 };
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
-use twinedge::{delegate_subject, delegate_view};
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 
 /// Numbers without pattern, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
@@ -26,7 +26,7 @@ fn the_models_and_the_structure_do_the_same() {
     let mut sum = ConformanceSummary::default();
     for seed in 0..50 {
         let program = Program::from_bytes(&noise(seed, 600));
-        let summary = conformance::run(&program, RotationSystem::new(), &Expectation::plane())
+        let summary = conformance::run(&program, RawPointers::new(), &Expectation::plane())
             .unwrap_or_else(|failure| panic!("seed {seed}: {failure}"));
         assert_eq!(conformance::run(&program, Dcel::new(), &Expectation::plane()), Ok(summary));
         assert_eq!(summary.total().all(), program.0.len());
@@ -68,7 +68,7 @@ enum Fault {
 /// The model with a fault.
 #[derive(Clone)]
 struct Faulty {
-    model: RotationSystem,
+    model: RawPointers,
     fault: Fault,
     parts: Parts,
     /// The number of questions that it was asked.
@@ -79,9 +79,9 @@ struct Faulty {
 
 impl Faulty {
     fn new(fault: Fault) -> Self {
-        let mut model = RotationSystem::new();
+        let mut model = RawPointers::new();
         if fault == Fault::NotEmpty {
-            model.add_isolated_vertex(0).unwrap();
+            model.apply(Call::AddIsolatedVertex { face: 0 }).unwrap();
         }
         Self { parts: model.parts(), model, fault, asked: Rc::default(), panics_after: None }
     }
@@ -93,10 +93,6 @@ impl Faulty {
     fn count(&self) {
         assert!(self.panics_after.is_none_or(|most| self.asked.get() < most), "a question");
         self.asked.set(self.asked.get() + 1);
-    }
-
-    fn run<T>(&mut self, operator: impl FnOnce(&mut RotationSystem) -> T) -> T {
-        operator(&mut self.model)
     }
 
     fn is_full(&self) -> bool {
@@ -142,55 +138,39 @@ impl Subject for Faulty {
         self.model.next_of(h)
     }
 
-    delegate_subject!(operators Self::run; except connect, remove_edge, split_edge, split_vertex, contract_edge, flip_edge);
-
-    fn connect(
-        &mut self,
-        from: Corner<usize, usize>,
-        to: Corner<usize, usize>,
-        new_face: Side,
-        inner: &[Corner<usize, usize>],
-    ) -> Result<usize, Refusal> {
-        if self.is_full() {
-            return Err(Refusal::Full);
-        }
-        let new_face = if self.has(Fault::Side) && new_face == Side::Left { Side::Right } else { new_face };
-        let h = self.model.connect(from, to, new_face, inner)?;
-        Ok(if self.has(Fault::Twin) { h ^ 1 } else { h })
-    }
-
-    fn remove_edge(&mut self, h: usize) -> Result<Option<usize>, Refusal> {
-        let face = self.model.face_of(Corner::At(h))?;
-        let other = self.model.face_of(Corner::At(h ^ 1))?;
-        let dropped = self.model.remove_edge(h)?;
-        let wrong = if dropped == Some(face) { other } else { face };
-        Ok(dropped.map(|right| if self.has(Fault::WrongFaceGone) { wrong } else { right }))
-    }
-
-    fn split_edge(&mut self, h: usize) -> Result<usize, Refusal> {
-        if self.is_full() { Err(Refusal::Full) } else { self.model.split_edge(h) }
-    }
-
-    fn split_vertex(&mut self, from: Corner<usize, usize>, to: Corner<usize, usize>) -> Result<usize, Refusal> {
-        if self.is_full() {
-            if self.has(Fault::SmallAndDirty) {
-                self.model.add_isolated_vertex(0)?;
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        match call {
+            Call::Connect { .. } | Call::SplitEdge { .. } if self.is_full() => Err(Refusal::Full),
+            Call::SplitVertex { .. } if self.is_full() => {
+                if self.has(Fault::SmallAndDirty) {
+                    self.model.apply(Call::AddIsolatedVertex { face: 0 })?;
+                }
+                Err(Refusal::Full)
             }
-            return Err(Refusal::Full);
+            Call::Connect { from, to, new_face, inner } => {
+                let new_face = if self.has(Fault::Side) && new_face == Side::Left { Side::Right } else { new_face };
+                let h = self.model.make_edge(Call::Connect { from, to, new_face, inner })?;
+                Ok(Some(Handle::HalfEdge(if self.has(Fault::Twin) { h ^ 1 } else { h })))
+            }
+            Call::RemoveEdge { half_edge: h } => {
+                let face = self.model.face_of(Corner::At(h))?;
+                let other = self.model.face_of(Corner::At(h ^ 1))?;
+                let dropped = self.model.apply(call)?;
+                let wrong = if dropped == Some(Handle::Face(face)) { other } else { face };
+                let right = |right| if self.has(Fault::WrongFaceGone) { Handle::Face(wrong) } else { right };
+                Ok(dropped.map(right))
+            }
+            Call::ContractEdge { .. } => match self.model.apply(call) {
+                Err(Refusal::Loop) if self.has(Fault::WrongReason) => Err(Refusal::Stale),
+                Err(Refusal::Loop) if self.has(Fault::Panics) => panic!("a loop"),
+                other => other,
+            },
+            Call::FlipEdge { half_edge, turn } => {
+                let turn = if self.has(Fault::Turn) { turn.reversed() } else { turn };
+                self.model.apply(Call::FlipEdge { half_edge, turn })
+            }
+            _ => self.model.apply(call),
         }
-        self.model.split_vertex(from, to)
-    }
-
-    fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
-        match self.model.contract_edge(h) {
-            Err(Refusal::Loop) if self.has(Fault::WrongReason) => Err(Refusal::Stale),
-            Err(Refusal::Loop) if self.has(Fault::Panics) => panic!("a loop"),
-            other => other,
-        }
-    }
-
-    fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
-        self.model.flip_edge(h, if self.has(Fault::Turn) { turn.reversed() } else { turn })
     }
 }
 
@@ -347,7 +327,7 @@ fn a_step_asks_every_corner_a_few_questions() {
 
 #[test]
 fn a_structure_without_what_tells_maps_apart_is_refused_by_name() {
-    let (plane, all) = (Expectation::plane(), RotationSystem::new().parts());
+    let (plane, all) = (Expectation::plane(), RawPointers::new().parts());
     let run = |program: &Program, parts: Parts, expectation: &Expectation| {
         conformance::run(program, Faulty { parts, ..Faulty::new(Fault::None) }, expectation)
     };

@@ -15,5 +15,6 @@ mod in_step;
 mod named_mesh;
 mod panics;
 mod partial;
+mod pinned;
 mod program;
 mod reported;

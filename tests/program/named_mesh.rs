@@ -160,21 +160,16 @@ fn a_flip_may_turn_either_way() {
     impl View for Clockwise {
         twinedge::delegate_view!(|this| &this.0);
     }
-    impl Clockwise {
-        fn run<T>(&mut self, operator: impl FnOnce(&mut PointerModel) -> T) -> T {
-            operator(&mut self.0)
-        }
-        fn model(&self) -> &PointerModel {
-            &self.0
-        }
-    }
     impl Subject for Clockwise {
-        twinedge::delegate_subject!(PointerModel, Self::model, Self::run; except mesh_flip_edge);
+        twinedge::delegate_subject!(PointerModel, |this| &this.0);
 
-        fn mesh_flip_edge(&mut self, h: Self::HalfEdge) -> Result<(), Refusal> {
+        fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+            let Call::MeshFlipEdge { half_edge } = call else { return self.0.apply(call) };
             // Twice there and once back is once clockwise, with the refusals of the first.
-            self.0.mesh_flip_edge(h)?;
-            (0..2).try_for_each(|_| Subject::flip_edge(&mut self.0, h, Turn::Clockwise))
+            self.0.apply(call)?;
+            let back = Call::FlipEdge { half_edge, turn: Turn::Clockwise };
+            self.0.apply(back.clone())?;
+            self.0.apply(back)
         }
     }
     let summary = conformance::check(|| Clockwise(PointerModel::new()), &Expectation::plane()).unwrap();
@@ -218,7 +213,7 @@ fn a_mesh_that_moves_half_edges_is_told_of_names() {
         }
         /// Splits, and exchanges the first half-edge with the last.
         fn split(&mut self, h: usize) -> Result<(), Refusal> {
-            self.0.mesh_split_edge(self.1[h])?;
+            self.0.apply(Call::MeshSplitEdge { half_edge: self.1[h] })?;
             self.1 = (0..self.0.half_edge_slots()).collect();
             let last = self.1.len() - 1;
             self.1.swap(0, last);
@@ -226,7 +221,7 @@ fn a_mesh_that_moves_half_edges_is_told_of_names() {
         }
     }
     impl Subject for ByIndex {
-        twinedge::subject_by_index!(mesh_split_edge => Self::split);
+        twinedge::subject_by_index!(MeshSplitEdge => Self::split);
     }
     let make = || {
         let named = named(6, &OCTAHEDRON, Bug::None);
@@ -249,18 +244,24 @@ fn names_stay() {
     let border: Vec<usize> = live(&mesh).into_iter().filter(|n| mesh.face(*n).is_none()).collect();
     assert_eq!(border.len(), 4);
     for n in &border {
-        assert_eq!((mesh.next(*n), mesh.mesh_split_face(*n)), (None, Err(Refusal::Unsupported)));
         assert_eq!(
-            (mesh.face_of(Corner::At(*n)), mesh.mesh_flip_edge(*n)),
+            (mesh.next(*n), mesh.apply(Call::MeshSplitFace { half_edge: *n })),
+            (None, Err(Refusal::Unsupported))
+        );
+        assert_eq!(
+            (mesh.face_of(Corner::At(*n)), mesh.apply(Call::MeshFlipEdge { half_edge: *n })),
             (Err(Refusal::Border), Err(Refusal::Border))
         );
     }
     let before: Vec<_> = live(&mesh).into_iter().map(|n| (n, ends(&mesh, n))).collect();
     // The edge from 0 to the apex is turned: two half-edges are new, all others have their ends.
     let spoke = before.iter().find(|(_, ends)| *ends == [Some(0), Some(4)]).unwrap().0;
-    assert_eq!(mesh.mesh_flip_edge(spoke), Ok(()));
+    assert_eq!(mesh.apply(Call::MeshFlipEdge { half_edge: spoke }), Ok(None));
     let turned: Vec<usize> = live(&mesh).into_iter().filter(|n| *n >= 16).collect();
-    assert_eq!((live(&mesh).len(), turned.len(), mesh.mesh_flip_edge(spoke)), (16, 2, Err(Refusal::Stale)));
+    assert_eq!(
+        (live(&mesh).len(), turned.len(), mesh.apply(Call::MeshFlipEdge { half_edge: spoke })),
+        (16, 2, Err(Refusal::Stale))
+    );
     for (n, ends_before) in &before {
         let is_turned = matches!(ends_before, [Some(0), Some(4)] | [Some(4), Some(0)]);
         assert!(is_turned != mesh.is_half_edge(*n));
@@ -269,7 +270,7 @@ fn names_stay() {
     // An edge of the border collapses, given by the half-edge that is not stored; what started at one end starts at the other.
     let n = border[0];
     let [from, to] = ends(&mesh, n);
-    assert_eq!(mesh.mesh_collapse_edge(n), Ok(()));
+    assert_eq!(mesh.apply(Call::MeshCollapseEdge { half_edge: n }), Ok(None));
     assert_eq!(live(&mesh).len(), 16 - 4);
     assert!(live(&mesh).into_iter().all(|n| n < 18), "no half-edge is new");
     assert_ne!(mesh.is_vertex(from.unwrap()), mesh.is_vertex(to.unwrap()));
@@ -318,8 +319,11 @@ impl View for Dangling {
 #[test]
 fn a_broken_mesh_stays_broken() {
     let mut bare = Named::new(Triangles::new(3, &[[0, 1, 2]], Bug::None));
-    assert_eq!(bare.mesh_flip_edge(0), Err(Refusal::Unsupported));
-    assert_eq!((bare.mesh_flip_edge(99), bare.mesh_split_face(99)), (Err(Refusal::Stale), Err(Refusal::Stale)));
+    assert_eq!(bare.apply(Call::MeshFlipEdge { half_edge: 0 }), Err(Refusal::Unsupported));
+    assert_eq!(
+        (bare.apply(Call::MeshFlipEdge { half_edge: 99 }), bare.apply(Call::MeshSplitFace { half_edge: 99 })),
+        (Err(Refusal::Stale), Err(Refusal::Stale))
+    );
     let named = Named::new(Dangling);
     assert_eq!(
         (named.twin(0), named.next(1), named.leaving(0)),

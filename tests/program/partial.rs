@@ -9,7 +9,7 @@ use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompa
 use twinedge::program::*;
 use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Table, View};
 use twinedge::{delegate_view, subject_by_index, view_answers};
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]
@@ -74,7 +74,8 @@ impl View for FlipOnly {
 impl Subject for FlipOnly {
     subject_by_index!();
 
-    fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        let Call::FlipEdge { half_edge: h, turn } = call else { return Err(Refusal::Unsupported) };
         self.called.set(self.called.get() + 1);
         let mut at = self.next.get(h).copied().ok_or(Refusal::Stale)?;
         let t = h ^ 1;
@@ -93,12 +94,12 @@ impl Subject for FlipOnly {
             Turn::Clockwise => (self.prev(h), self.prev(t)),
         };
         match self.flip {
-            Flip::Nothing => return Ok(()),
+            Flip::Nothing => return Ok(None),
             Flip::Adds => {
                 let (n, v) = (self.next.len(), self.vertex_slots());
                 self.next.extend([n + 1, n]);
                 self.origin.extend([v, v + 1]);
-                return Ok(());
+                return Ok(None);
             }
             Flip::Drops => {
                 let h = self.next.len() - 2;
@@ -106,7 +107,7 @@ impl Subject for FlipOnly {
                 (self.next[before_h], self.next[before_t]) = (self.next[h + 1], self.next[h]);
                 self.next.truncate(h);
                 self.origin.truncate(h);
-                return Ok(());
+                return Ok(None);
             }
             _ => {}
         }
@@ -125,7 +126,7 @@ impl Subject for FlipOnly {
         if self.flip == Flip::Breaks {
             self.origin[h] = self.origin[y];
         }
-        Ok(())
+        Ok(None)
     }
 }
 
@@ -197,7 +198,7 @@ fn a_run_in_which_nothing_was_applied_fails_unless_it_is_allowed_to() {
 }
 
 /// A model that refuses to flip wherever the reference does, and never does anything else: each loop is gone first.
-struct NeverFlips(RotationSystem);
+struct NeverFlips(RawPointers);
 
 impl View for NeverFlips {
     delegate_view!(|this| &this.0);
@@ -209,11 +210,12 @@ impl Subject for NeverFlips {
     fn unbounded_face(&self) -> Option<usize> {
         self.0.unbounded_face()
     }
-    fn split_edge(&mut self, h: usize) -> Result<usize, Refusal> {
-        self.0.split_edge(h)
-    }
-    fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
-        self.0.flip_edge(h, turn)
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        match call {
+            Call::SplitEdge { .. } | Call::FlipEdge { .. } => self.0.apply(call),
+            _ => Err(Refusal::Unsupported),
+        }
     }
 }
 
@@ -221,7 +223,7 @@ impl Subject for NeverFlips {
 fn an_operator_that_is_never_applied_is_named() {
     // A tree has nothing to flip.
     let tree = || {
-        let mut runner = Runner::new(RotationSystem::new());
+        let mut runner = Runner::new(RawPointers::new());
         runner.run(&"twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0".parse().unwrap());
         NeverFlips(runner.into_subject())
     };
@@ -253,7 +255,7 @@ fn meshes_on_every_surface_do_what_the_steps_do() {
 
 #[test]
 fn the_models_and_the_structure_have_every_operator() {
-    let summary = check(RotationSystem::new, &Expectation::plane()).unwrap();
+    let summary = check(RawPointers::new, &Expectation::plane()).unwrap();
     assert_eq!(summary, check(Dcel::new, &Expectation::plane()).unwrap());
     assert_eq!(summary, check(|| Audited::new(Dcel::new()).unwrap(), &Expectation::plane()).unwrap());
     assert!(summary.by_operator().all(|(_, counts)| counts.applied > 0), "{summary}");
@@ -264,7 +266,7 @@ fn the_models_and_the_structure_have_every_operator() {
 #[test]
 fn stale_handles_reach_the_operators_that_remove() {
     /// Says that it removed an edge that was not there.
-    struct Careless(RotationSystem);
+    struct Careless(RawPointers);
     impl View for Careless {
         delegate_view!(|this| &this.0);
     }
@@ -273,52 +275,32 @@ fn stale_handles_reach_the_operators_that_remove() {
         fn unbounded_face(&self) -> Option<usize> {
             self.0.unbounded_face()
         }
-        fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
-            self.0.add_isolated_vertex(face)
-        }
-        fn split_vertex(&mut self, from: Corner<usize, usize>, to: Corner<usize, usize>) -> Result<usize, Refusal> {
-            self.0.split_vertex(from, to)
-        }
-        fn remove_edge(&mut self, h: usize) -> Result<Option<usize>, Refusal> {
-            self.0.remove_edge(h).or(Ok(None))
-        }
-        fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
-            self.0.contract_edge(h).or(Ok(0))
-        }
-        fn join_edges(&mut self, h: usize) -> Result<(), Refusal> {
-            self.0.join_edges(h).or(Ok(()))
+        fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+            match call {
+                Call::AddIsolatedVertex { .. } | Call::SplitVertex { .. } => self.0.apply(call),
+                Call::RemoveEdge { .. } | Call::JoinEdges { .. } => self.0.apply(call).or(Ok(None)),
+                Call::ContractEdge { .. } => self.0.apply(call).or(Ok(Some(Handle::Vertex(0)))),
+                _ => Err(Refusal::Unsupported),
+            }
         }
     }
     let begin = "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0\nremove_edge h0\n";
     for name in ["remove_edge", "contract_edge", "join_edges"] {
         let program: Program = format!("{begin}{name} !h0").parse().unwrap();
-        let careless = || Careless(RotationSystem::new());
+        let careless = || Careless(RawPointers::new());
         let failure = conformance::run(&program, careless(), &Expectation::plane()).unwrap_err();
         assert_eq!(failure.before, 3, "{name}: {failure}");
     }
 }
 
-/// The finding was eight bodies written by hand.
 #[test]
 fn what_is_not_written_is_not_supported() {
-    // Its operators are all the default ones.
     let mut inert = Inert(EDGE.parse().unwrap());
-    let (at, alone) = (Corner::At(0), Corner::Isolated(0));
-    let unsupported = Refusal::Unsupported;
-    assert_eq!(inert.add_isolated_vertex(0).unwrap_err(), unsupported);
-    assert_eq!(inert.remove_isolated_vertex(0).unwrap_err(), unsupported);
-    assert_eq!(inert.connect(at, alone, Side::Left, &[]).unwrap_err(), unsupported);
-    assert_eq!(inert.remove_edge(0).unwrap_err(), unsupported);
-    assert_eq!(inert.split_edge(0).unwrap_err(), unsupported);
-    assert_eq!(inert.join_edges(0).unwrap_err(), unsupported);
-    assert_eq!(inert.split_vertex(at, at).unwrap_err(), unsupported);
-    assert_eq!(inert.contract_edge(0).unwrap_err(), unsupported);
-    assert_eq!(inert.flip_edge(0, Turn::Clockwise).unwrap_err(), unsupported);
-    assert_eq!(inert.move_inner(at, 0).unwrap_err(), unsupported);
-    assert_eq!(inert.mesh_flip_edge(0).unwrap_err(), unsupported);
-    assert_eq!(inert.mesh_split_edge(0).unwrap_err(), unsupported);
-    assert_eq!(inert.mesh_split_face(0).unwrap_err(), unsupported);
-    assert_eq!(inert.mesh_collapse_edge(0).unwrap_err(), unsupported);
+    let (half_edge, at) = (0, Corner::At(0));
+    for call in [Call::AddIsolatedVertex { face: 0 }, Call::connect(at, at), Call::RemoveEdge { half_edge }] {
+        assert_eq!(inert.apply(call.clone()).unwrap_err(), Refusal::Unsupported);
+        assert_eq!(inert.make_edge(call).unwrap_err(), Refusal::Unsupported);
+    }
 }
 
 /// A count of what a mesh programmer writes, with imports and without blank lines and comments.
@@ -467,18 +449,18 @@ fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
     let face = model.face_of(Corner::At(spoke)).unwrap();
     assert_eq!(model.unbounded_face(), None);
     assert_eq!(model.face_of(Corner::At(border)), Err(Refusal::Border));
-    assert_eq!(model.add_isolated_vertex(face), Err(Refusal::NotDisc));
+    assert_eq!(model.apply(Call::AddIsolatedVertex { face }), Err(Refusal::NotDisc));
     let corner = Corner::At(border);
-    assert_eq!(model.connect(corner, corner, Side::Left, &[]), Err(Refusal::Border));
-    assert_eq!(model.split_vertex(corner, corner), Err(Refusal::Border));
-    assert_eq!(model.remove_edge(border), Err(Refusal::Border));
-    assert_eq!(model.flip_edge(border, Turn::Clockwise), Err(Refusal::Border));
-    assert_eq!(model.mesh_flip_edge(border), Err(Refusal::Border));
-    assert_eq!(model.mesh_split_face(border), Err(Refusal::Border));
+    assert_eq!(model.apply(Call::connect(corner, corner)), Err(Refusal::Border));
+    assert_eq!(model.apply(Call::SplitVertex { from: corner, to: corner }), Err(Refusal::Border));
+    assert_eq!(model.apply(Call::RemoveEdge { half_edge: border }), Err(Refusal::Border));
+    assert_eq!(model.apply(Call::FlipEdge { half_edge: border, turn: Turn::Clockwise }), Err(Refusal::Border));
+    assert_eq!(model.apply(Call::MeshFlipEdge { half_edge: border }), Err(Refusal::Border));
+    assert_eq!(model.apply(Call::MeshSplitFace { half_edge: border }), Err(Refusal::Border));
     // A leaf inside a face, and removed again: the vertex would be isolated.
-    let leaf = model.split_vertex(Corner::At(spoke), Corner::At(spoke)).unwrap();
-    assert_eq!(model.remove_edge(leaf), Err(Refusal::NotDisc));
-    assert_eq!(model.mesh_flip_edge(spoke), Err(Refusal::NotTriangle));
+    let leaf = model.make_edge(Call::SplitVertex { from: Corner::At(spoke), to: Corner::At(spoke) }).unwrap();
+    assert_eq!(model.apply(Call::RemoveEdge { half_edge: leaf }), Err(Refusal::NotDisc));
+    assert_eq!(model.apply(Call::MeshFlipEdge { half_edge: spoke }), Err(Refusal::NotTriangle));
 }
 
 #[test]
@@ -512,10 +494,10 @@ impl View for Bare {
 }
 
 impl Subject for Bare {
-    subject_by_index! {
-        mesh_flip_edge => |bare: &mut Self, h| bare.mesh.mesh_flip_edge(h),
-        mesh_split_edge => |bare: &mut Self, h| bare.mesh.mesh_split_edge(h),
-        mesh_collapse_edge => |bare: &mut Self, h| bare.mesh.mesh_collapse_edge(h),
+    subject_by_index!();
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        self.mesh.apply(call)
     }
 }
 

@@ -14,7 +14,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{Form, forms, projected};
 use twinedge_trials::sample::SampleWork;
 use twinedge_trials::tables::TablesWork;
-use twinedge_trials::{Certificates, Outcome, RotationSystem, Run, Structure, corrupt, sample, tables};
+use twinedge_trials::{Certificates, Outcome, RawPointers, Run, Structure, corrupt, sample, tables};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -107,7 +107,7 @@ fn a_changed_label_is_found_or_certifies_as_well() {
 
 #[test]
 fn every_corruption_of_small_maps_in_every_form_is_judged_as_by_the_reference() {
-    let structure = Structure::new("second model", RotationSystem::new, PLANE);
+    let structure = Structure::new("second model", RawPointers::new, PLANE);
     let work = CorruptWork { edges: 2, pairs: 2000, seed: 1 };
     corrupt(&structure, work, &Certificates, &Run::default(), &abort).unwrap().into_result().unwrap();
 }

@@ -16,7 +16,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 use twinedge_trials::forms::{forms, projections};
 use twinedge_trials::sample::SampleWork;
 use twinedge_trials::tables::TablesWork;
-use twinedge_trials::{FastPath, Outcome, RotationSystem, Run, Structure, corrupt, sample, tables};
+use twinedge_trials::{FastPath, Outcome, RawPointers, Run, Structure, corrupt, sample, tables};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -45,7 +45,7 @@ fn what_is_right_in_any_form_is_not_left_to_the_rules() {
     let run = Run::default();
     tables(TablesWork { half_edges: 2 }, &FastPath, &run).into_result().unwrap();
     sample(SampleWork { tables: 20_000, seed: 1 }, &FastPath, &run).into_result().unwrap();
-    let structure = Structure::new("second model", RotationSystem::new, PLANE);
+    let structure = Structure::new("second model", RawPointers::new, PLANE);
     corrupt(&structure, CorruptWork { edges: 2, pairs: 2000, seed: 1 }, &FastPath, &run, &|_| {})
         .unwrap()
         .into_result()

@@ -12,12 +12,11 @@
 
 use std::collections::{HashSet, VecDeque};
 use std::error::Error;
-use std::fmt::Write as _;
 use std::io::{BufWriter, Write};
 use twinedge::dcel::{Corner, Dcel, Side, Turn};
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 use twinedge::program::canonical::Canonizer;
-use twinedge::program::{Refusal, Runner, StepOutcome, Subject, try_every_op};
+use twinedge::program::{Call, CallOf, Handle, HandleOf, Refusal, Runner, StepOutcome, Subject, try_every_op};
 use twinedge::validate::{Table, View};
 use twinedge::{delegate_subject, delegate_view};
 use twinedge_trials::soak::SoakWork;
@@ -34,10 +33,6 @@ struct Recorder {
 }
 
 impl Recorder {
-    const fn dcel(&self) -> &Dcel {
-        &self.dcel
-    }
-
     fn table(&self) -> String {
         Table::copy_of(&self.dcel).map(|table| table.to_string()).unwrap_or_default()
     }
@@ -54,37 +49,35 @@ impl Recorder {
         self.dcel.face(key).map_or_else(|_| "stale".to_owned(), |f| format!("f{}", f.index()))
     }
 
-    fn corner(&self, corner: Corner) -> String {
-        match corner {
-            Corner::At(h) => self.half_edge(h),
-            Corner::Isolated(v) => self.vertex(v),
+    /// The arguments of an operator, in words.
+    fn arguments(&self, call: &CallOf<Self>) -> String {
+        let word = |corner| match corner {
+            Corner::At(h) => h,
+            Corner::Isolated(v) => v,
+        };
+        match call.clone().map(|v| self.vertex(v), |h| self.half_edge(h), |f| self.face(f)) {
+            Call::AddIsolatedVertex { face } => face,
+            Call::RemoveIsolatedVertex { vertex } => vertex,
+            Call::Connect { from, to, new_face, inner } => {
+                let side = if new_face == Side::Left { "left" } else { "right" };
+                let words = format!("{} {} {side}", word(from), word(to));
+                inner.into_iter().fold(words, |words, corner| words + " " + &word(corner))
+            }
+            Call::SplitVertex { from, to } => format!("{} {}", word(from), word(to)),
+            Call::FlipEdge { half_edge, turn } => {
+                let way = if turn == Turn::Clockwise { "clockwise" } else { "counter_clockwise" };
+                format!("{half_edge} {way}")
+            }
+            Call::MoveInner { inner, face } => format!("{} {face}", word(inner)),
+            Call::RemoveEdge { half_edge }
+            | Call::SplitEdge { half_edge }
+            | Call::JoinEdges { half_edge }
+            | Call::ContractEdge { half_edge }
+            | Call::MeshFlipEdge { half_edge }
+            | Call::MeshSplitEdge { half_edge }
+            | Call::MeshSplitFace { half_edge }
+            | Call::MeshCollapseEdge { half_edge } => half_edge,
         }
-    }
-
-    /// Runs an operator, and writes it down with these words.
-    fn run<T>(&mut self, words: &str, operator: impl FnOnce(&mut Dcel) -> Result<T, Refusal>) -> Result<T, Refusal> {
-        let before = self.table();
-        let answer = operator(&mut self.dcel);
-        let refused = if answer.is_ok() { "" } else { "refused " };
-        self.line = format!("{refused}{words} ; {before} ; {}", self.table());
-        answer
-    }
-
-    /// The same for an operator that makes an edge.
-    fn run_new(
-        &mut self,
-        mut words: String,
-        operator: impl FnOnce(&mut Dcel) -> Result<HalfEdgeKey, Refusal>,
-    ) -> Result<HalfEdgeKey, Refusal> {
-        let mut copy = self.dcel.clone();
-        let made = operator(&mut copy);
-        if let Some(h) = made.as_ref().ok().and_then(|key| copy.half_edge(*key).ok()) {
-            let _ = write!(words, " = h{}", h.index());
-        }
-        self.run(&words, |dcel| {
-            *dcel = copy;
-            made
-        })
     }
 }
 
@@ -93,61 +86,20 @@ impl View for Recorder {
 }
 
 impl Subject for Recorder {
-    delegate_subject!(Dcel, Self::dcel);
+    delegate_subject!(Dcel, |this| &this.dcel);
 
-    fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
-        let words = format!("add_isolated_vertex {}", self.face(face));
-        self.run(&words, |dcel| Subject::add_isolated_vertex(dcel, face))
-    }
-
-    fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), Refusal> {
-        let words = format!("remove_isolated_vertex {}", self.vertex(vertex));
-        self.run(&words, |dcel| Subject::remove_isolated_vertex(dcel, vertex))
-    }
-
-    fn connect(&mut self, from: Corner, to: Corner, new_face: Side, inner: &[Corner]) -> Result<HalfEdgeKey, Refusal> {
-        let side = if new_face == Side::Left { "left" } else { "right" };
-        let mut words = format!("connect {} {} {side}", self.corner(from), self.corner(to));
-        for corner in inner {
-            let _ = write!(words, " {}", self.corner(*corner));
-        }
-        self.run_new(words, |dcel| Subject::connect(dcel, from, to, new_face, inner))
-    }
-
-    fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, Refusal> {
-        let words = format!("remove_edge {}", self.half_edge(half_edge));
-        self.run(&words, |dcel| Subject::remove_edge(dcel, half_edge))
-    }
-
-    fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        let words = format!("split_edge {}", self.half_edge(half_edge));
-        self.run_new(words, |dcel| Subject::split_edge(dcel, half_edge))
-    }
-
-    fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        let words = format!("join_edges {}", self.half_edge(half_edge));
-        self.run(&words, |dcel| Subject::join_edges(dcel, half_edge))
-    }
-
-    fn split_vertex(&mut self, from: Corner, to: Corner) -> Result<HalfEdgeKey, Refusal> {
-        let words = format!("split_vertex {} {}", self.corner(from), self.corner(to));
-        self.run_new(words, |dcel| Subject::split_vertex(dcel, from, to))
-    }
-
-    fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
-        let words = format!("contract_edge {}", self.half_edge(half_edge));
-        self.run(&words, |dcel| Subject::contract_edge(dcel, half_edge))
-    }
-
-    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
-        let way = if turn == Turn::Clockwise { "clockwise" } else { "counter_clockwise" };
-        let words = format!("flip_edge {} {way}", self.half_edge(half_edge));
-        self.run(&words, |dcel| Subject::flip_edge(dcel, half_edge, turn))
-    }
-
-    fn move_inner(&mut self, inner: Corner, face: FaceKey) -> Result<(), Refusal> {
-        let words = format!("move_inner {} {}", self.corner(inner), self.face(face));
-        self.run(&words, |dcel| Subject::move_inner(dcel, inner, face))
+    /// Applies an operator, and writes it down.
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        let before = self.table();
+        let words = format!("{} {}", call.kind().name(), self.arguments(&call));
+        let given = self.dcel.apply(call);
+        let refused = if given.is_ok() { "" } else { "refused " };
+        let new = match given {
+            Ok(Some(Handle::HalfEdge(h))) => format!(" = {}", self.half_edge(h)),
+            _ => String::new(),
+        };
+        self.line = format!("{refused}{words}{new} ; {before} ; {}", self.table());
+        given
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::replay::Indexed;
 use std::fmt;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, VertexKey};
-use twinedge::program::Subject;
+use twinedge::program::{CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
@@ -51,10 +51,6 @@ impl Erased {
     fn structure(&self) -> &dyn Keyed {
         &*self.0
     }
-
-    fn run<T>(&mut self, operator: impl FnOnce(&mut dyn Keyed) -> T) -> T {
-        operator(&mut *self.0)
-    }
 }
 
 impl Clone for Erased {
@@ -74,7 +70,11 @@ impl View for Erased {
 }
 
 impl Subject for Erased {
-    delegate_subject!(Dcel, Self::structure, Self::run);
+    delegate_subject!(Dcel, |this| this.structure());
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        self.0.apply(call)
+    }
 }
 
 impl Indexed for Erased {

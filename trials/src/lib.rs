@@ -38,7 +38,7 @@
 //! | [`census`] | every small map, each once, grown by the operators |
 //! | [`enumerate`] | every small table, and every change of one cell of a larger one |
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
-//! | [`RotationSystem`] | a second model of the operators, simple and slow |
+//! | [`RawPointers`] | a second model of the operators, simple and slow |
 //! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
 //! | [`Rewound`] | a `Dcel` with a history, whose changes are undone and redone after each operator |
 //! | [`Erased`] | structures of several types as one: the engines are compiled once for them |
@@ -67,9 +67,9 @@ mod error;
 mod progress;
 mod published;
 mod random;
+mod raw_pointers;
 mod report_audit;
 mod rewound;
-mod rotation_system;
 mod rows;
 mod run;
 mod shard;
@@ -99,10 +99,10 @@ pub use lazy::lazy;
 pub use meshes::meshes;
 pub use progress::{Progress, Silent};
 pub use prove::prove;
+pub use raw_pointers::RawPointers;
 pub use replay::replay;
 pub use report_audit::ReportAudit;
 pub use rewound::Rewound;
-pub use rotation_system::RotationSystem;
 pub use rows::{Cell, Column, Row};
 pub use run::{Estimate, Run};
 pub use sample::sample;

@@ -1,8 +1,8 @@
 //! Structures with a planted bug, to see that the engines find it.
 
 use crate::replay::Indexed;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Turn, VertexKey};
-use twinedge::program::{CornerOf, Refusal, Subject};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, VertexKey};
+use twinedge::program::{Call, CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
@@ -23,30 +23,25 @@ use twinedge::{delegate_subject, delegate_view};
 #[derive(Clone, Debug, Default)]
 pub struct Planted<const PANICS: bool>(Dcel);
 
-impl<const PANICS: bool> Planted<PANICS> {
-    const fn dcel(&self) -> &Dcel {
-        &self.0
-    }
-
-    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel) -> T) -> T {
-        operator(&mut self.0)
-    }
-}
-
 impl<const PANICS: bool> View for Planted<PANICS> {
     delegate_view!(|this| &this.0);
 }
 
 impl<const PANICS: bool> Subject for Planted<PANICS> {
-    delegate_subject!(Dcel, Self::dcel, Self::run; except flip_edge, move_inner);
+    delegate_subject!(Dcel, |this| &this.0);
 
-    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
-        Subject::flip_edge(&mut self.0, half_edge, if PANICS { turn } else { turn.reversed() })
-    }
-    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), Refusal> {
-        let done = Subject::move_inner(&mut self.0, inner, face);
-        assert!(!PANICS || done.is_err(), "a planted panic");
-        done
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        match call {
+            Call::FlipEdge { half_edge, turn } => {
+                self.0.apply(Call::FlipEdge { half_edge, turn: if PANICS { turn } else { turn.reversed() } })
+            }
+            Call::MoveInner { .. } => {
+                let done = self.0.apply(call);
+                assert!(!PANICS || done.is_err(), "a planted panic");
+                done
+            }
+            _ => self.0.apply(call),
+        }
     }
 }
 

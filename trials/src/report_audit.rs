@@ -3,8 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Boundary, Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
 use twinedge::dcel::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
-use twinedge::mesh_operators_by_steps;
-use twinedge::program::{Refusal, Subject};
+use twinedge::program::{Call, CallOf, Handle, HandleOf, Refusal, Subject, mesh};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
@@ -171,8 +170,33 @@ impl View for ReportAudit {
 }
 
 impl Subject for ReportAudit {
-    delegate_subject!(Dcel, Self::dcel);
+    delegate_subject!(Dcel, |this| &this.dcel);
 
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        let nothing = |()| None;
+        match call {
+            Call::AddIsolatedVertex { face } => self.add_isolated_vertex(face).map(Handle::Vertex).map(Some),
+            Call::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex).map(nothing),
+            Call::Connect { from, to, new_face, inner } => {
+                self.connect(from, to, new_face, &inner).map(Handle::HalfEdge).map(Some)
+            }
+            Call::RemoveEdge { half_edge } => Ok(self.remove_edge(half_edge)?.map(Handle::Face)),
+            Call::SplitEdge { half_edge } => self.split_edge(half_edge).map(Handle::HalfEdge).map(Some),
+            Call::JoinEdges { half_edge } => self.join_edges(half_edge).map(nothing),
+            Call::SplitVertex { from, to } => self.split_vertex(from, to).map(Handle::HalfEdge).map(Some),
+            Call::ContractEdge { half_edge } => self.contract_edge(half_edge).map(Handle::Vertex).map(Some),
+            Call::FlipEdge { half_edge, turn } => self.flip_edge(half_edge, turn).map(nothing),
+            Call::MoveInner { inner, face } => self.move_inner(inner, face).map(nothing),
+            Call::MeshFlipEdge { half_edge } => mesh::flip_edge(self, half_edge).map(nothing),
+            Call::MeshSplitEdge { half_edge } => mesh::split_edge(self, half_edge).map(nothing),
+            Call::MeshSplitFace { half_edge } => mesh::split_face(self, half_edge).map(nothing),
+            Call::MeshCollapseEdge { half_edge } => mesh::collapse_edge(self, half_edge).map(nothing),
+        }
+    }
+}
+
+/// The operators, with what they report.
+impl ReportAudit {
     fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
         let (added, changed) = self.run(|dcel| dcel.add_isolated_vertex(face))?;
         changed.counts("add_isolated_vertex", [1, 0, 1, 0], [0; 4]);
@@ -311,6 +335,4 @@ impl Subject for ReportAudit {
         reports("move_inner", "success", face, changed.after.boundaries[&boundary].0);
         Ok(())
     }
-
-    mesh_operators_by_steps!();
 }

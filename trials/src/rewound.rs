@@ -3,8 +3,7 @@
 use crate::replay::Indexed;
 use std::collections::VecDeque;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, History, OperatorError, Split, VertexKey};
-use twinedge::program::Refusal;
-use twinedge::program::Subject;
+use twinedge::program::{CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::near::{Baseline, validate_near};
 use twinedge::validate::{Expectation, View};
 use twinedge::{delegate_subject, delegate_view};
@@ -140,8 +139,11 @@ impl View for Rewound {
 }
 
 impl Subject for Rewound {
-    delegate_subject!(Dcel, Self::dcel);
-    delegate_subject!(operators Self::run);
+    delegate_subject!(Dcel, |this| this.dcel());
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        self.run(|dcel| dcel.apply(call))
+    }
 }
 
 impl Indexed for Rewound {

@@ -11,10 +11,10 @@ use twinedge::validate::{Expectation, Part, Parts};
 /// A structure under test: its name, how an empty one is made, and what the validator can hold it to.
 ///
 /// ```
-/// use twinedge_trials::RotationSystem;
+/// use twinedge_trials::RawPointers;
 /// use twinedge::validate::Expectation;
 /// use twinedge_trials::Structure;
-/// let mine = Structure::new("mine", RotationSystem::new, Expectation::plane());
+/// let mine = Structure::new("mine", RawPointers::new, Expectation::plane());
 /// assert_eq!(mine.name(), "mine");
 /// ```
 pub struct Structure<K> {

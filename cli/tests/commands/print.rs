@@ -39,7 +39,7 @@ fn what_is_printed_is_judged_the_same() {
         &["tables", "--half-edges", "0", "--print", "--threads", "3"][..],
         &["sample", "--tables", "1500", "--seed", "1", "--print"],
         &["corrupt", "--edges", "0", "--pairs", "50", "--seed", "1", "--print"],
-        &["corrupt", "--edges", "0", "--pairs", "50", "--seed", "1", "--print", "--on", "model"],
+        &["corrupt", "--edges", "0", "--pairs", "50", "--seed", "1", "--print", "--on", "pointers"],
     ] {
         let (lines, _) = printed(arguments);
         let tables = lines.iter().filter(|line| !line.starts_with('#')).count();

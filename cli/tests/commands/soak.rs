@@ -24,7 +24,7 @@ fn all_stores_stay_in_step() {
     assert_eq!((status, &found["ok"], &found["failure"]), (Some(0), &true.into(), &serde_json::Value::Null));
     let rows = found["structures"].as_array().unwrap();
     let names: Vec<&str> = rows.iter().map(|row| row["on"].as_str().unwrap()).collect();
-    assert_eq!(names, ["slots", "limited", "model"]);
+    assert_eq!(names, ["slots", "limited", "pointers"]);
     let count = |row: &serde_json::Value, key: &str| row[key].as_u64().unwrap();
     for row in rows {
         let steps = ["applied", "refused", "skipped", "no_room"].map(|key| count(row, key)).iter().sum::<u64>();
@@ -102,7 +102,7 @@ fn a_replay_shows_the_structure_after_each_step() {
     ] {
         assert!(text.lines().any(|shown| shown == line), "{line}\n{text}");
     }
-    let output = twinedge_reading(&["replay", "-", "--on", "model"], program);
+    let output = twinedge_reading(&["replay", "-", "--on", "pointers"], program);
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(text.contains("  h0  origin v0  twin h1  next h1  prev h1  face f0"), "{text}");
 }

@@ -45,7 +45,7 @@ fn the_parts_of_each_command_add_up_to_the_whole() {
     for (arguments, count) in [
         (&["prove", "--edges", "2"][..], 3),
         // More parts than maps.
-        (&["prove", "--edges", "0", "--on", "model"], 9),
+        (&["prove", "--edges", "0", "--on", "pointers"], 9),
         (&["prove", "--meshes", "4"], 3),
         (&["corrupt", "--edges", "1", "--pairs", "2500", "--seed", "7"], 2),
         (&["corrupt", "--edges", "0", "--pairs", "10", "--seed", "7", "--on", "audited"], 5),
@@ -119,8 +119,10 @@ fn what_is_no_whole_is_refused() {
     let second = part("second", &[&soak[..], &["--seed", "1", "--shard", "1/2"]].concat());
     let seed = part("seed", &[&soak[..], &["--seed", "2", "--shard", "1/2"]].concat());
     let third = part("third", &[&soak[..], &["--seed", "1", "--shard", "1/3"]].concat());
-    let model =
-        part("model", &["soak", "--programs", "4", "--steps", "5", "--seed", "1", "--on", "model", "--shard", "1/2"]);
+    let model = part(
+        "pointers",
+        &["soak", "--programs", "4", "--steps", "5", "--seed", "1", "--on", "pointers", "--shard", "1/2"],
+    );
     let tables = part("tables", &["tables", "--half-edges", "0", "--shard", "1/2"]);
     let other = file(&folder, "other", b"{\"command\": \"audit\"}");
     let mut newer: Value = serde_json::from_slice(&std::fs::read(&second).unwrap()).unwrap();

@@ -1,10 +1,10 @@
 //! Arguments of edits: numbers of records, points, grids, features.
 
-use super::numbers::{Number, Spot};
+use crate::geometry::Point;
 use crate::geometry::noding::Snap;
 use crate::program::choose::Choose;
-use crate::program::language::argument::{Argument, numbered, one_word, smaller_masks, write_mask};
-use crate::program::language::words::{ParseError, Words, mask};
+use crate::program::language::{Argument, Numbered, Variant, smaller_masks, write_mask};
+use crate::program::text::{Expected, ParseError, Words, mask};
 use core::fmt;
 
 /// The lists in which numbers count: keys by kind, those that are there and those that were removed.
@@ -18,27 +18,106 @@ pub(crate) enum List {
     RetiredFaces,
 }
 
-numbered! { List;
-    /// Chooses a vertex of a map by its position in order of creation, modulo their number.
-    MapVertexPick MapVertex |source| live_or_retired(source, Self::Live, Self::Retired);
+/// Chooses a vertex of a map by its position in order of creation, modulo their number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapVertexPick {
     /// Of those there are.
-    Live "v" Vertices,
+    Live(u32),
     /// Of those that were removed: a stale key, on purpose.
-    Retired "!v" RetiredVertices;
+    Retired(u32),
+}
 
-    /// Chooses a half-edge of a map by its position in order of creation, modulo their number.
-    MapHalfEdgePick HalfEdge |source| live_or_retired(source, Self::Live, Self::Retired);
-    /// Of those there are.
-    Live "h" HalfEdges,
-    /// Of those that were removed: a stale key, on purpose.
-    Retired "!h" RetiredHalfEdges;
+impl Numbered for MapVertexPick {
+    type List = List;
 
-    /// Chooses a face of a map by its position in order of creation, modulo their number.
-    MapFacePick MapFace |source| live_or_retired(source, Self::Live, Self::Retired);
+    const EXPECTED: Expected = Expected::MapVertex;
+    const VARIANTS: &'static [Variant<Self, List>] =
+        &[("v", Self::Live, List::Vertices), ("!v", Self::Retired, List::RetiredVertices)];
+
+    fn number(self) -> (usize, u32) {
+        match self {
+            Self::Live(k) => (0, k),
+            Self::Retired(k) => (1, k),
+        }
+    }
+
+    fn choose(source: &mut impl Choose) -> Self {
+        live_or_retired(source, Self::Live, Self::Retired)
+    }
+}
+
+impl fmt::Display for MapVertexPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_word(f)
+    }
+}
+
+/// Chooses a half-edge of a map by its position in order of creation, modulo their number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapHalfEdgePick {
     /// Of those there are.
-    Live "f" Faces,
+    Live(u32),
     /// Of those that were removed: a stale key, on purpose.
-    Retired "!f" RetiredFaces;
+    Retired(u32),
+}
+
+impl Numbered for MapHalfEdgePick {
+    type List = List;
+
+    const EXPECTED: Expected = Expected::HalfEdge;
+    const VARIANTS: &'static [Variant<Self, List>] =
+        &[("h", Self::Live, List::HalfEdges), ("!h", Self::Retired, List::RetiredHalfEdges)];
+
+    fn number(self) -> (usize, u32) {
+        match self {
+            Self::Live(k) => (0, k),
+            Self::Retired(k) => (1, k),
+        }
+    }
+
+    fn choose(source: &mut impl Choose) -> Self {
+        live_or_retired(source, Self::Live, Self::Retired)
+    }
+}
+
+impl fmt::Display for MapHalfEdgePick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_word(f)
+    }
+}
+
+/// Chooses a face of a map by its position in order of creation, modulo their number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MapFacePick {
+    /// Of those there are.
+    Live(u32),
+    /// Of those that were removed: a stale key, on purpose.
+    Retired(u32),
+}
+
+impl Numbered for MapFacePick {
+    type List = List;
+
+    const EXPECTED: Expected = Expected::MapFace;
+    const VARIANTS: &'static [Variant<Self, List>] =
+        &[("f", Self::Live, List::Faces), ("!f", Self::Retired, List::RetiredFaces)];
+
+    fn number(self) -> (usize, u32) {
+        match self {
+            Self::Live(k) => (0, k),
+            Self::Retired(k) => (1, k),
+        }
+    }
+
+    fn choose(source: &mut impl Choose) -> Self {
+        live_or_retired(source, Self::Live, Self::Retired)
+    }
+}
+
+impl fmt::Display for MapFacePick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_word(f)
+    }
 }
 
 fn live_or_retired<P>(source: &mut impl Choose, live: fn(u32) -> P, retired: fn(u32) -> P) -> P {
@@ -97,7 +176,13 @@ impl Argument for Spot {
     type List = List;
     type Context = ();
 
-    one_word!(Point, spot);
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Point, spot)
+    }
 
     fn draw(source: &mut impl Choose, _: u8) -> Self {
         Self { x: Number::draw(source), y: Number::draw(source) }
@@ -124,10 +209,16 @@ impl Argument for AtPick {
     type List = List;
     type Context = ();
 
-    one_word!(At, |word| match word.split_once('@') {
-        Some((before, hint)) => Some(Self::Near(spot(before)?, MapHalfEdgePick::of_word(hint)?)),
-        None => MapVertexPick::of_word(word).map(Self::Vertex).or_else(|| spot(word).map(Self::Point)),
-    });
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::At, |word| match word.split_once('@') {
+            Some((before, hint)) => Some(Self::Near(spot(before)?, MapHalfEdgePick::of_word(hint)?)),
+            None => MapVertexPick::of_word(word).map(Self::Vertex).or_else(|| spot(word).map(Self::Point)),
+        })
+    }
 
     fn draw(source: &mut impl Choose, upper: u8) -> Self {
         match source.choose(8) {
@@ -216,9 +307,15 @@ impl Argument for GridPick {
     type List = List;
     type Context = ();
 
-    one_word!(Grid, |word| {
-        if word == "auto" { Some(Self::Auto) } else { Some(Self::Size(word.parse::<f64>().ok()?.into())) }
-    });
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Grid, |word| {
+            if word == "auto" { Some(Self::Auto) } else { Some(Self::Size(word.parse::<f64>().ok()?.into())) }
+        })
+    }
 
     fn draw(source: &mut impl Choose, _: u8) -> Self {
         match source.choose(8) {
@@ -255,7 +352,13 @@ impl Argument for FeaturesPick {
     type List = List;
     type Context = ();
 
-    one_word!(Features, |word| if word == "none" { Some(Self(0)) } else { mask(word).map(Self) });
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Features, |word| if word == "none" { Some(Self(0)) } else { mask(word).map(Self) })
+    }
 
     /// Mostly of the first two, so that most exist.
     fn draw(source: &mut impl Choose, _: u8) -> Self {
@@ -267,5 +370,135 @@ impl Argument for FeaturesPick {
 
     fn simpler(&self) -> Vec<Self> {
         smaller_masks(self.0).map(Self).collect()
+    }
+}
+
+/// A number that is equal to itself, NaN included: two are equal if their bits are, and all NaNs are one.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Number(f64);
+
+impl Number {
+    /// The number.
+    #[must_use]
+    pub const fn get(self) -> f64 {
+        self.0
+    }
+
+    /// Mostly of a small grid, where points coincide and segments cross; else close to it, near the ends of the range, or any bits
+    /// at all.
+    fn draw(source: &mut impl Choose) -> Self {
+        let grid = source.choose(8) as f64;
+        Self::from(match source.choose(64) {
+            1 => f64::from_bits((0..8).fold(0, |bits, _| bits << 8 | source.choose(256) as u64)),
+            2 => grid.next_up(),
+            3 => grid.next_down(),
+            4 => grid / 3.0,
+            5 => grid * 2.0_f64.powi(495),
+            6 => grid * 2.0_f64.powi(-399),
+            7 => -grid,
+            8 => grid + 0.5,
+            9 => [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][source.choose(3)],
+            _ => grid,
+        })
+    }
+
+    /// The number in every way in which it is simpler, the simplest first. Every step goes down in (whether it is whole and small, how
+    /// many bits it takes, magnitude, sign), so shrinking ends.
+    fn simpler(self) -> Vec<Self> {
+        let x = self.get();
+        if x.to_bits() == 0 {
+            return Vec::new();
+        }
+        let mut all = vec![0.0];
+        if x.is_nan() {
+            return vec![Self::default()];
+        }
+        let small = x.abs() < 2.0_f64.powi(53);
+        if small && x.fract() == 0.0 {
+            if x.abs() > 1.0 {
+                all.extend([(x / 2.0).trunc(), x - 1.0_f64.copysign(x)]);
+            }
+        } else {
+            all.push(1.0_f64.copysign(x));
+            if small {
+                all.extend([x.trunc(), (2.0 * x).trunc() / 2.0]);
+            }
+            // Half of the bits.
+            let bits = x.to_bits();
+            let mantissa = bits & ((1 << 52) - 1);
+            if x.is_finite() && mantissa != 0 {
+                let zeros = mantissa.trailing_zeros();
+                let cleared = zeros + (52 - zeros).div_ceil(2);
+                all.push(f64::from_bits(bits >> cleared << cleared));
+            }
+        }
+        if x.is_sign_negative() {
+            all.push(-x);
+        }
+        let mut seen: Vec<Self> = vec![self];
+        for number in all.into_iter().map(Self::from) {
+            if !seen.contains(&number) {
+                seen.push(number);
+            }
+        }
+        seen.remove(0);
+        seen
+    }
+}
+
+/// The shortest digits that are read as this number.
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = format!("{:?}", self.get());
+        f.write_str(text.strip_suffix(".0").unwrap_or(&text))
+    }
+}
+
+impl From<f64> for Number {
+    fn from(number: f64) -> Self {
+        Self(if number.is_nan() { f64::NAN } else { number })
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.to_bits() == other.0.to_bits()
+    }
+}
+
+impl Eq for Number {}
+
+impl core::hash::Hash for Number {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        self.0.to_bits().hash(state);
+    }
+}
+
+/// A point by its coordinates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Spot {
+    /// The first coordinate.
+    pub x: Number,
+    /// The second coordinate.
+    pub y: Number,
+}
+
+impl Spot {
+    /// The point with these coordinates.
+    #[must_use]
+    pub fn new(x: f64, y: f64) -> Self {
+        Self { x: x.into(), y: y.into() }
+    }
+
+    /// The point.
+    #[must_use]
+    pub const fn point(self) -> Point {
+        Point::new(self.x.get(), self.y.get())
+    }
+}
+
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{}", self.x, self.y)
     }
 }

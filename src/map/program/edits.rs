@@ -11,21 +11,18 @@
 //! set_features_of f1 0,2                     # or `none`
 //! ```
 
-use super::arguments::{AtPick, FeaturesPick, GridPick, List, MapFacePick, MapHalfEdgePick, MapVertexPick, RingPick};
-use super::numbers::Spot;
-use crate::program::choose::Choose;
-use crate::program::language::instances::instances;
-use crate::program::language::table::language;
-use crate::program::{Generator, Language};
+use super::arguments::{
+    AtPick, FeaturesPick, GridPick, List, MapFacePick, MapHalfEdgePick, MapVertexPick, RingPick, Spot,
+};
+use crate::program::language::language;
 
-// The one table of edits. A row reads: variant, method, how often it is drawn, and its arguments, which depend on no others: `()`.
+// The one table of edits. A row reads: variant, name, how often it is drawn, and its arguments.
 language! {
     header "twinedge edits 1" EditsHeader,
-    methods of "PlanarMap" "crate::map::PlanarMap",
     /// One edit with its arguments.
     #[allow(missing_docs, reason = "the arguments are those of the methods of `PlanarMap` of the same names")]
     op EditOp over List,
-    /// The kinds of edits, for a [`Generator`].
+    /// The kinds of edits, for a [`Generator`](crate::program::Generator).
     kind EditKind,
     /// A sequence of edits, to be run by an [`EditRunner`](crate::map::program::EditRunner).
     ///
@@ -41,61 +38,24 @@ language! {
     /// # Ok::<(), twinedge::map::program::EditFailure>(())
     /// ```
     program EditProgram,
-    InsertPoint insert_point 2 { at: AtPick, (); }
-    InsertSegment insert_segment 12 { from: AtPick, (); to: AtPick, (); }
-    InsertSegmentSnapped insert_segment_snapped 6 { from: AtPick, (); to: AtPick, (); snap: GridPick, (); }
-    InsertRing insert_ring 6 { points: RingPick, (); }
-    RemoveEdge remove_edge 2 { half_edge: MapHalfEdgePick, (); }
-    RemoveVertex remove_vertex 1 { vertex: MapVertexPick, (); }
-    MoveVertex move_vertex 3 { vertex: MapVertexPick, (); to: Spot, (); }
-    AddFeature add_feature 2 { }
-    SetFeaturesOf set_features_of 2 { face: MapFacePick, (); features: FeaturesPick, (); }
-    SetFeaturesAlong set_features_along 2 { half_edge: MapHalfEdgePick, (); features: FeaturesPick, (); }
-}
-
-impl EditProgram {
-    /// The program that these bytes encode: every choice takes as few as it needs, and those that end too early are followed by
-    /// zeros. O(bytes).
-    #[must_use]
-    pub fn from_bytes(bytes: &[u8]) -> Self {
-        Self::generator().decode(bytes)
-    }
-
-    /// A generator of programs, to be told which edits, how often, and how many.
-    ///
-    /// ```
-    /// use twinedge::map::program::{EditKind, EditOp, EditProgram};
-    /// use twinedge::program::choose::Bytes;
-    ///
-    /// let drawing = EditProgram::generator().only(&[EditKind::InsertSegment]).length(3..=3);
-    /// let program = drawing.generate(&mut Bytes::new(b"choices"));
-    /// assert!(program.0.iter().all(|edit| matches!(edit, EditOp::InsertSegment { .. })));
-    /// assert_eq!(program.0.len(), 3);
-    /// ```
-    #[must_use]
-    pub fn generator() -> Generator<Self> {
-        Generator::default()
-    }
-}
-
-impl Language for EditProgram {
-    type Kind = EditKind;
-
-    const KINDS: &'static [(EditKind, u32)] = EditKind::SHARES;
-
-    fn op(kind: EditKind, source: &mut impl Choose) -> EditOp {
-        EditOp::draw(kind, source, 0)
-    }
-}
-
-instances!(EditProgram);
-
-#[cfg(feature = "arbitrary")]
-impl<'a> arbitrary::Arbitrary<'a> for EditOp {
-    fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
-        if u.is_empty() {
-            return Err(arbitrary::Error::NotEnoughData);
-        }
-        EditProgram::generator().length(1..=1).generate(u).0.pop().ok_or(arbitrary::Error::NotEnoughData)
-    }
+    /// [`PlanarMap::insert_point`](crate::map::PlanarMap::insert_point).
+    InsertPoint insert_point 2 { at: AtPick }
+    /// [`PlanarMap::insert_segment`](crate::map::PlanarMap::insert_segment).
+    InsertSegment insert_segment 12 { from: AtPick, to: AtPick }
+    /// [`PlanarMap::insert_segment_snapped`](crate::map::PlanarMap::insert_segment_snapped).
+    InsertSegmentSnapped insert_segment_snapped 6 { from: AtPick, to: AtPick, snap: GridPick }
+    /// [`PlanarMap::insert_ring`](crate::map::PlanarMap::insert_ring).
+    InsertRing insert_ring 6 { points: RingPick }
+    /// [`PlanarMap::remove_edge`](crate::map::PlanarMap::remove_edge).
+    RemoveEdge remove_edge 2 { half_edge: MapHalfEdgePick }
+    /// [`PlanarMap::remove_vertex`](crate::map::PlanarMap::remove_vertex).
+    RemoveVertex remove_vertex 1 { vertex: MapVertexPick }
+    /// [`PlanarMap::move_vertex`](crate::map::PlanarMap::move_vertex).
+    MoveVertex move_vertex 3 { vertex: MapVertexPick, to: Spot }
+    /// [`PlanarMap::add_feature`](crate::map::PlanarMap::add_feature).
+    AddFeature add_feature 2 {}
+    /// [`PlanarMap::set_features_of`](crate::map::PlanarMap::set_features_of).
+    SetFeaturesOf set_features_of 2 { face: MapFacePick, features: FeaturesPick }
+    /// [`PlanarMap::set_features_along`](crate::map::PlanarMap::set_features_along).
+    SetFeaturesAlong set_features_along 2 { half_edge: MapHalfEdgePick, features: FeaturesPick }
 }

@@ -1,8 +1,7 @@
 //! Every edit with every argument: what can be done to one map with these points.
 
-use super::arguments::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::arguments::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, Number, Spot};
 use super::edits::EditOp;
-use super::numbers::{Number, Spot};
 use super::runner::EditRunner;
 
 /// Every edit with every argument, right or wrong, on what the runner has now. The arguments are:

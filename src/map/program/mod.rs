@@ -45,15 +45,12 @@
 mod arguments;
 mod edits;
 mod every;
-mod keys;
-mod named;
-mod numbers;
-#[cfg(feature = "proptest")]
-mod proptest;
+mod instances;
 mod runner;
 
-pub use arguments::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, RingPick};
+pub use arguments::{
+    AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, Number, RingPick, Spot,
+};
 pub use edits::{EditKind, EditOp, EditProgram};
 pub use every::every_edit;
-pub use numbers::{Number, Spot};
 pub use runner::{EditFailure, EditOutcome, EditRunner, PastLast};

@@ -38,15 +38,13 @@
 
 mod map;
 mod nesting;
-mod rooted;
 
 use crate::validate::View;
 use alloc::vec::Vec;
-use map::Map;
+use map::{Map, Search};
 use nesting::Nesting;
-use rooted::Search;
 
-/// A canonical form, as bytes. Forms of equal maps are equal, those of others differ; their order means nothing.
+/// A canonical form, as bytes. Equal maps have equal forms, different maps different forms; the order means nothing.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Code(Vec<u8>);
 
@@ -76,11 +74,11 @@ impl Code {
 /// A connected map on a closed surface without any mark: no root, no unbounded face.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Unrooted {
-    /// Its code: the least of those of its rootings.
+    /// The least code among its rootings.
     pub code: Code,
     /// The number of its automorphisms that keep the orientation.
     pub automorphisms: usize,
-    /// The number of different rooted maps that it gives: `2E / automorphisms`, and 1 if it has no edge.
+    /// The number of different rooted maps that this map yields: `2E / automorphisms`, and 1 if it has no edge.
     pub rootings: usize,
 }
 

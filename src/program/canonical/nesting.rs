@@ -1,7 +1,6 @@
 //! The tree of containment: which components lie in which faces, and the code of it all.
 
-use super::map::{Map, fill};
-use super::rooted::Search;
+use super::map::{Map, Search, fill};
 use crate::slots::NIL;
 use crate::validate::{Start, View};
 use alloc::vec::Vec;
@@ -77,7 +76,7 @@ impl Nesting {
                 }
             }
         }
-        // With one outside for each component, so many entries cover every cycle once, if none has two.
+        // Each component has one outside, so this number of entries covers every cycle once, if no cycle has two.
         let once = |(h, _): &(u32, u32)| *h != NIL && self.inside[map.cycle[*h as usize] as usize] == NIL;
         if !map.all_busy(view) || self.unbounded == NIL || listed != map.cycles.len() || !self.outsides.iter().all(once)
         {
@@ -100,7 +99,7 @@ impl Nesting {
         sort_by_key(keys, map.components(), &mut self.cycle_begins, &mut self.cycles)
     }
 
-    /// Level by level from the unbounded face inwards. None if some component is not reached: it lies inside itself.
+    /// Sorts level by level, from the unbounded face inwards; `None` if a component is not reached: it lies inside itself.
     fn sort_levels(&mut self, map: &Map) -> Option<()> {
         self.levels.clear();
         self.ends.clear();
@@ -186,7 +185,7 @@ impl Nesting {
         self.spans[component as usize] = begin..self.codes.len();
     }
 
-    /// Writes down what lies in a face: the number of isolated vertices, that of components, and the ranks of these.
+    /// Writes down the contents of a face: the number of isolated vertices, the number of components, and their ranks.
     fn write_note(&mut self, face: u32) {
         let begin = self.notes.len();
         let contents = stretch(&self.begins, &self.contents, face);

@@ -1,10 +1,14 @@
-//! Differences between a subject and the reference.
+//! Differences between a subject and the reference, and their messages.
 
+use crate::dcel::Corner;
 use crate::program::operators::{Op, Program};
+use crate::program::panics::catch;
 use crate::program::pointer_model::StartError;
-use crate::program::run::outcome::StepOutcome;
-use crate::validate::{Part, Report};
+use crate::program::runner::Runner;
+use crate::program::subject::{Refusal, StepOutcome, Subject};
+use crate::validate::{Part, Record, Report};
 use alloc::boxed::Box;
+use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
@@ -52,13 +56,13 @@ pub enum Difference {
         /// The index of the half-edge in the view.
         half_edge: usize,
     },
-    /// The same for [`Subject::vertex_at`](crate::program::Subject::vertex_at).
+    /// [`Subject::vertex_at`](crate::program::Subject::vertex_at) returns no handle for this vertex.
     #[error("vertex_at gives no handle for isolated vertex {vertex} of the view")]
     NoVertexHandle {
         /// The index of the vertex in the view.
         vertex: usize,
     },
-    /// The view has a half-edge whose handle is that of another one, or of none that should be there.
+    /// The view has a half-edge that should not be there, or whose handle belongs to another half-edge.
     #[error(
         "half-edge {half_edge} of the view should not be there, or its handle is that of another one{}",
         if *is_named { "" } else { NAMES }
@@ -66,7 +70,7 @@ pub enum Difference {
     Unknown {
         /// Its index in the view.
         half_edge: usize,
-        /// True if handles are those of [`mesh::Named`](crate::program::mesh::Named).
+        /// True for the handles of [`mesh::Named`](crate::program::mesh::Named).
         is_named: bool,
     },
     /// The view lacks a half-edge.
@@ -75,7 +79,7 @@ pub enum Difference {
         /// The place of its corner in [`Runner::corners`](crate::program::Runner::corners).
         corner: usize,
     },
-    /// The view keeps every rule that it is held to, but a half-edge in it says something else.
+    /// The view keeps every expected rule, but a link of a half-edge differs.
     #[error("in the view, {question:?} of half-edge {half_edge}, corner {corner}, is another than it should be")]
     View {
         /// The index of the half-edge in the view.
@@ -102,7 +106,7 @@ pub enum Difference {
     /// The subject breaks a rule.
     #[error("{}", FirstViolation(.0))]
     Invalid(Box<Report>),
-    /// The subject keeps every rule that it is held to, but is another map.
+    /// The subject keeps every expected rule, but is another map.
     #[error("the map is valid, but another one than it should be")]
     NotIsomorphic,
     /// The subject is the same map, but a vertex that was there before has another handle now, so that the data kept by its handle is
@@ -135,7 +139,7 @@ pub enum Difference {
 /// The advice for a half-edge that has the handle of another.
 const NAMES: &str = ". If operators move half-edges to other indices, the mesh needs program::mesh::Named";
 
-/// The first violation of a report, in words, and what the report advises.
+/// The first violation of a report, in words, and the hints of the report.
 struct FirstViolation<'a>(&'a Report);
 
 impl fmt::Display for FirstViolation<'_> {
@@ -153,7 +157,7 @@ impl fmt::Display for FirstViolation<'_> {
 pub struct Failure {
     /// The number of operators that were run before.
     pub before: usize,
-    /// The operator that did it; none if it is the start, or that too little was tried.
+    /// The operator that caused it; `None` at the start, or if too little was tried.
     pub op: Option<Op>,
     /// The difference.
     pub difference: Difference,
@@ -193,7 +197,7 @@ pub struct Counterexample {
 /// The half-edges of a counterexample, each with the vertices that it joins.
 #[derive(Clone, Default, PartialEq, Eq)]
 pub(super) struct Words {
-    /// Those of which the difference speaks.
+    /// The half-edges that the difference names.
     pub(super) places: Vec<String>,
     /// Those that each operator chose, with other handles.
     pub(super) calls: Vec<String>,
@@ -227,9 +231,57 @@ impl fmt::Display for Counterexample {
     }
 }
 
-/// The same as `Display`: this is what `unwrap` shows.
+/// Writes the text of `Display`: `unwrap` shows it.
 impl fmt::Debug for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
+}
+
+/// The handles that an operator chooses.
+pub(super) fn call_in_words<K: Subject>(runner: &Runner<K>, op: Op) -> String {
+    let half_edge = |h: K::HalfEdge| match ends(runner.subject(), h) {
+        Ok([origin, target]) => format!("{h:?} ({origin:?} to {target:?})"),
+        Err(refusal) => format!("{h:?} ({refusal})"),
+    };
+    let chosen = || match runner.resolve(op) {
+        Ok(call) => call.map(|v| format!("{v:?}"), half_edge, |f| format!("{f:?}")).to_string(),
+        Err(outcome) => outcome.to_string(),
+    };
+    catch(chosen).unwrap_or_else(|panic| format!("panicked: {panic}"))
+}
+
+fn ends<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<[K::Vertex; 2], Refusal> {
+    Ok([subject.origin_of(h)?, subject.origin_of(subject.twin_of(h)?)?])
+}
+
+/// The half-edges that a difference names, with the vertices that they join.
+pub(super) fn places_in_words<K: Subject>(runner: &Runner<K>, difference: &Difference) -> Vec<String> {
+    let subject = runner.subject();
+    let of_view = |h: usize| {
+        let target = subject.twin(h).filter(|twin| *twin < subject.half_edge_slots()).and_then(|t| subject.origin(t));
+        let [origin, target] = [subject.origin(h)?, target?];
+        Some(format!("half-edge {h} joins vertex {origin} and vertex {target}"))
+    };
+    let of_corner = |corner: usize| {
+        let Corner::At(h) = runner.corners().nth(corner)? else { return None };
+        let [origin, target] = ends(subject, h).ok()?;
+        Some(format!("corner {corner} is that of half-edge {h:?}, which joins {origin:?} and {target:?}"))
+    };
+    let found = || match difference {
+        Difference::View { half_edge, .. } | Difference::Unknown { half_edge, .. } => {
+            Vec::from_iter(of_view(*half_edge))
+        }
+        Difference::Answers { corner, .. } | Difference::Missing { corner } => Vec::from_iter(of_corner(*corner)),
+        Difference::Invalid(report) => {
+            let records = report.first().into_iter().flat_map(|violation| violation.records()).flatten();
+            let half_edges = records.filter_map(|record| match record {
+                Record::HalfEdge(h) if h < subject.half_edge_slots() && subject.is_half_edge(h) => Some(h),
+                _ => None,
+            });
+            half_edges.filter_map(of_view).collect()
+        }
+        _ => Vec::new(),
+    };
+    catch(found).unwrap_or_default()
 }

@@ -1,8 +1,7 @@
 //! The coverage of a comparison: how often each operator was applied, and what could not be compared.
 
 use crate::program::operators::Op;
-use crate::program::run::outcome::StepOutcome;
-use crate::program::subject::Refusal;
+use crate::program::subject::{Refusal, StepOutcome};
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -81,7 +80,7 @@ impl NotCompared {
     }
 }
 
-/// The outcomes of the operators of a program, or of several, counted, and what was not compared.
+/// Counts of the outcomes of one program or several, and the parts that were not compared.
 ///
 /// [`Display`](fmt::Display) gives a table with a row for each operator that was run, and lists those that the subject does not have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -91,12 +90,12 @@ pub struct ConformanceSummary {
 }
 
 impl ConformanceSummary {
-    /// Each operator by its name, with what became of it.
+    /// Each operator by its name, with its counts.
     pub fn by_operator(&self) -> impl Iterator<Item = (&'static str, OperatorCounts)> + '_ {
         Op::NAMES.iter().copied().zip(self.counts)
     }
 
-    /// The outcomes of the operator of this name. None if there is no such operator.
+    /// The counts of the operator of this name; `None` if there is no such operator.
     #[must_use]
     pub fn of(&self, name: &str) -> Option<OperatorCounts> {
         self.by_operator().find_map(|(other, counts)| (other == name).then_some(counts))

@@ -34,29 +34,13 @@
 //! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store
 //! the half-edges on its border, is put to the test through [`Named`].
 
-mod interpret;
 mod named;
 
 pub use named::Named;
 
-/// Writes the operators of triangle meshes of a [`Subject`](crate::program::Subject) that has the basic ones: each by its steps. It
-/// stands inside `impl Subject for …`.
-#[macro_export]
-macro_rules! mesh_operators_by_steps {
-    () => {
-        $crate::mesh_operators_by_steps!(@write
-            mesh_flip_edge flip_edge, mesh_split_edge split_edge, mesh_split_face split_face, mesh_collapse_edge collapse_edge
-        );
-    };
-    (@write $($name:ident $steps:ident),*) => {
-        $(fn $name(&mut self, half_edge: Self::HalfEdge) -> Result<(), $crate::program::Refusal> {
-            $crate::program::mesh::$steps(self, half_edge)
-        })*
-    };
-}
-
+use super::operators::Call;
 use super::subject::{Refusal, Subject};
-use crate::dcel::{Corner, Side, Turn};
+use crate::dcel::{Corner, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -70,7 +54,7 @@ pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool,
     }
 }
 
-/// The half-edges of the triangle to the left of `h`, beginning with `h`. None if no face is there, or the unbounded one.
+/// The half-edges of the triangle to the left of `h`, beginning with `h`; `None` if there is no face, or the unbounded one.
 fn triangle<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Option<[K::HalfEdge; 3]>, Refusal> {
     if !is_inside(subject, h)? {
         return Ok(None);
@@ -166,9 +150,9 @@ fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::Half
 
 /// Turns an edge inside the two triangles that it separates: it joins the two other vertices then. Here the half-edge is turned
 /// counter-clockwise, from the vertex that was opposite to its right to the one that was opposite to its left; a kernel that turns it
-/// clockwise is right, too.
+/// clockwise is also valid.
 ///
-/// O(degree²) questions beside `flip_edge`.
+/// O(degree²) questions plus `flip_edge`.
 ///
 /// # Errors
 /// [`Refusal::Stale`]; [`Refusal::Border`] if a side is outside; [`Refusal::NotTriangle`] if a side is no triangle, or the same;
@@ -187,29 +171,29 @@ pub fn flip_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<
     if adjacent {
         return Err(Refusal::NotSimple);
     }
-    subject.flip_edge(half_edge, Turn::CounterClockwise)
+    subject.apply(Call::FlipEdge { half_edge, turn: Turn::CounterClockwise }).map(drop)
 }
 
 /// Puts a new vertex on an edge, and joins it with the vertex opposite in each triangle.
 ///
-/// O(1) questions beside the steps.
+/// O(1) questions plus the steps.
 ///
 /// # Errors
 /// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if a side that is not outside is no
 /// triangle, or both are the same; [`Refusal::Full`].
 pub fn split_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let [left, right] = sides(subject, half_edge)?;
-    let n = subject.split_edge(half_edge)?;
+    let n = subject.make_edge(Call::SplitEdge { half_edge })?;
     // The corners of the new vertex: to the left of the edge `n` leaves, to the right the twin of the given half-edge.
     let twin = subject.twin_of(half_edge)?;
     let mut made = Vec::new();
     for (corner, side) in [(n, left), (twin, right)] {
         let Some([_, _, third]) = side else { continue };
-        match subject.connect(Corner::At(corner), Corner::At(third), Side::Left, &[]) {
+        match subject.make_edge(Call::connect(Corner::At(corner), Corner::At(third))) {
             Ok(edge) => made.push(edge),
             Err(refusal) => {
                 undo(subject, made)?;
-                subject.join_edges(half_edge)?;
+                subject.apply(Call::JoinEdges { half_edge })?;
                 return Err(refusal);
             }
         }
@@ -219,24 +203,24 @@ pub fn split_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result
 
 /// Puts a new vertex into the triangle to the left of a half-edge, and joins it with the three corners.
 ///
-/// O(1) questions beside the steps.
+/// O(1) questions plus the steps.
 ///
 /// # Errors
 /// [`Refusal::Stale`]; [`Refusal::Border`] if the face is outside; [`Refusal::NotTriangle`]; [`Refusal::Full`].
 pub fn split_face<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let [first, second, third] = triangle(subject, half_edge)?.ok_or(Refusal::Border)?;
-    let n = subject.split_vertex(Corner::At(first), Corner::At(first))?;
+    let n = subject.make_edge(Call::SplitVertex { from: Corner::At(first), to: Corner::At(first) })?;
     let mut made = Vec::new();
     let mut corner = subject.twin_of(n)?;
     for to in [second, third] {
-        match subject.connect(Corner::At(corner), Corner::At(to), Side::Left, &[]) {
+        match subject.make_edge(Call::connect(Corner::At(corner), Corner::At(to))) {
             Ok(edge) => {
                 made.push(edge);
                 corner = edge;
             }
             Err(refusal) => {
                 undo(subject, made)?;
-                subject.contract_edge(n)?;
+                subject.apply(Call::ContractEdge { half_edge: n })?;
                 return Err(refusal);
             }
         }
@@ -246,12 +230,12 @@ pub fn split_face<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result
 
 /// Removes edges that were just made, the last one first.
 fn undo<K: Subject>(subject: &mut K, made: Vec<K::HalfEdge>) -> Result<(), Refusal> {
-    made.into_iter().rev().try_for_each(|edge| subject.remove_edge(edge).map(drop))
+    made.into_iter().rev().try_for_each(|edge| subject.apply(Call::RemoveEdge { half_edge: edge }).map(drop))
 }
 
 /// Collapses an edge to a vertex, together with its triangles, whose two other edges become one.
 ///
-/// O(degree²) questions beside the steps.
+/// O(degree²) questions plus the steps.
 ///
 /// # Errors
 /// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if a side that is not outside is no
@@ -262,12 +246,12 @@ pub fn collapse_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Res
     if !link_condition(subject, half_edge, &found)? {
         return Err(Refusal::NotSimple);
     }
-    subject.contract_edge(half_edge)?;
+    subject.apply(Call::ContractEdge { half_edge })?;
     for [_, second, third] in found.into_iter().flatten() {
         // Not the one on the border.
         let beyond = subject.twin_of(second)?;
         let is_border = !is_inside(subject, beyond)?;
-        subject.remove_edge(if is_border { third } else { second })?;
+        subject.apply(Call::RemoveEdge { half_edge: if is_border { third } else { second } })?;
     }
     Ok(())
 }

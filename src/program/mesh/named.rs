@@ -1,7 +1,8 @@
 //! Numbers that stay for the half-edges of a mesh that moves them.
 
 use crate::delegate_view;
-use crate::program::subject::{Refusal, Subject};
+use crate::program::operators::{Call, OpKind};
+use crate::program::subject::{CallOf, HandleOf, Refusal, Subject};
 use crate::validate::{Link, Start, View};
 use alloc::boxed::Box;
 use alloc::collections::{BTreeMap, BTreeSet};
@@ -105,50 +106,66 @@ pub struct Named<M> {
     number: BTreeMap<Place, usize>,
     /// Per number, the ends of the half-edge.
     ends: Vec<[Link; 2]>,
-    flip_edge: Option<Operator<M>>,
-    split_edge: Option<Operator<M>>,
-    split_face: Option<Operator<M>>,
-    collapse_edge: Option<Operator<M>>,
-}
-
-/// Writes the methods that name an operator of the mesh.
-macro_rules! operators {
-    ($($name:ident)*) => {
-        $(
-            /// The same mesh with this operator, which takes the index of a half-edge of the mesh. What it gives is dropped, and its
-            /// error becomes a [`Refusal`] by `Into`. What it is to do stands in
-            #[doc = concat!("[`", stringify!($name), "`](super::", stringify!($name), ").")]
-            #[must_use]
-            pub fn $name<T, E: Into<Refusal>>(
-                mut self,
-                mut operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static,
-            ) -> Self {
-                self.$name = Some(Box::new(move |mesh, h| operator(mesh, h).map(drop).map_err(Into::into)));
-                self
-            }
-        )*
-    };
+    /// The operators that the mesh has, by their kinds.
+    operators: Vec<(OpKind, Operator<M>)>,
 }
 
 impl<M: View> Named<M> {
     /// Begins with a mesh as it is. O(n log n).
     #[must_use]
     pub fn new(mesh: M) -> Self {
-        let mut named = Self {
-            mesh,
-            place: Vec::new(),
-            number: BTreeMap::new(),
-            ends: Vec::new(),
-            flip_edge: None,
-            split_edge: None,
-            split_face: None,
-            collapse_edge: None,
-        };
+        let mut named =
+            Self { mesh, place: Vec::new(), number: BTreeMap::new(), ends: Vec::new(), operators: Vec::new() };
         named.find_again(|v| v);
         named
     }
 
-    operators!(flip_edge split_edge split_face collapse_edge);
+    /// The same mesh with the operator [`flip_edge`](super::flip_edge), which takes the index of a half-edge of the mesh. What it gives is
+    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    #[must_use]
+    pub fn flip_edge<T, E: Into<Refusal>>(self, operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static) -> Self {
+        self.with(OpKind::MeshFlipEdge, operator)
+    }
+
+    /// The same mesh with the operator [`split_edge`](super::split_edge), which takes the index of a half-edge of the mesh. What it gives is
+    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    #[must_use]
+    pub fn split_edge<T, E: Into<Refusal>>(
+        self,
+        operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static,
+    ) -> Self {
+        self.with(OpKind::MeshSplitEdge, operator)
+    }
+
+    /// The same mesh with the operator [`split_face`](super::split_face), which takes the index of a half-edge of the mesh. What it gives is
+    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    #[must_use]
+    pub fn split_face<T, E: Into<Refusal>>(
+        self,
+        operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static,
+    ) -> Self {
+        self.with(OpKind::MeshSplitFace, operator)
+    }
+
+    /// The same mesh with the operator [`collapse_edge`](super::collapse_edge), which takes the index of a half-edge of the mesh. What it gives is
+    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    #[must_use]
+    pub fn collapse_edge<T, E: Into<Refusal>>(
+        self,
+        operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static,
+    ) -> Self {
+        self.with(OpKind::MeshCollapseEdge, operator)
+    }
+
+    fn with<T, E: Into<Refusal>>(
+        mut self,
+        kind: OpKind,
+        mut operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static,
+    ) -> Self {
+        self.operators.retain(|(other, _)| *other != kind);
+        self.operators.push((kind, Box::new(move |mesh, h| operator(mesh, h).map(drop).map_err(Into::into))));
+        self
+    }
 
     /// The mesh.
     #[must_use]
@@ -207,7 +224,7 @@ impl<M: View> Named<M> {
         self.place.get(n).copied().filter(|place| *place != NOWHERE)
     }
 
-    /// The number of a half-edge of the mesh; the one that it had, if it is gone, and one that none has, if it never was there.
+    /// The number of a half-edge of the mesh; its former number if it is gone, and an unused one if it never was there.
     fn numbered(&self, link: Link) -> Link {
         link.map(|h| h.checked_mul(2).and_then(|place| self.number.get(&place)).copied().unwrap_or(usize::MAX))
     }
@@ -225,12 +242,27 @@ impl<M: View> Named<M> {
     }
 
     /// Runs an operator of the mesh on the half-edge with this number, or, where that is not stored, on its twin.
-    fn run(&mut self, n: usize, operator: impl Fn(&mut Self) -> &mut Option<Operator<M>>) -> Result<(), Refusal> {
+    fn run(&mut self, kind: OpKind, n: usize) -> Result<(), Refusal> {
         let place = self.place(n).ok_or(Refusal::Stale)?;
-        let mut chosen = operator(self).take().ok_or(Refusal::Unsupported)?;
-        let result = chosen(&mut self.mesh, place / 2);
-        *operator(self) = Some(chosen);
-        result
+        let operator = self.operators.iter_mut().find(|(other, _)| *other == kind);
+        let (_, operator) = operator.ok_or(Refusal::Unsupported)?;
+        if kind == OpKind::MeshSplitFace && place % 2 == 1 {
+            return Err(Refusal::Border);
+        }
+        operator(&mut self.mesh, place / 2)
+    }
+
+    /// Runs the operator that collapses an edge. The vertex that is kept stands for both ends.
+    fn collapse(&mut self, n: usize) -> Result<(), Refusal> {
+        let ends = self.ends.get(n).copied().unwrap_or_default();
+        let vertices = |mesh: &M| (0..mesh.vertex_slots()).filter(|v| mesh.is_vertex(*v)).collect::<BTreeSet<usize>>();
+        let before = vertices(&self.mesh);
+        self.run(OpKind::MeshCollapseEdge, n)?;
+        // The two ends afterwards: one of them, or a vertex that is new.
+        let after = vertices(&self.mesh);
+        let of_both = ends.into_iter().flatten().chain(after.difference(&before).copied()).find(|v| after.contains(v));
+        self.find_again(|v| if ends.contains(&Some(v)) { of_both.unwrap_or(v) } else { v });
+        Ok(())
     }
 }
 
@@ -288,37 +320,18 @@ impl<M: View> Subject for Named<M> {
         true
     }
 
-    fn mesh_flip_edge(&mut self, n: usize) -> Result<(), Refusal> {
-        self.run(n, |named| &mut named.flip_edge)?;
-        self.find_again(|v| v);
-        Ok(())
-    }
-
-    fn mesh_split_edge(&mut self, n: usize) -> Result<(), Refusal> {
-        self.run(n, |named| &mut named.split_edge)?;
-        self.find_again(|v| v);
-        Ok(())
-    }
-
-    fn mesh_split_face(&mut self, n: usize) -> Result<(), Refusal> {
-        if self.place(n).ok_or(Refusal::Stale)? % 2 == 1 {
-            return Err(if self.split_face.is_some() { Refusal::Border } else { Refusal::Unsupported });
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        match call {
+            Call::MeshCollapseEdge { half_edge } => self.collapse(half_edge)?,
+            Call::MeshFlipEdge { half_edge }
+            | Call::MeshSplitEdge { half_edge }
+            | Call::MeshSplitFace { half_edge } => {
+                self.run(call.kind(), half_edge)?;
+                self.find_again(|v| v);
+            }
+            _ => return Err(Refusal::Unsupported),
         }
-        self.run(n, |named| &mut named.split_face)?;
-        self.find_again(|v| v);
-        Ok(())
-    }
-
-    fn mesh_collapse_edge(&mut self, n: usize) -> Result<(), Refusal> {
-        let ends = self.ends.get(n).copied().unwrap_or_default();
-        let vertices = |mesh: &M| (0..mesh.vertex_slots()).filter(|v| mesh.is_vertex(*v)).collect::<BTreeSet<usize>>();
-        let before = vertices(&self.mesh);
-        self.run(n, |named| &mut named.collapse_edge)?;
-        // The two ends afterwards: one of them, or a vertex that is new.
-        let after = vertices(&self.mesh);
-        let of_both = ends.into_iter().flatten().chain(after.difference(&before).copied()).find(|v| after.contains(v));
-        self.find_again(|v| if ends.contains(&Some(v)) { of_both.unwrap_or(v) } else { v });
-        Ok(())
+        Ok(None)
     }
 }
 

@@ -1,8 +1,8 @@
 //! The model of a structure that exists.
 
-use super::operators::{label, label_cycle};
-use super::{Owned, PointerModel, PointerModelHalfEdge, PointerModelVertex, same};
-use crate::validate::{Expectation, Link, Part, Parts, Start, View};
+use super::{Owned, PointerModel, PointerModelHalfEdge, PointerModelVertex, label, label_cycle, same};
+use crate::program::subject::view_face_of;
+use crate::validate::{Expectation, Part, Parts, Start, View};
 use alloc::collections::BTreeMap;
 use alloc::rc::Rc;
 use alloc::vec::Vec;
@@ -147,7 +147,7 @@ impl PointerModelStart {
         for (h, record) in records {
             if record.borrow().face.upgrade().is_none() {
                 let f = self.model.make_face();
-                let is_border = if has_faces { face_of(view, *h).is_none() } else { view.next(*h).is_none() };
+                let is_border = if has_faces { view_face_of(view, *h).is_none() } else { view.next(*h).is_none() };
                 f.borrow_mut().border = is_border;
                 label_cycle(record, &f, true);
             }
@@ -194,11 +194,6 @@ impl PointerModelStart {
         debug_assert!(same(&unbounded, &self.model.faces[0]), "the unbounded face stays the first");
         Ok(())
     }
-}
-
-/// The face that a view gives a half-edge, whichever way it says it.
-pub(in crate::program) fn face_of<V: View + ?Sized>(view: &V, h: usize) -> Link {
-    view.boundary(h).map_or_else(|| view.face(h), |boundary| view.boundary_face(boundary))
 }
 
 /// The half-edge after each half-edge. Where the view does not say, on the border, it is the half-edge before which there is a gap

@@ -24,39 +24,32 @@
 
 mod from_view;
 mod operators;
-mod view;
 
-pub(super) use from_view::face_of as view_face_of;
 pub use from_view::{PointerModelStart, StartError};
 
-use crate::validate::BoundaryPlace;
+use crate::validate::{BoundaryPlace, Link, Parts, Start, View};
 use alloc::rc::{Rc, Weak};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::any::Any;
-use core::cell::RefCell;
+use core::cell::{Ref, RefCell};
 
 /// A record, as its list owns it. Operators have others, for as long as they run.
 type Owned<T> = Rc<RefCell<T>>;
 /// A link to a record.
 type Pointer<T> = Weak<RefCell<T>>;
 
-macro_rules! handles {
-    ($($(#[$doc:meta])* $name:ident;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub struct $name(u64);
-    )*};
-}
+/// Names a vertex of a [`PointerModel`]; never reused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PointerModelVertex(u64);
 
-handles! {
-    /// Names a vertex of a [`PointerModel`], for ever.
-    PointerModelVertex;
-    /// Names a half-edge of a [`PointerModel`], for ever.
-    PointerModelHalfEdge;
-    /// Names a face of a [`PointerModel`], for ever.
-    PointerModelFace;
-}
+/// Names a half-edge of a [`PointerModel`]; never reused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PointerModelHalfEdge(u64);
+
+/// Names a face of a [`PointerModel`]; never reused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PointerModelFace(u64);
 
 #[derive(Debug)]
 struct Vertex {
@@ -105,7 +98,7 @@ struct Boundary {
 #[derive(Debug)]
 struct Face {
     name: PointerModelFace,
-    /// True if it stands for what lies outside: the structure that the model was made from has no face there.
+    /// True for a face that stands for the outside: the original structure has no face there.
     border: bool,
 
     // Built anew after each operator:
@@ -164,18 +157,46 @@ fn cycle(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
     found
 }
 
+/// All half-edges of a component.
+fn component(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
+    let mut found = vec![start.clone()];
+    let mut done = 0;
+    while let Some(h) = found.get(done).cloned() {
+        for neighbour in [next(&h), twin(&h)] {
+            if !contains(&found, &neighbour) {
+                found.push(neighbour);
+            }
+        }
+        done += 1;
+    }
+    found
+}
+
+/// Labels one half-edge with the face to its left.
+fn label(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
+    h.borrow_mut().face = Rc::downgrade(f);
+    h.borrow_mut().outer = outer;
+}
+
+/// Makes all half-edges of a cycle say so.
+fn label_cycle(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
+    for side in cycle(h) {
+        label(&side, f, outer);
+    }
+}
+
 /// An independent model of the structure, to be compared with step by step.
 ///
 /// ```
-/// use twinedge::program::{Corner, Subject, PointerModel};
-/// use twinedge::dcel::Side;
+/// use twinedge::program::{Call, Corner, Handle, PointerModel, Side, Subject};
 /// use twinedge::validate::{Collect, Expectation, validate};
 ///
 /// let mut model = PointerModel::new();
-/// let outside = model.unbounded_face().expect("the model of a planar map has one");
-/// let v = model.add_isolated_vertex(outside)?;
-/// let h = model.connect(Corner::Isolated(v), Corner::Isolated(v), Side::Left, &[])?;
-/// assert_ne!(model.face_of(Corner::At(h))?, outside);
+/// let face = model.unbounded_face().expect("the model of a planar map has one");
+/// let Some(Handle::Vertex(v)) = model.apply(Call::AddIsolatedVertex { face })? else { unreachable!() };
+/// let v = Corner::Isolated(v);
+/// let h = model.make_edge(Call::Connect { from: v, to: v, new_face: Side::Left, inner: vec![] })?;
+/// assert_ne!(model.face_of(Corner::At(h))?, face);
 /// assert!(validate(&model, &Expectation::plane(), Collect::All).is_valid());
 /// # Ok::<(), twinedge::program::Refusal>(())
 /// ```
@@ -317,5 +338,76 @@ impl PointerModel {
         }
         self.boundaries.push(b.clone());
         b
+    }
+}
+
+/// The record with this index, read.
+fn read<T, U>(list: &[Owned<T>], index: usize, answer: impl FnOnce(Ref<'_, T>) -> Option<U>) -> Option<U> {
+    answer(list.get(index)?.borrow())
+}
+
+/// The index of the record to which a link leads, and nil if it leads nowhere.
+fn index<T>(link: &Pointer<T>, of: impl FnOnce(Ref<'_, T>) -> usize) -> Link {
+    Some(of(link.upgrade()?.borrow()))
+}
+
+/// The model as the validator sees it: the index of a record is its place in its list.
+impl View for PointerModel {
+    fn parts(&self) -> Parts {
+        Parts::ALL
+    }
+    fn vertex_slots(&self) -> usize {
+        self.vertices.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.half_edges.len()
+    }
+    fn boundary_slots(&self) -> usize {
+        self.boundaries.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.faces.len()
+    }
+    fn origin(&self, half_edge: usize) -> Link {
+        read(&self.half_edges, half_edge, |h| index(&h.origin, |v| v.index))
+    }
+    fn twin(&self, half_edge: usize) -> Link {
+        read(&self.half_edges, half_edge, |h| index(&h.twin, |t| t.index))
+    }
+    fn next(&self, half_edge: usize) -> Link {
+        read(&self.half_edges, half_edge, |h| index(&h.next, |n| n.index))
+    }
+    fn prev(&self, half_edge: usize) -> Link {
+        read(&self.half_edges, half_edge, |h| index(&h.prev, |p| p.index))
+    }
+    fn boundary(&self, half_edge: usize) -> Link {
+        read(&self.half_edges, half_edge, |h| index(&h.boundary, |b| b.index))
+    }
+    fn leaving(&self, vertex: usize) -> Link {
+        read(&self.vertices, vertex, |v| index(v.leaving.as_ref()?, |h| h.index))
+    }
+    fn isolated(&self, vertex: usize) -> Link {
+        read(&self.vertices, vertex, |v| index(v.isolated.as_ref()?, |b| b.index))
+    }
+    fn boundary_face(&self, boundary: usize) -> Link {
+        read(&self.boundaries, boundary, |b| index(&b.face, |f| f.index))
+    }
+    fn boundary_start(&self, boundary: usize) -> Option<Start> {
+        read(&self.boundaries, boundary, |b| match &b.start {
+            Beginning::HalfEdge(h) => index(h, |h| h.index).map(Start::HalfEdge),
+            Beginning::Vertex(v) => index(v, |v| v.index).map(Start::Vertex),
+        })
+    }
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
+        read(&self.boundaries, boundary, |b| Some(b.place))
+    }
+    fn outer(&self, face: usize) -> Link {
+        read(&self.faces, face, |f| index(f.outer.as_ref()?, |b| b.index))
+    }
+    fn inner_count(&self, face: usize) -> usize {
+        self.faces.get(face).map_or(0, |f| f.borrow().inner.len())
+    }
+    fn inner(&self, face: usize, position: usize) -> Link {
+        read(&self.faces, face, |f| index(f.inner.get(position)?, |b| b.index))
     }
 }

@@ -13,11 +13,12 @@
 //! No case is special: loops, leaves and last edges come out right because each move reads what the one before it has left.
 
 use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex, Vertex};
-use super::{contains, cycle, face, is_outer, next, origin, prev, same, to, twin};
+use super::{component, contains, cycle, face, is_outer, label, label_cycle, next, origin, prev, same, to, twin};
 use crate::dcel::{Corner, Side, Turn};
-use crate::program::subject::{CornerOf, Refusal, Subject};
+use crate::program::mesh;
+use crate::program::operators::{Call, Handle};
+use crate::program::subject::{CallOf, CornerOf, HandleOf, Refusal, Subject};
 use alloc::rc::Rc;
-use alloc::vec;
 use alloc::vec::Vec;
 
 /// A corner whose handle has been found.
@@ -34,7 +35,7 @@ fn take_out(x: &Owned<HalfEdge>) {
     follow(&prev(x), &next(&twin(x)));
 }
 
-/// Puts the end where `x` leaves, which is in no rotation, into the one of `a`: next counter-clockwise of it.
+/// Puts the end where `x` leaves, which is in no rotation, into the rotation of `a`: next counter-clockwise of it.
 fn put_in(x: &Owned<HalfEdge>, a: &Owned<HalfEdge>) {
     follow(&prev(a), x);
     follow(&twin(x), a);
@@ -44,34 +45,6 @@ fn put_in(x: &Owned<HalfEdge>, a: &Owned<HalfEdge>) {
 /// The half-edge that leaves the same vertex and comes next counter-clockwise.
 fn counter_clockwise(h: &Owned<HalfEdge>) -> Owned<HalfEdge> {
     twin(&prev(h))
-}
-
-/// All half-edges of a component.
-fn component(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
-    let mut found = vec![start.clone()];
-    let mut done = 0;
-    while let Some(h) = found.get(done).cloned() {
-        for neighbour in [next(&h), twin(&h)] {
-            if !contains(&found, &neighbour) {
-                found.push(neighbour);
-            }
-        }
-        done += 1;
-    }
-    found
-}
-
-/// Makes one half-edge say what is to its left.
-pub(super) fn label(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
-    h.borrow_mut().face = Rc::downgrade(f);
-    h.borrow_mut().outer = outer;
-}
-
-/// Makes all half-edges of a cycle say so.
-pub(super) fn label_cycle(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
-    for side in cycle(h) {
-        label(&side, f, outer);
-    }
 }
 
 fn isolate(v: &Owned<Vertex>, f: &Owned<Face>) {
@@ -142,7 +115,7 @@ impl PointerModel {
         Ok(spot)
     }
 
-    /// Makes an edge of which neither end is in a rotation yet. Gives its two half-edges.
+    /// Makes an edge whose ends are in no rotation yet. Returns its two half-edges.
     fn make_edge(&mut self, from: &Owned<Vertex>, to: &Owned<Vertex>) -> (Owned<HalfEdge>, Owned<HalfEdge>) {
         let (n, t) = (self.make_half_edge(from), self.make_half_edge(to));
         n.borrow_mut().twin = Rc::downgrade(&t);
@@ -231,6 +204,31 @@ impl Subject for PointerModel {
         Ok(next(&self.find_half_edge(half_edge)?).borrow().name)
     }
 
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        let nothing = |()| None;
+        match call {
+            Call::AddIsolatedVertex { face } => self.add_isolated_vertex(face).map(Handle::Vertex).map(Some),
+            Call::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex).map(nothing),
+            Call::Connect { from, to, new_face, inner } => {
+                self.connect(from, to, new_face, &inner).map(Handle::HalfEdge).map(Some)
+            }
+            Call::RemoveEdge { half_edge } => Ok(self.remove_edge(half_edge)?.map(Handle::Face)),
+            Call::SplitEdge { half_edge } => self.split_edge(half_edge).map(Handle::HalfEdge).map(Some),
+            Call::JoinEdges { half_edge } => self.join_edges(half_edge).map(nothing),
+            Call::SplitVertex { from, to } => self.split_vertex(from, to).map(Handle::HalfEdge).map(Some),
+            Call::ContractEdge { half_edge } => self.contract_edge(half_edge).map(Handle::Vertex).map(Some),
+            Call::FlipEdge { half_edge, turn } => self.flip_edge(half_edge, turn).map(nothing),
+            Call::MoveInner { inner, face } => self.move_inner(inner, face).map(nothing),
+            Call::MeshFlipEdge { half_edge } => mesh::flip_edge(self, half_edge).map(nothing),
+            Call::MeshSplitEdge { half_edge } => mesh::split_edge(self, half_edge).map(nothing),
+            Call::MeshSplitFace { half_edge } => mesh::split_face(self, half_edge).map(nothing),
+            Call::MeshCollapseEdge { half_edge } => mesh::collapse_edge(self, half_edge).map(nothing),
+        }
+    }
+}
+
+/// The operators.
+impl PointerModel {
     fn add_isolated_vertex(&mut self, face: PointerModelFace) -> Result<PointerModelVertex, Refusal> {
         let f = self.find_face(face)?;
         if self.discs {
@@ -368,7 +366,7 @@ impl Subject for PointerModel {
         }
         let n = next(&h);
         let m = twin(&n);
-        // The old edge takes the place of the one that follows.
+        // The old edge takes the place of the next one.
         take_out(&t);
         put_in(&t, &m);
         take_out(&m);
@@ -468,7 +466,7 @@ impl Subject for PointerModel {
             Turn::CounterClockwise => (next(y), next(x)),
             Turn::Clockwise => (x.clone(), y.clone()),
         };
-        // Of the two ends of a loop, the one that is put in last has nothing to its left.
+        // The end of a loop that is put in last has nothing to its left.
         if n_alone {
             put_in(&t, &for_t);
             put_in(&n, &for_n);
@@ -501,6 +499,4 @@ impl Subject for PointerModel {
         self.rebuild();
         Ok(())
     }
-
-    crate::mesh_operators_by_steps!();
 }

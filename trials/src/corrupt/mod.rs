@@ -70,10 +70,10 @@ struct Specimens {
 /// # Examples
 /// ```
 /// use twinedge::validate::Expectation;
-/// use twinedge_trials::RotationSystem;
+/// use twinedge_trials::RawPointers;
 /// use twinedge_trials::corrupt::{CorruptWork, abort};
 /// use twinedge_trials::{Outcome, Run, Structure, Validator, corrupt};
-/// let mine = Structure::new("mine", RotationSystem::new, Expectation::plane());
+/// let mine = Structure::new("mine", RawPointers::new, Expectation::plane());
 /// let work = CorruptWork { edges: 1, pairs: 100, seed: 1 };
 /// let outcome = corrupt(&mine, work, &Validator, &Run::default(), &abort)?.into_result()?;
 /// assert!(outcome.fields.iter().all(|row| row.tally.caught == row.tally.wrong));

@@ -2,7 +2,7 @@
 
 use super::triangulations::Triangulation;
 use std::collections::BTreeMap;
-use twinedge::program::{Corner, Refusal, Side, Subject};
+use twinedge::program::{Call, Corner, Handle, Refusal, Subject};
 
 /// Builds a triangulated disc on the empty map. The unbounded face is outside.
 ///
@@ -15,13 +15,15 @@ pub(super) fn build<K: Subject>(subject: &mut K, disc: &Triangulation) -> Result
     let mut edges: BTreeMap<(usize, usize), K::HalfEdge> = BTreeMap::new();
     let mut rest = disc.triangles.clone();
     let [a, b, c] = rest.pop().ok_or(Refusal::NotDisc)?;
-    let outside = subject.unbounded_face().ok_or(Refusal::NotDisc)?;
-    let v = subject.add_isolated_vertex(outside)?;
-    let ab = subject.split_vertex(Corner::Isolated(v), Corner::Isolated(v))?;
+    let face = subject.unbounded_face().ok_or(Refusal::NotDisc)?;
+    let Some(Handle::Vertex(v)) = subject.apply(Call::AddIsolatedVertex { face })? else {
+        return Err(Refusal::Unsupported);
+    };
+    let ab = subject.make_edge(Call::SplitVertex { from: Corner::Isolated(v), to: Corner::Isolated(v) })?;
     let ba = subject.twin_of(ab)?;
-    let bc = subject.split_vertex(Corner::At(ba), Corner::At(ba))?;
+    let bc = subject.make_edge(Call::SplitVertex { from: Corner::At(ba), to: Corner::At(ba) })?;
     let cb = subject.twin_of(bc)?;
-    let ca = subject.connect(Corner::At(cb), Corner::At(ab), Side::Left, &[])?;
+    let ca = subject.make_edge(Call::connect(Corner::At(cb), Corner::At(ab)))?;
     for (ends, h) in [((a, b), ab), ((b, c), bc), ((c, a), ca)] {
         edges.insert(ends, h);
         edges.insert((ends.1, ends.0), subject.twin_of(h)?);
@@ -39,14 +41,14 @@ pub(super) fn build<K: Subject>(subject: &mut K, disc: &Triangulation) -> Result
         let xy = edges[&(x, y)];
         if let Some(yw) = edges.get(&(y, w)).copied() {
             let after = subject.next_of(yw)?;
-            let wx = subject.connect(Corner::At(after), Corner::At(xy), Side::Left, &[])?;
+            let wx = subject.make_edge(Call::connect(Corner::At(after), Corner::At(xy)))?;
             edges.insert((w, x), wx);
             edges.insert((x, w), subject.twin_of(wx)?);
         } else {
-            let xw = subject.split_vertex(Corner::At(xy), Corner::At(xy))?;
+            let xw = subject.make_edge(Call::SplitVertex { from: Corner::At(xy), to: Corner::At(xy) })?;
             let wx = subject.twin_of(xw)?;
             let after = subject.next_of(xy)?;
-            let yw = subject.connect(Corner::At(after), Corner::At(wx), Side::Left, &[])?;
+            let yw = subject.make_edge(Call::connect(Corner::At(after), Corner::At(wx)))?;
             edges.extend([((x, w), xw), ((w, x), wx), ((y, w), yw), ((w, y), subject.twin_of(yw)?)]);
         }
     }

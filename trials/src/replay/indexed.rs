@@ -1,6 +1,6 @@
 //! Handles as the indices by which the validator knows their records.
 
-use crate::{ReportAudit, RotationSystem};
+use crate::{RawPointers, ReportAudit};
 use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::Subject;
 use twinedge::validate::View;
@@ -51,7 +51,7 @@ impl Indexed for Audited {
     }
 }
 
-impl Indexed for RotationSystem {
+impl Indexed for RawPointers {
     fn vertex_index(&self, vertex: usize) -> Option<usize> {
         self.is_vertex(vertex).then_some(vertex)
     }

@@ -5,7 +5,7 @@ use super::limited;
 use std::sync::atomic::{AtomicU64, Ordering};
 use twinedge::dcel::Dcel;
 use twinedge::validate::{Expectation, Part, Rule, Table};
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, ExpectationRow, Family, Tally, abort};
 use twinedge_trials::tables::{TablesOutcome, TablesWork};
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, Verdict, corrupt, tables};
@@ -184,7 +184,7 @@ fn each_table_is_shown_once_with_its_verdict() {
 
 #[test]
 fn a_structure_without_records_for_boundary_components_has_one_form() {
-    let model = Structure::new("model", RotationSystem::new, Expectation::plane());
+    let model = Structure::new("pointers", RawPointers::new, Expectation::plane());
     let outcome = corrupt(&model, WORK, &Validator, &Run::default(), &abort).unwrap();
     assert!(outcome.is_ok(), "{:?}", outcome.reasons());
     assert!(outcome.fields.iter().all(|row| row.form == Family::Textbook));

@@ -1,9 +1,9 @@
 //! A structure that lacks operators, and one that is held to what it is not.
 
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Turn, VertexKey};
-use twinedge::delegate_view;
-use twinedge::program::{CornerOf, Refusal, Subject};
+use twinedge::dcel::Dcel;
+use twinedge::program::{Call, CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::{Expectation, Part, Parts, Rule, View};
+use twinedge::{delegate_subject, delegate_view};
 use twinedge_trials::prove::ProveWork;
 use twinedge_trials::soak::SoakWork;
 use twinedge_trials::tables::TablesWork;
@@ -38,48 +38,11 @@ impl View for Partial {
     }
 }
 
-macro_rules! operators_as_they_are {
-    ($($name:ident($($arg:ident: $argument:ty),*) -> $answer:ty;)*) => {
-        $(fn $name(&mut self $(, $arg: $argument)*) -> Result<$answer, Refusal> {
-            Subject::$name(&mut self.dcel $(, $arg)*)
-        })*
-    };
-}
-
-macro_rules! questions_as_they_are {
-    ($($name:ident($arg:ident: $argument:ty) -> $answer:ty;)*) => {
-        $(fn $name(&self, $arg: $argument) -> Result<$answer, Refusal> {
-            Subject::$name(&self.dcel, $arg)
-        })*
-    };
-}
-
 impl Subject for Partial {
-    type Vertex = VertexKey;
-    type HalfEdge = HalfEdgeKey;
-    type Face = FaceKey;
-    fn unbounded_face(&self) -> Option<FaceKey> {
-        Subject::unbounded_face(&self.dcel)
-    }
-    questions_as_they_are! {
-        face_of(corner: CornerOf<Self>) -> FaceKey;
-        origin_of(half_edge: HalfEdgeKey) -> VertexKey;
-        twin_of(half_edge: HalfEdgeKey) -> HalfEdgeKey;
-        next_of(half_edge: HalfEdgeKey) -> HalfEdgeKey;
-    }
-    operators_as_they_are! {
-        add_isolated_vertex(face: FaceKey) -> VertexKey;
-        remove_isolated_vertex(vertex: VertexKey) -> ();
-        connect(from: CornerOf<Self>, to: CornerOf<Self>, side: Side, inner: &[CornerOf<Self>]) -> HalfEdgeKey;
-        remove_edge(half_edge: HalfEdgeKey) -> Option<FaceKey>;
-        split_edge(half_edge: HalfEdgeKey) -> HalfEdgeKey;
-        join_edges(half_edge: HalfEdgeKey) -> ();
-        contract_edge(half_edge: HalfEdgeKey) -> VertexKey;
-        flip_edge(half_edge: HalfEdgeKey, turn: Turn) -> ();
-        move_inner(inner: CornerOf<Self>, face: FaceKey) -> ();
-    }
-    fn split_vertex(&mut self, _: CornerOf<Self>, _: CornerOf<Self>) -> Result<HalfEdgeKey, Refusal> {
-        Err(Refusal::Unsupported)
+    delegate_subject!(Dcel, |this| &this.dcel);
+
+    fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
+        if let Call::SplitVertex { .. } = call { Err(Refusal::Unsupported) } else { self.dcel.apply(call) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use twinedge::dcel::Dcel;
 use twinedge::validate::Expectation;
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 use twinedge_trials::meshes::{MeshStructure, MeshesOutcome, MeshesWork, Shape};
 use twinedge_trials::planted::Planted;
 use twinedge_trials::{Outcome, Run, Shard, Structure, meshes, sum};
@@ -45,7 +45,7 @@ fn a_wrong_flip_is_found_on_the_smallest_triangulation_that_shows_it() {
 fn structures_of_planar_maps_do_the_same_on_discs() {
     let work = MeshesWork { vertices: 4 };
     let slots = MeshStructure::plane(Structure::new("map", Dcel::new, Expectation::plane()));
-    let model = MeshStructure::plane(Structure::new("map", RotationSystem::new, Expectation::plane()));
+    let model = MeshStructure::plane(Structure::new("map", RawPointers::new, Expectation::plane()));
     let outcome = meshes(&slots, work, &Run::default()).into_result().unwrap();
     assert_eq!(meshes(&model, work, &Run::default()), outcome);
     assert!(of(&outcome, "mesh_split_face") > 0);

@@ -4,7 +4,7 @@ use super::incomplete::Partial;
 use super::limited;
 use twinedge::dcel::Dcel;
 use twinedge::validate::{Expectation, Part};
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::{ProveOutcome, ProveWork};
 use twinedge_trials::{Outcome, Progress, Run, Structure, StructureError, prove};
@@ -34,7 +34,7 @@ fn the_maps_of_up_to_three_edges_are_as_many_as_published() {
 fn every_structure_does_the_same() {
     let work = ProveWork { edges: 2 };
     let expected = prove(&slots(), work, &Run::default()).unwrap();
-    let model = Structure::new("model", RotationSystem::new, Expectation::plane());
+    let model = Structure::new("pointers", RawPointers::new, Expectation::plane());
     let roomy = Structure::new("limited", || limited([24, 40, 40, 24]), Expectation::plane());
     for found in [prove(&model, work, &Run::default()).unwrap(), prove(&roomy, work, &Run::default()).unwrap()] {
         assert!(found.is_ok(), "{}: {:?}", found.on, found.reasons());

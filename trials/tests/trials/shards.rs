@@ -3,7 +3,7 @@
 use std::time::Duration;
 use twinedge::dcel::Dcel;
 use twinedge::validate::Expectation;
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, abort};
 use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::ProveWork;
@@ -18,8 +18,8 @@ fn slots() -> Structure<Dcel> {
     Structure::new("slots", Dcel::new, Expectation::plane())
 }
 
-fn model() -> Structure<RotationSystem> {
-    Structure::new("model", RotationSystem::new, Expectation::plane())
+fn model() -> Structure<RawPointers> {
+    Structure::new("pointers", RawPointers::new, Expectation::plane())
 }
 
 /// The outcomes of all parts, the last first.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::Dcel;
 use twinedge::program::{Call, Program, StepOutcome};
 use twinedge::validate::{Expectation, Part};
-use twinedge_trials::RotationSystem;
+use twinedge_trials::RawPointers;
 use twinedge_trials::planted::Planted;
 use twinedge_trials::regression::TestSource;
 use twinedge_trials::soak::{Comparable, End, SoakWork};
@@ -23,7 +23,7 @@ fn panics() -> Structure<Planted<true>> {
 
 #[test]
 fn sound_structures_do_the_same() {
-    let model = Structure::new("model", RotationSystem::new, Expectation::plane());
+    let model = Structure::new("pointers", RawPointers::new, Expectation::plane());
     // An operator whose arguments cannot be chosen is skipped, so it takes some programs until many are refused.
     let work = SoakWork { programs: 50, ..WORK };
     let outcome = soak(&[&slots(), &model], work, &Run::default()).into_result().unwrap();

@@ -6,11 +6,11 @@ use twinedge_trials::ReportAudit;
 /// how it fails
 #[test]
 fn regression() {
-    let program = Program(vec![
-        Op::AddIsolatedVertex { face: FacePick::Unbounded },
-        Op::Connect { from: Corner::Isolated(VertexPick::Isolated(0)), to: SecondPick::Fitting(0), new_face: Side::Right, inner: InnerPick { mask: 1, also: Some(Corner::At(HalfEdgePick::Live(1))) } },
-        Op::FlipEdge { half_edge: HalfEdgePick::Retired(0), turn: Turn::Clockwise },
-    ]);
+    let program = "twinedge program 1
+        add_isolated_vertex unbounded
+        connect i0 ~0 right inner 0 also h1
+        flip_edge !h0 cw
+    ".parse::<Program>().unwrap();
     let result = conformance::run(&program, ReportAudit::new(Dcel::new()), &Expectation::plane());
     assert!(result.is_ok(), "{result:?}");
 }

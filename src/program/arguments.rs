@@ -1,11 +1,9 @@
 //! Arguments of operators: numbers of half-edges, vertices and faces in order of creation.
 
+use super::choose::Choose;
+use super::language::{Argument, Numbered, Variant, smaller, smaller_masks, write_mask};
+use super::text::{Expected, ParseError, Words, mask, number};
 use crate::dcel::{Corner, Side, Turn};
-use crate::program::language::argument::{Argument, numbered, one_word, smaller, smaller_masks, write_mask};
-use crate::program::language::choose::Choose;
-use crate::program::language::words::{Expected, ParseError, Words, mask, number};
-use alloc::format;
-use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
@@ -29,31 +27,87 @@ pub(crate) enum Fit {
     Vertex,
 }
 
-numbered! { List;
-    /// Chooses a half-edge by its position in order of creation, modulo their number.
-    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-    HalfEdgePick HalfEdge |source| match byte(source) & 15 {
-        0..=14 => Self::Live(count(source)),
-        _ => Self::Retired(count(source)),
-    };
+/// Chooses a half-edge by its position in order of creation, modulo their number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum HalfEdgePick {
     /// Of those there are. The two of an edge stand side by side.
-    Live "h" HalfEdges,
-    /// Of those that were removed: a stale handle, on purpose.
-    Retired "!h" RetiredHalfEdges;
+    Live(u32),
+    /// Of the removed half-edges: a stale handle, on purpose.
+    Retired(u32),
+}
 
-    /// Chooses a vertex that is to be an isolated one.
-    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-    VertexPick Vertex |source| match byte(source) & 15 {
-        0..=12 => Self::Isolated(count(source)),
-        13 => Self::OriginOf(count(source)),
-        _ => Self::Retired(count(source)),
-    };
+impl Numbered for HalfEdgePick {
+    type List = List;
+
+    const EXPECTED: Expected = Expected::HalfEdge;
+    const VARIANTS: &'static [Variant<Self, List>] =
+        &[("h", Self::Live, List::HalfEdges), ("!h", Self::Retired, List::RetiredHalfEdges)];
+
+    fn number(self) -> (usize, u32) {
+        match self {
+            Self::Live(k) => (0, k),
+            Self::Retired(k) => (1, k),
+        }
+    }
+
+    fn choose(source: &mut impl Choose) -> Self {
+        match byte(source) & 15 {
+            0..=14 => Self::Live(count(source)),
+            _ => Self::Retired(count(source)),
+        }
+    }
+}
+
+impl fmt::Display for HalfEdgePick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_word(f)
+    }
+}
+
+/// Chooses an isolated vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum VertexPick {
     /// Of the isolated vertices.
-    Isolated "i" Isolated,
+    Isolated(u32),
     /// The origin of this half-edge, of those there are: not isolated, on purpose.
-    OriginOf "o" HalfEdges,
+    OriginOf(u32),
     /// Of the vertices that were removed: a stale handle, on purpose.
-    Retired "!v" RetiredVertices;
+    Retired(u32),
+}
+
+impl Numbered for VertexPick {
+    type List = List;
+
+    const EXPECTED: Expected = Expected::Vertex;
+    const VARIANTS: &'static [Variant<Self, List>] = &[
+        ("i", Self::Isolated, List::Isolated),
+        ("o", Self::OriginOf, List::HalfEdges),
+        ("!v", Self::Retired, List::RetiredVertices),
+    ];
+
+    fn number(self) -> (usize, u32) {
+        match self {
+            Self::Isolated(k) => (0, k),
+            Self::OriginOf(k) => (1, k),
+            Self::Retired(k) => (2, k),
+        }
+    }
+
+    fn choose(source: &mut impl Choose) -> Self {
+        match byte(source) & 15 {
+            0..=12 => Self::Isolated(count(source)),
+            13 => Self::OriginOf(count(source)),
+            _ => Self::Retired(count(source)),
+        }
+    }
+}
+
+impl fmt::Display for VertexPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_word(f)
+    }
 }
 
 /// Chooses a corner, or what lies on it: a boundary component, or a face.
@@ -108,7 +162,13 @@ impl Argument for CornerPick {
     type List = List;
     type Context = ();
 
-    one_word!(Corner, corner);
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Corner, corner)
+    }
 
     fn draw(source: &mut impl Choose, _: u8) -> Self {
         match byte(source) & 31 {
@@ -152,7 +212,14 @@ impl Argument for SecondPick {
     type List = List;
     type Context = (CornerPick, Fit);
 
-    one_word!(SecondCorner, |word| { number(word, "~").map(Self::Fitting).or_else(|| corner(word).map(Self::Any)) });
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        let second = |word: &str| number(word, "~").map(Self::Fitting).or_else(|| corner(word).map(Self::Any));
+        words.take(Expected::SecondCorner, second)
+    }
 
     fn draw(source: &mut impl Choose, upper: u8) -> Self {
         match byte(source) & 7 {
@@ -192,11 +259,17 @@ impl Argument for FacePick {
     type List = List;
     type Context = ();
 
-    one_word!(Face, |word| match number(word, "!f") {
-        Some(k) => Some(Self::Retired(k)),
-        None if word == "unbounded" => Some(Self::Unbounded),
-        None => corner(word).map(Self::Of),
-    });
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, " {self}")
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Face, |word| match number(word, "!f") {
+            Some(k) => Some(Self::Retired(k)),
+            None if word == "unbounded" => Some(Self::Unbounded),
+            None => corner(word).map(Self::Of),
+        })
+    }
 
     fn draw(source: &mut impl Choose, upper: u8) -> Self {
         match byte(source) & 15 {
@@ -236,7 +309,7 @@ impl fmt::Display for FacePick {
 
 impl Argument for InnerPick {
     type List = List;
-    type Context = CornerPick;
+    type Context = ();
 
     /// Nothing where nothing is chosen.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -282,91 +355,54 @@ impl Argument for InnerPick {
         all
     }
 
-    fn renumber(&self, _: CornerPick, number: &mut impl FnMut(List, u32) -> u32) -> Self {
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u32) -> u32) -> Self {
         Self { also: self.also.map(|pick| pick.renumber((), number)), ..*self }
     }
 }
 
-/// Defines arguments of two values, of which the first is the simpler one, by their words.
-macro_rules! one_of_two {
-    ($($name:ident: $first:ident $first_word:literal, $second:ident $second_word:literal;)*) => {$(
-        impl Argument for $name {
-            type List = List;
-            type Context = ();
-
-            fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(if *self == Self::$first { concat!(" ", $first_word) } else { concat!(" ", $second_word) })
-            }
-
-            fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
-                words.take(Expected::$name, |word| match word {
-                    $first_word => Some(Self::$first),
-                    $second_word => Some(Self::$second),
-                    _ => None,
-                })
-            }
-
-            fn draw(_: &mut impl Choose, upper: u8) -> Self {
-                if upper & 1 == 0 { Self::$first } else { Self::$second }
-            }
-
-            fn simpler(&self) -> Vec<Self> {
-                if *self == Self::$first { Vec::new() } else { vec![Self::$first] }
-            }
-        }
-    )*};
-}
-one_of_two! {
-    Side: Left "left", Right "right";
-    Turn: CounterClockwise "ccw", Clockwise "cw";
+/// Reads one of two words.
+fn read_one_of<T: Copy>(words: &mut Words<'_>, expected: Expected, values: [(&str, T); 2]) -> Result<T, ParseError> {
+    words.take(expected, |word| values.iter().find(|(other, _)| *other == word).map(|(_, value)| *value))
 }
 
-/// An argument as a Rust expression.
-pub(super) trait ToRust {
-    fn to_rust(&self) -> String;
-}
+impl Argument for Side {
+    type List = List;
+    type Context = ();
 
-macro_rules! to_rust_as_debugged {
-    ($($name:ident)*) => {$(
-        impl ToRust for $name {
-            fn to_rust(&self) -> String {
-                format!(concat!(stringify!($name), "::{:?}"), self)
-            }
-        }
-    )*};
-}
-to_rust_as_debugged! { HalfEdgePick VertexPick Side Turn }
+    fn draw(_: &mut impl Choose, upper: u8) -> Self {
+        if upper & 1 == 0 { Self::Left } else { Self::Right }
+    }
 
-impl ToRust for CornerPick {
-    fn to_rust(&self) -> String {
-        match self {
-            Self::At(pick) => format!("Corner::At({})", pick.to_rust()),
-            Self::Isolated(pick) => format!("Corner::Isolated({})", pick.to_rust()),
-        }
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::Left { " left" } else { " right" })
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        read_one_of(words, Expected::Side, [("left", Self::Left), ("right", Self::Right)])
+    }
+
+    fn simpler(&self) -> Vec<Self> {
+        if *self == Self::Left { Vec::new() } else { vec![Self::Left] }
     }
 }
 
-impl ToRust for SecondPick {
-    fn to_rust(&self) -> String {
-        match self {
-            Self::Any(pick) => format!("SecondPick::Any({})", pick.to_rust()),
-            fitting @ Self::Fitting(_) => format!("SecondPick::{fitting:?}"),
-        }
-    }
-}
+impl Argument for Turn {
+    type List = List;
+    type Context = ();
 
-impl ToRust for FacePick {
-    fn to_rust(&self) -> String {
-        match self {
-            Self::Of(pick) => format!("FacePick::Of({})", pick.to_rust()),
-            other => format!("FacePick::{other:?}"),
-        }
+    fn draw(_: &mut impl Choose, upper: u8) -> Self {
+        if upper & 1 == 0 { Self::CounterClockwise } else { Self::Clockwise }
     }
-}
 
-impl ToRust for InnerPick {
-    fn to_rust(&self) -> String {
-        let also = self.also.map_or_else(|| String::from("None"), |pick| format!("Some({})", pick.to_rust()));
-        format!("InnerPick {{ mask: {}, also: {also} }}", self.mask)
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if *self == Self::CounterClockwise { " ccw" } else { " cw" })
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        read_one_of(words, Expected::Turn, [("ccw", Self::CounterClockwise), ("cw", Self::Clockwise)])
+    }
+
+    fn simpler(&self) -> Vec<Self> {
+        if *self == Self::CounterClockwise { Vec::new() } else { vec![Self::CounterClockwise] }
     }
 }

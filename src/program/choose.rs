@@ -15,7 +15,7 @@
 //! ```
 //! use twinedge::program::choose::{Bytes, Choose, for_each_choice};
 //!
-//! /// Two dice, of which the second has as many sides as the first shows.
+//! /// Two dice: the second has as many sides as the first shows.
 //! fn throw(source: &mut impl Choose) -> usize {
 //!     let first = 1 + source.choose(6);
 //!     first + source.choose(first)
@@ -135,7 +135,7 @@ impl Choose for proptest::test_runner::TestRunner {
     }
 }
 
-/// The answers of one run of a body, to be turned to those of the next run. See [`for_each_choice`].
+/// The answers of one run of a body, turned to the answers of the next run. See [`for_each_choice`].
 #[derive(Clone, Debug, Default)]
 pub struct Odometer {
     /// The answers, and of how many each was.

@@ -1,4 +1,4 @@
-//! Reading the text of a program: lines, words, and what was expected where.
+//! Reading the text of a program: lines, words, and the expected words in errors.
 
 use alloc::vec::Vec;
 use thiserror::Error;

@@ -1,10 +1,10 @@
 //! Every operator with every argument: what can be done to one map.
 
-use super::outcome::StepOutcome;
+use super::arguments::{CornerPick, FacePick, HalfEdgePick, InnerPick, SecondPick, VertexPick};
+use super::operators::Op;
 use super::runner::Runner;
+use super::subject::{StepOutcome, Subject};
 use crate::dcel::{Corner, Side, Turn};
-use crate::program::operators::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
-use crate::program::subject::Subject;
 use alloc::vec::Vec;
 
 /// Every operator with every argument, right or wrong, on what the runner has now, but those of meshes, for which there is
@@ -18,7 +18,7 @@ use alloc::vec::Vec;
 ///   new face to the left, each boundary component that may not.
 ///
 /// In a map of n half-edges and k boundary components in its fullest face these are O(n² · (2ᵏ + n)). Finding them takes
-/// O(n²) beside. At most 16 inner boundary components of a face are told apart.
+/// O(n²) more. At most 16 inner boundary components of a face are told apart.
 pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     let picks = Picks::of(map);
     let mut ops = Vec::new();
