@@ -139,7 +139,7 @@ fn what_is_no_whole_is_refused() {
         (&[&first, &second, &first], "first: part 0/2 is there twice"),
         (&[&first, &third], "third: this is part 1/3, but the first is part 0/2"),
         (&[&first, &seed], "seed: seed is 2, but 1 in "),
-        (&[&first, &model], "model: this is a part of other work"),
+        (&[&first, &model], "pointers: this is a part of other work"),
         (&[&first, &tables], "tables: command is \"tables\", but \"soak\" in "),
         (&[&first, &newer], "newer: version is \"9.9.9\""),
         (&[&first, &interrupted], "interrupted: part 1/2 was interrupted"),
