@@ -6,16 +6,11 @@ use core::iter::FusedIterator;
 macro_rules! circulator {
     ($(#[$doc:meta])* $name:ident, $forward:ident, $backward:ident) => {
         $(#[$doc])*
+        #[derive(Clone)]
         pub struct $name<'a> {
             /// The next half-edge from the front, and the last one given from the back; none once they have met. Both are
             /// the start at first, so that nothing is followed before it is asked for.
             ends: Option<(HalfEdge<'a>, HalfEdge<'a>)>,
-        }
-
-        impl Clone for $name<'_> {
-            fn clone(&self) -> Self {
-                Self { ends: self.ends }
-            }
         }
 
         impl core::fmt::Debug for $name<'_> {

@@ -11,18 +11,11 @@ use core::hash::{Hash, Hasher};
 macro_rules! element {
     ($(#[$doc:meta])* $name:ident, $slot:ident, $key:ident, $key_of:ident, $slots:literal) => {
         $(#[$doc])*
+        #[derive(Clone, Copy)]
         pub struct $name<'a> {
             dcel: &'a Dcel,
             slot: $slot,
         }
-
-        impl Clone for $name<'_> {
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        impl Copy for $name<'_> {}
 
         /// Two references are equal if they name the same record of the same structure.
         impl PartialEq for $name<'_> {

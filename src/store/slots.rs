@@ -363,7 +363,8 @@ impl Store {
     }
 
     #[inline]
-    pub(crate) fn twin(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+    #[allow(clippy::unused_self, reason = "it is asked as the other links are")]
+    pub(crate) const fn twin(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
         HalfEdgeSlot(h.0 ^ 1)
     }
 

@@ -12,7 +12,7 @@
 //! 2. *There is never a `&mut` to a record*: all fields are cells, and all access goes through shared references.
 //! 3. *A record is freed once*: by [`Table::remove`], which takes it off the table, or by the drop of the table.
 //!
-//! The first is a claim about operators, which a fault would break: valgrind and AddressSanitizer run the tests of this file.
+//! The first is a claim about operators, which a fault would break: valgrind and `AddressSanitizer` run the tests of this file.
 
 #![allow(unsafe_code, reason = "this is the file to which the raw pointers are confined")]
 
@@ -308,7 +308,9 @@ impl RawPointers {
     }
 
     fn drop_edge(&mut self, n: Half, t: Half) {
-        [n.number, t.number].into_iter().for_each(|h| self.half_edges.remove(h));
+        for h in [n.number, t.number] {
+            self.half_edges.remove(h);
+        }
     }
 
     fn degree(&self, v: Link<Vertex>) -> usize {
@@ -354,13 +356,17 @@ impl RawPointers {
             Corner::Isolated(_) if splits => t.put_in(n),
             Corner::Isolated(_) => {}
         }
-        [from, to].into_iter().for_each(|end| vertex_of(end).face.set(None));
+        for end in [from, to] {
+            vertex_of(end).face.set(None);
+        }
         if splits {
             let made = self.faces.add(|number| Face { number });
             let (of_new, of_old) = if new_face == Side::Left { (n, t) } else { (t, n) };
             of_new.label_cycle(made, true);
             of_old.label_cycle(face, from_outer);
-            inner.iter().for_each(|spot| give(*spot, made));
+            for spot in inner {
+                give(*spot, made);
+            }
         } else {
             n.label_cycle(face, from_outer || to_outer);
         }
@@ -509,8 +515,12 @@ impl RawPointers {
         };
         // Of the two ends of a loop, the one that is put in last has nothing to its left.
         let ends = if n_alone { [(t, for_t), (n, for_n)] } else { [(n, for_n), (t, for_t)] };
-        ends.into_iter().for_each(|(end, at)| end.put_in(at));
-        sides.into_iter().for_each(|(h, face, is_outer)| h.label_cycle(face, is_outer));
+        for (end, at) in ends {
+            end.put_in(at);
+        }
+        for (h, face, is_outer) in sides {
+            h.label_cycle(face, is_outer);
+        }
         Ok(())
     }
 

@@ -123,11 +123,13 @@ impl Default for ReportAudit {
 
 impl ReportAudit {
     /// The same map, whose reports are checked from here on.
+    #[must_use]
     pub const fn new(dcel: Dcel) -> Self {
         Self { dcel, dropped: Vec::new() }
     }
 
     /// The map.
+    #[must_use]
     pub const fn dcel(&self) -> &Dcel {
         &self.dcel
     }

@@ -38,18 +38,11 @@ impl From<VertexKey> for Corner {
 }
 
 /// A corner whose key has been checked.
+#[derive(Clone, Copy)]
 pub(super) enum CheckedCorner {
     At(HalfEdgeSlot),
     Isolated(VertexSlot, BoundarySlot),
 }
-
-impl Clone for CheckedCorner {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl Copy for CheckedCorner {}
 
 impl CheckedCorner {
     pub(super) fn vertex(self, store: &Store) -> VertexSlot {
