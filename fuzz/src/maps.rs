@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Debug;
-use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Room, Side, Split, Turn, VertexKey};
+use twinedge::dcel::{
+    BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Room, Side, Split, Turn, VertexKey,
+};
 use twinedge::program::conformance::{Conformance, Coverage};
 use twinedge::program::{Program, Runner, Subject};
 use twinedge::validate::{Expectation, Table};
