@@ -14,10 +14,10 @@ use common::{Mesh, PlainArrays, triangulated_grid};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Noding, PlanarMap, certificate};
 use twinedge::validate::certificate::{Column, Labels, check, check_drawing, check_surface};
 use twinedge::validate::{Collect, Expectation, validate};
+use twinedge_geometry::noding::Snap;
 
 fn grid(criterion: &mut Criterion) {
     let map = triangulated_grid(1000);

@@ -15,11 +15,11 @@ mod common;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use twinedge::dcel::{HalfEdge, HalfEdgeKey};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{Snap, node};
 use twinedge::map::edit::At;
 use twinedge::map::{Builder, PlanarMap, Shape};
 use twinedge::program::choose::{Choose, Random};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Snap, node};
 
 /// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
 /// see the target of that half-edge.

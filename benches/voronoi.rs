@@ -6,7 +6,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use spade::{DelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
 use twinedge::algorithm::voronoi::{delaunay, voronoi};
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 fn points(count: usize) -> Vec<Point> {
     let mut state = 88_172_645_463_325_252_u64;

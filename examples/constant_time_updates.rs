@@ -18,9 +18,9 @@
 use std::collections::BTreeSet;
 use std::error::Error;
 use twinedge::dcel::{Dcel, Side, Split, VertexKey};
-use twinedge::geometry::Point;
 use twinedge::validate::{Collect, Expectation, validate_embedding};
 use twinedge_formats::textbook::Textbook;
+use twinedge_geometry::Point;
 
 /// A structure and coordinates beside it.
 #[derive(Default)]

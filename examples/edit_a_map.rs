@@ -8,9 +8,9 @@
 
 use std::error::Error;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::PlanarMap;
 use twinedge::map::edit::{EditError, Edited};
+use twinedge_geometry::noding::Snap;
 
 /// Data kept beside a map: the name of each piece of land.
 struct Register {

@@ -3,8 +3,8 @@
 use twinedge::algorithm::area::{face_area, feature_area};
 use twinedge::algorithm::contour::of_faces;
 use twinedge::algorithm::overlay::{Operation, overlay};
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, Shape};
+use twinedge_geometry::noding::Snap;
 
 fn polygon(name: &str, corners: [[f64; 2]; 4]) -> Feature {
     Feature { name: Some(name.to_owned()), shapes: vec![Shape::polygon(corners)], ..Feature::default() }

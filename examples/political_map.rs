@@ -10,9 +10,9 @@ use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::contour;
 use twinedge::algorithm::dual::{By, borders, route};
 use twinedge::algorithm::neighbours;
-use twinedge::geometry::Point;
 use twinedge::io::geojson;
 use twinedge::map::{Builder, FeatureId, Located, Locator, PlanarMap};
+use twinedge_geometry::Point;
 
 /// A country by its name.
 fn country(map: &PlanarMap, name: &str) -> Result<FeatureId, Box<dyn Error>> {

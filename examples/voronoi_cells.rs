@@ -9,8 +9,8 @@ use std::error::Error;
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::neighbours;
 use twinedge::algorithm::voronoi::{delaunay, voronoi};
-use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator};
+use twinedge_geometry::Point;
 
 const OFFICES: [(&str, f64, f64); 6] = [
     ("Airport", 9.0, 8.0),

@@ -9,9 +9,9 @@
 
 use std::error::Error;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::Point;
 use twinedge::io::geojson::{self};
 use twinedge::map::{Builder, Located, Locator, PlanarMap, QueryLine, ZoneElement};
+use twinedge_geometry::Point;
 
 fn world() -> Result<PlanarMap, Box<dyn Error>> {
     let mut builder = Builder::new();

@@ -77,7 +77,7 @@
 //! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; [`validate::near`]: validation of what has changed; `no_std` with `alloc` | none |
 //! | `dcel` | [`dcel`] | hashbrown, slotmap, thiserror |
 //! | `std` (default) | with `program`, panics of a structure under test are caught | none |
-//! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`] | `std`; robust, rstar, rustc-hash, thiserror |
+//! | `geometry` | rules G1 … G5 in [`mod@validate`] | `std`; twinedge-geometry, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`tile`] | those of `dcel` and `geometry` |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
@@ -126,9 +126,9 @@
 //!
 //! ```text
 //!   validate ──► store ──► dcel ──► program
-//!      ▲                     │
-//!      │ G1 … G5             ▼
-//!   geometry ─────────────► map ──► algorithm ──► io
+//!                            │
+//!                            ▼
+//!                           map ──► algorithm ──► io
 //!                                       └───────► tile
 //! ```
 //!
@@ -138,7 +138,6 @@
 //! | `store` | where records live: keys, slots, columns, the log of what is overwritten |
 //! | [`dcel`] | the structure: accessors, circulators, operators |
 //! | `program` | sequences of operators as data, canonical forms, conformance tests |
-//! | [`geometry`] | points, exact predicates, crossings, noding; no half-edges |
 //! | [`map`] | a [`dcel::Dcel`] with coordinates: building, editing, location |
 //! | [`algorithm`] | outlines, neighbours, areas, overlays |
 //! | [`tile`] | maps in tiles, whose summaries add up |
@@ -188,11 +187,6 @@ pub mod dcel;
 pub mod program;
 
 // `rstar` needs Rust 1.90, and so does all that builds on it.
-#[cfg(feature = "geometry")]
-#[clippy::msrv = "1.90"]
-#[forbid(unsafe_code)]
-pub mod geometry;
-
 #[cfg(feature = "map")]
 #[clippy::msrv = "1.90"]
 #[forbid(unsafe_code)]

@@ -1,7 +1,7 @@
 //! The options by which a coverage is judged.
 
 use twinedge::algorithm::coverage::Limits;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 use twinedge_report::CoverageOptions;
 
 /// The options by which a coverage is judged.

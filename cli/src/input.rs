@@ -6,9 +6,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{self, BufReader, Read as _};
 use std::path::{Path, PathBuf};
-use twinedge::geometry::noding::Snap;
 use twinedge::io::ForeignFormat;
 use twinedge_formats::layer::{Format, Layer, ReadError, read_layer, unpack};
+use twinedge_geometry::noding::Snap;
 use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};
 
 /// The built-in map of the world; see `data/README.md`.

@@ -5,8 +5,8 @@ use crate::input::{LayerFile, read_file, snap};
 use crate::output::{counted, plain, print};
 use crate::status::{Failure, Verdict, named};
 use std::path::PathBuf;
-use twinedge::geometry::noding::Snap;
 use twinedge_formats::layer::{Keep, overlay};
+use twinedge_geometry::noding::Snap;
 use twinedge_report::clean::Written;
 
 /// Lay two layers over each other: the pieces that they cut each other into, with the attributes of both.

@@ -35,8 +35,8 @@ use core::fmt;
 use rustc_hash::FxHashMap;
 use std::str::FromStr;
 use thiserror::Error;
-use twinedge::geometry::Point;
 use twinedge::validate::{Embedding, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Start, Table, VertexRow, View};
+use twinedge_geometry::Point;
 
 /// An error in a text of the three tables. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Error)]

@@ -2,8 +2,6 @@
 
 use crate::tables::{Fickle, Source};
 use arbitrary::Unstructured;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::certificate::draw;
 use twinedge::map::{Builder, Noding, Shape};
 use twinedge::validate::certificate::{
@@ -13,6 +11,8 @@ use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Embedding, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Surface,
     Table, VertexRow, View, validate, validate_embedding,
 };
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 use twinedge_trials::enumerate::TableCells;
 
 const PLANE: Expectation = Expectation::plane();

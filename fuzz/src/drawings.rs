@@ -2,15 +2,15 @@
 
 use arbitrary::Unstructured;
 use std::collections::BTreeSet;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
-use twinedge::geometry::predicates::{Meeting, in_range, meeting, on_segment};
 use twinedge::io::geojson::Documents;
 use twinedge::io::{ReadError, ReadSummary, geojson};
 use twinedge::map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
 use twinedge_formats::layer::{self, Format, ReadOptions, format_of};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
+use twinedge_geometry::predicates::{Meeting, in_range, meeting, on_segment};
 
 /// The most segments that are compared pair by pair.
 const FEW: usize = 200;

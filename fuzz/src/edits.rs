@@ -6,11 +6,11 @@ mod follow;
 use follow::Shadow;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::in_range;
 use twinedge::map::program::{AtPick, EditKind, EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::map::{Builder, Located, Locator, PlanarMap, Shape};
 use twinedge::program::choose::Bytes;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// Longer programs are cut.
 const LONGEST: usize = 60;

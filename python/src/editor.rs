@@ -12,12 +12,12 @@ use std::thread;
 use twinedge::algorithm::area::face_area;
 use twinedge::dcel::History;
 use twinedge::dcel::{Face, HalfEdge, OperatorError, StaleKey, Vertex};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::edit::{At, EditError, Edited};
 use twinedge::map::{FeatureId, Located, PlanarMap};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// A map with a history, and attributes by name.
 #[pyclass(name = "Editor", module = "twinedge._twinedge")]

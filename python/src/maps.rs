@@ -11,11 +11,11 @@ use twinedge::algorithm::contour::{self, Contour};
 use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::overlay::{Operand, overlay};
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{FeatureId, Located, Locator, PlanarMap};
 use twinedge::validate::{Collect, Expectation, validate_embedding};
 use twinedge_formats::svg;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 use twinedge_report::{Imported, Keep, MapOptions, Units, borders};
 
 /// With details, a picture of more half-edges than this is not legible.

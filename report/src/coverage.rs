@@ -15,9 +15,9 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::algorithm::coverage::{self, CoverageRule, Defect, Finding, Limits};
-use twinedge::geometry::Point;
 use twinedge::map::{Builder, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
+use twinedge_geometry::Point;
 
 /// The options by which a coverage is judged.
 #[derive(Clone, Debug, Default)]

@@ -6,10 +6,10 @@ use crate::noted::{Keep, Noted};
 use crate::read_ahead::{HandOn, Take, read_ahead};
 use crate::shelf::Shelf;
 use twinedge::algorithm::coverage::insert_touches;
-use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
 use twinedge_formats::layer::{Crs, Feature as LayerFeature, Format, Header, Layer, ReadError, read, to_map};
+use twinedge_geometry::noding::Snap;
 
 /// The way to build a map.
 #[derive(Clone, Debug, Default)]

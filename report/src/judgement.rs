@@ -3,9 +3,9 @@
 use crate::imported::Imported;
 use crate::units::Units;
 use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, mismatches};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The reason why all rules but C6 were not checked.
 #[derive(Debug, thiserror::Error)]

@@ -17,10 +17,10 @@ use serde::Serialize;
 use serde_json::json;
 use std::collections::HashMap;
 use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, Piece, check, check_parents, pieces};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures, RuleLine};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The other layer.
 pub(crate) struct Other {

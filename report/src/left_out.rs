@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::tile_words::{NAMED, of_tiles};
-use twinedge::geometry::Point;
 use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
+use twinedge_geometry::Point;
 
 /// Refuses a summary that is not of all tiles. O(tiles of the summary).
 pub(crate) fn refuse_missing(summary: &Summary) -> Result<(), Error> {

@@ -16,12 +16,12 @@ use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::geometry::predicates::compare_lexicographic;
 use twinedge::map::{FeatureId, PlanarMap};
 use twinedge::validate::{
     Collect, Embedding as _, Expectation, Record, Report, Rule, Violation, places, validate_embedding,
 };
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// Validates the map, and judges it as a coverage, for which the builder is used up.
 pub(crate) fn audit(

@@ -2,7 +2,7 @@
 
 use crate::words::counted;
 use std::fmt::Write as _;
-use twinedge::geometry::noding::NodingSummary;
+use twinedge_geometry::noding::NodingSummary;
 
 /// The summary of noding, in a line.
 #[must_use]

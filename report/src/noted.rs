@@ -5,11 +5,11 @@ use crate::words::{counted, decimals, decimals_of, measure, plain};
 use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{Feature, Shape};
 use twinedge_formats::layer::{Feature as LayerFeature, Value};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The number of columns that an error lists.
 const COLUMNS: usize = 20;

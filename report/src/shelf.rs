@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 use std::io;
-use twinedge::geometry::Point;
 use twinedge::map::Feature;
+use twinedge_geometry::Point;
 
 /// A place that keeps the features of a map, and gives out those of a tile.
 pub trait Shelf: Send + Sync {

@@ -18,7 +18,6 @@ use crate::units::Units;
 use crate::words::counted;
 use serde_json::{Map, Value, json, to_value};
 use twinedge::algorithm::coverage::{CoverageRule, Defect, Limits};
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, BuildSummary, Shape};
 use twinedge::tile::{
@@ -28,6 +27,7 @@ use twinedge::tile::{
 use twinedge::validate::{Rule, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
 use twinedge_formats::layer::Crs;
+use twinedge_geometry::Point;
 
 /// The way to divide a map into tiles.
 #[derive(Clone, Copy, Debug)]

@@ -4,10 +4,10 @@ use std::collections::HashSet;
 use twinedge::algorithm::contour::of_faces;
 use twinedge::algorithm::coverage::Finding;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::PlanarMap;
 use twinedge::validate::{Embedding, Record, Rule, Start, Violation, places};
 use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
+use twinedge_geometry::{MAX_COORDINATE, Point};
 
 /// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,
 /// and these.

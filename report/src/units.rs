@@ -8,10 +8,10 @@ use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::{CoverageRule, Finding};
 use twinedge::algorithm::layers::LayerFinding;
 use twinedge::dcel::{Face, FaceKey, Vertex};
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
 use twinedge_formats::layer::Crs;
+use twinedge_geometry::Point;
 
 /// The units of lengths and areas.
 #[derive(Debug)]
@@ -163,8 +163,8 @@ fn point(map: &PlanarMap, vertex: Vertex<'_>) -> Point {
 mod tests {
     use super::Units;
     use geographiclib_rs::Geodesic;
-    use twinedge::geometry::Point;
     use twinedge::map::{Builder, Shape};
+    use twinedge_geometry::Point;
 
     fn earth() -> Units {
         Units::Geodesic(Box::new(Geodesic::wgs84()))

@@ -5,9 +5,9 @@ use crate::words::counted;
 use serde_json::{Map, Value, json};
 use twinedge::algorithm::voronoi::{Delaunay, Voronoi};
 use twinedge::dcel::{FaceKey, StaleKey};
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge_formats::layer::{Layer, Shape};
+use twinedge_geometry::Point;
 
 /// Points and the properties of their features.
 #[derive(Clone, Debug, Default)]

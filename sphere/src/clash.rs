@@ -6,8 +6,8 @@ use crate::predicates::{meeting, on_arc};
 use crate::vector::{cross, dot, minus};
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Endpoint, Meeting};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Endpoint, Meeting};
 
 /// A reason why arcs do not draw a map. Places and arcs are named by their numbers; of two arcs the smaller comes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::{CoverageRule, Limits};
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The findings of the rules of a coverage.
 #[derive(Clone, Debug, PartialEq)]

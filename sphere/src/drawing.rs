@@ -4,8 +4,8 @@ use crate::place::{Place, PlaceError};
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
 use thiserror::Error;
-use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 /// The features of a map with their edges as arcs of great circles: each place and each arc once, whoever shares it.
 ///

@@ -1,7 +1,7 @@
 //! One thing that breaks a rule of a coverage.
 
 use twinedge::algorithm::coverage::CoverageRule;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// One thing that breaks a rule of a coverage. Lengths are in metres, areas in square metres.
 #[derive(Clone, Debug, PartialEq)]

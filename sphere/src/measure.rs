@@ -5,7 +5,7 @@ use crate::predicates::side;
 use crate::subdivision::Subdivision;
 use crate::vector::{Vector, cross, dot, length, minus};
 use core::f64::consts::{PI, TAU};
-use twinedge::geometry::predicates::Orientation;
+use twinedge_geometry::predicates::Orientation;
 
 /// The radius of the sphere in metres: the mean radius R₁ of the earth (International Union of Geodesy and Geophysics, 1980; (2a + b)/3 of WGS 84). A
 /// length on the ellipsoid differs by up to 0.6 %, and an area by up to 0.7 %.

@@ -9,7 +9,7 @@ use crate::predicates::on_arc;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::CoverageRule;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// Finds what breaks C7: for each two features whose borders lack vertices of each other, a finding with all of these. Those with the most missing vertices come first.
 /// A vertex around which the two features overlap is left out: their overlap is a finding of C1.

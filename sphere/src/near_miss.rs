@@ -14,7 +14,7 @@ use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::CoverageRule;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The least length of a near miss of short stretches, as a multiple of the given width.
 const LEAST: f64 = 4.0;

@@ -11,7 +11,7 @@ use crate::place::Place;
 use crate::predicates::{compare_around, eastward, on_one_meridian, side};
 use core::cmp::Ordering;
 use twinedge::dcel::{Corner, Placement};
-use twinedge::geometry::predicates::Orientation;
+use twinedge_geometry::predicates::Orientation;
 
 /// The number of stripes of longitudes into which arcs are sorted is at most so large.
 const STRIPES: usize = 4096;

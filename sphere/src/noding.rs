@@ -7,7 +7,7 @@ use crate::predicates::{eastward, on_arc, on_one_meridian};
 use crate::vector::{dot, minus};
 use rustc_hash::FxHashMap;
 use thiserror::Error;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The number of times that arcs are cut. A place where two arcs cross is rounded, so that the parts may cross others.
 const ROUNDS: usize = 20;

@@ -7,12 +7,12 @@
 //!
 //! Along a great circle it is not the determinant of three of its places that tells their order, as that is 0, but those with a coordinate axis that does not lie on the circle.
 //!
-//! Source of the conditions: J. R. Shewchuk (see [`twinedge::geometry::predicates`]); the axis is the trick of orders on a line seen from a point beside it.
+//! Source of the conditions: J. R. Shewchuk (see [`twinedge_geometry::predicates`]); the axis is the trick of orders on a line seen from a point beside it.
 
 use crate::place::Place;
 use core::cmp::Ordering;
 use robust::{Coord, Coord3D};
-use twinedge::geometry::predicates::{Endpoint, Meeting, Orientation};
+use twinedge_geometry::predicates::{Endpoint, Meeting, Orientation};
 
 const AXES: [[f64; 3]; 3] = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
@@ -31,7 +31,7 @@ fn turn(a: Place, b: Place, c: [f64; 3]) -> Ordering {
 /// whatever `c` is, if `a` and `b` are the same place or antipodes. O(1).
 ///
 /// ```
-/// use twinedge::geometry::predicates::Orientation;
+/// use twinedge_geometry::predicates::Orientation;
 /// use twinedge_sphere::{Place, predicates::side};
 ///
 /// let at = |longitude, latitude| Place::new(longitude, latitude);
@@ -71,7 +71,7 @@ fn is_between(p: Place, a: Place, b: Place) -> bool {
 /// Classifies the meeting of the closed arcs `a b` and `c d`, in the words of the plane. O(1).
 ///
 /// ```
-/// use twinedge::geometry::predicates::{Endpoint, Meeting};
+/// use twinedge_geometry::predicates::{Endpoint, Meeting};
 /// use twinedge_sphere::{Place, predicates::meeting};
 ///
 /// let at = |longitude, latitude| Place::new(longitude, latitude);

@@ -8,7 +8,7 @@ use crate::place::Place;
 use crate::predicates::compare_around;
 use thiserror::Error;
 use twinedge::dcel::{Dcel, RotationsError};
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The map that arcs draw on the sphere.
 ///

@@ -4,16 +4,16 @@
 //! origin as for one near it. It is compensated, so it is as accurate for a long ring as for a short one. What remains is
 //! the rounding of each triangle: at worst a few units in the last place of the squared diameter of the ring.
 //!
-//! Where coordinates are near [`MAX_COORDINATE`](crate::geometry::MAX_COORDINATE), an area may be infinite.
+//! Where coordinates are near [`MAX_COORDINATE`](twinedge_geometry::MAX_COORDINATE), an area may be infinite.
 //!
 //! Source for the compensation: A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen",
 //! ZAMM 54 (1974) 39-51.
 
 use super::coverage::faces_of;
 use crate::dcel::{Boundary, BoundaryKey, FaceKey, HalfEdge, StaleKey};
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
+use twinedge_geometry::Point;
 
 /// A compensated sum: the rounding errors are summed as well.
 #[derive(Clone, Copy, Debug, Default)]
@@ -50,7 +50,7 @@ impl FromIterator<f64> for Sum {
 ///
 /// ```
 /// use twinedge::algorithm::area::ring_area;
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 ///
 /// // A unit square, a thousand million units away: the plain formula would say 0.
 /// let far = |x: f64, y: f64| Point::new(1e9 + x, 1e9 + y);

@@ -5,9 +5,9 @@
 use super::area::Sum;
 use super::coverage::faces_of;
 use crate::dcel::{Face, FaceKey, StaleKey};
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
+use twinedge_geometry::Point;
 
 /// Twice the area, and six times the moments, relative to a point.
 #[derive(Default)]
@@ -46,7 +46,7 @@ impl Moments {
 ///
 /// ```
 /// use twinedge::algorithm::centroid::face_centroid;
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 /// use twinedge::map::PlanarMap;
 ///
 /// let mut map = PlanarMap::new();

@@ -28,12 +28,12 @@
 use super::area::{Sum, ring_area};
 use super::coverage::{faces_by_feature, faces_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::map::{Feature, FeatureId, PlanarMap, Shape};
 use crate::validate::Embedding;
 use rustc_hash::{FxHashMap, FxHashSet};
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// A polygon with holes. Every ring is closed: its last point repeats the first, its lexicographically smallest.
 #[derive(Clone, Debug, Default, PartialEq)]

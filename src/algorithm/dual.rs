@@ -39,7 +39,6 @@
 use super::centroid::of_faces;
 use super::coverage::{faces_by_feature, features_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
 use core::ops::Add;
@@ -51,6 +50,7 @@ use petgraph::visit::{
     IntoNodeReferences, NodeCompactIndexable, NodeCount, NodeIndexable, Visitable,
 };
 use std::collections::{BTreeMap, HashSet};
+use twinedge_geometry::Point;
 
 /// An edge of a [`Dual`] or a [`Skeleton`]. Its weight is the length of the edge of the map.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -25,11 +25,11 @@
 use super::area::{Sum, face_area};
 use super::coverage::{faces_of, features_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex};
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
+use twinedge_geometry::Point;
 
 /// A neighbour, and the border with it.
 #[derive(Clone, Debug, PartialEq)]

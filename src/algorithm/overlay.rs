@@ -8,7 +8,7 @@
 //!                 └───────┘              └───────┘
 //! ```
 //!
-//! The edges of both are [noded](crate::geometry::noding) together. A face of either map becomes what its boundary, rounded
+//! The edges of both are [noded](twinedge_geometry::noding) together. A face of either map becomes what its boundary, rounded
 //! like everything, encloses by parity. Snap rounding never moves a vertex across an edge, so together these areas still
 //! cover the plane once: faces thinner than a cell may vanish, but no face of the result lies in two faces of one map.
 //!
@@ -16,11 +16,11 @@
 //! section 2.3.
 
 use crate::dcel::{Boundary, Face, FaceKey, HalfEdgeKey, OperatorError, StaleKey, Vertex};
-use crate::geometry::Point;
-use crate::geometry::noding::Snap;
 use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, NotPlane, PlanarMap, Shape};
 use std::collections::HashMap;
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// One of the two maps of an overlay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -108,7 +108,7 @@ impl Overlay {
     ///
     /// ```
     /// use twinedge::algorithm::overlay::{Operand, overlay};
-    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge_geometry::noding::Snap;
     /// use twinedge::map::PlanarMap;
     ///
     /// let mut left = PlanarMap::new();
@@ -159,7 +159,7 @@ impl Overlay {
 /// ```
 /// use twinedge::algorithm::area::face_area;
 /// use twinedge::algorithm::overlay::{Operation, overlay};
-/// use twinedge::geometry::noding::Snap;
+/// use twinedge_geometry::noding::Snap;
 /// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |low: f64, high: f64| {

@@ -21,27 +21,9 @@
 //! ```
 
 use crate::algorithm::contour::{Contour, Polygon};
-use crate::geometry::Point;
 use crate::map::{Feature, Shape};
 use ::geo_types as geo;
-
-impl From<geo::Coord<f64>> for Point {
-    fn from(coord: geo::Coord<f64>) -> Self {
-        Self { x: coord.x, y: coord.y }
-    }
-}
-
-impl From<Point> for geo::Coord<f64> {
-    fn from(p: Point) -> Self {
-        Self { x: p.x, y: p.y }
-    }
-}
-
-impl From<Point> for geo::Point<f64> {
-    fn from(p: Point) -> Self {
-        Self(p.into())
-    }
-}
+use twinedge_geometry::Point;
 
 fn points(line: &geo::LineString<f64>) -> Vec<Point> {
     line.coords().copied().map(Point::from).collect()

@@ -1,9 +1,9 @@
 //! Code and errors that the writers share.
 
-use crate::geometry::Point;
 use crate::map::{Feature, Shape};
 use std::io;
 use thiserror::Error;
+use twinedge_geometry::Point;
 
 /// The error of the writers.
 #[derive(Debug, Error)]

@@ -2,7 +2,7 @@
 
 use super::planar_map::PlanarMap;
 use crate::dcel::Dcel;
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 impl PlanarMap {
     /// The map of a structure and the coordinates of its vertices, by index. The caller knows that they draw it.

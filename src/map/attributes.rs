@@ -7,11 +7,11 @@ use crate::dcel::{
     Attribute, Attributed, Connected, Face, FaceKey, Faces, Features, HalfEdge, HalfEdgeKey, Keys, OperatorError,
     Policy, Recorder, SplitEdge, StaleKey, Value,
 };
-use crate::geometry::Point;
 use crate::store::attributes::{Attributes, Kind, Sealed, Step};
 use crate::store::{FeatureId, Way};
 use slotmap::{Key, KeyData, SecondaryMap};
 use std::mem;
+use twinedge_geometry::Point;
 
 /// # Attributes
 ///

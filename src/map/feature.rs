@@ -3,7 +3,7 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 /// One part of a feature, as its file gives it.
 ///

@@ -2,10 +2,10 @@
 
 use super::planar_map::PlanarMap;
 use crate::dcel::{Dcel, ImportError, Keys, Outside};
-use crate::geometry::Point;
 use crate::validate::{Collect, Embedding, Expectation, Report, validate_embedding};
 use std::fmt;
 use thiserror::Error;
+use twinedge_geometry::Point;
 
 /// The error of [`PlanarMap::from_view`], which refused a structure.
 #[derive(Clone, PartialEq, Eq, Error)]
@@ -53,7 +53,7 @@ impl PlanarMap {
     ///
     /// ```
     /// use twinedge::dcel::Outside;
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::PlanarMap;
     /// use twinedge::validate::{Embedding, Expectation, Link, Part, Parts, View};
     ///

@@ -4,7 +4,7 @@
 //! and points in O(n log n). [`PlanarMap::from_view`] makes one from a half-edge structure that exists already.
 //!
 //! ```
-//! use twinedge::geometry::Point;
+//! use twinedge_geometry::Point;
 //! use twinedge::map::{Builder, Located, Locator, Shape};
 //!
 //! let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]];

@@ -1,10 +1,10 @@
 //! Why a map is not plane, and where.
 
-use crate::geometry::Point;
-use crate::geometry::crossing::Clash;
-use crate::geometry::predicates::on_segment;
 use core::fmt;
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::crossing::Clash;
+use twinedge_geometry::predicates::on_segment;
 
 /// Edges of a map meet where no vertex is, so nothing is known of what lies where. `Display` says what to do.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Error)]

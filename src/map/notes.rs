@@ -1,8 +1,8 @@
 //! The log of what edits overwrite beside the links of the structure: points, features and their names, values.
 
 use super::feature_tries::SetId;
-use crate::geometry::Point;
 use crate::store::attributes::Saved;
+use twinedge_geometry::Point;
 
 /// The entries that the change that is being made has logged, if the log is on. A clone of the map goes on without.
 #[derive(Default)]

@@ -7,12 +7,12 @@ use super::notes::Notes;
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::delegate_view;
-use crate::geometry::Point;
-use crate::geometry::noding::NodingSummary;
 use crate::store::FeatureId;
 use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_embedding};
 use std::fmt;
 use std::ops::Index;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::NodingSummary;
 
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
 /// faces.
@@ -121,7 +121,7 @@ impl PartialEq for PlanarMap {
 /// Panics if the key is stale.
 ///
 /// ```
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 /// use twinedge::map::PlanarMap;
 ///
 /// let mut map = PlanarMap::new();
@@ -163,7 +163,7 @@ impl PlanarMap {
     /// Returns the coordinates of a vertex. O(1).
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::PlanarMap;
     ///
     /// let mut map = PlanarMap::new();

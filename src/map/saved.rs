@@ -7,15 +7,15 @@ use super::feature_tries::SetId;
 use super::planar_map::PlanarMap;
 use super::summary::BuildSummary;
 use crate::dcel::Dcel;
-use crate::geometry::Point;
-use crate::geometry::noding::NodingSummary;
-use crate::geometry::predicates::in_range;
 use crate::store::FeatureId;
 use crate::validate::Report;
 use crate::validate::certificate::{Drawing, Failure, Labels, LabelsError, check_drawing};
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::NodingSummary;
+use twinedge_geometry::predicates::in_range;
 
 /// The number of the form that is written here.
 const FORM: u8 = 1;

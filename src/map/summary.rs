@@ -1,7 +1,7 @@
 //! Findings of the builder in its input: counts, and the places of irregularities.
 
-use crate::geometry::Point;
 use core::fmt;
+use twinedge_geometry::Point;
 
 /// A place in the input.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -6,9 +6,9 @@ use super::finish::Outcome;
 use super::grid::{Grid, Tile};
 use super::summary::Summary;
 use crate::algorithm::coverage::Limits;
-use crate::geometry::threads;
 use crate::map::{BuildError, Feature};
 use core::borrow::Borrow;
+use twinedge_geometry::threads;
 
 /// Judges a map by its tiles. `features` returns those of a tile, which are all that [`Cuts::tiles_of`] gives to it, with their
 /// numbers in the map; it is asked once for each tile, and a few times more if edges meet elsewhere than at vertices. `cuts` are new.

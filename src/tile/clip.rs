@@ -12,9 +12,9 @@
 
 use super::ends::Ends;
 use super::side::Side;
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// The lines around a tile; none where it extends to infinity.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! The cuts of a map whose edges meet elsewhere than at vertices, found tile by tile.
 //!
-//! The whole map is cut by [snap rounding](crate::geometry::noding) on the finest grid of cells: each edge becomes the chain of the *hot* pixels that it
+//! The whole map is cut by [snap rounding](twinedge_geometry::noding) on the finest grid of cells: each edge becomes the chain of the *hot* pixels that it
 //! visits, and what a chain is made of is bent by the hot pixels that it visits in turn, until nothing bends any more. A
 //! pixel is hot if an edge ends or crosses another one in it. So whether a pixel is hot, and which edges visit it, is known in its
 //! tile; how an edge is bent is known as soon as both of its ends are.
@@ -22,11 +22,11 @@ use super::error::TileError;
 use super::extent::{corners, points};
 use super::grid::{Grid, Tile};
 use crate::dcel::RecordKind;
-use crate::geometry::Point;
-use crate::geometry::noding::{NodingError, PartNoding};
 use crate::map::{BuildError, Feature, Shape, usual_cuts};
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{NodingError, PartNoding};
 
 #[cfg(feature = "serde")]
 mod saved;

@@ -1,7 +1,7 @@
 //! Edges by their ends.
 
-use crate::geometry::Point;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
 
 /// An edge by its ends, the lexicographically smaller one first.
 pub(super) type Ends = [Point; 2];

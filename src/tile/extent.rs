@@ -1,7 +1,7 @@
 //! The extent of features.
 
-use crate::geometry::Point;
 use crate::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 /// The corners of the box around a feature.
 pub(super) fn corners(feature: &Feature) -> Option<(Point, Point)> {

@@ -3,9 +3,9 @@
 use super::ends::{Ends, compare_edges, compare_points};
 use super::grid::Tile;
 use super::side::Side;
-use crate::geometry::Point;
 use core::cmp::Ordering;
 use core::fmt;
+use twinedge_geometry::Point;
 
 /// A way in which edges meet elsewhere than at a shared endpoint (rule G4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

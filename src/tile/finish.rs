@@ -6,9 +6,9 @@ use super::findings::coverage;
 use super::grid::Tile;
 use super::summary::Summary;
 use crate::algorithm::coverage::{Coverage, Defect};
-use crate::geometry::Point;
 use crate::map::BuildError;
 use crate::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
+use twinedge_geometry::Point;
 
 /// The audit of a map by its tiles.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,11 +3,11 @@
 use super::clip::Bounds;
 use super::extent::corners;
 use super::side::Side;
-use crate::geometry::Point;
-use crate::geometry::predicates::in_range;
 use crate::map::Feature;
 use core::fmt;
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// The greatest number of columns, and of rows.
 const MOST: u32 = 1 << 16;
@@ -18,7 +18,7 @@ const MOST: u32 = 1 << 16;
 /// in exactly one tile: a point on a line belongs to the tile on the right of it, or above it.
 ///
 /// ```
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 /// use twinedge::tile::Grid;
 ///
 /// let grid = Grid::new([0.0, 0.0], [8.0, 4.0], 4, 2)?;

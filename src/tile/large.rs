@@ -5,7 +5,7 @@ use super::ends::Ends;
 use super::local::{Local, Part};
 use super::pieces::Pieces;
 use super::side::Side;
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The area of each piece that does not extend to infinity, roughly: where edges pass the border is rounded. O(n).
 pub(super) fn areas(local: &Local<'_>, pieces: &Pieces) -> Vec<f64> {

@@ -5,12 +5,12 @@ use super::ends::{Ends, compare_edges, compare_points};
 use super::fault::{Crossing, CrossingKind};
 use super::side::Side;
 use crate::dcel::{FaceKey, HalfEdge, Vertex};
-use crate::geometry::Point;
-use crate::geometry::crossing::{Clash, clashes};
 use crate::map::{FeatureId, PlanarMap};
 use crate::slots::NIL;
 use crate::validate::Embedding as _;
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::crossing::{Clash, clashes};
 
 /// The part of an edge that lies in the tile.
 pub(super) struct Part {

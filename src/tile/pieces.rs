@@ -17,11 +17,11 @@ use super::ends::compare_points;
 use super::local::{Local, Part};
 use super::side::Side;
 use super::summary::Face;
-use crate::geometry::Point;
-use crate::geometry::sweep::sweep;
 use crate::slots::{NIL, Sets};
 use crate::validate::Embedding as _;
 use core::ops::Range;
+use twinedge_geometry::Point;
+use twinedge_geometry::sweep::sweep;
 
 /// The pieces of faces in a tile, those first that its border cuts.
 pub(super) struct Pieces {

@@ -14,10 +14,10 @@ use crate::algorithm::coverage::region::finding;
 use crate::algorithm::coverage::sliver::is_thin;
 use crate::algorithm::coverage::{CoverageRule, Finding, Limits};
 use crate::dcel::{Face, HalfEdge};
-use crate::geometry::Point;
 use crate::map::{Builder, Feature, FeatureId, PlanarMap, Shape};
 use crate::validate::Embedding as _;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
 
 /// The way in which the faces of a region are claimed.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -8,10 +8,10 @@ use super::region::{Claim, Edge, Region, Sliver};
 use super::side::Side;
 use super::summary::{Border, Component, Face, MOST, Summary, Totals};
 use crate::algorithm::coverage::{Defect, Limits};
-use crate::geometry::Point;
-use crate::geometry::predicates::in_range;
 use crate::map::UnmatchedVertex;
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// The number of exponents of a double.
 const EXPONENTS: u16 = 1 << 11;

@@ -7,10 +7,10 @@ use super::grid::{Grid, Tile};
 use super::region::{Claim, Region, Sliver, examined};
 use super::side::Side;
 use crate::algorithm::coverage::{Defect, Limits};
-use crate::geometry::Point;
 use crate::map::UnmatchedVertex;
 use crate::slots::{NIL, Sets};
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
 
 /// The summary of one tile, or of several that were merged: what lies wholly inside is counted, and what the border cuts is listed, so
 /// that it can be joined with what lies on the other side.

@@ -7,9 +7,9 @@ use twinedge::algorithm::area::{boundary_area, face_area, feature_area, ring_are
 use twinedge::algorithm::contour::{Contour, ContourError, Polygon, of_face, of_faces, of_feature, of_features};
 use twinedge::algorithm::coverage::{faces_by_feature, faces_of, overlaps};
 use twinedge::dcel::{Face, FaceKey, StaleKey, Vertex};
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Orientation, orientation};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, orientation};
 
 type Cell = (i32, i32);
 

@@ -9,10 +9,10 @@ use twinedge::algorithm::convex::{
     ConvexError, Decomposition, decompose, is_essential, remove_inessential, triangulate,
 };
 use twinedge::dcel::{Face, FaceKey, HalfEdge, StaleKey};
-use twinedge::geometry::predicates::{Meeting, Orientation, compare_angle, meeting, orientation};
-use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::edit::EditError;
 use twinedge::map::{Builder, PlanarMap, Shape};
+use twinedge_geometry::predicates::{Meeting, Orientation, compare_angle, meeting, orientation};
+use twinedge_geometry::{MAX_COORDINATE, Point};
 
 /// Returns true if a corner inside a face is at most a straight angle: exactly, and by other means than the library's.
 fn is_convex_at(map: &PlanarMap, h: HalfEdge<'_>) -> bool {

@@ -7,9 +7,9 @@ use quickcheck::QuickCheck;
 use twinedge::algorithm::coverage::{
     Coverage, CoverageError, CoverageRule, DefectKind, Finding, Limits, check, defects,
 };
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {
     points.iter().copied().map(Point::from).collect()

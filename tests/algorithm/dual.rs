@@ -11,8 +11,8 @@ use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::dual::{By, Dual, Skeleton, borders, route};
 use twinedge::algorithm::neighbours::of_feature;
 use twinedge::dcel::{FaceKey, StaleKey, Vertex, VertexKey};
-use twinedge::geometry::Point;
 use twinedge::map::{Builder, FeatureId, PlanarMap, Shape};
+use twinedge_geometry::Point;
 
 /// Returns the number of components of the vertices, without one of them: every edge is looked at until nothing changes.
 fn components_without(map: &PlanarMap, without: Option<VertexKey>) -> usize {

@@ -7,8 +7,8 @@ use twinedge::algorithm::convex::decompose;
 use twinedge::algorithm::dual::Dual;
 use twinedge::algorithm::voronoi::voronoi;
 use twinedge::dcel::{Dcel, Face, FaceKey};
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
+use twinedge_geometry::Point;
 
 /// Two triangles side by side, and a triangle in a hole of the first, which it touches nowhere:
 ///

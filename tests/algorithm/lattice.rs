@@ -5,9 +5,9 @@ use crate::support::oracle::whole;
 use quickcheck::QuickCheck;
 use twinedge::algorithm::lattice::{LatticeError, of_face, of_map};
 use twinedge::dcel::{Face, FaceKey, StaleKey};
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Orientation, orientation};
 use twinedge::map::{Builder, Located, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, orientation};
 
 fn of_ring(ring: &[[f64; 2]]) -> PlanarMap {
     let mut builder = Builder::new();

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::CoverageError;
 use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, check, check_parents, pieces};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 type Corner = [f64; 2];
 

@@ -2,8 +2,8 @@
 
 use quickcheck::QuickCheck;
 use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits, check, insert_touches, mismatches};
-use twinedge::geometry::Point;
 use twinedge::map::{Builder, Feature, Noding, Shape};
+use twinedge_geometry::Point;
 
 use super::coverage::{area, map, parcels};
 

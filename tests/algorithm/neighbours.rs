@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::neighbours::{Neighbour, of_face, of_feature, pairs, touching_face, touching_feature};
 use twinedge::dcel::{Face, FaceKey, StaleKey};
-use twinedge::geometry::Point;
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, FeatureId, PlanarMap, Shape};
+use twinedge_geometry::Point;
 
 /// The board has 5 × 5 cells; each is claimed by a set of the features 0, 1, 2, 3, one bit each.
 type Board = [[u8; 5]; 5];

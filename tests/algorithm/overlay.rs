@@ -10,10 +10,10 @@ use std::sync::{Arc, Mutex};
 use twinedge::algorithm::area::{face_area, feature_area, ring_area};
 use twinedge::algorithm::overlay::{Operand, Operation, Overlay, OverlayError, overlay};
 use twinedge::dcel::{Face, OperatorError, Policy, StaleKey};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 type Whole = (i8, i8);
 

@@ -1,10 +1,10 @@
 //! Random plane maps with holes that touch, dangling edges and isolated vertices; and the maps of the world.
 
 use quickcheck::{Arbitrary, Gen};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// Points, segments and rings with coordinates from 0 to 12.
 #[derive(Clone, Debug)]

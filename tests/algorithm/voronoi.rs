@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::voronoi::{Delaunay, Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
 use twinedge::dcel::{FaceKey, HalfEdge};
-use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator};
 use twinedge::program::choose::{Choose, Random};
+use twinedge_geometry::Point;
 
 fn points(coordinates: &[[f64; 2]]) -> Vec<Point> {
     coordinates.iter().copied().map(Point::from).collect()

@@ -4,9 +4,9 @@ use quickcheck::{Gen, QuickCheck};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use twinedge::algorithm::contour::{of_feature, of_features};
-use twinedge::geometry::Point;
 use twinedge::io::{self as formats, ReadError, WriteError, geojson, wkt};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge_geometry::Point;
 
 fn built(features: &[Feature]) -> PlanarMap {
     let mut builder = Builder::new();

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 use std::error::Error;
 use std::io::{self, Read};
 
-use twinedge::geometry::Point;
 use twinedge::io::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, geojson};
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();

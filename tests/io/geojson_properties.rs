@@ -2,10 +2,10 @@
 
 use geojson::{GeoJson, GeometryValue};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::io::{ReadCause, ReadError, geojson as reader};
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 fn read(text: &[u8]) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();

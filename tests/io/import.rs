@@ -4,8 +4,8 @@
 use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::algorithm::area::feature_area;
-use twinedge::geometry::Point;
 use twinedge::map::{BuildSummary, Builder, IrregularityKind, PlanarMap, Position, Shape};
+use twinedge_geometry::Point;
 
 type Grid = (i32, i32);
 

@@ -2,9 +2,9 @@
 
 use std::io::{self, Read};
 
-use twinedge::geometry::Point;
 use twinedge::io::{FeatureLabel, ForeignFormat, Format, ReadCause, ReadError, ReadSummary, TextPlace, geojson, read};
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 fn all(text: impl AsRef<[u8]>, format: Option<Format>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();

@@ -3,9 +3,9 @@
 use std::io::{self, Read};
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
-use twinedge::geometry::Point;
 use twinedge::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, wkt};
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();

@@ -9,12 +9,12 @@ use twinedge::dcel::{Audited, History};
 use twinedge::dcel::{
     FaceKey, Features, HalfEdge, HalfEdgeKey, OperatorError, Outside, Policy, SecondaryMap, VertexKey,
 };
-use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
 use twinedge::map::{Builder, Feature, FeatureId, Located, Locator, PlanarMap, Shape};
 use twinedge::validate::Expectation;
 use twinedge::validate::near::WriteSet;
+use twinedge_geometry::Point;
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);

@@ -7,13 +7,13 @@ use std::cell::Cell;
 use std::collections::BTreeSet;
 use twinedge::dcel::Audited;
 use twinedge::delegate_view;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::EditRunner;
 use twinedge::map::{Builder, Noding, PlanarMap};
 use twinedge::validate::near::{BaselineError, EmbeddingBaseline, validate_embedding_near};
 use twinedge::validate::{Embedding, Expectation, Rule, Table, View};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 #[test]
 fn an_audited_runner_does_what_another_does() {

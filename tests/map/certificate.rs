@@ -2,12 +2,12 @@
 
 use crate::support::erased::validate_embedding;
 use std::cell::Cell;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::certificate::{DrawingError, draw};
 use twinedge::map::{Builder, Noding, PlanarMap};
 use twinedge::validate::certificate::{Column, Columns, Drawing, Labels, Test, check_drawing};
 use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, HalfEdgeRow, Link, Parts, Table, View};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 const PLANE: Expectation = Expectation::plane();
 

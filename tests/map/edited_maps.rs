@@ -9,10 +9,10 @@ use twinedge::algorithm::coverage::{faces_of, leaks};
 use twinedge::algorithm::neighbours;
 use twinedge::algorithm::overlay::{Operand, overlay};
 use twinedge::dcel::{Face, FaceKey, HalfEdge};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::io;
 use twinedge::map::{Builder, FeatureId, Located, Locator, PlanarMap};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The scale of query points, which lie between vertices: whole numbers of hundredths.
 const SCALE: i128 = 100;

@@ -4,10 +4,10 @@ use crate::rewound::{Rewound, change};
 use crate::support::edits::EvenEdits;
 use quickcheck::{Gen, QuickCheck, Testable};
 use twinedge::dcel::History;
-use twinedge::geometry::Point;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
 use twinedge::map::{Builder, Located, Locator, PlanarMap, Shape};
+use twinedge_geometry::Point;
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);

@@ -3,12 +3,12 @@
 use crate::support::tables::textbook_map;
 use quickcheck::{Gen, QuickCheck};
 use twinedge::dcel::{ImportError, Outside};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, MapImportError, Noding, PlanarMap, Shape};
 use twinedge::program::canonical::isomorphic;
 use twinedge::validate::{Embedding, Expectation, Part, Parts, Rule, Start, Table, View};
 use twinedge::{delegate_view, view_answers};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// A structure, and the points of its vertices by index.
 struct Drawn<V> {

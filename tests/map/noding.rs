@@ -3,10 +3,10 @@
 use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{NodingSummary, Snap};
 
 type Whole = (i8, i8);
 

@@ -3,8 +3,8 @@
 use twinedge::algorithm::coverage::{Limits, check};
 use twinedge::algorithm::lattice;
 use twinedge::algorithm::overlay::overlay;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Locator, PlanarMap};
+use twinedge_geometry::noding::Snap;
 
 /// The map of segments.
 fn built(segments: &[[[f64; 2]; 2]]) -> PlanarMap {

@@ -3,9 +3,9 @@
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face};
-use twinedge::geometry::Point;
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
+use twinedge_geometry::Point;
 
 /// A rectangle with a vertex at every whole number, so that rectangles on whole numbers meet at vertices only.
 fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {

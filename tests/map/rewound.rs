@@ -77,7 +77,7 @@ impl Rewound {
         }
         let refused: Result<(), ()> = self.history.change("fail", |map| {
             let _ = map.insert_ring([[-1.0, -1.0], [20.5, -1.0], [20.5, 20.5], [-1.0, 20.5]]);
-            let _ = map.insert_segment_snapped([-1.0, 0.0], [16.0, 14.0], twinedge::geometry::noding::Snap::Auto);
+            let _ = map.insert_segment_snapped([-1.0, 0.0], [16.0, 14.0], twinedge_geometry::noding::Snap::Auto);
             map.add_feature(Some("nobody's".into()));
             Err(())
         });

@@ -2,9 +2,9 @@
 
 use quickcheck::{Gen, QuickCheck};
 use serde_json::{Value, json};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// Says if all of one map is in the other, the summaries included.
 fn is_same(map: &PlanarMap, again: &PlanarMap) -> bool {

@@ -3,11 +3,12 @@
 use std::sync::atomic::Ordering;
 use twinedge::algorithm::coverage::{Limits, check};
 use twinedge::algorithm::voronoi::voronoi;
-use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{Point, REVERSE_TIES};
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, QueryLine, Shape};
 use twinedge::program::choose::{Choose, Random};
 use twinedge::validate::Table;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
+use twinedge_geometry::threads::REVERSE_TIES;
 
 /// Without the versions of keys, which differ from map to map.
 fn without_versions(text: &str) -> String {

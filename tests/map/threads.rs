@@ -2,10 +2,10 @@
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge::algorithm::coverage::{Limits, check};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{Noded, Snap, node, node_within};
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, Locator, Noding, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Noded, Snap, node, node_within};
 
 fn threads(number: usize) -> ThreadPool {
     ThreadPoolBuilder::new().num_threads(number).build().expect("threads can be had")

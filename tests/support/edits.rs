@@ -1,10 +1,10 @@
 //! Random programs of edits on whole numbers, for tests that ask about their outcome.
 
 use quickcheck::{Arbitrary, Gen};
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::program::{AtPick, EditKind, EditOp, EditProgram, EditRunner, FeaturesPick, GridPick, Spot};
 use twinedge::program::candidates;
+use twinedge_geometry::Point;
 
 /// Vertices have even coordinates from 0 to this.
 pub(crate) const SIDE: u8 = 14;

@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-use twinedge::geometry::Point;
-use twinedge::geometry::crossing::Clash;
+use twinedge_geometry::Point;
+use twinedge_geometry::crossing::Clash;
 
 /// A point with whole coordinates.
 pub(crate) type Grid = (i32, i32);

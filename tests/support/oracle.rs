@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use twinedge::geometry::Point;
 use twinedge::map::{Located, PlanarMap, QueryLine, ZoneElement};
+use twinedge_geometry::Point;
 
 /// A point with whole coordinates.
 pub(crate) type Whole = [i128; 2];

@@ -4,8 +4,8 @@ use crate::maps::{Random, area, feature, line, point};
 use crate::whole::{by_tiles, compare, grid, whole};
 use std::collections::BTreeSet;
 use twinedge::algorithm::coverage::{Coverage, Finding, Limits, check};
-use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 /// Limits of every kind.
 fn limits() -> Vec<Limits> {

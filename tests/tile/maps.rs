@@ -1,7 +1,7 @@
 //! Maps to cut into tiles.
 
-use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 /// Numbers by xorshift, the same in every run.
 pub(crate) struct Random(u64);

@@ -3,11 +3,11 @@
 use crate::maps::Random;
 use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::{Coverage, Finding, Limits, check, defects, mismatches};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::tile::{Crossing, CrossingKind, Cuts, Grid, Outcome, Summary, Uneven};
 use twinedge::validate::{Embedding as _, Report, Rule, Violation};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 fn builder(features: &[Feature]) -> Builder {
     let mut builder = Builder::new();

@@ -3,9 +3,9 @@
 use crate::maps::{Random, feature, line};
 use crate::whole::{largest, rounds};
 use twinedge::algorithm::coverage::Limits;
-use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
 use twinedge::tile::{Cuts, Grid, Summary, Tile};
+use twinedge_geometry::Point;
 
 fn points(feature: &Feature) -> Vec<Point> {
     let of_shape = |shape: &Shape| match shape {

@@ -5,8 +5,8 @@ use crate::support::erased::validate_embedding;
 use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::tables::Without;
-use twinedge::geometry::Point;
 use twinedge::validate::{Collect, Embedding, Part, places};
+use twinedge_geometry::Point;
 
 /// The coordinates of the vertices of the nested triangles, while answers are consistent.
 const POINTS: [[f64; 2]; 7] = [[0.0, 0.0], [10.0, 0.0], [5.0, 10.0], [4.0, 1.0], [6.0, 1.0], [5.0, 3.0], [7.0, 3.0]];

@@ -4,14 +4,14 @@ use crate::support::erased::validate_embedding;
 use crate::support::only_live::OnlyLive;
 use std::collections::BTreeMap;
 use twinedge::delegate_view;
-use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::{Builder, Noding, PlanarMap};
 use twinedge::validate::{
     Collect, Expectation, FaceRow, HalfEdgeRow, Link, Only, Part, Parts, Record, Report, Rule, Start, Table, Unchecked,
     VertexRow, View, Violation,
 };
 use twinedge::validate::{Embedding, places};
+use twinedge_geometry::noding::Snap;
+use twinedge_geometry::{MAX_COORDINATE, Point};
 
 const PLANE: Expectation = Expectation::plane();
 

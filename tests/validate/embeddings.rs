@@ -3,10 +3,10 @@
 use crate::support::erased::validate_embedding;
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::delegate_view;
-use twinedge::geometry::Point;
 use twinedge::map::{Builder, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Link, Parts, Record, Report, Rule, Table, Unchecked, View, Violation};
 use twinedge::validate::{Embedding, places};
+use twinedge_geometry::Point;
 
 /// A structure drawn elsewhere than its map says.
 struct Redrawn {

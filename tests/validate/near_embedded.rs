@@ -8,11 +8,11 @@ use quickcheck::{Arbitrary, Gen};
 use std::cell::Cell;
 use twinedge::dcel::{Corner, Dcel, Side, Split, Turn};
 use twinedge::delegate_view;
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::validate::near::{EmbeddingBaseline, WriteSet, validate_embedding_near};
 use twinedge::validate::{BoundaryPlace, BoundaryRow, Collect, Embedding, Expectation, Parts, Rule, Table, View};
+use twinedge_geometry::Point;
 use twinedge_trials::enumerate::for_each_corruption;
 
 const PLANE: Expectation = Expectation::plane();

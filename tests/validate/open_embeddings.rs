@@ -3,12 +3,12 @@
 use crate::support::erased::validate_embedding;
 use crate::support::tables::{TEXTBOOK, Without, half_edge, map, textbook_map};
 use twinedge::delegate_view;
-use twinedge::geometry::Point;
 use twinedge::validate::Embedding;
 use twinedge::validate::{
     Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Record, Report, Rule, Start, Table, VertexRow, View,
     Violation,
 };
+use twinedge_geometry::Point;
 
 /// A table and where its vertices lie.
 struct Drawn {

@@ -6,10 +6,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use twinedge::algorithm::coverage::insert_touches;
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::Feature;
 use twinedge_formats::layer::{Feature as LayerFeature, Geometry, Indexed, ReadError, ReadOptions, to_map};
+use twinedge_geometry::Point;
 use twinedge_report::Shelf;
 
 /// The number of times that the features of a file may be passed over until it takes less to copy them.

@@ -12,8 +12,8 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use std::time::Instant;
 use twinedge::algorithm::clean::{Options, Winner};
-use twinedge::geometry::noding::Snap;
 use twinedge_formats::layer::clean::CleanOptions;
+use twinedge_geometry::noding::Snap;
 use twinedge_report::Division;
 use twinedge_report::clean::{Cleaning, Names, Repair};
 

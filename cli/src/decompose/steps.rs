@@ -4,8 +4,8 @@ use crate::output::grouped;
 use std::fmt::{self, Write as _};
 use twinedge::algorithm::convex::{ConvexError, is_essential, remove_inessential, triangulate};
 use twinedge::dcel::{FaceKey, HalfEdge};
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
+use twinedge_geometry::Point;
 
 /// More diagonals than this are no small input.
 const MOST: usize = 2_000;

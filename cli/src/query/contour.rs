@@ -7,9 +7,9 @@ use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge::algorithm::contour::{Contour as Outline, of_feature};
-use twinedge::geometry::Point;
 use twinedge::io::{geojson, wkt};
 use twinedge::map::Feature;
+use twinedge_geometry::Point;
 use twinedge_report::Condition;
 use twinedge_report::names::label;
 

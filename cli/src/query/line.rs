@@ -6,8 +6,8 @@ use crate::output::{Format, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::geometry::Point;
 use twinedge::map::{Locator, QueryLine, ZoneElement};
+use twinedge_geometry::Point;
 
 /// The faces, edges and vertices that a line meets, in order.
 #[derive(Debug, clap::Args)]

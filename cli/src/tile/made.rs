@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 use twinedge::algorithm::coverage::{Limits, insert_touches};
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, Feature};
 use twinedge::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
 use twinedge_formats::layer::{Feature as LayerFeature, Indexed, ReadError, to_map};
+use twinedge_geometry::Point;
 use twinedge_report::{Error, grid_of, no_cuts};
 
 /// The summary that is asked for.

@@ -9,10 +9,10 @@ use crate::status::{Failure, Verdict, named};
 use made::{Asked, Made, by_windows, of_whole};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::tile::{Summary, Tile as Place};
 use twinedge_formats::layer::{Amount, Crs, Format, Indexed};
+use twinedge_geometry::Point;
 use twinedge_report::words::grouped;
 use twinedge_report::{Error, Imported, InMemory, Keep, refuse_edges};
 

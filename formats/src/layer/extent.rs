@@ -2,7 +2,7 @@
 
 use super::error::Cause;
 use super::model::Geometry;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// A box that a file has around one geometry, or around many. The place of what is in it is unknown if the corners are not in order: boxes of nothing
 /// are written so, and boxes across the antimeridian.

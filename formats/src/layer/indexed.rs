@@ -7,8 +7,8 @@ use super::model::Header;
 use super::read::{ReadOptions, beginning, format_of};
 use std::fs::File;
 use std::path::Path;
-use twinedge::geometry::Point;
 use twinedge::io::Format;
+use twinedge_geometry::Point;
 
 /// A file that says by boxes where its features are, so that those in a window are read without the others: `FlatGeobuf` with an index, and `GeoParquet` with
 /// statistics of its column of boxes or of Parquet's own geometries.
@@ -18,7 +18,7 @@ use twinedge::io::Format;
 /// was missed in any of them.
 ///
 /// ```
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 /// use twinedge_formats::layer::{
 ///     Dimensions, Feature, Format, Geometry, Indexed, Layer, Position, ReadOptions, Shape, write_path,
 /// };

@@ -4,8 +4,8 @@ use super::model::Position;
 use std::cmp::Ordering;
 use std::iter;
 use twinedge::algorithm::area::ring_area;
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Orientation, on_segment, orientation};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, on_segment, orientation};
 
 pub(super) fn point(position: &Position) -> Point {
     Point::new(position.x, position.y)

@@ -10,10 +10,10 @@ use thiserror::Error;
 use twinedge::algorithm::contour::{Contour, ContourError, of_faces};
 use twinedge::algorithm::coverage::CoverageError;
 use twinedge::algorithm::layers::{Piece, pieces};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The choice among the pieces of two layers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,9 +1,9 @@
 //! Features as the library takes them.
 
 use super::model::{Feature, Geometry, Line, Position, Shape};
-use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
 use twinedge::map;
+use twinedge_geometry::Point;
 
 /// The feature for a map, with its name and id, counted in a summary. Further dimensions and empty shapes are dropped, collections
 /// flattened. O(positions).

@@ -1,8 +1,8 @@
 //! The half-edges of an indexed mesh, as the validator sees them.
 
 use super::IndexedMesh;
-use twinedge::geometry::Point;
 use twinedge::validate::{Embedding, Expectation, Link, Part, Parts, View};
+use twinedge_geometry::Point;
 
 pub(super) const NIL: u32 = u32::MAX;
 

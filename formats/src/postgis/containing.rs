@@ -6,8 +6,8 @@
 use super::finding::{Finding, Findings};
 use super::topology::Topology;
 use std::collections::BTreeSet;
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Orientation, on_segment, orientation};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, on_segment, orientation};
 
 /// Reports isolated nodes that lie in another face than `containing_face` says, and returns of how many it is not known. The lines around
 /// the faces that are open do not close.

@@ -3,7 +3,7 @@
 //! Only points, lines and polygons are looked into, and only their first two coordinates.
 
 use super::error::Cause;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 const Z: u32 = 0x8000_0000;
 const M: u32 = 0x4000_0000;

@@ -49,7 +49,7 @@ fn swept(topology: &Topology, half_edge: usize) -> f64 {
     let Some(center) = topology.points.first() else { return 0.0 };
     let points = topology.line_points(half_edge / 2);
     let segment = |pair: &[_]| -> f64 {
-        let [a, b]: [twinedge::geometry::Point; 2] = [pair[0], pair[1]];
+        let [a, b]: [twinedge_geometry::Point; 2] = [pair[0], pair[1]];
         (a.x - center.x) * (b.y - center.y) - (b.x - center.x) * (a.y - center.y)
     };
     let forwards: f64 = points.windows(2).map(segment).sum();

@@ -5,12 +5,12 @@
 
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::in_range;
 use twinedge::validate::{
     Collect, Embedding, Expectation, Link, Parts, Record, Report, Rule, RuleOutcome, View, Violation,
     validate_embedding,
 };
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// The lines, each of which is next to itself only, and the nodes.
 pub(super) struct Lines<'a> {

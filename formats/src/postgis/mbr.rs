@@ -1,7 +1,7 @@
 //! Boxes around faces.
 
 use super::ewkb::{Geometry, Points};
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// A box along the axes.
 #[derive(Clone, Copy, Debug, PartialEq)]

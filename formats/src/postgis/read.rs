@@ -8,7 +8,7 @@ use super::ids::Ids;
 use super::mbr::{Box2, Mbr};
 use super::topology::{Column, NULL, Topology, UNKNOWN};
 use std::io::BufRead;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// No table has more rows: half-edges are numbered by 32 bits.
 const MOST_ROWS: usize = (u32::MAX / 2) as usize - 1;

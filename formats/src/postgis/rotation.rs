@@ -2,9 +2,9 @@
 
 use super::lines::Lines;
 use std::cmp::Ordering;
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{compare_angle, in_range};
 use twinedge::validate::{Embedding, View};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{compare_angle, in_range};
 
 /// For each vertex the half-edges that leave it, by the lines.
 pub(super) struct Rotations<'a> {

@@ -3,8 +3,8 @@
 use super::finding::Findings;
 use super::ids::Ids;
 use super::mbr::{Box2, Mbr};
-use twinedge::geometry::Point;
 use twinedge::validate::{Embedding, Link, Parts, Record, View};
+use twinedge_geometry::Point;
 
 /// A column that is null there.
 pub(super) const NULL: u32 = u32::MAX;

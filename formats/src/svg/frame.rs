@@ -2,9 +2,9 @@
 
 use super::text::put;
 use twinedge::dcel::Face;
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
+use twinedge_geometry::Point;
 
 /// The mapping from points to places in a panel of the picture.
 pub(super) struct Frame {

@@ -14,9 +14,9 @@
 
 use super::frame::{Bounds, Frame};
 use super::options::Options;
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
+use twinedge_geometry::Point;
 
 /// An empty strip is between two parts if it is wider than this, as a part of the longer side of both together.
 const STRIP: f64 = 0.1;

@@ -5,8 +5,8 @@ use super::label_spot::{LabelSpot, widest, widest_within};
 use super::text::{put, text};
 use core::f64::consts::TAU;
 use twinedge::algorithm::coverage::faces_by_feature;
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
+use twinedge_geometry::Point;
 
 /// The width of a letter and the height of a name, in pixels.
 const LETTER: f64 = 5.2;

@@ -1,7 +1,7 @@
 //! Options of pictures.
 
-use twinedge::geometry::Point;
 use twinedge::validate::Violation;
+use twinedge_geometry::Point;
 
 /// The contents of a picture, and its size.
 #[derive(Clone, Copy, Debug)]

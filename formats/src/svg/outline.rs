@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 use twinedge::dcel::HalfEdge;
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
+use twinedge_geometry::Point;
 
 /// The rings that the edges of each feature form, by its index, without its spikes. O(n log n).
 pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {

@@ -2,9 +2,9 @@
 
 use crate::support::{from_text, to_geojson};
 use twinedge::algorithm::clean::{ChangeKind, Options};
-use twinedge::geometry::Point;
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, GapsToError, clean};
 use twinedge_formats::layer::{Dimensions, Layer, Shape, Value};
+use twinedge_geometry::Point;
 
 /// Two parcels with a crack between them that ends there, a third with a lake in it, and features without polygons.
 fn parcels(right: &str) -> Layer {

@@ -10,10 +10,10 @@ use parquet::schema::types::Type;
 use std::fs::{self, File};
 use std::path::Path;
 use std::sync::Arc;
-use twinedge::geometry::Point;
 use twinedge_formats::layer::{
     Cause, Dimensions, Feature, Format, Geometry, Indexed, Layer, Place, Position, ReadError, ReadOptions, Shape,
 };
+use twinedge_geometry::Point;
 
 const ACROSS: u32 = 40;
 

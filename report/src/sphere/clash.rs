@@ -7,9 +7,9 @@ use crate::names::all_named;
 use crate::trace::position;
 use std::collections::BTreeSet;
 use twinedge::algorithm::coverage::CoverageRule;
-use twinedge::geometry::Point;
 use twinedge::validate::Rule;
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records, Trace};
+use twinedge_geometry::Point;
 use twinedge_sphere::{Clash, Drawing, Undrawn};
 
 /// An edge between antipodes.

@@ -1,8 +1,8 @@
 //! Arcs as lines on the map.
 
 use crate::trace::position;
-use twinedge::geometry::Point;
 use twinedge_formats::diagnosis::Position;
+use twinedge_geometry::Point;
 use twinedge_sphere::Place;
 
 /// The greatest length of a straight line on the map that stands for a part of an arc, in degrees.
@@ -50,7 +50,7 @@ fn between([a, b]: [Point; 2]) -> Vec<Position> {
 #[cfg(test)]
 mod tests {
     use super::lines;
-    use twinedge::geometry::Point;
+    use twinedge_geometry::Point;
 
     #[test]
     fn arcs_are_lines_with_points_between_that_break_at_the_antimeridian() {

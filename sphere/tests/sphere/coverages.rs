@@ -2,8 +2,8 @@
 
 use crate::support::{Numbers, feature, mirrored};
 use twinedge::algorithm::coverage::{CoverageRule, Limits};
-use twinedge::geometry::Point;
 use twinedge::map::{Feature, Shape};
+use twinedge_geometry::Point;
 use twinedge_sphere::{Clash, Cover, Coverage, Drawing, Inside, Subdivision, check, mismatches};
 
 fn judged(features: &[Feature], inside: Inside, limits: &Limits) -> (Vec<Clash>, Coverage) {

@@ -1,7 +1,7 @@
 //! Places: the same one for the same place, and how far it is from the true one.
 
 use crate::support::{Numbers, at};
-use twinedge::geometry::predicates::Orientation;
+use twinedge_geometry::predicates::Orientation;
 use twinedge_sphere::predicates::side;
 use twinedge_sphere::{Place, PlaceError};
 

@@ -2,7 +2,7 @@
 
 use crate::support::{Numbers, at};
 use std::cmp::Ordering;
-use twinedge::geometry::predicates::{Endpoint, Meeting, Orientation};
+use twinedge_geometry::predicates::{Endpoint, Meeting, Orientation};
 use twinedge_sphere::Place;
 use twinedge_sphere::predicates::{compare_around, meeting, on_arc, side};
 

@@ -1,9 +1,9 @@
 //! The options of cleaning, and the changes that it reports.
 
 use crate::dcel::FaceKey;
-use crate::geometry::Point;
 use crate::map::FeatureId;
 use core::fmt;
+use twinedge_geometry::Point;
 
 /// The choice among the features that claim a face.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -3,10 +3,10 @@
 use crate::algorithm::area::{Sum, face_area};
 use crate::algorithm::coverage::region::{border, connected, length};
 use crate::dcel::Face;
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
 use std::collections::BTreeMap;
+use twinedge_geometry::Point;
 
 /// The feature that has each face, by index of face.
 pub(super) struct Ownership<'m> {

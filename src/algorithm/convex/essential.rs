@@ -1,10 +1,10 @@
 //! Essential diagonals, and removal of the others.
 
 use crate::dcel::{HalfEdge, HalfEdgeKey, StaleKey};
-use crate::geometry::predicates::{Orientation, compare_angle, orientation};
 use crate::map::PlanarMap;
 use crate::map::edit::EditError;
 use crate::validate::Embedding;
+use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 
 /// Returns true if the corner between the half-edges before and after `h` at its origin, which appears where `h` is removed, is
 /// at most a straight angle.

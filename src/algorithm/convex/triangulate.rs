@@ -10,8 +10,6 @@
 
 use super::error::ConvexError;
 use crate::dcel::{Boundary, Corner, Face, FaceKey, HalfEdge, HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_angle, orientation};
 use crate::map::edit::EditError;
 use crate::map::{NotPlane, PlanarMap};
 use crate::slots::NIL;
@@ -19,6 +17,8 @@ use crate::validate::Embedding;
 use rustc_hash::{FxHashMap, FxHashSet};
 use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _, validate_vertex};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 
 /// A face that was triangulated: every edge of the triangles is an edge of the map.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Rings that meet nowhere: one sweep says so, and which lies in which. Most features are made of such rings.
 
 use super::rings::Ring;
-use crate::geometry::Point;
-use crate::geometry::predicates::{Meeting, Orientation, compare_lexicographic, meeting, orientation};
-use crate::geometry::sweep::sweep_plane;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Meeting, Orientation, compare_lexicographic, meeting, orientation};
+use twinedge_geometry::sweep::sweep_plane;
 
 /// Of a single ring of up to so many points, all pairs of segments are tried.
 const FEW: usize = if cfg!(test) { 4 } else { 12 };

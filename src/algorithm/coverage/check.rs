@@ -8,10 +8,10 @@ use super::near_miss::{chosen_width, near_misses};
 use super::overlap::overlaps;
 use super::sliver::slivers;
 use crate::dcel::FaceKey;
-use crate::geometry::{Point, threads};
 use crate::map::{NotPlane, PlanarMap};
 use rustc_hash::FxHashSet;
 use thiserror::Error;
+use twinedge_geometry::{Point, threads};
 
 /// The findings of C1 … C5 on a map.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! The rules of a coverage, and what one of them found.
 
 use crate::dcel::FaceKey;
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::map::FeatureId;
 use core::cmp::Ordering;
 use core::fmt;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// A rule of a coverage. Its features lie side by side, which breaks none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -7,9 +7,9 @@ use super::claims::features_of;
 use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding};
 use crate::dcel::Face;
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge_geometry::Point;
 
 /// The gaps, and the unclaimed faces that are none.
 #[derive(Default)]

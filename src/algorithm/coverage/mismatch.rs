@@ -18,12 +18,12 @@ use super::finding::{CoverageRule, Finding, MissingVertex};
 use super::region::{first_corner, segment_length};
 use crate::algorithm::area::Sum;
 use crate::dcel::Vertex;
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::map::{FeatureId, PlanarMap, UnmatchedVertex};
 use crate::validate::Embedding;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// Finds what breaks C7: for each two features whose borders lack vertices of each other, and each feature whose border lacks vertices of its own, a
 /// finding with all of these. `map` is the map of the
@@ -32,7 +32,7 @@ use std::collections::BTreeMap;
 ///
 /// ```
 /// use twinedge::algorithm::coverage::{CoverageRule, mismatches};
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 /// use twinedge::map::{Builder, Noding, Shape};
 ///
 /// // https://github.com/libgeos/geos/issues/1525: the second polygon lacks the vertex (1, 1).

@@ -18,14 +18,14 @@ use super::region::{ends, first_corner, length, mean_width};
 use super::sliver::median;
 use crate::algorithm::area::Sum;
 use crate::dcel::HalfEdge;
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::boxes::Boxes;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::map::{FeatureId, PlanarMap};
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::boxes::Boxes;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// The least length of a near miss of short stretches, as a multiple of the given width.
 const LEAST: f64 = 4.0;

@@ -3,11 +3,11 @@
 use super::finding::{CoverageRule, Finding};
 use crate::algorithm::area::{Sum, face_area};
 use crate::dcel::{Face, HalfEdge};
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
 use rustc_hash::FxHashSet;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// The length of an edge.
 pub(in crate::algorithm) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {

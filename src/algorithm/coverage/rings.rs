@@ -1,12 +1,12 @@
 //! The rings of polygons: where they meet, and which lies in which.
 
 use crate::algorithm::area::ring_area;
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::boxes::Boxes;
-use crate::geometry::predicates::{Endpoint, Meeting, Orientation, compare_angle, meeting, on_segment, orientation};
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::boxes::Boxes;
+use twinedge_geometry::predicates::{Endpoint, Meeting, Orientation, compare_angle, meeting, on_segment, orientation};
 
 /// A ring with at least three points, none of which repeats the one before it, nor the last the first.
 pub(super) struct Ring {

@@ -6,10 +6,10 @@
 use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding, size};
 use crate::dcel::{Face, FaceKey};
-use crate::geometry::threads;
 use crate::map::PlanarMap;
 use core::f64::consts::PI;
 use rustc_hash::FxHashSet;
+use twinedge_geometry::threads;
 
 /// The slivers, and the area below which a thin part is one. O(n + half-edges of the faces of each feature), expected.
 pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) -> (Vec<Finding>, f64) {

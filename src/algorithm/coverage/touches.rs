@@ -2,10 +2,10 @@
 
 use super::rings::{Contact, Ring, with_index};
 use super::validity::{DefectKind, defects, rings_of};
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::map::Shape;
 use std::collections::BTreeMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// Puts a vertex into each ring that another ring of the same feature touches between two vertices, if the polygons are valid by the rules of
 /// the OGC: such a touch is no fault, but edges of a map must meet at their ends. The vertex lies on the segment exactly, so

@@ -20,10 +20,10 @@
 
 use super::apart;
 use super::rings::{Contact, Meet, Ring, Rings, with_index};
-use crate::geometry::Point;
 use crate::map::Shape;
 use core::fmt;
 use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge_geometry::Point;
 
 /// In which way the polygons of a feature are not valid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -7,9 +7,9 @@ use crate::algorithm::area::{Sum, face_area};
 use crate::algorithm::coverage::region::{connected, ends, segment_length};
 use crate::algorithm::coverage::{CoverageError, faces_by_feature};
 use crate::dcel::{Face, HalfEdge, Vertex};
-use crate::geometry::Point;
 use crate::map::{FeatureId, Located, PlanarMap};
 use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge_geometry::Point;
 
 /// Finds what breaks X1 … X3, X5 and X6. The first `audited` features of the map are those of the audited layer, all further ones those of the
 /// other layer. `points` are the points of the audited layer, which a map does not keep.

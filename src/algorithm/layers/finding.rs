@@ -2,9 +2,9 @@
 
 use crate::algorithm::coverage::region::{Extent, extent};
 use crate::dcel::{Face, FaceKey};
-use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use core::fmt;
+use twinedge_geometry::Point;
 
 /// A rule between two layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

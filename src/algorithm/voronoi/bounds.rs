@@ -1,8 +1,8 @@
 //! The box that closes the unbounded cells.
 
 use super::error::VoronoiError;
-use crate::geometry::Point;
-use crate::geometry::predicates::in_range;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// The largest coordinate of a box: 2^202.
 const LARGEST: f64 = f64::from_bits((1023 + 202) << 52);

@@ -7,10 +7,11 @@
 
 use super::centre::centre;
 use super::sites::{Site, Triangulation};
-use crate::geometry::{MIN_COORDINATE, Point};
 use rustc_hash::FxHashMap;
 use spade::Triangulation as _;
 use spade::handles::{DirectedEdgeHandle, FaceHandle, PossiblyOuterTag};
+use twinedge_geometry::predicates::on_one_circle;
+use twinedge_geometry::{MIN_COORDINATE, Point};
 
 type Edge<'a> = DirectedEdgeHandle<'a, Site, (), (), ()>;
 
@@ -220,8 +221,8 @@ impl Centres {
             let (Some(left), Some(right)) = (e.face().as_inner(), e.rev().face().as_inner()) else { continue };
             let one_circle = || {
                 let apex = e.rev().opposite_vertex().map(|v| v.data().point());
-                let [a, b, c] = left.vertices().map(|v| coord(v.data().point()));
-                apex.is_some_and(|d| robust::incircle(a, b, c, coord(d)) == 0.0)
+                let triangle = left.vertices().map(|v| v.data().point());
+                apex.is_some_and(|d| on_one_circle(triangle, d))
             };
             let (p, q) = (centres[left.index()], centres[right.index()]);
             if (p.x - q.x).hypot(p.y - q.y) <= shortest || one_circle() {
@@ -240,8 +241,4 @@ impl Centres {
         let same = self.same[face.as_inner()?.index()] as usize;
         Some((same, self.centres[same]))
     }
-}
-
-fn coord(p: Point) -> robust::Coord<f64> {
-    robust::Coord { x: p.x, y: p.y }
 }

@@ -3,7 +3,7 @@
 //! Where two of three points are close to each other, or all are nearly on a line, the determinant of the three is nearly nothing compared with
 //! its products. Of the exact predicate only the sign is sure then, not the value, and centres would be off by metres.
 
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 /// A number as the sum of a double and of what rounding took off it.
 #[derive(Clone, Copy)]

@@ -2,10 +2,10 @@
 
 use super::error::VoronoiError;
 use crate::dcel::{Assembly, HalfEdge, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 use crate::map::PlanarMap;
 use crate::store::{BoundaryStart, VertexLink};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 
 /// The map of different points and of segments between them, which connect all points; none, unless it is plane with convex
 /// faces: every bounded face is convex, and what lies around all of them is the outside of a convex polygon or, if the

@@ -41,7 +41,7 @@
 //!
 //! ```
 //! use twinedge::algorithm::voronoi::{delaunay, voronoi};
-//! use twinedge::geometry::Point;
+//! use twinedge_geometry::Point;
 //!
 //! let sites = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0], [4.0, 4.0], [2.0, 2.0]].map(Point::from);
 //! let triangles = delaunay(&sites)?;
@@ -64,12 +64,12 @@ mod sites;
 pub use error::VoronoiError;
 
 use crate::dcel::{FaceKey, VertexKey};
-use crate::geometry::Point;
 use crate::map::PlanarMap;
 use crate::slots::Sets;
 use connected::{connected, half_edge, vertex};
 use sites::Sites;
 use spade::Triangulation as _;
+use twinedge_geometry::Point;
 
 /// A Delaunay triangulation.
 #[derive(Clone, Debug)]
@@ -137,7 +137,7 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
 ///
 /// ```
 /// use twinedge::algorithm::voronoi::{VoronoiError, voronoi, voronoi_merging};
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 ///
 /// // Three numbers next to each other: the borders between them would be rounded to the same number.
 /// let next = |steps: u64| Point::new(f64::from_bits(1.0_f64.to_bits() + steps), 0.0);

@@ -1,10 +1,10 @@
 //! The sites, and their triangulation.
 
 use super::error::VoronoiError;
-use crate::geometry::Point;
 use rustc_hash::FxHashMap;
 use spade::handles::UndirectedEdgeHandle;
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation as _, validate_vertex};
+use twinedge_geometry::Point;
 
 /// A place with one or more sites.
 #[derive(Clone, Copy, Debug)]

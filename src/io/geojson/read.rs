@@ -13,11 +13,11 @@ use serde_json::error::Category;
 
 use super::crs;
 use super::input::{self, Progress};
-use crate::geometry::Point;
 use crate::io::error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 use crate::io::properties::Properties;
 use crate::io::summary::ReadSummary;
 use crate::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 /// The number of GeoJSON objects in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,11 +1,11 @@
 //! Writing features.
 
-use crate::geometry::Point;
 use crate::io::write::{self, GeometryPiece, WriteError};
 use crate::map::Feature;
 use ::geojson::feature::Id;
 use ::geojson::{Error, Feature as Written, FeatureWriter, Geometry, GeometryValue, JsonObject, Position};
 use std::io::{self, Write};
+use twinedge_geometry::Point;
 
 /// Writes a feature collection.
 ///
@@ -20,7 +20,7 @@ use std::io::{self, Write};
 /// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
 ///
 /// ```
-/// use twinedge::geometry::Point;
+/// use twinedge_geometry::Point;
 /// use twinedge::map::{Feature, Shape};
 /// use twinedge::io::{ReadError, geojson};
 ///

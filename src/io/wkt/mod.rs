@@ -31,8 +31,8 @@ use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 use super::summary::ReadSummary;
 use super::unread::{unread_geometry, unread_in};
 use super::write::{self, GeometryPiece, WriteError};
-use crate::geometry::Point;
 use crate::map::{Feature, Shape};
+use twinedge_geometry::Point;
 
 /// Reads a map, handing the geometry of each line to `each` as a feature without a name.
 ///

@@ -11,14 +11,14 @@
 use super::error::BuildError;
 use super::gathered::{Dart, target};
 use crate::dcel::{Assembly, Dcel, RecordKind};
-use crate::geometry::Point;
-use crate::geometry::crossing::Clash;
-use crate::geometry::predicates::{compare_angle, compare_lexicographic};
-use crate::geometry::sweep::sweep_all;
-use crate::geometry::threads;
 use crate::slots::{NIL, Sets, cycles};
 use crate::store::{BoundaryStart, VertexLink};
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::crossing::Clash;
+use twinedge_geometry::predicates::{compare_angle, compare_lexicographic};
+use twinedge_geometry::sweep::sweep_all;
+use twinedge_geometry::threads;
 
 /// Fewer darts are not divided among threads.
 const MANY: usize = 1 << 14;

@@ -7,11 +7,6 @@ use super::error::BuildError;
 use super::gathered::GatheredFeatures;
 use super::rings::Ring;
 use crate::dcel::RecordKind;
-use crate::geometry::Point;
-use crate::geometry::crossing::{Clash, clashes};
-use crate::geometry::noding::NodingSummary;
-use crate::geometry::predicates::in_range;
-use crate::geometry::threads;
 use crate::map::feature::{Feature, Shape};
 use crate::map::index::KeptIndex;
 use crate::map::not_plane::NotPlane;
@@ -20,6 +15,11 @@ use crate::map::number_table::{NumberTable, hash};
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use crate::store::FeatureId;
+use twinedge_geometry::Point;
+use twinedge_geometry::crossing::{Clash, clashes};
+use twinedge_geometry::noding::NodingSummary;
+use twinedge_geometry::predicates::in_range;
+use twinedge_geometry::threads;
 
 /// The number of points of a chain that are looked up together.
 const LOOKED_UP: usize = 64;
@@ -73,7 +73,7 @@ impl Builder {
     /// Takes a feature. O(its points), expected.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::{BuildError, Builder, Feature, Shape};
     ///
     /// let peak = |x: f64, y: f64| Feature {
@@ -153,7 +153,7 @@ impl Builder {
     /// O(1).
     ///
     /// ```
-    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge_geometry::noding::Snap;
     /// use twinedge::map::{BuildError, Builder, Noding};
     ///
     /// let mut builder = Builder::new();
@@ -339,11 +339,11 @@ impl Builder {
     /// Cuts the segments where they meet, as [`Noding`] says, and builds the map. [`PlanarMap::noding`] counts what cutting
     /// did.
     ///
-    /// O(n log n) without noding; see [`noding`](crate::geometry::noding#cost) for what that adds.
+    /// O(n log n) without noding; see [`noding`](twinedge_geometry::noding#cost) for what that adds.
     /// With the feature `rayon`, the work is divided among the threads of its current pool; the map is the same.
     ///
     /// ```
-    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge_geometry::noding::Snap;
     /// use twinedge::map::{BuildError, Builder, Noding};
     ///
     /// let cross = || {

@@ -3,12 +3,12 @@
 use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeatures};
 use crate::dcel::RecordKind;
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::boxes::Boxes;
-use crate::geometry::noding::{NodingError, NodingSummary, Snap, node_numbered};
-use crate::geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::boxes::Boxes;
+use twinedge_geometry::noding::{NodingError, NodingSummary, Snap, node_numbered};
+use twinedge_geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
 
 /// The treatment of segments that meet elsewhere than at shared endpoints.
 ///
@@ -29,7 +29,7 @@ pub enum Noding {
     /// Segments are cut at the points of the input that lie on them, exactly. Nothing moves and no point is made, so two
     /// segments that cross where the input has no point are an error, [`BuildError::Crossing`].
     Exact,
-    /// Segments are cut wherever they meet, and everything is rounded to a grid, by [snap rounding](crate::geometry::noding). On
+    /// Segments are cut wherever they meet, and everything is rounded to a grid, by [snap rounding](twinedge_geometry::noding). On
     /// finite input this fails only if coordinates are out of reach of the grid.
     Snap(Snap),
 }
@@ -153,7 +153,7 @@ pub(crate) const fn usual_cuts(segments: usize) -> usize {
     segments.saturating_mul(16).saturating_add(1 << 20)
 }
 
-/// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](crate::geometry::noding).
+/// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](twinedge_geometry::noding).
 pub(super) fn snapped(
     points: Vec<Point>,
     segments: Vec<[u32; 2]>,
@@ -178,7 +178,8 @@ pub(super) fn snapped(
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
         NodingError::TooManyCuts { allowed } => BuildError::TooManyCuts { allowed },
-        NodingError::TooMany => BuildError::Full(RecordKind::Vertex),
+        // Too many segments.
+        _ => BuildError::Full(RecordKind::Vertex),
     })?;
     if noded.points.len().max(noded.segments.len()) >= 1 << 30 {
         return Err(BuildError::Full(RecordKind::Edge));

@@ -1,10 +1,10 @@
 //! Errors of the builder: a shape was refused, or no map could be built.
 
 use crate::dcel::RecordKind;
-use crate::geometry::Point;
 use crate::map::summary::Position;
 use core::fmt;
 use thiserror::Error;
+use twinedge_geometry::Point;
 
 /// The error of [`Builder`](crate::map::Builder): a shape was refused, or no map could be built.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]

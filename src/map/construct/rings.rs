@@ -1,9 +1,9 @@
 //! The shape of one ring: which way it turns, where it touches itself, where it turns straight back.
 
 use super::gathered::{Dart, origin, target};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 
 /// The half-edges of a ring before there are any, each with the place of the point where it starts.
 pub(super) struct Ring<'a> {

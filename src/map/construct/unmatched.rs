@@ -2,12 +2,12 @@
 
 use super::builder::Builder;
 use super::gathered::origin;
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::boxes::Boxes;
-use crate::geometry::predicates::{compare_lexicographic, on_segment};
 use crate::store::FeatureId;
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::boxes::Boxes;
+use twinedge_geometry::predicates::{compare_lexicographic, on_segment};
 
 /// A vertex of a feature's polygon in the interior of a segment of another feature's polygon, or of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Builder {
     /// O(n log n + k) for n segments and k pairs of a vertex and a segment whose bounding box has it, in practice: a tree of boxes gives no guarantee.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::{Builder, Shape};
     ///
     /// let mut builder = Builder::new();

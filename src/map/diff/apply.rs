@@ -5,7 +5,6 @@ use super::error::ApplyError;
 use super::ids::{Column, Ids, Index};
 use super::record::{Change, Record};
 use crate::dcel::{HalfEdge, HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
 use crate::map::PlanarMap;
 use crate::map::edit::EditError;
 use crate::map::feature_tries::SetId;
@@ -14,6 +13,7 @@ use crate::store::attributes::Kind;
 use slotmap::{Key, KeyData};
 use std::collections::{BTreeMap, BTreeSet};
 use std::mem;
+use twinedge_geometry::Point;
 
 impl Diff {
     /// Makes the first map the second one, up to keys: records that stay keep theirs, but for vertices that cannot move straight to where

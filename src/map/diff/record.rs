@@ -1,9 +1,9 @@
 //! Records by their ids, and what becomes of them.
 
-use crate::geometry::Point;
 use crate::store::attributes::Kind;
 use std::fmt;
 use std::mem;
+use twinedge_geometry::Point;
 
 /// A record by its id.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

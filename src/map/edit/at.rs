@@ -1,7 +1,7 @@
 //! A point for an edit, with what is known of where it lies.
 
 use crate::dcel::{HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 /// A point for an edit, with what is known of where it lies. Points, pairs of coordinates, vertices, and pairs of a point
 /// and a half-edge convert.

@@ -4,12 +4,12 @@ use super::at::At;
 use super::error::EditError;
 use super::outcome::Edited;
 use crate::dcel::{OperatorError, RecordKind, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Meeting, meeting};
-use crate::geometry::sweep::sweep_plane;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Meeting, meeting};
+use twinedge_geometry::sweep::sweep_plane;
 
 /// A chain of which is known that it crosses nothing.
 struct ChainPlan {

@@ -6,12 +6,12 @@ use super::move_vertex::in_triangle;
 use super::outcome::Edited;
 use crate::dcel::FaceKey;
 use crate::dcel::{HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Meeting, meeting};
-use crate::geometry::predicates::{Orientation, on_segment, orientation};
 use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 use crate::map::zone::{QueryLine, ZoneElement};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Meeting, meeting};
+use twinedge_geometry::predicates::{Orientation, on_segment, orientation};
 
 impl PlanarMap {
     /// Splits a face by the line through two points, wherever the line passes through the face.

@@ -5,13 +5,13 @@ use super::error::EditError;
 use super::outcome::Edited;
 use super::trace::Towards;
 use crate::dcel::{Corner, FaceKey, HalfEdge, HalfEdgeKey, Split, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::on_segment;
 use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 use crate::store::Room;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::on_segment;
 
 impl PlanarMap {
     /// Checks that there is room to draw straight edges through so many vertices, new or existing.

@@ -1,11 +1,11 @@
 //! Errors of edits.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::noding::NodingError;
 use crate::map::not_plane::NotPlane;
 use crate::store::FeatureId;
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::NodingError;
 
 /// The error of an edit. The map is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -100,7 +100,8 @@ impl EditError {
                 let Point { x, y } = at.point(segments, points).unwrap_or_default();
                 Self::OutOfReach { x, y }
             }
-            NodingError::TooMany | NodingError::TooManyCuts { .. } => OperatorError::Full(RecordKind::Vertex).into(),
+            // Too many segments or cuts.
+            _ => OperatorError::Full(RecordKind::Vertex).into(),
         }
     }
 }

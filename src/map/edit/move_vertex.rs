@@ -3,10 +3,10 @@
 use super::at::At;
 use super::error::EditError;
 use crate::dcel::{Face, HalfEdge, Vertex, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Meeting, Orientation, meeting, on_segment, orientation};
 use crate::map::index::{TreeRecord, is_small};
 use crate::map::planar_map::PlanarMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Meeting, Orientation, meeting, on_segment, orientation};
 
 impl PlanarMap {
     /// Moves a vertex, and with it the ends of its edges, straight to another point. Nothing changes but coordinates.
@@ -26,7 +26,7 @@ impl PlanarMap {
     /// in the box around what is swept over, and what the index takes to find them.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::PlanarMap;
     /// use twinedge::map::edit::EditError;
     ///

@@ -4,12 +4,12 @@ use super::error::EditError;
 use crate::dcel::{
     Connected, Corner, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, RemovedEdge, Split, SplitEdge, VertexKey,
 };
-use crate::geometry::Point;
 use crate::map::feature_sets::put;
 use crate::map::feature_tries::SetId;
 use crate::map::index::IndexedEdge;
 use crate::map::notes::MapEntry;
 use crate::map::planar_map::PlanarMap;
+use twinedge_geometry::Point;
 
 impl PlanarMap {
     /// Adds an isolated vertex at a point in the interior of a face.

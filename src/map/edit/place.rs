@@ -3,13 +3,13 @@
 use super::at::At;
 use super::error::EditError;
 use crate::dcel::{FaceKey, HalfEdge, Vertex};
-use crate::geometry::Point;
-use crate::geometry::predicates::in_range;
 use crate::map::index::is_small;
 use crate::map::locate::in_face::locate_in_face;
 use crate::map::locate::located::Located;
 use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 impl PlanarMap {
     /// Refuses a map that is not plane.

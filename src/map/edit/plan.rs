@@ -3,10 +3,10 @@
 use super::error::EditError;
 use super::region::Region;
 use crate::dcel::VertexKey;
-use crate::geometry::Point;
-use crate::geometry::noding::Noded;
-use crate::geometry::predicates::in_range;
 use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Noded;
+use twinedge_geometry::predicates::in_range;
 
 /// The vertices along a segment, by their numbers in the noded drawing.
 pub(super) type Chain = Vec<u32>;

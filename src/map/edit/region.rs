@@ -2,14 +2,14 @@
 
 use super::error::EditError;
 use crate::dcel::{Face, FaceKey, HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::noding::{Noded, Snap, node};
-use crate::geometry::predicates::{Meeting, meeting};
 use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rstar::{AABB, RTree, primitives::Rectangle};
 use rustc_hash::FxHashSet;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Noded, Snap, node};
+use twinedge_geometry::predicates::{Meeting, meeting};
 
 /// An edge of the region, before anything changes.
 #[derive(Clone, Copy)]
@@ -79,7 +79,7 @@ impl PlanarMap {
     /// boundaries; and the noded drawing, of the segment first and then of the edges that are near, in order.
     ///
     /// What lies beyond need not be looked at. Noding deforms a drawing without anything ever passing anything else
-    /// ([`noding`](crate::geometry::noding)), so what is deformed stays inside the unchanged edges around it, and the region
+    /// ([`noding`](twinedge_geometry::noding)), so what is deformed stays inside the unchanged edges around it, and the region
     /// grows until all edges on its border are unchanged. And since a chain stays within `(rounds + 1) / 2` cells of its
     /// segment in each direction, and visits pixels within half a cell of itself, what is a few cells more away from the
     /// segment and from all edges that change has no part in it.

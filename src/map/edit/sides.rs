@@ -12,13 +12,13 @@
 
 use super::error::EditError;
 use crate::dcel::{Boundary, BoundaryKey, Face, HalfEdge, OperatorError, RecordKind, Side, Vertex};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
-use crate::geometry::sweep::sweep;
 use crate::map::index::{BoxedRecord, TreeRecord, is_small};
 use crate::map::planar_map::PlanarMap;
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
+use twinedge_geometry::sweep::sweep;
 
 /// One of the two cycles into which a new edge splits a cycle.
 struct CyclePart<'a> {

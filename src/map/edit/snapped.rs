@@ -6,13 +6,13 @@ use super::outcome::Edited;
 use super::plan::{EdgeChange, SnapPlan};
 use super::trace::Towards;
 use crate::dcel::{HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::noding::{Snap, node};
-use crate::geometry::predicates::MIN_COORDINATE;
 use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Snap, node};
+use twinedge_geometry::predicates::MIN_COORDINATE;
 
 impl PlanarMap {
     /// Inserts a segment, cutting what it crosses, with all new vertices rounded to a grid.
@@ -25,7 +25,7 @@ impl PlanarMap {
     ///        ╱ │                  ·╱  │
     /// ```
     ///
-    /// The outcome is that of [noding](crate::geometry::noding) the segment together with all edges and vertices of the map: its
+    /// The outcome is that of [noding](twinedge_geometry::noding) the segment together with all edges and vertices of the map: its
     /// ends go to the nearest grid points; each crossing becomes a vertex on the grid; the segment, and any edge, is bent
     /// through each vertex whose pixel it visits; a segment that ends up as one point leaves a vertex. What that
     /// guarantees is said there. No vertex of the map moves, none changes sides, and [`Edited::way`] runs within about a
@@ -33,7 +33,7 @@ impl PlanarMap {
     /// one, and slivers of faces between them are gone.
     ///
     /// All vertices of the map must be on the grid, and are where the map was built from what noding gave, with
-    /// [`Snap::Size`] of its [`NodingSummary::cell`](crate::geometry::noding::NodingSummary::cell), or was drawn on by this edit alone.
+    /// [`Snap::Size`] of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or was drawn on by this edit alone.
     /// (Only those near enough to be looked at are held against it.) [`Snap::Auto`] is the grid for the largest coordinate of
     /// the map and the segment, so it is the same as before only as long as that is.
     ///
@@ -48,8 +48,8 @@ impl PlanarMap {
     /// edge are noded. With [`Snap::Auto`], O(vertices) besides.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
-    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge_geometry::Point;
+    /// use twinedge_geometry::noding::Snap;
     /// use twinedge::map::PlanarMap;
     ///
     /// let mut map = PlanarMap::new();
@@ -89,17 +89,15 @@ impl PlanarMap {
 
     /// The width of a cell, whatever part of the map is noded. One that is asked for is only rounded down, if it is one.
     fn cell(&self, snap: Snap, ends: [Point; 2]) -> Result<f64, EditError> {
-        match snap {
-            Snap::Size(size) => Ok(size),
-            Snap::Auto => {
-                let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
-                let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
-                // The predicates must be exact on grid points, too.
-                let corner = [Point::new(largest, 0.0)];
-                let noded = node(&[], &corner, snap).map_err(|error| EditError::of_noding(error, &[], &corner))?;
-                Ok(noded.summary.cell.max(MIN_COORDINATE))
-            }
+        if let Snap::Size(size) = snap {
+            return Ok(size);
         }
+        let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
+        let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
+        // The predicates must be exact on grid points, too.
+        let corner = [Point::new(largest, 0.0)];
+        let noded = node(&[], &corner, snap).map_err(|error| EditError::of_noding(error, &[], &corner))?;
+        Ok(noded.summary.cell.max(MIN_COORDINATE))
     }
 
     fn apply(&mut self, plan: &mut SnapPlan, start: Located) -> Result<Edited, EditError> {

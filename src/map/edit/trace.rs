@@ -2,10 +2,6 @@
 
 use super::error::EditError;
 use crate::dcel::{Face, FaceKey, HalfEdge, Vertex, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::{
-    Endpoint, Meeting, Orientation, compare_angle, compare_lexicographic, meeting, on_segment, orientation,
-};
 use crate::map::index::{is_hub, is_small};
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
@@ -15,6 +11,10 @@ use crate::map::zone::selection::each_event;
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{
+    Endpoint, Meeting, Orientation, compare_angle, compare_lexicographic, meeting, on_segment, orientation,
+};
 
 /// The way of a segment that crosses nothing.
 pub(super) struct Trace {

@@ -6,10 +6,10 @@
 
 use super::tree::{BoxedRecord, RecordTree};
 use crate::dcel::{HalfEdge, Vertex};
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_angle;
 use core::cmp::Ordering;
 use std::collections::BTreeSet;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_angle;
 
 /// A direction from a point, by another point in that direction. Those of one hub have one centre.
 ///

@@ -18,7 +18,6 @@ mod tree;
 mod tests;
 
 use crate::dcel::{Boundary, Dcel, HalfEdge, Vertex};
-use crate::geometry::Point;
 use hubs::Hub;
 use limits::HUB;
 pub(super) use limits::{is_hub, is_small};
@@ -27,6 +26,7 @@ use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 use tree::RecordTree;
 pub(super) use tree::{BoxedRecord, TreeRecord};
+use twinedge_geometry::Point;
 
 /// The trees of a map. Points are given by index of vertex.
 #[derive(Clone)]

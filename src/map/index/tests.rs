@@ -4,12 +4,12 @@
 
 use super::{BoxedRecord, RecordIndex, is_hub};
 use crate::dcel::History;
-use crate::geometry::Point;
-use crate::geometry::predicates::{Meeting, meeting};
 use crate::map::program::{EditOutcome, EditProgram, EditRunner};
 use crate::map::{LocateError, Located, Locator, PlanarMap};
 use crate::validate::Embedding;
 use quickcheck::{QuickCheck, TestResult};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Meeting, meeting};
 
 /// All records of an index, in order.
 fn records(index: &RecordIndex) -> Vec<BoxedRecord> {

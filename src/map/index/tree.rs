@@ -1,8 +1,8 @@
 //! The boxes around the edges and isolated vertices of a map, in an R-tree.
 
 use crate::dcel::{HalfEdge, Vertex};
-use crate::geometry::Point;
 use rstar::{AABB, Envelope, PointDistance, RTree, RTreeNode, RTreeObject, SelectionFunction};
+use twinedge_geometry::Point;
 
 /// Edges and isolated vertices by the boxes around them.
 #[derive(Clone)]

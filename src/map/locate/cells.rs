@@ -1,11 +1,11 @@
 //! A grid over the map, which answers most searches without the graph.
 
 use super::graph::{Graph, GraphHit, Stage};
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::predicates::{Orientation, in_range, orientation};
 use alloc::vec;
 use alloc::vec::Vec;
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::predicates::{Orientation, in_range, orientation};
 
 /// The greatest average number of marks per cell; beyond it the grid is given up.
 const MAX_MARKS_PER_CELL: usize = 16;

@@ -3,11 +3,12 @@
 
 use super::slabs::{Slab, Slabs};
 use super::trapezoids::{Drawing, GraphError, search_graph};
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
-use crate::geometry::threads;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
+use twinedge_geometry::steps::count_step;
+use twinedge_geometry::threads;
 
 /// Marks the number of a face among those of questions, and the number of a point among those of segments.
 const MARK: u32 = 1 << 31;

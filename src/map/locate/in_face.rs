@@ -2,11 +2,11 @@
 
 use super::located::Located;
 use crate::dcel::{Face, HalfEdge, Vertex};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// Returns the location of a point in this face or on its boundary; none if it lies elsewhere. O(size of the boundary).
 pub(in crate::map) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) -> Option<Located> {

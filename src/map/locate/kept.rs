@@ -5,8 +5,6 @@
 
 use super::located::{LocateError, Located, check_range};
 use crate::dcel::{Face, HalfEdge};
-use crate::geometry::Point;
-use crate::geometry::predicates::{compare_lexicographic, in_range};
 use crate::map::edit::trace::Towards;
 use crate::map::index::{BoxedRecord, TreeRecord};
 use crate::map::not_plane::NotPlane;
@@ -15,6 +13,8 @@ use crate::map::zone::QueryLine;
 use crate::map::zone::line::{EventRecord, Line, LineEvent, LinePlace};
 use crate::map::zone::selection::each_event;
 use crate::validate::Embedding;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{compare_lexicographic, in_range};
 
 impl PlanarMap {
     /// Returns the location of a point, for a map that changes between questions. An edge is named by the half-edge that runs to
@@ -26,7 +26,7 @@ impl PlanarMap {
     /// no such worst case, and borrows the map.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::{Located, PlanarMap};
     ///
     /// let mut map = PlanarMap::new();

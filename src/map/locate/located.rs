@@ -1,10 +1,10 @@
 //! The answer to where a point lies, and why there may be none.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
-use crate::geometry::Point;
-use crate::geometry::predicates::in_range;
 use crate::map::not_plane::NotPlane;
 use thiserror::Error;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// The location of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

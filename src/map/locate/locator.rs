@@ -5,14 +5,14 @@ use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
 use super::trapezoids::{Drawing, GraphError};
 use crate::dcel::Vertex;
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::curve::Curve;
-use crate::geometry::predicates::compare_lexicographic;
-use crate::geometry::threads;
 use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::Bounds;
+use twinedge_geometry::curve::Curve;
+use twinedge_geometry::predicates::compare_lexicographic;
+use twinedge_geometry::threads;
 
 /// An index of a map: where points lie, and what lines meet.
 ///
@@ -98,7 +98,7 @@ impl<'m> Locator<'m> {
     /// expected.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::{Located, Locator, PlanarMap};
     ///
     /// let mut map = PlanarMap::new();

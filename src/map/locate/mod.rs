@@ -16,7 +16,7 @@
 //! ```
 //!
 //! ```
-//! use twinedge::geometry::Point;
+//! use twinedge_geometry::Point;
 //! use twinedge::map::{Builder, Located, Locator, Shape};
 //!
 //! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
@@ -44,7 +44,6 @@
 //! where in the graph the ways of its points part. The worst case is that of the graph: the grid has one number per cell and
 //! no lists.
 
-mod bounds;
 mod cells;
 mod graph;
 pub(in crate::map) mod in_face;

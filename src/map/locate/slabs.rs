@@ -16,8 +16,8 @@
 
 use super::lists::Lists;
 use super::trapezoids::Drawing;
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// About how many vertices a slab has at least.
 const LEAST: usize = 512;

@@ -14,7 +14,7 @@
 //! this segment?") whose answers are the pieces. A piece may come from several trapezoids, so the graph is no tree; that
 //! keeps it of linear size.
 //!
-//! As in the [sweep](mod@crate::geometry::sweep), the walls lean a little, so that vertices are met in lexicographic order and
+//! As in the [sweep](mod@twinedge_geometry::sweep), the walls lean a little, so that vertices are met in lexicographic order and
 //! nothing is vertical. No case is left over.
 //!
 //! *Cost.* On average over the orders, a segment cuts O(1) trapezoids and a question is asked O(log n) times on the way to
@@ -34,11 +34,11 @@
 //! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
 //! Computational Geometry 2003, 211-219.
 
-use super::bounds::is_before;
 use super::lists::Lists;
-use crate::geometry::Point;
-use crate::geometry::bounds::Bounds;
-use crate::geometry::predicates::{Orientation, count_step, orientation};
+use twinedge_geometry::Point;
+use twinedge_geometry::bounds::{Bounds, is_before};
+use twinedge_geometry::predicates::{Orientation, orientation};
+use twinedge_geometry::steps::count_step;
 
 /// No vertex, or no trapezoid. Links of no trapezoid are written and mean nothing.
 const NO_VERTEX: u32 = u32::MAX;

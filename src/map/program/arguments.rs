@@ -1,11 +1,11 @@
 //! Arguments of edits: numbers of records, points, grids, features.
 
-use crate::geometry::Point;
-use crate::geometry::noding::Snap;
 use crate::program::choose::Choose;
 use crate::program::language::{Argument, Numbered, Variant, smaller_masks, write_mask};
 use crate::program::text::{Expected, ParseError, Words, mask};
 use core::fmt;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The lists in which numbers count: keys by kind, those that are there and those that were removed.
 #[derive(Clone, Copy, Debug)]

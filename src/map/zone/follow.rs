@@ -2,9 +2,9 @@
 
 use super::line::{EventRecord, Line, LineEvent, LinePiece, LinePlace};
 use super::query::ZoneElement;
-use crate::geometry::Point;
 use crate::map::locate::located::LocateError;
 use crate::map::planar_map::PlanarMap;
+use twinedge_geometry::Point;
 
 /// The beginning of a zone: an event, or the inside of a piece, with its place unless that is infinitely far.
 #[derive(Clone, Copy)]

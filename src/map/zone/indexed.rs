@@ -4,11 +4,11 @@ use super::follow::{ZoneStart, follow};
 use super::line::{Line, LinePiece, LinePlace};
 use super::query::{QueryLine, ZoneElement};
 use super::selection::each_event;
-use crate::geometry::Point;
 use crate::map::locate::located::{LocateError, Located, check_range};
 use crate::map::locate::locator::Locator;
 use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
+use twinedge_geometry::Point;
 
 impl Locator<'_> {
     /// The elements that a line meets, in order. A face is listed again whenever it is entered again.
@@ -23,7 +23,7 @@ impl Locator<'_> {
     /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are the same; use [`Locator::locate`] then.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::{Builder, Locator, ZoneElement, Shape, QueryLine};
     ///
     /// let mut builder = Builder::new();
@@ -50,7 +50,7 @@ impl PlanarMap {
     /// it begins is found by [`PlanarMap::locate`].
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::map::{PlanarMap, QueryLine, ZoneElement};
     ///
     /// let mut map = PlanarMap::new();

@@ -4,11 +4,11 @@
 //! compared by asking on which side of one edge the ends of the other lie, which is exact.
 
 use crate::dcel::{Face, HalfEdge, Vertex};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// The line through two different points, directed from the one to the other.
 #[derive(Clone, Copy)]

@@ -1,7 +1,7 @@
 //! The arguments of a question about a line, and the parts of the answer.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 /// A straight way through the plane, with a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]

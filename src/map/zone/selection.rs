@@ -2,11 +2,11 @@
 
 use super::line::{Line, LineEvent};
 use super::query::QueryLine;
-use crate::geometry::Point;
-use crate::geometry::predicates::Orientation;
 use crate::map::index::{BoxedRecord, TreeRecord};
 use crate::map::planar_map::PlanarMap;
 use rstar::{AABB, RTreeObject, SelectionFunction};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::Orientation;
 
 /// Visits every record that the line meets in one point and whose box the query meets. Some are visited twice; those beyond
 /// the ends of the query may be among them. The edges of hubs at certain points may be left out.

@@ -1,10 +1,10 @@
 //! Cuts that were saved: their points are those of the grid, and no chain turns back, so that to follow chains comes to an end.
 
 use super::{Cuts, Found, Key, ROUNDS, is_way, key, unsigned};
-use crate::geometry::Point;
 use crate::tile::ends::{Ends, compare_edges, compare_points};
 use core::cmp::Ordering;
 use thiserror::Error;
+use twinedge_geometry::Point;
 
 type Chains = Vec<(Ends, Vec<Point>)>;
 

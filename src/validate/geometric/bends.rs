@@ -1,11 +1,11 @@
 //! The bends of all edges as one column, each edge once.
 
 use super::reserved::reserved;
-use crate::geometry::Point;
 use crate::validate::columns::NIL;
 use crate::validate::report::Unchecked;
 use crate::validate::structure::Embedding;
 use core::ops::Range;
+use twinedge_geometry::Point;
 
 /// The bends of the edges, in the direction of the half-edge with the smaller index.
 #[derive(Default)]

@@ -6,12 +6,12 @@
 
 use super::bends::{Bends, asked};
 use super::reserved::reserved;
-use crate::geometry::Point;
 use crate::validate::columns::NIL;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
 use crate::validate::structure::Embedding;
 use core::ops::Range;
+use twinedge_geometry::Point;
 
 /// Links and points, by slots.
 pub(in crate::validate) struct Columns {

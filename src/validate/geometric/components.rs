@@ -1,10 +1,10 @@
 //! The components of an embedding, each with its lexicographically smallest vertex and bend.
 
 use super::columns::Columns;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::slots::{NIL, Sets};
 use crate::validate::report::Unchecked;
 use core::cmp::Ordering;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// The components of an embedding.
 pub(in crate::validate) struct Components {

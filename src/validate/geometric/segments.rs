@@ -1,12 +1,12 @@
 //! The edges of an embedding as segments, for the sweep. An edge with bends is several.
 
 use super::columns::Columns;
-use crate::geometry::Point;
-use crate::geometry::crossing::Clash;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::validate::columns::NIL;
 use crate::validate::report::Violation;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::crossing::Clash;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// The embedding in the form that the sweep takes: live vertices only, then the bends, and each edge once.
 pub(in crate::validate) struct Segments {

@@ -2,9 +2,9 @@
 
 use super::record::Record;
 use super::violation::Violation;
-use crate::geometry::{MAX_COORDINATE, Point};
 use crate::validate::structure::{Embedding, Start};
 use alloc::vec::Vec;
+use twinedge_geometry::{MAX_COORDINATE, Point};
 
 /// The records of a violation as points, to show where it is: ends of half-edges, places of vertices. Of an edge with bends, the
 /// bends and the ends of the segments that the violation names.

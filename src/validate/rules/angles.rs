@@ -3,13 +3,13 @@
 //! Turning clockwise once around a vertex, the angle rises exactly once. The direction of an edge with bends is that to the nearest
 //! bend.
 
-use crate::geometry::predicates::compare_angle;
 use crate::validate::columns::NIL;
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
 use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
 use core::cmp::Ordering;
+use twinedge_geometry::predicates::compare_angle;
 
 /// Runs G2.
 pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns) -> Flow {

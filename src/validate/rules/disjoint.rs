@@ -1,7 +1,5 @@
 //! G4 disjoint: edges meet only at shared endpoints.
 
-use crate::geometry::crossing::clashes;
-use crate::geometry::sweep::sweep_plane;
 use crate::validate::columns::NIL;
 use crate::validate::findings::{Findings, Halt};
 use crate::validate::geometric::columns::Columns;
@@ -9,6 +7,8 @@ use crate::validate::geometric::components::Components;
 use crate::validate::geometric::segments::Segments;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
+use twinedge_geometry::crossing::clashes;
+use twinedge_geometry::sweep::sweep_plane;
 
 /// Runs G4, and gives the segment below the smallest point of each component. None if G4 is broken or there are too many segments.
 pub(in crate::validate) fn check(

@@ -3,11 +3,11 @@
 //! A coordinate is also refused if it is out of the range in which the predicates are exact. Of an edge with bends no segment has
 //! zero length.
 
-use crate::geometry::predicates::in_range;
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
 use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
+use twinedge_geometry::predicates::in_range;
 
 /// Runs G1.
 pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns) -> Flow {

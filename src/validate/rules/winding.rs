@@ -1,7 +1,5 @@
 //! G3 winding: outer cycles turn counter-clockwise, inner ones clockwise.
 
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
 use crate::validate::geometric::lists::{Listed, Lists};
@@ -9,6 +7,8 @@ use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
 use crate::validate::structure::Start;
 use core::cmp::Ordering;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// Runs G3.
 pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns, lists: &Lists) -> Flow {

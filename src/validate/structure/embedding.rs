@@ -2,7 +2,7 @@
 
 use super::only::Only;
 use super::view::View;
-use crate::geometry::Point;
+use twinedge_geometry::Point;
 
 /// A structure whose vertices have coordinates.
 pub trait Embedding: View {
@@ -22,7 +22,7 @@ pub trait Embedding: View {
     /// numbers below [`bends`](Self::bends) only.
     ///
     /// ```
-    /// use twinedge::geometry::Point;
+    /// use twinedge_geometry::Point;
     /// use twinedge::validate::{Collect, Embedding, Expectation, Link, Parts, View, Violation, validate_embedding};
     ///
     /// /// One edge from (0, 0) to (4, 0), drawn as a line with bends.

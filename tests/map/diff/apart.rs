@@ -3,10 +3,10 @@
 use super::Named;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::Face;
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::diff::{ApplyError, MergeError, Record, merge};
 use twinedge::program::choose::{Choose, Random};
+use twinedge_geometry::Point;
 
 /// Numbers the vertices anew, in an order that the source chooses.
 fn numbered(map: &mut PlanarMap, by: Named, source: &mut impl Choose) {

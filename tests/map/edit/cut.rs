@@ -4,11 +4,11 @@ use quickcheck::{Arbitrary as _, Gen};
 use twinedge::algorithm::area::face_area;
 use twinedge::dcel::History;
 use twinedge::dcel::{FaceKey, Faces, OperatorError, Policy, Vertex};
-use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::edit::EditError;
 use twinedge::map::program::{EditProgram, EditRunner};
 use twinedge::program::choose::{Choose, Random};
+use twinedge_geometry::Point;
 
 fn ring(map: &mut PlanarMap, points: &[[f64; 2]]) -> FaceKey {
     map.insert_ring(points.iter().copied()).unwrap().faces_split[0].1

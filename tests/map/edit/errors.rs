@@ -2,9 +2,9 @@
 
 use crate::edit::describe::{dump, grid};
 use twinedge::dcel::{HalfEdgeKey, OperatorError, StaleKey, VertexKey};
-use twinedge::geometry::noding::Snap;
 use twinedge::map::edit::EditError;
 use twinedge::map::{Builder, PlanarMap};
+use twinedge_geometry::noding::Snap;
 
 /// A square with a vertex in it: its half-edges from (0, 0) on, counter-clockwise, and the vertex.
 fn square() -> (PlanarMap, Vec<HalfEdgeKey>, VertexKey) {

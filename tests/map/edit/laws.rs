@@ -6,9 +6,9 @@ use crate::edit::model::{Model, sorted};
 use crate::support::exact::{Grid, Meets, meets, point};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::{HalfEdgeKey, VertexKey};
-use twinedge::geometry::Point;
 use twinedge::map::edit::{EditError, Edited};
 use twinedge::map::{Builder, PlanarMap, Shape};
+use twinedge_geometry::Point;
 
 /// The number of places in each direction: few, so that much meets.
 const SIDE: u8 = 7;

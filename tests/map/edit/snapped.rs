@@ -6,10 +6,10 @@ use crate::support::exact::{Grid, point};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::Face;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{Noded, Snap, node};
 use twinedge::map::edit::EditError;
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Noded, Snap, node};
 
 const GRID: Snap = Snap::Size(1.0);
 

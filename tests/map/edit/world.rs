@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 use twinedge::dcel::{Face, HalfEdge};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{Snap, node};
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Snap, node};
 
 /// The world, with its points rounded to the grid of this size.
 fn world() -> (PlanarMap, Snap) {

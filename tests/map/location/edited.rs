@@ -4,9 +4,9 @@ use crate::location::maps::{point, quickcheck};
 use crate::location::points::same_edge;
 use crate::support::edits::{EvenEdits, Place, SIDE};
 use crate::support::oracle::{Plain, whole};
-use twinedge::geometry::Point;
 use twinedge::map::program::EditRunner;
 use twinedge::map::{Located, Locator, PlanarMap, QueryLine};
+use twinedge_geometry::Point;
 
 /// Asks in every way.
 fn ask(map: &PlanarMap, from: Point, to: Point) {

@@ -1,8 +1,8 @@
 //! Families of maps that are hard on one index or another.
 
 use crate::location::maps::{Random, build};
-use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator, PlanarMap, QueryLine, ZoneElement};
+use twinedge_geometry::Point;
 
 type Segments = Vec<[[f64; 2]; 2]>;
 

@@ -2,8 +2,8 @@
 
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::Plain;
-use twinedge::geometry::Point;
 use twinedge::map::{Builder, LocateError, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
+use twinedge_geometry::Point;
 
 /// Returns an end for a query: on the grid of the vertices more often than not.
 fn place(x: u8, y: u8) -> Point {

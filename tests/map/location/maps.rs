@@ -1,10 +1,10 @@
 //! Maps to ask about.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{Snap, node};
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, PlanarMap};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Snap, node};
 
 pub(crate) fn quickcheck(tests: u64, property: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(40, 1991)).tests(tests).quickcheck(property);

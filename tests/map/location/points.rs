@@ -4,9 +4,9 @@ use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110
 use crate::support::oracle::{Plain, whole};
 use std::collections::HashMap;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::predicates::{Orientation, compare_lexicographic, on_segment, orientation};
-use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::{Builder, LocateError, Located, Locator, PlanarMap, Shape};
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, on_segment, orientation};
+use twinedge_geometry::{MAX_COORDINATE, Point};
 
 /// Every point of a grid twice as fine, and a little beyond, is where every edge and every vertex says.
 fn grid_maps(drawing: Drawing) -> bool {

@@ -4,9 +4,9 @@ use crate::error::CallError;
 use serde::Deserialize;
 use serde_json::Value;
 use twinedge::algorithm::coverage::Limits;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
 use twinedge_formats::mesh::HalfEdgeMesh;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 use twinedge_report::{Accepted, CoverageOptions, MapOptions, Options};
 
 /// A grid: `"auto"`, or the greatest width of its cells.

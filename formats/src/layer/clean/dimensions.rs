@@ -4,8 +4,8 @@ use super::super::model::{Feature, Geometry, Line, Position};
 use super::restored::key;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::NodingSummary;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::NodingSummary;
 
 type Key = (u64, u64);
 type Known = FxHashMap<Key, Box<[f64]>>;

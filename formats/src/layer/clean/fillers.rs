@@ -7,8 +7,8 @@
 //! ```
 
 use twinedge::algorithm::coverage::Finding;
-use twinedge::geometry::Point;
 use twinedge::map::Shape;
+use twinedge_geometry::Point;
 
 /// A little more than the width, as places on borders are rounded.
 const TOLERANCE: f64 = 1.0 + 1e-9;

@@ -5,9 +5,9 @@ use super::report::AddedVertex;
 use super::restored::key;
 use rustc_hash::FxHashMap;
 use twinedge::algorithm::coverage::{CoverageError, mismatches};
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::compare_lexicographic;
 use twinedge::map::{PlanarMap, UnmatchedVertex};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 type Key = (u64, u64);
 

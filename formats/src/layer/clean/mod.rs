@@ -36,10 +36,10 @@ use std::borrow::Cow;
 use twinedge::algorithm::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
 use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects, insert_touches};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{NodingSummary, Snap};
 
 pub use gaps_to::{GapsTo, GapsToError};
 pub use neighbourhoods::{Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods};
@@ -81,7 +81,7 @@ pub enum CleanError {
 }
 
 /// Cleans a layer in place, and reports what was done. O(n log n) for most layers; see
-/// [`twinedge::algorithm::clean::clean`] and [noding](twinedge::geometry::noding#cost).
+/// [`twinedge::algorithm::clean::clean`] and [noding](twinedge_geometry::noding#cost).
 ///
 /// Cleaning the result again changes nothing.
 ///

@@ -24,8 +24,8 @@ use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
 
 /// The margin around windows, by the largest coordinate: 64 cells of the finest grid.
 const MARGIN: f64 = 64.0 / Snap::AUTO_CELLS as f64;
@@ -323,7 +323,7 @@ fn grown([low, high]: [Point; 2], largest: f64) -> [Point; 2] {
 }
 
 fn compare(a: Point, b: Point) -> std::cmp::Ordering {
-    twinedge::geometry::predicates::compare_lexicographic(a, b)
+    twinedge_geometry::predicates::compare_lexicographic(a, b)
 }
 
 /// Gives the features of a part the numbers that they have in the whole.

@@ -6,8 +6,8 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 use twinedge::algorithm::area::ring_area;
 use twinedge::algorithm::contour::Polygon;
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Orientation, compare_lexicographic, orientation};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// The rings of a polygon, the outer one first.
 pub(super) type Rings = Vec<Vec<Point>>;

@@ -4,11 +4,11 @@ use super::super::model::Geometry;
 use twinedge::algorithm::area::{face_area, ring_area};
 use twinedge::algorithm::clean::{Change, ChangeKind, ChosenWidth};
 use twinedge::algorithm::coverage::{CoverageRule, Defect, DefectKind, Finding, defects, faces_of};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::{NodingSummary, Snap};
-use twinedge::geometry::predicates::compare_lexicographic;
 use twinedge::map::{self, Builder, FeatureId, Noding, Shape};
 use twinedge::tile::Outcome;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{NodingSummary, Snap};
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// The report of cleaning. Areas and widths are in the units of the coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]

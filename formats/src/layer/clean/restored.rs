@@ -4,8 +4,8 @@ use super::super::model::Feature;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 use twinedge::algorithm::contour::Polygon;
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::NodingSummary;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::NodingSummary;
 
 /// The bits of the coordinates, −0 as 0.
 pub(super) fn key(x: f64, y: f64) -> (u64, u64) {

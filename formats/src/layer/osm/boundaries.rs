@@ -11,7 +11,7 @@ use rustc_hash::FxHashSet;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::path::Path;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The boundaries of a file.
 #[derive(Clone, Debug)]

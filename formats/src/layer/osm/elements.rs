@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use twinedge::geometry::Point;
+use twinedge_geometry::Point;
 
 /// The error of reading a file of `OpenStreetMap`.
 #[derive(Debug, thiserror::Error)]

@@ -14,8 +14,8 @@
 use super::elements::Role;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::VecDeque;
-use twinedge::geometry::Point;
-use twinedge::geometry::predicates::{Orientation, compare_angle, orientation};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 
 /// A way that is a member, with two or more nodes.
 #[derive(Clone, Debug)]

@@ -9,8 +9,8 @@ use super::topology::{ArcTopology, NIL};
 use rustc_hash::FxHashMap;
 use serde_json::Value as Json;
 use std::io::Read;
-use twinedge::geometry::Point;
 use twinedge::io::MAX_NESTED_COLLECTIONS;
+use twinedge_geometry::Point;
 
 /// Reads the arcs, and how the object of this name, or the only one, is made of them. Of each rule A0 … A3 up to `limit` findings
 /// are kept; all are counted. The other objects are held to A1, and count for A3.

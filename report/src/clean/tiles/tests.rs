@@ -10,9 +10,9 @@ use std::fs;
 use std::io;
 use std::path::Path;
 use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
-use twinedge::geometry::Point;
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport};
 use twinedge_formats::layer::{Feature, GeoJsonFile, ReadOptions, read_layer};
+use twinedge_geometry::Point;
 
 type Ring = Vec<[f64; 2]>;
 

@@ -2,9 +2,9 @@
 
 use super::containers;
 use crate::algorithm::coverage::rings::{Ring, with_index};
-use crate::geometry::Point;
 use quickcheck::{Gen, QuickCheck};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use twinedge_geometry::Point;
 
 static APART: AtomicUsize = AtomicUsize::new(0);
 static NESTED: AtomicUsize = AtomicUsize::new(0);

@@ -1,7 +1,7 @@
 //! Tests of `trace`.
 
-use crate::geometry::predicates::steps_of;
 use crate::map::planar_map::PlanarMap;
+use twinedge_geometry::steps::steps_of;
 
 #[test]
 fn a_face_is_looked_at_once_however_many_vertices_are_on_the_way() {

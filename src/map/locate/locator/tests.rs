@@ -1,8 +1,8 @@
 //! The work of the search graph, counted in steps and not in seconds.
 
 use super::*;
-use crate::geometry::predicates::steps_of;
 use crate::map::{Builder, Shape};
+use twinedge_geometry::steps::steps_of;
 
 type Segments = Vec<[[f64; 2]; 2]>;
 

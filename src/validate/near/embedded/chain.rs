@@ -1,10 +1,11 @@
 //! The number of times that closed walks go around a point that is as close to a half-edge as can be.
 
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use core::cmp::Ordering;
 use rstar::{AABB, RTree, RTreeObject};
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
+use twinedge_geometry::steps::count_step;
 
 /// A point infinitely close to the beginning of a half-edge, on it, and then infinitely less far to its left.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use super::drawn::{Drawn, Thing};
 use super::tree::DrawnTrees;
-use crate::geometry::predicates::{Meeting, meeting, on_segment};
+use twinedge_geometry::predicates::{Meeting, meeting, on_segment};
 
 /// Returns true if all that has come, which is in the trees already, meets the rest at shared vertices only.
 pub(super) fn is_disjoint(come: &[Drawn], trees: &DrawnTrees) -> bool {

@@ -1,13 +1,13 @@
 //! A drawing before a change and after it, and what differs.
 
 use super::drawn::{Drawn, InnerStart, Line, Update};
-use crate::geometry::Point;
-use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
 use crate::validate::near::column::{Row, TIMES, Time};
 use crate::validate::near::diff::Diff;
 use crate::validate::near::links::{Face, HalfEdge, Label, Vertex, index};
 use crate::validate::structure::{Embedding, Start};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::in_range;
 
 /// Links and places before and after, and what may be drawn elsewhere.
 pub(super) struct Drawing<'a> {

@@ -1,10 +1,10 @@
 //! Edges, isolated vertices and inner boundary components by where they lie.
 
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use core::cmp::Ordering;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTreeObject};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
 /// A half-edge as it is drawn: the vertices at its ends, and where they lie.
 #[derive(Clone, Copy, Debug, PartialEq)]

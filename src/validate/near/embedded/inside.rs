@@ -3,13 +3,13 @@
 use super::chain::{Beside, Chain, SummedChain};
 use super::drawing::{Drawing, sorted};
 use super::tree::DrawnTrees;
-use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
 use crate::validate::columns::NIL;
 use crate::validate::near::column::{Row, TIMES, Time};
 use crate::validate::near::links::index;
 use crate::validate::structure::Start;
 use rustc_hash::FxHashMap;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
 
 /// The ways that the boundary components of the faces went, sorted.
 struct Moves {

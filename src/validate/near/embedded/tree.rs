@@ -1,9 +1,10 @@
 //! Edges, isolated vertices and starts, in R-trees of their own: no index that the structure keeps has a part in its validation.
 
 use super::drawn::{Drawn, InnerStart, Thing, Update};
-use crate::geometry::Point;
-use crate::geometry::predicates::{compare_lexicographic, count_step};
 use rstar::{AABB, ParentNode, RTree, RTreeNode, RTreeObject};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::compare_lexicographic;
+use twinedge_geometry::steps::count_step;
 
 fn exchange<T: RTreeObject<Envelope = AABB<[f64; 2]>> + PartialEq + Copy>(tree: &mut RTree<T>, gone: &[T], come: &[T]) {
     for one in gone {

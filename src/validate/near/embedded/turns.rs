@@ -1,10 +1,10 @@
 //! G3 as a sum over corners, of which only those that have changed are added up.
 
 use super::drawing::{Drawing, sorted};
-use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, orientation};
 use crate::validate::near::column::{Row, Time};
 use crate::validate::structure::Start;
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, orientation};
 
 /// Both times, with the sign that a term has in what has changed of a sum.
 const SIGNS: [(Time, i64); 2] = [(Time::Before, -1), (Time::After, 1)];

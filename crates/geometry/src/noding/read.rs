@@ -1,0 +1,174 @@
+//! The input on the grid: equal points made one, and the vertices that they become.
+
+use super::grid::Grid;
+use super::input::{Input, NodingError};
+use super::pixel::{Pixel, Segment};
+use crate::point::{Point, folded};
+use crate::threads;
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+
+/// The input, read. Points and segments that have numbers already are borrowed.
+#[derive(Default)]
+pub(super) struct Read<'a> {
+    /// The distinct points.
+    sites: Cow<'a, [Point]>,
+    /// By site.
+    vertex_of: Vec<u32>,
+    /// The sites where each segment starts and ends.
+    ends: Cow<'a, [[u32; 2]]>,
+    /// The sites of the single points.
+    points: Vec<u32>,
+    /// The pixels of all sites, distinct.
+    pub(super) vertices: Vec<Pixel>,
+    /// The vertices in the order of their pixels, or none of them.
+    pub(super) order: Vec<u32>,
+}
+
+impl<'a> Read<'a> {
+    pub(super) fn new(grid: &Grid, segments: &[[Point; 2]], points: &[Point]) -> Self {
+        let mut reader =
+            Reader { grid, read: Read::default(), sites: FxHashMap::default(), vertices: FxHashMap::default() };
+        reader.sites.reserve(segments.len());
+        reader.vertices.reserve(segments.len());
+        // The segments of a ring follow each other.
+        let mut last: Option<(Point, u32)> = None;
+        for &[from, to] in segments {
+            let from = match last {
+                Some((point, site)) if point == from => site,
+                _ => reader.site(from),
+            };
+            let end = reader.site(to);
+            last = Some((to, end));
+            reader.read.ends.to_mut().push([from, end]);
+        }
+        for &point in points {
+            let site = reader.site(point);
+            reader.read.points.push(site);
+        }
+        reader.read
+    }
+
+    /// The same for distinct points, each of which is a vertex, and segments between them by number.
+    pub(super) fn numbered(grid: &Grid, points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
+        let pixel = |number: usize| grid.pixels.at(grid.steps(points[number]));
+        let mut sorted: Vec<(Pixel, u32)> = threads::map(points, |point| (grid.pixels.at(grid.steps(*point)), 0));
+        for (number, (_, of)) in (0..).zip(&mut sorted) {
+            *of = number;
+        }
+        // One number for both coordinates is compared without a branch.
+        let key = |[x, y]: Pixel| i128::from(x) << 64 | i128::from(y.cast_unsigned() ^ 1 << 63);
+        threads::sort_unstable_by(&mut sorted, |(a, p), (b, q)| key(*a).cmp(&key(*b)).then(p.cmp(q)));
+        // The vertices keep the order of the points: neighbours in a drawing are mostly neighbours there.
+        let mut vertex_of = vec![0; points.len()];
+        let first_of = |equal: &[(Pixel, u32)]| equal[0].1;
+        let mut order = Vec::with_capacity(points.len());
+        for equal in sorted.chunk_by(|(p, _), (q, _)| p == q) {
+            order.push(first_of(equal));
+            for (_, number) in equal {
+                vertex_of[*number as usize] = first_of(equal);
+            }
+        }
+        drop(sorted);
+        let mut vertices: Vec<Pixel> = Vec::with_capacity(order.len());
+        for number in 0..points.len() {
+            let first = vertex_of[number] as usize;
+            if first == number {
+                vertex_of[number] = vertices.len() as u32;
+                vertices.push(pixel(number));
+            } else {
+                vertex_of[number] = vertex_of[first];
+            }
+        }
+        for first in &mut order {
+            *first = vertex_of[*first as usize];
+        }
+        Self {
+            sites: points.into(),
+            vertex_of,
+            ends: segments.into(),
+            points: (0..points.len() as u32).collect(),
+            vertices,
+            order,
+        }
+    }
+
+    /// The segments that are more than a vertex.
+    pub(super) fn segments(&self, grid: &Grid) -> Vec<Segment> {
+        let longer = self.ends.iter().filter(|ends| {
+            let [p, q] = ends.map(|site| self.vertex_of[site as usize]);
+            p != q
+        });
+        let mut segments = Vec::with_capacity(self.ends.len());
+        segments.extend(longer.map(|ends| {
+            let [p, q] = ends.map(|site| (grid.steps(self.sites[site as usize]), self.vertex_of[site as usize]));
+            let [(a, from), (b, to)] = if p.0 < q.0 { [p, q] } else { [q, p] };
+            Segment { a, b, ends: [from, to] }
+        }));
+        segments
+    }
+
+    /// The vertices where each segment starts and ends.
+    pub(super) fn ends(&self) -> impl Iterator<Item = [u32; 2]> {
+        self.ends.iter().map(|ends| ends.map(|site| self.vertex_of[site as usize]))
+    }
+
+    /// The vertices of the single points.
+    pub(super) fn points(&self) -> impl Iterator<Item = u32> {
+        self.points.iter().map(|&site| self.vertex_of[site as usize])
+    }
+
+    /// Returns the number of distinct points.
+    pub(super) fn distinct(&self) -> usize {
+        self.sites.len()
+    }
+
+    /// The largest move of a point to its vertex, in x and in y.
+    pub(super) fn largest_move(&self, grid: &Grid, vertices: &[Pixel]) -> [f64; 2] {
+        self.sites.iter().zip(&self.vertex_of).fold([0.0; 2], |[x, y], (point, vertex)| {
+            let to = grid.point(vertices[*vertex as usize]);
+            [f64::max(x, (to.x - point.x).abs()), f64::max(y, (to.y - point.y).abs())]
+        })
+    }
+}
+
+struct Reader<'a> {
+    grid: &'a Grid,
+    read: Read<'static>,
+    /// By [`Point::hash_key`].
+    sites: FxHashMap<(u64, u64), u32>,
+    /// By the coordinates of the pixel, folded.
+    vertices: FxHashMap<(u64, u64), u32>,
+}
+
+impl Reader<'_> {
+    fn site(&mut self, point: Point) -> u32 {
+        *self.sites.entry(point.hash_key()).or_insert_with(|| {
+            let pixel = self.grid.pixels.at(self.grid.steps(point));
+            let key = pixel.map(|c| folded(c.cast_unsigned()));
+            let vertex = *self.vertices.entry(key.into()).or_insert_with(|| {
+                self.read.vertices.push(pixel);
+                self.read.vertices.len() as u32 - 1
+            });
+            self.read.sites.to_mut().push(point);
+            self.read.vertex_of.push(vertex);
+            self.read.sites.len() as u32 - 1
+        })
+    }
+}
+
+/// The largest magnitude of a coordinate, and the first that has it.
+pub(super) fn largest_coordinate(segments: &[[Point; 2]], points: &[Point]) -> Result<(f64, Input), NodingError> {
+    let ends = segments.iter().enumerate().flat_map(|(i, ends)| ends.iter().map(move |p| (p, Input::Segment(i))));
+    let points = points.iter().enumerate().map(|(i, p)| (p, Input::Point(i)));
+    ends.chain(points).try_fold((0.0, Input::Segment(0)), |largest, (p, at)| {
+        let magnitude = p.x.abs().max(p.y.abs());
+        if !(p.x.is_finite() && p.y.is_finite()) {
+            Err(NodingError::NotFinite { at })
+        } else if magnitude > largest.0 {
+            Ok((magnitude, at))
+        } else {
+            Ok(largest)
+        }
+    })
+}

@@ -1,0 +1,63 @@
+//! A point of the plane.
+
+/// A point of the plane.
+///
+/// Equality is that of the coordinates, so `-0.0` equals `0.0` and a point with a NaN equals nothing, itself included. The
+/// builders of this crate refuse coordinates that are not finite and turn `-0.0` into `0.0`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(from = "[f64; 2]", into = "[f64; 2]"))]
+pub struct Point {
+    /// The first coordinate, growing to the right.
+    pub x: f64,
+    /// The second coordinate, growing upwards.
+    pub y: f64,
+}
+
+impl Point {
+    /// The point with these coordinates.
+    #[must_use]
+    pub const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    /// A key for hash tables, the same for the same place: −0 is 0.
+    #[inline]
+    #[must_use]
+    pub fn hash_key(self) -> (u64, u64) {
+        // Adding zero turns −0 into 0.
+        (folded((self.x + 0.0).to_bits()), folded((self.y + 0.0).to_bits()))
+    }
+
+    /// The place that has a key.
+    #[must_use]
+    pub fn of_hash_key((x, y): (u64, u64)) -> Self {
+        // Folding is undone by folding: the upper half is as it was.
+        Self::new(f64::from_bits(folded(x)), f64::from_bits(folded(y)))
+    }
+}
+
+/// A number for hash tables: the upper half of the bits of another, mixed into the lower. Different numbers stay
+/// different.
+///
+/// `FxHasher` multiplies, which carries no bit downwards. Coordinates that are small integers, or multiples of a power of
+/// two, have zeros at the lower end only, and most of them would share a hash.
+#[inline]
+pub(crate) const fn folded(bits: u64) -> u64 {
+    bits ^ (bits >> 32)
+}
+
+impl From<[f64; 2]> for Point {
+    fn from([x, y]: [f64; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<Point> for [f64; 2] {
+    fn from(p: Point) -> Self {
+        [p.x, p.y]
+    }
+}
+
+#[cfg(test)]
+mod tests;
