@@ -11,10 +11,10 @@ mod common;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use twinedge::dcel::{Corner, Dcel, Outside, Placement, Vertex};
-use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::validate::Expectation;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
+use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
 
 fn build(features: &[Feature], noding: Noding) -> PlanarMap {
     let mut builder = Builder::new();

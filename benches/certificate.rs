@@ -14,10 +14,10 @@ use common::{Mesh, PlainArrays, triangulated_grid};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
-use twinedge::map::{Builder, Noding, PlanarMap, certificate};
-use twinedge::validate::certificate::{Column, Labels, check, check_drawing, check_surface};
 use twinedge::validate::{Collect, Expectation, validate};
+use twinedge_certificate::{Column, Labels, check, check_drawing, check_surface};
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{Builder, Noding, PlanarMap, certificate};
 
 fn grid(criterion: &mut Criterion) {
     let map = triangulated_grid(1000);
@@ -94,9 +94,9 @@ fn drawn_map() -> PlanarMap {
         None => features = common::world_50m_features(),
         Some(path) => {
             let file = std::fs::File::open(path).expect("MAP is a file");
-            let read = twinedge::io::geojson::read(file, |feature| {
+            let read = twinedge_formats::io::geojson::read(file, |feature| {
                 features.push(feature);
-                Ok::<(), twinedge::io::ReadError>(())
+                Ok::<(), twinedge_formats::io::ReadError>(())
             });
             read.expect("MAP is GeoJSON");
         }

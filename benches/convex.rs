@@ -9,9 +9,9 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use spade::{ConstrainedDelaunayTriangulation, Point2};
 use std::collections::HashMap;
 use std::hint::black_box;
-use twinedge::algorithm::convex::decompose;
-use twinedge::algorithm::coverage::faces_by_feature;
 use twinedge::dcel::FaceKey;
+use twinedge_algorithm::claims::faces_by_feature;
+use twinedge_algorithm::convex::decompose;
 
 fn decomposition(criterion: &mut Criterion) {
     let map = common::world_50m();

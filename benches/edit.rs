@@ -15,11 +15,11 @@ mod common;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use twinedge::dcel::{HalfEdge, HalfEdgeKey};
-use twinedge::map::edit::At;
-use twinedge::map::{Builder, PlanarMap, Shape};
 use twinedge::program::choose::{Choose, Random};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
+use twinedge_map::edit::At;
+use twinedge_map::{Builder, PlanarMap, Shape};
 
 /// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
 /// see the target of that half-edge.
@@ -256,7 +256,7 @@ fn near(x: f64, y: f64) -> At {
 fn crowds(criterion: &mut Criterion) {
     let ring = |points: Vec<Point>| Shape::Polygon(vec![points]);
     let vertex = |map: &PlanarMap, p: Point| {
-        let Ok(twinedge::map::Located::Vertex(v)) = map.locate(p) else { panic!("there is a vertex") };
+        let Ok(twinedge_map::Located::Vertex(v)) = map.locate(p) else { panic!("there is a vertex") };
         At::Vertex(v)
     };
     for count in [1_000, 100_000_u32] {

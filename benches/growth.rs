@@ -29,10 +29,10 @@ use spade::{ConstrainedDelaunayTriangulation, HierarchyHintGenerator, Point2, Tr
 use std::hint::black_box;
 use std::time::Duration;
 use twinedge::dcel::{Audited, Dcel, Face, HalfEdge, HalfEdgeKey, Vertex};
-use twinedge::map::{Builder, Locator, PlanarMap};
 use twinedge::validate::{Collect, Expectation, validate};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
+use twinedge_map::{Builder, Locator, PlanarMap};
 
 type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 

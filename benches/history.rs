@@ -14,7 +14,7 @@ use std::convert::Infallible;
 use std::hint::black_box;
 use std::time::Instant;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, History, Side, Split, VertexKey};
-use twinedge::map::PlanarMap;
+use twinedge_map::PlanarMap;
 
 const ROUNDS: usize = 41;
 

@@ -22,9 +22,9 @@ use spade::{ConstrainedDelaunayTriangulation, HierarchyHintGenerator, Point2};
 use std::collections::HashMap;
 use std::hint::black_box;
 use twinedge::dcel::{HalfEdge, Vertex, VertexKey};
-use twinedge::map::{Feature, Located, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, meeting};
+use twinedge_map::{Feature, Located, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
 
 type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 

@@ -10,7 +10,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::collections::BTreeMap;
 use std::hint::black_box;
 use twinedge::dcel::{Audited, Dcel, HalfEdgeKey, VertexKey};
-use twinedge::map::PlanarMap;
+use twinedge_map::PlanarMap;
 
 /// Half-edges at places that are far apart.
 fn places(dcel: &Dcel) -> Vec<HalfEdgeKey> {

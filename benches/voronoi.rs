@@ -5,7 +5,7 @@
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use spade::{DelaunayTriangulation, Point2, Triangulation as _};
 use std::hint::black_box;
-use twinedge::algorithm::voronoi::{delaunay, voronoi};
+use twinedge_algorithm::voronoi::{delaunay, voronoi};
 use twinedge_geometry::Point;
 
 fn points(count: usize) -> Vec<Point> {

@@ -1,32 +1,28 @@
 //! A doubly connected edge list (DCEL, half-edge structure) for planar subdivisions, and a validator for anybody's.
 //!
 //! ```
-//! use twinedge::map::{Builder, Shape};
+//! use twinedge::dcel::Dcel;
 //! use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 //!
-//! // Build: a square with a square hole in it.
-//! let square = Shape::polygon([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]]);
-//! let mut builder = Builder::new();
-//! builder.shape(&square.hole([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]]))?;
-//! let map = builder.build()?;
+//! // Build: a triangle around a face.
+//! let (dcel, keys) = Dcel::from_faces(3, [[0, 1, 2]])?;
+//! let inside = dcel.face(keys.face(0).unwrap())?;
 //!
-//! // Walk: around the face between the squares, and across its edges.
-//! let dcel = map.dcel();
-//! let between = dcel.faces().find(|face| !face.is_unbounded() && face.inner_count() == 1).unwrap();
-//! assert_eq!(between.outer().unwrap().half_edges().count(), 4);
-//! for h in between.half_edges() {
-//!     assert_eq!((h.face(), h.next().origin()), (between, h.target()));
-//!     assert_ne!(h.twin().face(), between);
+//! // Walk: around the face, and across its edges.
+//! assert_eq!(inside.half_edges().count(), 3);
+//! for h in inside.half_edges() {
+//!     assert_eq!((h.face(), h.next().origin()), (inside, h.target()));
+//!     assert!(h.twin().face().is_unbounded());
 //! }
 //!
 //! // Break: set one link of a copy wrong, and ask which rule that breaks.
-//! assert!(map.validate().is_valid());
-//! let mut table = Table::copy_of(dcel).unwrap();
-//! let h = between.outer_half_edge().unwrap().index();
+//! assert!(dcel.validate().is_valid());
+//! let mut table = Table::copy_of(&dcel).unwrap();
+//! let h = inside.outer_half_edge().unwrap().index();
 //! table.half_edges[h].as_mut().unwrap().next = Some(h);
 //! let report = validate(&table, &Expectation::plane(), Collect::All);
 //! assert_eq!(report.first().unwrap().rule(), Rule::L2);
-//! # Ok::<(), twinedge::map::BuildError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! The crate has two halves that do not need each other.
@@ -38,56 +34,37 @@
 //! directly from the rules, agrees with it on every table up to a bound and on every single corruption of every small map
 //! (`proofs/README.md` in the repository).
 //!
-//! The **structure** ([`dcel::Dcel`], and [`map::PlanarMap`] with coordinates) has generational keys, so a key of a removed
-//! vertex is an error and never another vertex; links in columns of 32-bit numbers, so a traversal costs what it costs on plain
-//! arrays; and atomic operators, which keep every rule and say what they made, kept and dropped.
+//! The **structure** ([`dcel::Dcel`]) has generational keys, so a key of a removed vertex is an error and never another vertex; links in
+//! columns of 32-bit numbers, so a traversal costs what it costs on plain arrays; and atomic operators, which keep every rule and say what
+//! they made, kept and dropped. **Programs** ([`program`]) drive it, and structures of others, by sequences of operators.
+//!
+//! Maps with coordinates are in `twinedge-map`, questions about them in `twinedge-algorithm`, coverages of parcels in `twinedge-coverage`, and
+//! points and exact predicates in `twinedge-geometry`.
 //!
 //! # What to choose
 //!
 //! | you want to | take | feature |
 //! | --- | --- | --- |
 //! | validate a half-edge structure of your own | [`validate::validate`], after implementing [`validate::View`] | none |
-//! | validate its coordinates, too | [`validate::validate_embedding`], after implementing [`validate::Embedding`] | `geometry` |
+//! | validate its coordinates, too | `validate_embedding` of `twinedge-map` | |
 //! | validate after each change, in the time that the change took | [`validate::near`]; [`dcel::Audited`] | none; `dcel` |
 //! | write down a structure as tables, and corrupt them in tests | [`validate::Table`] | none |
 //! | convert a structure of your own into one of this crate | [`dcel::Dcel::from_view`] | `dcel` |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
-//! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
-//! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
-//! | undo and redo changes, as an editor does | [`dcel::History`], of a structure or a map | `dcel` |
-//! | keep owners, taxes, names: values that follow changes | [`dcel::Policy`], [attributes](map::PlanarMap#attributes) | `dcel` |
-//! | save and load, with the keys; certified, if you like | [`map::PlanarMap`] by serde | `serde` |
-//! | compare two edited copies of a map, and merge them | [`mod@map::diff`] | `map` (default) |
-//! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
-//! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
-//! | find overlaps, gaps, slivers, duplicates, polygons that are not valid by the OGC | [`algorithm::coverage`] | `map` (default) |
-//! | audit a map that is too large for one machine, in tiles | [`tile`] | `map` (default) |
-//! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
-//! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
-//! | read and write the tables of a textbook | `textbook` of the package `twinedge-formats` | |
-//! | draw a map, with half-edges if you like | `svg` of the package `twinedge-formats` | |
-//! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
-//! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary`, `proptest` |
-//! | test what is computed from a map, by random or fuzzed edits | `map::program` | the same, and `map` |
+//! | undo and redo changes, as an editor does | [`dcel::History`] | `dcel` |
+//! | keep owners, taxes, names: values that follow changes | [`dcel::Policy`], [attributes](dcel::Dcel#attributes) | `dcel` |
+//! | put a structure of your own around a `Dcel`, as a map with coordinates is | [`dcel::extend`] | `dcel` |
+//! | test a structure by random, exhaustive or fuzzed sequences of operators | [`program`] | `dcel`; `quickcheck`, `arbitrary`, `proptest` |
 //!
 //! # Features
 //!
 //! | feature | what it adds | dependencies |
 //! | --- | --- | --- |
-//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; [`validate::near`]: validation of what has changed; `no_std` with `alloc` | none |
-//! | `dcel` | [`dcel`] | hashbrown, slotmap, thiserror |
-//! | `std` (default) | with `program`, panics of a structure under test are caught | none |
-//! | `geometry` | rules G1 … G5 in [`mod@validate`] | `std`; twinedge-geometry, rstar, rustc-hash, thiserror |
-//! | `map` (default) | [`map`], [`algorithm`], [`tile`] | those of `dcel` and `geometry` |
-//! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
-//! | `wkt` | `io::wkt` | those of `map`; wkt |
-//! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
-//! | `program` | `program`; with `map`, `map::program` | those of `dcel` |
-//! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
-//! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
-//! | `rayon` | building, noding, coverages and batches of locations use the threads of the current pool, with the same results; needs `std` | rayon |
-//! | `arbitrary`, `quickcheck`, `proptest` | random programs for these three crates, and for `proptest` structures and maps | those of `program`; the crate of the name |
-//! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
+//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M11 if asked for; [`validate::near`]: validation of what has changed; `no_std` with `alloc` | none |
+//! | `dcel` (default) | [`dcel`], [`program`] | hashbrown, slotmap, thiserror |
+//! | `std` (default) | panics of a structure under test are caught | none |
+//! | `arbitrary`, `quickcheck`, `proptest` | random programs for these three crates, and for `proptest` structures | those of `dcel`; the crate of the name |
+//! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | serde |
 //!
 //! # Words
 //!
@@ -126,10 +103,6 @@
 //!
 //! ```text
 //!   validate ──► store ──► dcel ──► program
-//!                            │
-//!                            ▼
-//!                           map ──► algorithm ──► io
-//!                                       └───────► tile
 //! ```
 //!
 //! | layer | purpose |
@@ -137,33 +110,19 @@
 //! | [`mod@validate`] | the rules, the trait [`validate::View`], the report |
 //! | `store` | where records live: keys, slots, columns, the log of what is overwritten |
 //! | [`dcel`] | the structure: accessors, circulators, operators |
-//! | `program` | sequences of operators as data, canonical forms, conformance tests |
-//! | [`map`] | a [`dcel::Dcel`] with coordinates: building, editing, location |
-//! | [`algorithm`] | outlines, neighbours, areas, overlays |
-//! | [`tile`] | maps in tiles, whose summaries add up |
-//! | [`io`] | GeoJSON, WKT, geo-types |
+//! | [`program`] | sequences of operators as data, canonical forms, conformance tests |
 //!
 //! # Limits
 //!
-//! - Edges are straight. Curves are chains of edges.
-//! - [`map::Builder`] expects segments that meet at shared endpoints only. Other input is cut and snapped on request
-//!   ([`map::Noding`]); otherwise the map is built as far as possible, and [`validate::validate_embedding`] says where edges
-//!   cross.
 //! - A structure has exactly one unbounded face. Maps on the sphere and on other surfaces can be validated
 //!   ([`validate::Expectation::surface`]), but a [`dcel::Dcel`] cannot hold them.
-//! - [`map::edit`] finds its place from a hint (a vertex or half-edge nearby), or without one by a walk from outside the map.
-//!   [`map::Locator`] is an index of a map that does not change.
-//! - Polygons nested thousands deep, and vertices with thousands of edges, take quadratic time in some functions; the
-//!   documentation of each says so.
-//! - Coordinates are zero or of magnitude from 2⁻⁴⁰⁰ to 2⁵⁰⁰: there the predicates are exact.
 //! - At most about 2³¹ vertices, half-edges, boundary components and faces each.
 //! - The two half-edges of an edge have the same generation. A slot can be used 2³¹ times before a key comes again.
 //!
 //! # Rust versions
 //!
-//! Rust 1.85 without the feature `geometry` and what builds on it, 1.90 with it: the crate `rstar` needs that. The dependencies
-//! state these versions; in this crate clippy's `incompatible_msrv` finds no function of the standard library that is newer, and
-//! no condition joins a `let` by `&&`. It is tested with Rust 1.95; no older compiler was tried.
+//! Rust 1.85. The dependencies state it; in this crate clippy's `incompatible_msrv` finds no function of the standard library that is newer,
+//! and no condition joins a `let` by `&&`. It is tested with Rust 1.95; no older compiler was tried.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -182,32 +141,11 @@ mod store;
 #[forbid(unsafe_code)]
 pub mod dcel;
 
-#[cfg(feature = "program")]
+#[cfg(feature = "dcel")]
 #[forbid(unsafe_code)]
 pub mod program;
 
 // `rstar` needs Rust 1.90, and so does all that builds on it.
-#[cfg(feature = "map")]
-#[clippy::msrv = "1.90"]
-#[forbid(unsafe_code)]
-pub mod map;
-
-#[cfg(feature = "map")]
-#[clippy::msrv = "1.90"]
-#[forbid(unsafe_code)]
-pub mod algorithm;
-
-#[cfg(feature = "map")]
-#[clippy::msrv = "1.90"]
-#[forbid(unsafe_code)]
-pub mod tile;
-
-#[cfg(feature = "map")]
-#[clippy::msrv = "1.90"]
-#[forbid(unsafe_code)]
-pub mod io;
-
-/// The code in the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -3,9 +3,9 @@
 #![allow(dead_code, unreachable_pub, reason = "each benchmark uses its part")]
 
 use twinedge::dcel::{Dcel, Face, HalfEdge, Vertex};
-use twinedge::map::{Builder, Feature, PlanarMap};
 use twinedge::validate::{Link, Part, Parts, View};
 use twinedge::view_answers;
+use twinedge_map::{Builder, Feature, PlanarMap};
 
 /// A grid of `side` × `side` vertices, each square cut in two triangles.
 pub fn triangulated_grid(side: u32) -> PlanarMap {
@@ -178,9 +178,9 @@ impl Mesh {
 pub fn world_50m_features() -> Vec<Feature> {
     let file = include_bytes!("../../tests/data/world-50m.geojson");
     let mut features = Vec::new();
-    twinedge::io::geojson::read(file.as_slice(), |feature| {
+    twinedge_formats::io::geojson::read(file.as_slice(), |feature| {
         features.push(feature);
-        Ok::<(), twinedge::io::ReadError>(())
+        Ok::<(), twinedge_formats::io::ReadError>(())
     })
     .expect("the file is GeoJSON");
     features

@@ -6,7 +6,8 @@ use crate::words::{self, Words};
 use std::ffi::{CString, c_char, c_int};
 use std::ptr::null;
 use std::sync::OnceLock;
-use twinedge::validate::{self as rules, Counts};
+use twinedge::validate as rules;
+use twinedge::validate::Counts;
 
 /// The result of a validation. Strings that are read from it belong to it. Any number of threads may read it.
 #[derive(Debug)]

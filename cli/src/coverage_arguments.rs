@@ -1,6 +1,6 @@
 //! The options by which a coverage is judged.
 
-use twinedge::algorithm::coverage::Limits;
+use twinedge_coverage::Limits;
 use twinedge_geometry::Point;
 use twinedge_report::CoverageOptions;
 

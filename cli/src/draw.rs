@@ -7,12 +7,11 @@ use crate::output::{grouped, print_answer};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
-use twinedge::map::PlanarMap;
-use twinedge::validate::validate_embedding;
 use twinedge::validate::{Collect, Expectation};
 use twinedge_formats::svg::{self, Options};
 use twinedge_formats::textbook::Textbook;
 use twinedge_geometry::Point;
+use twinedge_map::{PlanarMap, validate_embedding};
 use twinedge_report::Imported;
 
 /// With `--detail`, a picture of more half-edges than this is not legible.

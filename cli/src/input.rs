@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{self, BufReader, Read as _};
 use std::path::{Path, PathBuf};
-use twinedge::io::ForeignFormat;
+use twinedge_formats::io::ForeignFormat;
 use twinedge_formats::layer::{Format, Layer, ReadError, read_layer, unpack};
 use twinedge_geometry::noding::Snap;
 use twinedge_report::{Imported, Input, Judged, Keep, MapOptions};

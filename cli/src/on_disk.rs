@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufRead as _, BufReader, BufWriter, Read, Seek as _, SeekFrom, Write as _};
 use std::sync::{Mutex, PoisonError};
-use twinedge::map::{Feature, Shape};
 use twinedge_geometry::Point;
+use twinedge_map::{Feature, Shape};
 use twinedge_report::{Division, InMemory, Shelf};
 
 /// The number of bytes that are collected before they are written.
@@ -216,8 +216,8 @@ fn read_number(reader: &mut impl Read) -> io::Result<u32> {
 #[cfg(test)]
 mod tests {
     use super::{COLLECTED, Collected, OnDisk, Shelf as _};
-    use twinedge::map::{Feature, Shape};
     use twinedge_geometry::Point;
+    use twinedge_map::{Feature, Shape};
 
     #[test]
     fn features_come_back_by_tiles_as_they_were() {

@@ -5,8 +5,8 @@ use crate::status::Failure;
 use std::fmt::Write as _;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use twinedge::validate::certificate::Column;
 use twinedge::validate::{Expectation, Table};
+use twinedge_certificate::Column;
 use twinedge_report::EXPECT;
 use twinedge_trials::{Certificates, Checker, FastPath, Validator, Verdict, certificates_of};
 

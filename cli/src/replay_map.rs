@@ -5,10 +5,10 @@ use crate::output::{Format, print, print_json};
 use crate::status::{Failure, Verdict};
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use twinedge::map::PlanarMap;
-use twinedge::map::edit::Edited;
-use twinedge::map::program::{EditFailure, EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::program::ParseError;
+use twinedge_map::PlanarMap;
+use twinedge_map::edit::Edited;
+use twinedge_map::program::{EditFailure, EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge_report::words::counted;
 
 /// The journal as JSON has it: the output of `--format json`, of which only the edits are read.

@@ -6,10 +6,10 @@ use crate::output::{plain, print, print_answer};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
-use twinedge::algorithm::voronoi::{Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
-use twinedge::map::PlanarMap;
+use twinedge_algorithm::voronoi::{Voronoi, VoronoiError, delaunay, voronoi, voronoi_merging};
 use twinedge_formats::svg::{self, Options};
 use twinedge_geometry::Point;
+use twinedge_map::PlanarMap;
 use twinedge_report::voronoi::{Sites, cells, shared, triangles};
 
 /// Make the Voronoi diagram of points: for each the part of the plane that is nearest to it.

@@ -48,6 +48,8 @@
 
 pub mod diagnosis;
 #[cfg(feature = "layer")]
+pub mod io;
+#[cfg(feature = "layer")]
 pub mod layer;
 pub mod mesh;
 #[cfg(feature = "postgis")]

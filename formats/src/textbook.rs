@@ -19,7 +19,7 @@
 //!
 //! [`Textbook::of`] makes them from any structure, `Display` writes them, and `FromStr` reads them, so that a table can be
 //! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated with [`Expectation::plane`](twinedge::validate::Expectation::plane). If
-//! every vertex has coordinates, [`validate_embedding`](twinedge::validate::validate_embedding) checks these, too.
+//! every vertex has coordinates, [`validate_embedding`](twinedge_map::validate_embedding) checks these, too.
 //!
 //! # What is read
 //!
@@ -35,8 +35,9 @@ use core::fmt;
 use rustc_hash::FxHashMap;
 use std::str::FromStr;
 use thiserror::Error;
-use twinedge::validate::{Embedding, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Start, Table, VertexRow, View};
+use twinedge::validate::{FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Start, Table, VertexRow, View};
 use twinedge_geometry::Point;
+use twinedge_map::Embedding;
 
 /// An error in a text of the three tables. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Error)]
@@ -171,14 +172,14 @@ impl Textbook {
     ///
     /// ```
     /// use twinedge_formats::textbook::Textbook;
-    /// use twinedge::map::PlanarMap;
+    /// use twinedge_map::PlanarMap;
     ///
     /// let mut map = PlanarMap::new();
     /// map.insert_segment([0.0, 0.0], [2.0, 1.0])?;
     /// let text = Textbook::of_embedding(&map).to_string();
     /// assert!(text.contains("v2      (2, 1)       e1,2"));
     /// assert_eq!(text.parse(), Ok(Textbook::of_embedding(&map)));
-    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// # Ok::<(), twinedge_map::edit::EditError>(())
     /// ```
     #[must_use]
     pub fn of_embedding<E: Embedding + ?Sized>(embedding: &E) -> Self {

@@ -3,11 +3,11 @@
 
 use quickcheck::QuickCheck;
 use twinedge::dcel::Dcel;
-use twinedge::map::PlanarMap;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::{Collect, Expectation, Record, Rule, Table, View, validate, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Record, Rule, Table, View, validate};
 use twinedge_formats::textbook::{TablesError, Textbook};
 use twinedge_geometry::Point;
+use twinedge_map::{PlanarMap, validate_embedding};
 
 const DANGLING_EDGE: &str = include_str!("../../examples/tables/dangling_edge.txt");
 const FIVE_FACES: &str = include_str!("../../examples/tables/five_faces.txt");

@@ -2,17 +2,15 @@
 
 use crate::tables::{Fickle, Source};
 use arbitrary::Unstructured;
-use twinedge::map::certificate::draw;
-use twinedge::map::{Builder, Noding, Shape};
-use twinedge::validate::certificate::{
-    Certificate, Column, Drawing, Labels, SurfaceCertificate, VACANT, check, check_drawing, check_surface,
-};
+use twinedge_certificate::{Certificate, Column, Drawing, Labels, SurfaceCertificate, VACANT, check, check_drawing, check_surface};
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Collect, Embedding, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Surface,
-    Table, VertexRow, View, validate, validate_embedding,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Surface, Table,
+    VertexRow, View, validate,
 };
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::certificate::draw;
+use twinedge_map::{Builder, Embedding, Noding, Shape, validate_embedding};
 use twinedge_trials::enumerate::TableCells;
 
 const PLANE: Expectation = Expectation::plane();

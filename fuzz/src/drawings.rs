@@ -2,15 +2,15 @@
 
 use arbitrary::Unstructured;
 use std::collections::BTreeSet;
-use twinedge::io::geojson::Documents;
-use twinedge::io::{ReadError, ReadSummary, geojson};
-use twinedge::map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
+use twinedge_formats::io::geojson::Documents;
+use twinedge_formats::io::{ReadError, ReadSummary, geojson};
 use twinedge_formats::layer::{self, Format, ReadOptions, format_of};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::{Meeting, in_range, meeting, on_segment};
+use twinedge_map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 
 /// The most segments that are compared pair by pair.
 const FEW: usize = 200;
@@ -143,9 +143,9 @@ fn takes(builder: &mut Builder, feature: &Feature) -> bool {
 /// A feature that was refused left nothing behind, and the point named is the one at that position.
 fn refused(
     builder: &Builder,
-    before: &twinedge::map::BuildSummary,
+    before: &twinedge_map::BuildSummary,
     feature: &Feature,
-    at: twinedge::map::Position,
+    at: twinedge_map::Position,
     (x, y): (f64, f64),
 ) -> bool {
     assert_eq!(builder.summary(), before);

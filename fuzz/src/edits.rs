@@ -1,16 +1,16 @@
 //! Targets that edit maps with coordinates.
 
-#[path = "../../tests/map/edit/follow.rs"]
+#[path = "../../crates/map/tests/map/edit/follow.rs"]
 mod follow;
 
 use follow::Shadow;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::map::program::{AtPick, EditKind, EditOp, EditOutcome, EditProgram, EditRunner};
-use twinedge::map::{Builder, Located, Locator, PlanarMap, Shape};
 use twinedge::program::choose::Bytes;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
+use twinedge_map::program::{AtPick, EditKind, EditOp, EditOutcome, EditProgram, EditRunner};
+use twinedge_map::{Builder, Located, Locator, PlanarMap, Shape};
 
 /// Longer programs are cut.
 const LONGEST: usize = 60;

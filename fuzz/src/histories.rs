@@ -1,13 +1,13 @@
 //! The target that undoes and redoes.
 
-#[path = "../../tests/map/rewound.rs"]
+#[path = "../../crates/map/tests/map/rewound.rs"]
 mod rewound;
 
-use twinedge::map::PlanarMap;
-use twinedge::map::program::EditProgram;
 use twinedge::program::Program;
 use twinedge::program::conformance::{Conformance, Coverage};
 use twinedge::validate::Expectation;
+use twinedge_map::PlanarMap;
+use twinedge_map::program::EditProgram;
 use twinedge_trials::Rewound;
 
 /// Longer programs are cut.

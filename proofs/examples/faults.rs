@@ -77,13 +77,15 @@ enum End {
 type Test = (&'static str, &'static str, &'static str);
 
 /// The checks that are test binaries.
-const TESTS: [(&str, Test); 13] = [
+const TESTS: [(&str, Test); 15] = [
     ("validate", ("twinedge", "--test=validate", "validate")),
     ("dcel", ("twinedge", "--test=dcel", "dcel")),
     ("program", ("twinedge", "--test=program", "program")),
-    ("map", ("twinedge", "--test=map", "map")),
-    ("algorithm", ("twinedge", "--test=algorithm", "algorithm")),
-    ("tile", ("twinedge", "--test=tile", "tile")),
+    ("map", ("twinedge-map", "--test=map", "map")),
+    ("algorithm", ("twinedge-algorithm", "--test=algorithm", "algorithm")),
+    ("certificate", ("twinedge-certificate", "--test=certificate", "certificate")),
+    ("coverage", ("twinedge-coverage", "--test=coverage", "coverage")),
+    ("tile", ("twinedge-coverage", "--test=tile", "tile")),
     ("units", ("twinedge", "--lib", "twinedge")),
     ("sphere", ("twinedge-sphere", "--test=sphere", "sphere")),
     ("harnesses", ("twinedge-proofs", "--lib", "twinedge_proofs")),
@@ -98,7 +100,17 @@ const OF_COMMANDS: [&str; 10] =
     ["certificate", "audit", "between", "clean_tiles", "cleaning", "findings", "gate", "iso", "mesh", "verdict"];
 
 /// The packages that faults are planted in, by the root files of their libraries.
-const ROOTS: [&str; 4] = ["src/lib.rs", "formats/src/lib.rs", "report/src/lib.rs", "sphere/src/lib.rs"];
+const ROOTS: [&str; 9] = [
+    "src/lib.rs",
+    "crates/algorithm/src/lib.rs",
+    "crates/certificate/src/lib.rs",
+    "crates/coverage/src/lib.rs",
+    "crates/geometry/src/lib.rs",
+    "crates/map/src/lib.rs",
+    "formats/src/lib.rs",
+    "report/src/lib.rs",
+    "sphere/src/lib.rs",
+];
 
 /// Its tests write into folders of their own, but all runs into the same: one at a time.
 static COMMANDS_RUN: Mutex<()> = Mutex::new(());
@@ -311,7 +323,7 @@ fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<V
     if !output.status.success() {
         return Err(format!("it does not compile: {said}").into());
     }
-    // `Executable tests/map/main.rs (…/deps/map-0123456789abcdef)`
+    // `Executable crates/map/tests/map/main.rs (…/deps/map-0123456789abcdef)`
     let executable = |line| {
         let (path, _) = str::split_once(line, '(')?.1.split_once(')')?;
         Some((Path::new(path).file_name()?.to_str()?.rsplit_once('-')?.0, path))
@@ -348,25 +360,20 @@ impl Check {
         let near: &[&str] = match fault.file.as_str() {
             file if file.starts_with("sphere/") => &["sphere"],
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
-            file if file.starts_with("src/validate/") => &[
-                "validate",
-                "map",
-                "corrupt",
-                "certificates",
-                "tables",
-                "tables-lazy",
-                "certificates-lazy",
-                "surfaces-lazy",
-                "sample",
-                "commands",
-            ],
-            file if file.starts_with("src/algorithm/clean/") => &["layer", "commands"],
+            file if file.starts_with("src/validate/") => {
+                &["validate", "map", "corrupt", "tables", "tables-lazy", "sample", "commands"]
+            }
+            file if file.starts_with("crates/certificate/") => {
+                &["certificate", "map", "certificates", "certificates-lazy", "surfaces-lazy", "commands"]
+            }
+            file if file.starts_with("crates/coverage/src/clean/") => &["layer", "commands"],
             file if file.starts_with("formats/src/mesh/") => &["mesh", "commands"],
             file if file.starts_with("formats/") => &["layer", "commands"],
             file if file.starts_with("report/") => &["report", "commands"],
-            file if file.starts_with("src/algorithm/") => &["algorithm"],
-            file if file.starts_with("src/map/") => &["map", "units"],
-            file if file.starts_with("src/tile/") => &["tile", "units"],
+            file if file.starts_with("crates/coverage/src/tile/") => &["tile"],
+            file if file.starts_with("crates/coverage/src/") => &["coverage"],
+            file if file.starts_with("crates/algorithm/src/") => &["algorithm"],
+            file if file.starts_with("crates/map/src/") => &["map"],
             _ => &["dcel", "program", "prove", "soak", "audited"],
         };
         near.iter().any(|name| self.name.split(' ').next() == Some(name))

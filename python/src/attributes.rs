@@ -6,8 +6,8 @@ use slotmap::{Key as _, KeyData};
 use std::fmt;
 use std::sync::{Arc, Mutex};
 use twinedge::dcel::{Attribute, Attributed, Edges, Faces, Policy, Value, Vertices};
-use twinedge::map::PlanarMap;
-use twinedge::map::edit::EditError;
+use twinedge_map::PlanarMap;
+use twinedge_map::edit::EditError;
 
 /// The exception that a function of a policy raised.
 pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;

@@ -7,7 +7,7 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::time::Instant;
-use twinedge::algorithm::coverage::Limits;
+use twinedge_coverage::Limits;
 use twinedge_formats::mesh::{HalfEdgeMesh, IndexedMesh};
 use twinedge_report::{
     Accepted, Audited, Compared, CoverageOptions, Edges, InputKind, MapOptions, Options, audit as judge, audit_mesh,

@@ -5,7 +5,7 @@ use crate::source::{Failure, Source, snap};
 use crate::work::within;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use twinedge::algorithm::clean::{Options, Winner};
+use twinedge_coverage::clean::{Options, Winner};
 use twinedge_formats::layer::clean::{CleanOptions, GapsTo};
 use twinedge_formats::layer::{Format, Layer, write};
 use twinedge_report::clean::{Cleaning, Repair};

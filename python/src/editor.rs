@@ -7,17 +7,15 @@ use pyo3::prelude::*;
 use slotmap::KeyData;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::mem;
-use std::thread;
-use twinedge::algorithm::area::face_area;
-use twinedge::dcel::History;
-use twinedge::dcel::{Face, HalfEdge, OperatorError, StaleKey, Vertex};
-use twinedge::map::edit::{At, EditError, Edited};
-use twinedge::map::{FeatureId, Located, PlanarMap};
+use std::{mem, thread};
+use twinedge::dcel::{Face, HalfEdge, History, OperatorError, StaleKey, Vertex};
 use twinedge::validate::Expectation;
-use twinedge::validate::near::{EmbeddingBaseline, validate_embedding_near};
+use twinedge_algorithm::area::face_area;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::edit::{At, EditError, Edited};
+use twinedge_map::near::{EmbeddingBaseline, validate_embedding_near};
+use twinedge_map::{FeatureId, Located, PlanarMap};
 
 /// A map with a history, and attributes by name.
 #[pyclass(name = "Editor", module = "twinedge._twinedge")]

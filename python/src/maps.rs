@@ -7,15 +7,16 @@ use pyo3::exceptions::{PyIndexError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use twinedge::algorithm::contour::{self, Contour};
-use twinedge::algorithm::coverage::faces_of;
-use twinedge::algorithm::overlay::{Operand, overlay};
 use twinedge::dcel::FaceKey;
-use twinedge::map::{FeatureId, Located, Locator, PlanarMap};
-use twinedge::validate::{Collect, Expectation, validate_embedding};
+use twinedge::validate::{Collect, Expectation};
+use twinedge_algorithm::claims::faces_of;
+use twinedge_algorithm::contour;
+use twinedge_algorithm::contour::Contour;
+use twinedge_algorithm::overlay::{Operand, overlay};
 use twinedge_formats::svg;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{FeatureId, Located, Locator, PlanarMap, validate_embedding};
 use twinedge_report::{Imported, Keep, MapOptions, Units, borders};
 
 /// With details, a picture of more half-edges than this is not legible.

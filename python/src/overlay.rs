@@ -11,13 +11,13 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::collections::{BTreeMap, BTreeSet};
-use twinedge::algorithm::contour::of_faces;
 use twinedge::dcel::{Face, FaceKey};
-use twinedge::map::{Builder, FeatureId, Noding, PlanarMap, Shape};
+use twinedge_algorithm::contour::of_faces;
 use twinedge_formats::layer::{Geometry, wkb_of_geometry};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_geometry::predicates::MIN_COORDINATE;
+use twinedge_map::{Builder, FeatureId, Noding, PlanarMap, Shape};
 
 /// The distance at which features are still given to a tile, as a part of the largest coordinate: 2^-44. Crossings are rounded to a grid, which
 /// moves edges by a cell or two of it; this is at least 32 cells.

@@ -2,15 +2,13 @@
 
 use crate::arrays::{Array, Atomic, Cells};
 use crate::expectation::Claims;
-use numpy::PyArrayDescrMethods as _;
-use numpy::PyUntypedArray;
-use numpy::PyUntypedArrayMethods as _;
+use numpy::{PyArrayDescrMethods as _, PyUntypedArray, PyUntypedArrayMethods as _};
 use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::cell::{Cell, RefCell};
-use twinedge::delegate_view;
-use twinedge::validate::{self as rules, Collect, Expectation, Link, Report, View, Violation};
+use twinedge::validate::{Collect, Expectation, Link, Report, View, Violation};
+use twinedge::{delegate_view, validate as rules};
 use twinedge_columns::{Columns, OnView};
 
 /// The number of half-edges walked from one look at signals to the next.

@@ -7,9 +7,9 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
-use twinedge::map::{BuildError, Feature, Shape};
-use twinedge::tile::{Cuts, Found, Grid, Summary, Tile, TileError};
+use twinedge_coverage::tile::{Cuts, Found, Grid, Summary, Tile, TileError};
 use twinedge_geometry::Point;
+use twinedge_map::{BuildError, Feature, Shape};
 use twinedge_report::{audit_summary, merged, refuse_without_cuts};
 
 /// A grid: the corners of its box, and the numbers of columns and rows.

@@ -18,7 +18,7 @@ use crate::tiles::Division;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, json, plain};
 use crate::{findings_geojson, junit, map, mesh, page, sarif, sphere, tables, text, textbook, tiles, topology};
-use twinedge::tile::Summary;
+use twinedge_coverage::tile::Summary;
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
 use twinedge_formats::layer::topojson::ArcTopology;
 use twinedge_formats::layer::{Crs, Layer};

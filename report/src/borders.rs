@@ -4,9 +4,9 @@ use crate::names::label;
 use crate::noted::Noted;
 use crate::units::Units;
 use serde::Serialize;
-use twinedge::algorithm::neighbours::pairs;
 use twinedge::dcel::Face;
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge_algorithm::neighbours::pairs;
+use twinedge_map::{FeatureId, PlanarMap};
 
 /// Two features and their border.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -15,8 +15,8 @@
 use crate::reader_words::common;
 use std::cmp::Ordering;
 use std::collections::HashMap;
-use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::validate::Rule;
+use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, Position};
 
 /// Points touch if they are closer than this part of the largest coordinate: C6 computes a crossing of borders in another way than a map.

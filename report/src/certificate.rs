@@ -1,6 +1,6 @@
 //! Certificates as they are in a folder: `claim.txt` and a file for each column (`proofs/coq/CERTIFICATE.md`).
 
-use twinedge::validate::certificate::{Certificate, Column, Columns, Failure, SurfaceCertificate, check_drawing};
+use twinedge_certificate::{Certificate, Column, Columns, Failure, SurfaceCertificate, check_drawing};
 
 /// The first line of `claim.txt`; the second one is the claim.
 pub const FIRST_LINE: &str = "twinedge certificate 1\n";

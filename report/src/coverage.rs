@@ -14,10 +14,10 @@ use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::{self, CoverageRule, Defect, Finding, Limits};
-use twinedge::map::{Builder, PlanarMap};
+use twinedge_coverage::{CoverageRule, Defect, Finding, Limits};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Flaw, Kind, Measures, MissingVertex, Position, Trace};
 use twinedge_geometry::Point;
+use twinedge_map::{Builder, PlanarMap};
 
 /// The options by which a coverage is judged.
 #[derive(Clone, Debug, Default)]
@@ -111,9 +111,9 @@ impl Coverage {
         asked: &CoverageOptions,
         units: &Units,
         list: usize,
-        found: Result<coverage::Coverage, String>,
+        found: Result<twinedge_coverage::Coverage, String>,
     ) -> Self {
-        let judgement = |found: coverage::Coverage| Judgement {
+        let judgement = |found: twinedge_coverage::Coverage| Judgement {
             wider_gaps: found.wider_gaps.len(),
             accepted_gaps: found.accepted_gaps.len(),
             unmet: Vec::new(),
@@ -479,8 +479,10 @@ fn compare(a: &Position, b: &Position) -> Ordering {
 
 /// The missing vertices of a mismatch.
 fn missing(finding: &Finding) -> Vec<MissingVertex> {
-    let of =
-        |vertex: &coverage::MissingVertex| MissingVertex { at: position(vertex.at), feature: vertex.feature.index() };
+    let of = |vertex: &twinedge_coverage::MissingVertex| MissingVertex {
+        at: position(vertex.at),
+        feature: vertex.feature.index(),
+    };
     finding.missing.iter().map(of).collect()
 }
 

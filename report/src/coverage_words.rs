@@ -1,6 +1,6 @@
 //! The statements of the rules of a coverage, the usual causes of findings, and their remedies.
 
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 
 /// The statement of a rule.
 pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
@@ -52,8 +52,8 @@ pub(crate) const fn explanation(rule: CoverageRule) -> (&'static str, &'static s
 #[cfg(test)]
 mod tests {
     use super::statement;
-    use twinedge::algorithm::coverage::CoverageRule;
-    use twinedge::algorithm::layers::LayerRule;
+    use twinedge_coverage::CoverageRule;
+    use twinedge_coverage::layers::LayerRule;
     use twinedge_formats::mesh::SpaceRule;
 
     #[test]

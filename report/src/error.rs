@@ -3,12 +3,12 @@
 use crate::tile_words::{in_words, made_without};
 use crate::words::{counted, grouped};
 use std::io;
-use twinedge::algorithm::coverage::CoverageError;
-use twinedge::io::ReadSummary;
-use twinedge::map::BuildError;
-use twinedge::tile::{AuditError, GridError, Tile};
+use twinedge_coverage::CoverageError;
+use twinedge_coverage::tile::{AuditError, GridError, Tile};
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::textbook::TablesError;
 use twinedge_formats::{layer, mesh, postgis};
+use twinedge_map::BuildError;
 use twinedge_sphere::DrawingError;
 
 /// The reason why an input has no report. The name of the input is not in the messages.

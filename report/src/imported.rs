@@ -5,11 +5,11 @@ use crate::input::Input;
 use crate::noted::{Keep, Noted};
 use crate::read_ahead::{HandOn, Take, read_ahead};
 use crate::shelf::Shelf;
-use twinedge::algorithm::coverage::insert_touches;
-use twinedge::io::ReadSummary;
-use twinedge::map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
+use twinedge_coverage::insert_touches;
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::{Crs, Feature as LayerFeature, Format, Header, Layer, ReadError, read, to_map};
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{BuildSummary, Builder, Feature, Noding, PlanarMap, UnmatchedVertex};
 
 /// The way to build a map.
 #[derive(Clone, Debug, Default)]

@@ -9,7 +9,7 @@ use crate::report::AuditReport;
 use crate::words::escaped;
 use serde::Serialize;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 
 /// The measures of an audit.
 #[derive(Debug, Serialize)]

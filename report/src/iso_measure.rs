@@ -1,6 +1,6 @@
 //! The measures of ISO 19157 that count findings, by their numbers.
 
-use twinedge::algorithm::coverage::{CoverageRule, DefectKind};
+use twinedge_coverage::{CoverageRule, DefectKind};
 use twinedge_formats::diagnosis::Diagnosis;
 
 pub(crate) const OVERLAP: u32 = 11;

@@ -2,10 +2,10 @@
 
 use crate::imported::Imported;
 use crate::units::Units;
-use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, mismatches};
-use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge_coverage::{CoverageError, CoverageRule, Finding, Limits, check, mismatches};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{BuildError, Builder, Noding, PlanarMap};
 
 /// The reason why all rules but C6 were not checked.
 #[derive(Debug, thiserror::Error)]

@@ -16,11 +16,11 @@ use crate::words::{grouped, measure, plain};
 use serde::Serialize;
 use serde_json::json;
 use std::collections::HashMap;
-use twinedge::algorithm::layers::{Deviation, LayerFinding, LayerRule, Parent, Piece, check, check_parents, pieces};
-use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
+use twinedge_coverage::layers::{Deviation, LayerFinding, LayerRule, Parent, Piece, check, check_parents, pieces};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures, RuleLine};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
 /// The other layer.
 pub(crate) struct Other {

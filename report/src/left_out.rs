@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::tile_words::{NAMED, of_tiles};
-use twinedge::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
+use twinedge_coverage::tile::{Crossing, CrossingKind, Grid, Outcome, Summary, Tile};
 use twinedge_geometry::Point;
 
 /// Refuses a summary that is not of all tiles. O(tiles of the summary).

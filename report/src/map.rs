@@ -13,15 +13,13 @@ use crate::trace::placed;
 use crate::units::Units;
 use serde_json::to_value;
 use std::collections::BTreeSet;
-use twinedge::algorithm::colouring::feature_colours;
-use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{
-    Collect, Embedding as _, Expectation, Record, Report, Rule, Violation, places, validate_embedding,
-};
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation};
+use twinedge_algorithm::colouring::feature_colours;
+use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 use twinedge_geometry::predicates::compare_lexicographic;
+use twinedge_map::{Embedding as _, FeatureId, PlanarMap, places, validate_embedding};
 
 /// Validates the map, and judges it as a coverage, for which the builder is used up.
 pub(crate) fn audit(

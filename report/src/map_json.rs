@@ -3,7 +3,7 @@
 use crate::imported::Imported;
 use crate::trace::position;
 use serde_json::{Map, Value, json};
-use twinedge::map::{Irregularity, IrregularityKind, Position};
+use twinedge_map::{Irregularity, IrregularityKind, Position};
 
 /// The keys beside those of all audits.
 pub(crate) fn extra(imported: &Imported, warnings: &[String]) -> Map<String, Value> {

@@ -6,8 +6,8 @@ use crate::report::Note;
 use crate::words::{counted, grouped, plain};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge::io::ReadSummary;
-use twinedge::map::{BuildSummary, Irregularity, IrregularityKind};
+use twinedge_formats::io::ReadSummary;
+use twinedge_map::{BuildSummary, Irregularity, IrregularityKind};
 
 /// All notes, in the order in which they are read.
 pub(crate) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {

@@ -8,9 +8,10 @@ use crate::report::{AuditReport, JsonForm, Note};
 use crate::trace::{placed, position};
 use crate::words::{counted, grouped};
 use serde_json::to_value;
-use twinedge::validate::{Collect, Embedding as _, Record, View as _, Violation};
+use twinedge::validate::{Collect, Record, View as _, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, HalfEdgeMesh, IndexedMesh, MeshAudit, MeshFile};
+use twinedge_map::Embedding as _;
 
 /// A way to judge a mesh.
 pub(crate) type Judge = fn(&IndexedMesh, &Options) -> MeshAudit;

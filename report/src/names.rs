@@ -2,8 +2,8 @@
 
 use crate::imported::Imported;
 use crate::words::plain;
-use twinedge::map::{FeatureId, PlanarMap};
 use twinedge_formats::diagnosis::FeatureName;
+use twinedge_map::{FeatureId, PlanarMap};
 
 /// The name of a feature, fit for a terminal, or its number, counted from 0.
 #[must_use]

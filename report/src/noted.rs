@@ -4,12 +4,12 @@ use crate::error::Error;
 use crate::words::{counted, decimals, decimals_of, measure, plain};
 use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
-use twinedge::algorithm::coverage::{Defect, defects};
-use twinedge::io::ReadSummary;
-use twinedge::map::{Feature, Shape};
+use twinedge_coverage::{Defect, defects};
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::{Feature as LayerFeature, Value};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{Feature, Shape};
 
 /// The number of columns that an error lists.
 const COLUMNS: usize = 20;

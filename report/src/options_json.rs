@@ -4,7 +4,7 @@ use crate::coverage::CoverageOptions;
 use crate::input_kind::InputKind;
 use crate::options::{Edges, Options};
 use serde_json::{Map, Value, json};
-use twinedge::algorithm::coverage::Limits;
+use twinedge_coverage::Limits;
 use twinedge_geometry::noding::Snap;
 
 /// The options that say what is judged and how: those that were given, and of a mesh what it must be.

@@ -1,7 +1,7 @@
 //! Faces as rings of coordinates.
 
 use twinedge::dcel::{FaceKey, StaleKey};
-use twinedge::map::PlanarMap;
+use twinedge_map::PlanarMap;
 
 /// The outer boundary of a face, closed: the last position repeats the first. O(its length).
 ///

@@ -20,8 +20,8 @@ use crate::trace::{finite, target};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde::{Serialize, Serializer};
-use twinedge::validate::Embedding;
 use twinedge_formats::diagnosis::Position;
+use twinedge_map::Embedding;
 
 /// The cells of the grid across the map, as a power of two.
 const CELLS: i32 = 40;
@@ -406,10 +406,10 @@ impl Stream {
 #[cfg(test)]
 mod tests {
     use super::{Beside, Map, Names, Window, zigzag};
-    use twinedge::map::{Builder, Shape};
     use twinedge_formats::textbook::Textbook;
+    use twinedge_map::{Builder, Shape};
 
-    fn pack(structure: &impl twinedge::validate::Embedding) -> Map {
+    fn pack(structure: &impl twinedge_map::Embedding) -> Map {
         Map::pack(structure, Beside { features: &|_| vec![7], names: Names::Indices, windows: &[] })
     }
 

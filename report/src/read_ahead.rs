@@ -5,8 +5,8 @@ mod threads;
 
 #[cfg(not(target_family = "wasm"))]
 pub(crate) use threads::read_ahead;
-use twinedge::map::Feature;
 use twinedge_formats::layer::ReadError;
+use twinedge_map::Feature;
 
 /// Takes a feature, or refuses it. What it leaves is dropped.
 pub(crate) type Take<'a, T = Feature> = dyn FnMut(&mut T) -> Result<(), ReadError> + Send + 'a;

@@ -1,20 +1,19 @@
 //! The report of an audit, which all writers take.
 
 use crate::accepted::{Accepted, AcceptedSummary};
-use crate::causes;
 use crate::coverage::Coverage;
 use crate::identity::Identities;
 use crate::iso_measure::measure_of;
 use crate::packed::Window;
-use crate::reader_words;
 use crate::trace::has_place;
 use crate::verdict::{Judged, Verdict};
 use crate::words::{counted, grouped, not_checked};
+use crate::{causes, reader_words};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::HashMap;
-use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::validate::{Bounds, Counts, Rule};
+use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, Document, Position, Reason, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 

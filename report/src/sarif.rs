@@ -8,7 +8,7 @@ use crate::report::AuditReport;
 use crate::verdict::Verdict;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
 /// The place of the schema.

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 use std::io;
-use twinedge::map::Feature;
 use twinedge_geometry::Point;
+use twinedge_map::Feature;
 
 /// A place that keeps the features of a map, and gives out those of a tile.
 pub trait Shelf: Send + Sync {

@@ -8,7 +8,7 @@ use crate::words::style::{BAD, DOUBTFUL, GOOD, QUIET};
 use crate::words::{counted, grouped, plain};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::{Result, Write as _};
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::Diagnosis;
 
 /// The number of findings of each rule that are shown unless asked.

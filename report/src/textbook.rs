@@ -8,9 +8,10 @@ use crate::report::{AuditReport, JsonForm, Note, counts};
 use crate::trace::placed;
 use serde_json::json;
 use std::io::Read;
-use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
+use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate};
 use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 use twinedge_formats::textbook::Textbook;
+use twinedge_map::validate_embedding;
 
 /// Returns true if a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.

@@ -1,7 +1,7 @@
 //! Tiles in words.
 
 use crate::words::grouped;
-use twinedge::tile::Tile;
+use twinedge_coverage::tile::Tile;
 
 /// The number of tiles that a message names.
 pub(crate) const NAMED: usize = 10;

@@ -17,17 +17,16 @@ use crate::trace::position;
 use crate::units::Units;
 use crate::words::counted;
 use serde_json::{Map, Value, json, to_value};
-use twinedge::algorithm::coverage::{CoverageRule, Defect, Limits};
-use twinedge::io::ReadSummary;
-use twinedge::map::{BuildError, BuildSummary, Shape};
-use twinedge::tile::{
-    self, AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile,
-    Uneven,
-};
 use twinedge::validate::{Rule, Violation};
+use twinedge_coverage::tile::{
+    AuditError, Crossing, CrossingKind, Cuts, Grid, GridError, Outcome, SeamFault, SeamRule, Summary, Tile, Uneven,
+};
+use twinedge_coverage::{CoverageRule, Defect, Limits, tile};
 use twinedge_formats::diagnosis::{Diagnosis, Figures, Kind, Records, RuleLine, middle};
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::Crs;
 use twinedge_geometry::Point;
+use twinedge_map::{BuildError, BuildSummary, Shape};
 
 /// The way to divide a map into tiles.
 #[derive(Clone, Copy, Debug)]

@@ -7,9 +7,10 @@ use crate::packed::{Beside, Map, Names, Picture};
 use crate::report::{AuditReport, JsonForm, Note};
 use crate::words::grouped;
 use serde_json::to_value;
-use twinedge::validate::{Embedding, Record};
+use twinedge::validate::Record;
 use twinedge_formats::layer::topojson::{self, ArcTopology};
 use twinedge_formats::postgis::{self, Topology, TopologyAudit};
+use twinedge_map::Embedding;
 
 /// Reads a topology of PostGIS and judges it.
 pub(crate) fn audit_postgis(

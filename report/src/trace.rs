@@ -1,13 +1,13 @@
 //! The places on a map where something was found, and its shape of points, lines and polygons.
 
 use std::collections::HashSet;
-use twinedge::algorithm::contour::of_faces;
-use twinedge::algorithm::coverage::Finding;
 use twinedge::dcel::FaceKey;
-use twinedge::map::PlanarMap;
-use twinedge::validate::{Embedding, Record, Rule, Start, Violation, places};
+use twinedge::validate::{Record, Rule, Start, Violation};
+use twinedge_algorithm::contour::of_faces;
+use twinedge_coverage::Finding;
 use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 use twinedge_geometry::{MAX_COORDINATE, Point};
+use twinedge_map::{Embedding, PlanarMap, places};
 
 /// The places that a finding of a coverage covers: its faces, the stretches of borders of a near miss, or the segments that lack vertices,
 /// and these.

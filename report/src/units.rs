@@ -4,14 +4,13 @@ use crate::error::Error;
 use crate::imported::Imported;
 use geographiclib_rs::{Geodesic, InverseGeodesic};
 use std::collections::HashSet;
-use twinedge::algorithm::area::face_area;
-use twinedge::algorithm::coverage::{CoverageRule, Finding};
-use twinedge::algorithm::layers::LayerFinding;
 use twinedge::dcel::{Face, FaceKey, Vertex};
-use twinedge::map::PlanarMap;
-use twinedge::validate::Embedding;
+use twinedge_algorithm::area::face_area;
+use twinedge_coverage::layers::LayerFinding;
+use twinedge_coverage::{CoverageRule, Finding};
 use twinedge_formats::layer::Crs;
 use twinedge_geometry::Point;
+use twinedge_map::{Embedding, PlanarMap};
 
 /// The units of lengths and areas.
 #[derive(Debug)]
@@ -163,8 +162,8 @@ fn point(map: &PlanarMap, vertex: Vertex<'_>) -> Point {
 mod tests {
     use super::Units;
     use geographiclib_rs::Geodesic;
-    use twinedge::map::{Builder, Shape};
     use twinedge_geometry::Point;
+    use twinedge_map::{Builder, Shape};
 
     fn earth() -> Units {
         Units::Geodesic(Box::new(Geodesic::wgs84()))

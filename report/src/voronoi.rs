@@ -3,11 +3,11 @@
 use crate::outline::ring;
 use crate::words::counted;
 use serde_json::{Map, Value, json};
-use twinedge::algorithm::voronoi::{Delaunay, Voronoi};
 use twinedge::dcel::{FaceKey, StaleKey};
-use twinedge::map::PlanarMap;
+use twinedge_algorithm::voronoi::{Delaunay, Voronoi};
 use twinedge_formats::layer::{Layer, Shape};
 use twinedge_geometry::Point;
+use twinedge_map::PlanarMap;
 
 /// Points and the properties of their features.
 #[derive(Clone, Debug, Default)]

@@ -8,7 +8,7 @@ use crate::place::Place;
 use core::f64::consts::PI;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
-use twinedge::algorithm::coverage::{CoverageRule, Limits};
+use twinedge_coverage::{CoverageRule, Limits};
 use twinedge_geometry::Point;
 
 /// The findings of the rules of a coverage.
@@ -29,14 +29,14 @@ pub struct Coverage {
 
 /// Finds what breaks C1 … C5 on the sphere. Limits are in metres and square metres, accepted places in degrees.
 ///
-/// Faces and features are as in the [plane](twinedge::algorithm::coverage), but there is no outside: a place that no feature claims is a gap, unless it is larger than half of the
+/// Faces and features are as in the [plane](twinedge_coverage), but there is no outside: a place that no feature claims is a gap, unless it is larger than half of the
 /// sphere, which one place at most is.
 ///
 /// O(n log n + c log c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of arcs along unclaimed places that come as near as the width of near misses.
 ///
 /// ```
-/// use twinedge::algorithm::coverage::{CoverageRule, Limits};
-/// use twinedge::map::{Feature, Shape};
+/// use twinedge_coverage::{CoverageRule, Limits};
+/// use twinedge_map::{Feature, Shape};
 /// use twinedge_sphere::{Cover, Drawing, Inside, Subdivision, check};
 ///
 /// // Two states on both sides of the 49th parallel. One of them has a vertex on it, and the arc of the other one bulges to the north.

@@ -4,15 +4,15 @@ use crate::place::{Place, PlaceError};
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
 use thiserror::Error;
-use twinedge::map::{Feature, Shape};
 use twinedge_geometry::Point;
+use twinedge_map::{Feature, Shape};
 
 /// The features of a map with their edges as arcs of great circles: each place and each arc once, whoever shares it.
 ///
 /// Coordinates are longitudes and latitudes in degrees. A ring is closed if it is not. Points alone are left out.
 ///
 /// ```
-/// use twinedge::map::{Feature, Shape};
+/// use twinedge_map::{Feature, Shape};
 /// use twinedge_sphere::Drawing;
 ///
 /// // Fiji's halves on both sides of the antimeridian have an arc in common.

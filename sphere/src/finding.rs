@@ -1,6 +1,6 @@
 //! One thing that breaks a rule of a coverage.
 
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 use twinedge_geometry::Point;
 
 /// One thing that breaks a rule of a coverage. Lengths are in metres, areas in square metres.
@@ -8,7 +8,7 @@ use twinedge_geometry::Point;
 pub struct Finding {
     /// The rule.
     pub rule: CoverageRule,
-    /// The features involved, in order, as in [`twinedge::algorithm::coverage::Finding`].
+    /// The features involved, in order, as in [`twinedge_coverage::Finding`].
     pub features: Vec<u32>,
     /// The area.
     pub area: f64,

@@ -8,7 +8,7 @@ use crate::measure::distance;
 use crate::predicates::on_arc;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 use twinedge_geometry::Point;
 
 /// Finds what breaks C7: for each two features whose borders lack vertices of each other, a finding with all of these. Those with the most missing vertices come first.
@@ -17,7 +17,7 @@ use twinedge_geometry::Point;
 /// O(n + k log k) for n half-edges and k clashes, expected.
 ///
 /// ```
-/// use twinedge::map::{Feature, Shape};
+/// use twinedge_map::{Feature, Shape};
 /// use twinedge_sphere::{Cover, Drawing, Inside, Subdivision, mismatches};
 ///
 /// // Colorado has a corner of Utah's neighbour on its border along the meridian of 102.05 degrees west, and lacks it.

@@ -1,6 +1,6 @@
 //! C3 near miss: borders of two features coincide or are farther apart than a given width.
 //!
-//! As in the [plane](twinedge::algorithm::coverage): two borders that face each other across a place that no feature claims, in opposite directions, each with the other to
+//! As in the [plane](twinedge_coverage): two borders that face each other across a place that no feature claims, in opposite directions, each with the other to
 //! its left, are a near miss if both have a stretch that is longer than the width, or several that together are four times as long and do not part steadily. All of it is measured in doubles, between
 //! chords in space, along the sphere: arcs that are so near to each other bulge alike.
 
@@ -13,7 +13,7 @@ use crate::vector::{Vector, cross, dot, length, minus};
 use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 use twinedge_geometry::Point;
 
 /// The least length of a near miss of short stretches, as a multiple of the given width.

@@ -8,27 +8,46 @@
 
 use super::structure::Dcel;
 use crate::store::{BoundaryStart, InOrder, Numbered, RecordKind, Room, Store, VertexLink};
+use alloc::vec;
+use thiserror::Error;
+
+/// The reason for which columns are not [assembled](Assembly::assemble).
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum AssemblyError {
+    /// There is no room for so many records.
+    #[error("there is no room for so many {0}")]
+    Full(RecordKind),
+    /// A row of a column is missing, is out of range, or contradicts another.
+    #[error("row {row} of the column `{column}` is wrong")]
+    Wrong {
+        /// The name of the column.
+        column: &'static str,
+        /// The number of the row.
+        row: usize,
+    },
+}
 
 /// A planar subdivision as columns. Records are numbered from 0 without gaps, and every number is in range.
 ///
-/// Nothing is checked here: the columns must keep the rules R1 … T4, by the way in which they were made or by validation
-/// before or after.
+/// For a structure of which there are such columns already. [`Dcel::from_faces`], [`Dcel::from_rotations`] and [`Dcel::from_view`] take what
+/// is had more easily, and check all rules.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Assembly<'a> {
+pub struct Assembly<'a> {
     /// By vertex: a half-edge that leaves it, or the boundary component that it is.
-    pub(crate) vertices: &'a [VertexLink<u32, u32>],
+    pub vertices: &'a [VertexLink<u32, u32>],
     /// By half-edge: its origin. The two half-edges of an edge have the numbers 2e and 2e + 1.
-    pub(crate) origin: &'a [u32],
+    pub origin: &'a [u32],
     /// By half-edge: the one that follows. `prev` comes from it.
-    pub(crate) next: &'a [u32],
+    pub next: &'a [u32],
     /// By half-edge: its boundary component.
-    pub(crate) boundary: &'a [u32],
+    pub boundary: &'a [u32],
     /// By boundary component: where it starts.
-    pub(crate) starts: &'a [BoundaryStart<u32, u32>],
+    pub starts: &'a [BoundaryStart<u32, u32>],
     /// By bounded face, which have the numbers 1 .. : the outer boundary component. Face 0 is the unbounded one.
-    pub(crate) outer: &'a [u32],
+    pub outer: &'a [u32],
     /// Each inner boundary component after the face that lists it, in the order of the lists.
-    pub(crate) inner: &'a [(u32, u32)],
+    pub inner: &'a [(u32, u32)],
 }
 
 impl Assembly<'_> {
@@ -45,21 +64,99 @@ impl Assembly<'_> {
     /// The structure. O(n). Record `i` of each kind gets the `i`-th slot, so that
     /// [`vertex_index`](Self::vertex_index) and its kin tell its index.
     ///
+    /// What makes walks end is checked: numbers are in range, half-edges follow one another at one vertex and within one boundary component,
+    /// each has one before it, and each boundary component is listed once. The other rules hold if the columns keep them:
+    /// [`Dcel::validate`] says whether they do.
+    ///
+    /// ```
+    /// use twinedge::dcel::extend::{Assembly, BoundaryStart, VertexLink};
+    ///
+    /// // An edge between two vertices.
+    /// let assembly = Assembly {
+    ///     vertices: &[VertexLink::Leaving(0), VertexLink::Leaving(1)],
+    ///     origin: &[0, 1],
+    ///     next: &[1, 0],
+    ///     boundary: &[0, 0],
+    ///     starts: &[BoundaryStart::HalfEdge(0)],
+    ///     outer: &[],
+    ///     inner: &[(0, 0)],
+    /// };
+    /// assert!(assembly.assemble()?.validate().is_valid());
+    /// assert!(Assembly { next: &[0, 0], ..assembly }.assemble().is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
     /// # Errors
-    /// The kind of record of which there are more than a store can hold.
-    pub(crate) fn assemble(&self) -> Result<Dcel, RecordKind> {
+    /// [`AssemblyError`]: there are more records than a structure can hold, or the columns fail one of these checks.
+    pub fn assemble(&self) -> Result<Dcel, AssemblyError> {
+        self.check()?;
+        self.assemble_right().map_err(AssemblyError::Full)
+    }
+
+    /// The same for columns that keep all rules.
+    pub(super) fn assemble_right(&self) -> Result<Dcel, RecordKind> {
         Ok(self.link(Store::with_records(self.need())?, &InOrder))
     }
 
-    /// The index of the vertex with this number.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) const fn vertex_index(number: u32) -> u32 {
+    fn check(&self) -> Result<(), AssemblyError> {
+        let [vertices, half_edges, boundaries, faces] =
+            [self.vertices.len(), self.origin.len(), self.starts.len(), self.outer.len() + 1];
+        let is_below = |number: u32, count: usize| (number as usize) < count;
+        let holds = |holds: bool, column: &'static str, row: usize| {
+            if holds { Ok(()) } else { Err(AssemblyError::Wrong { column, row }) }
+        };
+        holds(half_edges.is_multiple_of(2), "origin", half_edges)?;
+        holds(self.next.len() == half_edges, "next", self.next.len())?;
+        holds(self.boundary.len() == half_edges, "boundary", self.boundary.len())?;
+        for h in 0..half_edges {
+            holds(is_below(self.origin[h], vertices), "origin", h)?;
+            holds(is_below(self.boundary[h], boundaries), "boundary", h)?;
+        }
+        let mut has_prev = vec![false; half_edges];
+        for h in 0..half_edges {
+            let next = self.next[h] as usize;
+            let follows = next < half_edges
+                && self.origin[next] == self.origin[h ^ 1]
+                && self.boundary[next] == self.boundary[h]
+                && !core::mem::replace(&mut has_prev[next], true);
+            holds(follows, "next", h)?;
+        }
+        for (v, link) in self.vertices.iter().enumerate() {
+            let is_own = match *link {
+                VertexLink::Leaving(h) => self.origin.get(h as usize) == Some(&(v as u32)),
+                VertexLink::Isolated(b) => self.starts.get(b as usize) == Some(&BoundaryStart::Vertex(v as u32)),
+            };
+            holds(is_own, "vertices", v)?;
+        }
+        for (b, start) in self.starts.iter().enumerate() {
+            let is_own = match *start {
+                BoundaryStart::HalfEdge(h) => self.boundary.get(h as usize) == Some(&(b as u32)),
+                BoundaryStart::Vertex(v) => self.vertices.get(v as usize) == Some(&VertexLink::Isolated(b as u32)),
+            };
+            holds(is_own, "starts", b)?;
+        }
+        let mut is_listed = vec![false; boundaries];
+        let mut is_new = |b: u32| is_listed.get_mut(b as usize).is_some_and(|listed| !core::mem::replace(listed, true));
+        for (row, b) in self.outer.iter().enumerate() {
+            let is_cycle = matches!(self.starts.get(*b as usize), Some(BoundaryStart::HalfEdge(_)));
+            holds(is_new(*b) && is_cycle, "outer", row)?;
+        }
+        for (row, (f, b)) in self.inner.iter().enumerate() {
+            holds(is_below(*f, faces) && is_new(*b), "inner", row)?;
+        }
+        let unlisted = is_listed.iter().position(|listed| !listed);
+        unlisted.map_or(Ok(()), |b| holds(false, "starts", b))
+    }
+
+    /// The index of the vertex with this number. O(1).
+    #[must_use]
+    pub const fn vertex_index(number: u32) -> u32 {
         number + 1
     }
 
-    /// The index of the half-edge with this number.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) const fn half_edge_index(number: u32) -> u32 {
+    /// The index of the half-edge with this number. O(1).
+    #[must_use]
+    pub const fn half_edge_index(number: u32) -> u32 {
         number + 2
     }
 

@@ -3,8 +3,9 @@
 use super::error::{OperatorError, StaleKey};
 use super::import::Keys;
 use super::structure::Dcel;
-use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Kind, Policy, Sealed, Value};
+use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Faces, Kind, Policy, Value};
 use crate::store::{FaceKey, HalfEdgeKey, VertexKey};
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use slotmap::{Key, KeyData, SecondaryMap};
 
@@ -82,7 +83,7 @@ impl Dcel {
     /// The key under which the value of a record is kept.
     fn record_key<K: Attributed>(&self, key: K::Key) -> Result<K::Key, StaleKey> {
         let data = key.data();
-        match <K as Sealed>::KIND {
+        match K::KIND {
             Kind::Vertex => self.vertex(VertexKey::from(data)).map(|_| key),
             Kind::Face => self.face(FaceKey::from(data)).map(|_| key),
             Kind::HalfEdge | Kind::Corner => self.half_edge(HalfEdgeKey::from(data)).map(|_| key),
@@ -90,9 +91,8 @@ impl Dcel {
                 let twin = h.twin();
                 if twin.index() < h.index() { twin.key().data().into() } else { key }
             }),
-            // The map knows.
-            #[cfg(feature = "map")]
-            Kind::Feature => Ok(key),
+            // The structure around this one knows.
+            Kind::Other => Ok(key),
         }
     }
 }
@@ -138,14 +138,13 @@ impl Dcel {
 
     /// The keys under which records have values; of faces, the bounded ones.
     pub(crate) fn record_keys<K: Attributed>(&self) -> Vec<KeyData> {
-        match <K as Sealed>::KIND {
+        match K::KIND {
             Kind::Vertex => self.vertices().map(|v| v.key().data()).collect(),
             Kind::Face => self.faces().filter(|f| !f.is_unbounded()).map(|f| f.key().data()).collect(),
             Kind::HalfEdge | Kind::Corner => self.half_edges().map(|h| h.key().data()).collect(),
             Kind::Edge => self.edges().map(|h| h.key().data()).collect(),
-            // The map knows.
-            #[cfg(feature = "map")]
-            Kind::Feature => Vec::new(),
+            // The structure around this one knows.
+            Kind::Other => Vec::new(),
         }
     }
 
@@ -154,7 +153,7 @@ impl Dcel {
     /// The value converts to the type of the attribute: `"Ada"` is a value of an attribute of `String`s.
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::NoSuchAttribute`], for example for a feature attribute: a `Dcel` has no features.
+    /// A stale key; [`OperatorError::NoSuchAttribute`], for example for an attribute of [other records](Kind::Other).
     pub fn set_value<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
@@ -182,8 +181,7 @@ impl Dcel {
         key: K::Key,
         value: Option<T>,
     ) -> Result<Option<T>, OperatorError> {
-        #[cfg(feature = "map")]
-        if <K as Sealed>::KIND == Kind::Feature {
+        if K::KIND == Kind::Other {
             return Err(OperatorError::NoSuchAttribute);
         }
         let key = self.record_key::<K>(key)?;
@@ -220,12 +218,12 @@ impl Dcel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
-        self.carry(other, keys, |_| None);
+        self.carry_all_values(other, keys, |_| None);
     }
 
-    /// As above. Features have other keys, too, if they are there.
-    #[cfg_attr(not(feature = "map"), allow(unused_variables, reason = "only maps have features"))]
-    pub(crate) fn carry(&mut self, other: &Self, keys: &Keys, feature: impl Fn(KeyData) -> Option<KeyData>) {
+    /// Takes over attributes as [`carry_values`](Self::carry_values) does, and those of [other records](Kind::Other): `other_key` gives the
+    /// key of such a record here, if it is here. O(values).
+    pub fn carry_all_values(&mut self, other: &Self, keys: &Keys, other_key: impl Fn(KeyData) -> Option<KeyData>) {
         let Some(mut all) = other.store.attributes().cloned() else { return };
         let half_edge = |old: KeyData| keys.half_edge(other.half_edge(old.into()).ok()?.index());
         all.rename(&|kind, old| match kind {
@@ -233,15 +231,79 @@ impl Dcel {
             Kind::HalfEdge | Kind::Corner => half_edge(old).map(|key| key.data()),
             Kind::Edge => self.record_key::<Edges>(half_edge(old)?).ok().map(|key| key.data()),
             Kind::Face => keys.face(other.face(old.into()).ok()?.index()).map(|key| key.data()),
-            #[cfg(feature = "map")]
-            Kind::Feature => feature(old),
+            Kind::Other => other_key(old),
         });
-        self.store.kept_attributes().extend(all);
+        self.add_attributes(all);
+    }
+
+    /// The attributes, if there are any. O(1).
+    #[must_use]
+    pub fn attributes(&self) -> Option<&Attributes> {
+        self.store.attributes()
+    }
+
+    /// The attributes, if there are any, during a change that [`attributes_to_change`](Self::attributes_to_change) has begun. O(1).
+    pub fn attributes_mut(&mut self) -> Option<&mut Attributes> {
+        self.store.attributes_mut()
+    }
+
+    /// Puts other attributes in place of those that there are, which it returns. O(1).
+    pub fn replace_attributes(&mut self, attributes: Option<Attributes>) -> Option<Attributes> {
+        let had = self.store.take_attributes();
+        self.store.set_attributes(attributes.map(Box::new));
+        had.map(|had| *had)
+    }
+
+    /// Adds attributes with their values, as those of a structure that this one was cut out of. Where both have the same one, records keep the
+    /// values that they have. O(values).
+    pub fn add_attributes(&mut self, more: Attributes) {
+        self.store.kept_attributes().extend(more);
         self.attributes_to_change();
     }
 
-    /// The attributes, if there are any, before a change. Unless the change is logged, earlier ones are forgotten.
-    pub(crate) fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
+    /// Adds an attribute of [other records](Kind::Other), with these values. If the policy gives ids, the other `records` get theirs.
+    /// O(values + records).
+    pub fn add_other_attribute<K: Attributed, T: Value>(
+        &mut self,
+        policy: Policy<K, T>,
+        values: impl IntoIterator<Item = (K::Key, T)>,
+        records: Vec<KeyData>,
+    ) -> Attribute<K, T> {
+        self.attributes_to_change();
+        self.store.kept_attributes().add(policy, values, records)
+    }
+
+    /// Gives a value to an [other record](Kind::Other), or takes it away. Returns the value that it had. O(1).
+    ///
+    /// # Errors
+    /// [`OperatorError::NoSuchAttribute`].
+    pub fn put_other_value<K: Attributed, T: Value>(
+        &mut self,
+        of: Attribute<K, T>,
+        key: K::Key,
+        value: Option<T>,
+    ) -> Result<Option<T>, OperatorError> {
+        let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
+        attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
+    }
+
+    /// Gives to faces the values of other records that cover them: each value, and the faces that its record covers, the largest first, with
+    /// their areas. The policy splits a value among several faces, and merges several in one face. O(faces).
+    ///
+    /// # Errors
+    /// [`OperatorError::Refused`] by the policy, and nothing changes; [`OperatorError::NoSuchAttribute`].
+    pub fn spread_values<T: Value>(
+        &mut self,
+        to: Attribute<Faces, T>,
+        values: Vec<(T, Vec<(KeyData, f64)>)>,
+    ) -> Result<(), OperatorError> {
+        let attributes = self.attributes_to_change().ok_or(OperatorError::NoSuchAttribute)?;
+        let spread = attributes.spread(to, values).map_err(|()| OperatorError::NoSuchAttribute)?;
+        spread.map_err(OperatorError::Refused)
+    }
+
+    /// The attributes, if there are any, at the beginning of a change. Unless the change is logged, earlier ones are forgotten. O(1), amortised.
+    pub fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
         let is_logged = self.store.is_logged();
         let attributes = self.store.attributes_mut()?;
         if !is_logged {

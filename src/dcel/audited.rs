@@ -1,15 +1,12 @@
 //! A structure that is validated after each change.
 
-use super::recorder::Recorder;
+use super::recorder::{Logged as _, Recorder};
 use super::structure::Dcel;
 use crate::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use crate::validate::{Expectation, Report};
 use alloc::boxed::Box;
 
 /// A structure that can be validated after a change, by what the change wrote.
-///
-/// Public in name only, as [`Recorder`] is.
-#[allow(unnameable_types, reason = "it is sealed so")]
 pub trait Auditable: Recorder {
     /// Its links when it was last found right, and whatever else is compared with those after a change.
     type Baseline: Clone;
@@ -39,7 +36,7 @@ impl Auditable for Dcel {
 }
 
 /// A structure that is validated after each change, in about the time that the change took: see [`validate::near`](crate::validate::near)
-/// for what is checked. The structure is a [`Dcel`] or, with the feature `map`, a `PlanarMap`, of which the rules of coordinates G1 … G5 are
+/// for what is checked. The structure is a [`Dcel`] or a `PlanarMap` of `twinedge-map`, of which the rules of coordinates G1 … G5 are
 /// checked, too.
 ///
 /// No sequence of operators breaks a rule, and no edit of a map. Take this to test that, or while you change an operator or write an editor, on

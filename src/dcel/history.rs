@@ -1,6 +1,6 @@
 //! A structure whose changes can be taken back.
 
-use super::recorder::Recorder;
+use super::recorder::{Logged as _, Recorder};
 use super::structure::Dcel;
 use super::timeline::{Mark, Timeline};
 use crate::store::{Entry, Log, Way};
@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 /// Places in the two logs, of links and of others.
 type Place = [usize; 2];
 
-/// A structure whose changes can be taken back and done again: the core of an editor. The structure is a [`Dcel`] or, with the feature `map`, a
+/// A structure whose changes can be taken back and done again: the core of an editor. The structure is a [`Dcel`] or another [`Recorder`], such as a
 /// `PlanarMap`.
 ///
 /// A change is any number of operators or edits under one name, which users see in a menu. Either all of them are done or, after an error or a
@@ -113,8 +113,8 @@ pub struct History<D: Recorder = Dcel> {
 impl<D: Recorder> Clone for History<D> {
     fn clone(&self) -> Self {
         let mut structure = self.structure.clone();
-        structure.begin();
-        structure.dcel_mut().store.copy_log(&self.structure.dcel().store);
+        structure.begin_logs();
+        structure.links().store.copy_log(&self.structure.dcel().store);
         let token = structure.dcel().store.log.get().and_then(Log::token);
         let Self { others, timeline, kept_from, last, .. } = self;
         let (others, timeline) = (others.clone(), timeline.clone());
@@ -233,7 +233,7 @@ impl<D: Recorder> History<D> {
     #[must_use]
     pub fn written(&self) -> WriteSet {
         let [start, end] = self.last;
-        self.structure.written(start[0]..end[0], &self.others[start[1]..end[1]])
+        self.structure.written_by(start[0]..end[0], &self.others[start[1]..end[1]])
     }
 
     /// Forgets the changes that were undone, and of the others all but the last `keep`. Their memory is used for those that follow.
@@ -254,7 +254,7 @@ impl<D: Recorder> History<D> {
 
     /// The log of links; none if there is another structure in place, which has none.
     fn log(&mut self) -> Option<&mut Log> {
-        self.structure.dcel_mut().store.log.get_mut()
+        self.structure.links().store.log.get_mut()
     }
 
     /// Takes what is undone off the log, to put it back if the change fails.
@@ -284,7 +284,7 @@ impl<D: Recorder> History<D> {
             return self.begin();
         };
         let links = log.entries.len();
-        let mut others = self.structure.take_others();
+        let mut others = self.structure.others();
         self.last = [start; 2];
         match name {
             Some(name) if links > start[0] || !others.is_empty() => {

@@ -94,6 +94,7 @@ mod circulators;
 mod elements;
 mod equality;
 mod error;
+pub mod extend;
 mod history;
 mod import;
 mod operators;
@@ -103,10 +104,6 @@ mod timeline;
 mod view;
 
 pub use access::ElementKey;
-#[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
-pub(crate) use assemble::Assembly;
-#[cfg(feature = "map")]
-pub(crate) use audited::Auditable;
 pub use audited::Audited;
 pub use bulk::{MergedFace, Renamed, Retained};
 pub use circulators::{Cycle, Rotation};
@@ -118,13 +115,9 @@ pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
 };
-#[cfg(feature = "map")]
-pub(crate) use recorder::Recorder;
 pub use structure::Dcel;
 pub use timeline::Mark;
 
-#[cfg(feature = "map")]
-pub use crate::store::attributes::Features;
 pub use crate::store::attributes::{
     Attribute, Attributed, Corners, Edges, Faces, HalfEdges, Policy, Quantity, Value, Vertices,
 };

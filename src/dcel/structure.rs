@@ -99,16 +99,6 @@ impl Dcel {
         Self { store: Store::with_room(need) }
     }
 
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) const fn store(&self) -> &Store {
-        &self.store
-    }
-
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) const fn store_mut(&mut self) -> &mut Store {
-        &mut self.store
-    }
-
     /// The number of vertices. O(1).
     #[must_use]
     pub fn vertex_count(&self) -> usize {

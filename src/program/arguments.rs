@@ -10,7 +10,7 @@ use core::fmt;
 
 /// The lists in which numbers count.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum List {
+pub enum List {
     HalfEdges,
     Isolated,
     RetiredHalfEdges,
@@ -22,7 +22,7 @@ pub(crate) enum List {
 
 /// The kind of record that two corners must have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Fit {
+pub enum Fit {
     Face,
     Vertex,
 }

@@ -1,6 +1,6 @@
 //! Languages of programs, whatever their operators: arguments, text, and what generation and shrinking need.
 //!
-//! A table of operators becomes a language by the macro [`language`]: see `program::operators` and `map::program::edits`.
+//! A table of operators becomes a language by the macro [`language`](crate::language): that of operators is in `program::operators`.
 
 use super::choose::Choose;
 use super::text::{Expected, ParseError, Words, number};
@@ -23,10 +23,7 @@ pub trait Sequence: Clone + PartialEq + fmt::Debug + 'static {
     fn simpler(op: &Self::Op) -> Vec<Self::Op>;
 }
 
-/// A language of programs: [`Program`](crate::program::Program), for the topology, and with the feature `map` also
-#[cfg_attr(feature = "map", doc = "[`EditProgram`](crate::map::program::EditProgram),")]
-#[cfg_attr(not(feature = "map"), doc = "`map::program::EditProgram`,")]
-/// for the edits of a planar map. No other type can have this trait.
+/// A language of programs, such as [`Program`](crate::program::Program) for the operators of a [`Dcel`](crate::dcel::Dcel).
 ///
 /// Each can be [generated](crate::program::Generator), [shrunk](crate::program::shrink()), written down and read.
 pub trait Language: Sequence {
@@ -53,7 +50,7 @@ pub trait Language: Sequence {
 }
 
 /// The operator that put something on a list, by its place in the program, and which of its things.
-pub(crate) type Name = (usize, usize);
+pub type Name = (usize, usize);
 
 /// A run of a program, with names for the entries of each list.
 pub trait Stage {
@@ -73,7 +70,7 @@ pub trait Stage {
 }
 
 /// An argument of an operator.
-pub(crate) trait Argument: Clone {
+pub trait Argument: Clone {
     /// The lists in which its numbers count.
     type List;
     /// The arguments before it on which it depends.
@@ -99,10 +96,10 @@ pub(crate) trait Argument: Clone {
 }
 
 /// A variant of an argument: the prefix of its word, the variant, and the list.
-pub(crate) type Variant<P, L> = (&'static str, fn(u32) -> P, L);
+pub type Variant<P, L> = (&'static str, fn(u32) -> P, L);
 
 /// An argument that chooses from one list or another by a number: a variant for each list.
-pub(crate) trait Numbered: Copy + 'static {
+pub trait Numbered: Copy + 'static {
     /// The lists.
     type List: Copy + 'static;
 
@@ -161,7 +158,7 @@ impl<P: Numbered> Argument for P {
 }
 
 /// Smaller numbers, the smallest first. Two less keeps the side of an edge, which one less and the half may not.
-pub(crate) fn smaller(k: u32) -> impl Iterator<Item = u32> {
+pub fn smaller(k: u32) -> impl Iterator<Item = u32> {
     let mut all = vec![0, 1, k / 2, k.saturating_sub(2), k.saturating_sub(1)];
     all.sort_unstable();
     all.dedup();
@@ -169,7 +166,7 @@ pub(crate) fn smaller(k: u32) -> impl Iterator<Item = u32> {
 }
 
 /// Writes the places of the bits of a mask, with commas between them.
-pub(crate) fn write_mask(f: &mut fmt::Formatter<'_>, mask: u16) -> fmt::Result {
+pub fn write_mask(f: &mut fmt::Formatter<'_>, mask: u16) -> fmt::Result {
     let mut before = "";
     for bit in (0..16).filter(|bit| mask >> bit & 1 == 1) {
         write!(f, "{before}{bit}")?;
@@ -179,13 +176,14 @@ pub(crate) fn write_mask(f: &mut fmt::Formatter<'_>, mask: u16) -> fmt::Result {
 }
 
 /// Masks without one bit or more, the simplest first.
-pub(crate) fn smaller_masks(mask: u16) -> impl Iterator<Item = u16> {
+pub fn smaller_masks(mask: u16) -> impl Iterator<Item = u16> {
     let bits = (0..16).map(|bit| 1 << bit).filter(move |bit| mask & bit != 0 && *bit != mask);
     (mask != 0).then_some(0).into_iter().chain(bits.map(move |bit| mask & !bit))
 }
 
 /// Defines a language from its table: operators and their kinds, programs, their text, and what is simpler. A row reads: variant,
 /// name, how often it is drawn, and its arguments, each with the earlier ones that it depends on in brackets.
+#[macro_export]
 macro_rules! language {
     (
         header $header:literal $expected:ident,
@@ -260,7 +258,7 @@ macro_rules! language {
             }
 
             /// Draws the arguments by the choices of a source.
-            pub(in $crate) fn draw(kind: $kind, source: &mut impl $crate::program::choose::Choose, upper: u8) -> Self {
+            pub fn draw(kind: $kind, source: &mut impl $crate::program::choose::Choose, upper: u8) -> Self {
                 use $crate::program::language::Argument;
                 match kind {
                     $($kind::$variant => Self::$variant { $($arg: Argument::draw(source, upper)),* },)*
@@ -268,7 +266,7 @@ macro_rules! language {
             }
 
             /// The operator with other numbers.
-            pub(in $crate) fn renumber(&self, number: &mut impl FnMut($list, u32) -> u32) -> Self {
+            pub fn renumber(&self, number: &mut impl FnMut($list, u32) -> u32) -> Self {
                 use $crate::program::language::Argument;
                 match self.clone() {
                     $(Self::$variant { $($arg),* } => {
@@ -356,4 +354,3 @@ macro_rules! language {
         }
     };
 }
-pub(crate) use language;

@@ -53,16 +53,16 @@ mod dcel;
 mod every;
 mod generator;
 mod instances;
-pub(crate) mod language;
+pub mod language;
 pub mod mesh;
 mod operators;
 #[doc(hidden)]
 pub mod panics;
 mod pointer_model;
 mod runner;
-pub(crate) mod shrink;
+mod shrink;
 mod subject;
-pub(crate) mod text;
+pub mod text;
 
 pub use crate::dcel::{Corner, Side, Turn};
 pub use arguments::{CornerPick, FacePick, HalfEdgePick, InnerPick, SecondPick, VertexPick};
@@ -76,7 +76,7 @@ pub use pointer_model::{
     PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelStart, PointerModelVertex, StartError,
 };
 pub use runner::Runner;
-pub use shrink::{candidates, shrink};
+pub use shrink::{candidates, extend, follow, shrink};
 #[doc(hidden)]
 pub use subject::by_index;
 pub use subject::{CallOf, CornerOf, HandleOf, Refusal, StepOutcome, Subject};

@@ -5,8 +5,8 @@
 
 use super::arguments::{CornerPick, FacePick, Fit, HalfEdgePick, InnerPick, List, SecondPick, VertexPick};
 use super::choose::Choose;
-use super::language::language;
 use crate::dcel::{Corner, Side, Turn};
+use crate::language;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;

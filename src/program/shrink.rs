@@ -143,7 +143,7 @@ impl<P: Language> Script<P> {
 }
 
 /// Keeps the names of the entries that stayed on a list, in order, and names the new entries at its end.
-pub(crate) fn follow<T: PartialEq>(names: &mut Vec<Name>, before: &[T], after: &[T], place: usize) {
+pub fn follow<T: PartialEq>(names: &mut Vec<Name>, before: &[T], after: &[T], place: usize) {
     let mut stayed = after.iter().peekable();
     let mut left = before.iter();
     names.retain(|_| left.next().is_some_and(|old| stayed.next_if_eq(&old).is_some()));
@@ -151,7 +151,7 @@ pub(crate) fn follow<T: PartialEq>(names: &mut Vec<Name>, before: &[T], after: &
 }
 
 /// Names what came to the end of a list.
-pub(crate) fn extend(names: &mut Vec<Name>, len: usize, place: usize) {
+pub fn extend(names: &mut Vec<Name>, len: usize, place: usize) {
     let more = len.saturating_sub(names.len());
     names.extend((0..more).map(|which| (place, which)));
 }

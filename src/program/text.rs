@@ -76,7 +76,7 @@ pub struct ParseError {
 }
 
 /// The rest of one line.
-pub(crate) struct Words<'a> {
+pub struct Words<'a> {
     text: &'a str,
     rest: &'a str,
     line: usize,
@@ -84,34 +84,30 @@ pub(crate) struct Words<'a> {
 
 impl<'a> Words<'a> {
     /// A line without its comment.
-    pub(crate) fn new(line: usize, text: &'a str) -> Self {
+    pub fn new(line: usize, text: &'a str) -> Self {
         let text = text.split('#').next().unwrap_or_default();
         Self { text, rest: text.trim(), line }
     }
 
     /// Tells whether all words were taken.
-    pub(crate) fn end(&self) -> Result<(), ParseError> {
+    pub fn end(&self) -> Result<(), ParseError> {
         if self.rest.is_empty() { Ok(()) } else { Err(self.error(Expected::End)) }
     }
 
     /// The next word; empty if there is none.
-    pub(crate) fn peek(&self) -> &'a str {
+    pub fn peek(&self) -> &'a str {
         self.rest.split_whitespace().next().unwrap_or_default()
     }
 
     /// Says that something else should stand here.
-    pub(crate) fn error(&self, expected: Expected) -> ParseError {
+    pub fn error(&self, expected: Expected) -> ParseError {
         let before = self.text.trim_end().len() - self.rest.len();
         let column = self.text.get(..before).map_or(0, |text| text.chars().count()) + 1;
         ParseError { line: self.line, column, expected }
     }
 
     /// Takes the next word if `read` understands it.
-    pub(crate) fn take<T>(
-        &mut self,
-        expected: Expected,
-        read: impl FnOnce(&'a str) -> Option<T>,
-    ) -> Result<T, ParseError> {
+    pub fn take<T>(&mut self, expected: Expected, read: impl FnOnce(&'a str) -> Option<T>) -> Result<T, ParseError> {
         let word = self.peek();
         let value = read(word).ok_or_else(|| self.error(expected))?;
         self.rest = self.rest.get(word.len()..).unwrap_or_default().trim_start();
@@ -120,13 +116,13 @@ impl<'a> Words<'a> {
 }
 
 /// The number after a prefix: digits only.
-pub(crate) fn number(word: &str, prefix: &str) -> Option<u32> {
+pub fn number(word: &str, prefix: &str) -> Option<u32> {
     let digits = word.strip_prefix(prefix)?;
     digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
 }
 
 /// The number of a bit mask, written as the places of its bits: digits in rising order, with commas between them.
-pub(crate) fn mask(word: &str) -> Option<u16> {
+pub fn mask(word: &str) -> Option<u16> {
     word.split(',').try_fold(0_u16, |mask, bit| {
         let bit = number(bit, "").filter(|bit| *bit < 16)?;
         (mask >> bit == 0).then_some(mask | 1 << bit)
@@ -134,7 +130,7 @@ pub(crate) fn mask(word: &str) -> Option<u16> {
 }
 
 /// The operators of a text: a header, and one operator in each line that is not empty.
-pub(crate) fn lines<'a, O>(
+pub fn lines<'a, O>(
     text: &'a str,
     header: &str,
     expected: Expected,

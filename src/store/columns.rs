@@ -59,7 +59,7 @@ slot_types! {
 
 /// The link that a vertex keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum VertexLink<H = HalfEdgeSlot, B = BoundarySlot> {
+pub enum VertexLink<H = u32, B = u32> {
     /// A half-edge that leaves it.
     Leaving(H),
     /// The boundary component that it is.
@@ -68,7 +68,7 @@ pub(crate) enum VertexLink<H = HalfEdgeSlot, B = BoundarySlot> {
 
 /// The start of a boundary component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum BoundaryStart<H = HalfEdgeSlot, V = VertexSlot> {
+pub enum BoundaryStart<H = u32, V = u32> {
     /// A half-edge of its cycle.
     HalfEdge(H),
     /// The isolated vertex that it is.
@@ -89,7 +89,8 @@ pub struct Room {
 }
 
 impl Room {
-    pub(crate) const NONE: Self = Self { vertices: 0, edges: 0, boundaries: 0, faces: 0 };
+    /// No records.
+    pub const NONE: Self = Self { vertices: 0, edges: 0, boundaries: 0, faces: 0 };
 }
 
 /// The kind of record for which there is no room.
@@ -132,14 +133,14 @@ pub(super) fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
     column
 }
 
-pub(super) const fn vertex_link_bits(link: VertexLink) -> u32 {
+pub(super) const fn vertex_link_bits(link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> u32 {
     match link {
         VertexLink::Leaving(h) => h.0,
         VertexLink::Isolated(b) => b.0 | OTHER,
     }
 }
 
-pub(super) const fn start_bits(start: BoundaryStart) -> u32 {
+pub(super) const fn start_bits(start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> u32 {
     match start {
         BoundaryStart::HalfEdge(h) => h.0,
         BoundaryStart::Vertex(v) => v.0 | OTHER,

@@ -15,30 +15,6 @@ new_key_type! {
     pub struct FaceKey;
 }
 
-#[cfg(feature = "map")]
-new_key_type! {
-    /// A feature of a map, such as a country, by its number in order of input.
-    pub struct FeatureId;
-}
-
-#[cfg(feature = "map")]
-impl FeatureId {
-    pub(crate) fn new(number: u32) -> Self {
-        // Slots of other kinds begin at 1, too.
-        key(number.wrapping_add(1), 1)
-    }
-
-    pub(crate) fn number(self) -> u32 {
-        parts(self).0.wrapping_sub(1)
-    }
-
-    /// The place in order of input, counted from 0.
-    #[must_use]
-    pub fn index(self) -> usize {
-        self.number() as usize
-    }
-}
-
 /// The slot that a key names, and the generation in which it does.
 ///
 /// `slotmap` promises only that its 64-bit form gives the key back. That the slot stands in the low half and the

@@ -28,7 +28,6 @@ use super::issuer::{Issuer, structure_offset};
 use alloc::boxed::Box;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
-#[cfg(feature = "map")]
 use core::ops::Range;
 
 /// A kind of slot.
@@ -137,9 +136,8 @@ impl Log {
         }
     }
 
-    /// The half-edges, one of each edge, and the vertices whose drawing some entries may have changed, each perhaps several times: edges
-    /// that came, went or have another end, and vertices that came, went or may be isolated or not.
-    #[cfg(feature = "map")]
+    /// The half-edges, one of each edge, and the vertices of which entries of a part say that they came or went, that the edge has another
+    /// end, or that the vertex may be isolated or not; each perhaps several times.
     pub(crate) fn redrawn(&self, part: Range<usize>) -> (Vec<usize>, Vec<usize>) {
         let (mut edges, mut vertices) = (Vec::new(), Vec::new());
         for Entry { written, slot, .. } in &self.entries[part] {

@@ -43,12 +43,11 @@ mod replay;
 #[forbid(unsafe_code)]
 mod slots;
 
-pub(crate) use columns::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, LAST, OUTER, VertexLink, VertexSlot};
-pub use columns::{RecordKind, Room};
-#[cfg(feature = "map")]
-pub use keys::FeatureId;
+pub(crate) use columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, LAST, OUTER, VertexSlot};
+pub use columns::{BoundaryStart, RecordKind, Room, VertexLink};
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
-pub(crate) use log::{Entry, Log, Way};
+pub use log::Way;
+pub(crate) use log::{Entry, Log};
 #[cfg(feature = "serde")]
 pub(crate) use records::{Generations, Live};
 pub(crate) use records::{InOrder, Numbered};

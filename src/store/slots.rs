@@ -256,7 +256,7 @@ impl Store {
     }
 
     /// Adds a vertex. The caller has asked for room, here and below.
-    pub(crate) fn add_vertex(&mut self, link: VertexLink) -> VertexSlot {
+    pub(crate) fn add_vertex(&mut self, link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
         self.save_vacant(Kind::Vertex);
         let slot = self.vertices.issue();
         put(&mut self.vertex_link, slot, vertex_link_bits(link));
@@ -297,7 +297,7 @@ impl Store {
     }
 
     /// Adds a boundary component that no face lists yet.
-    pub(crate) fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart) -> BoundarySlot {
+    pub(crate) fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
         self.save_vacant(Kind::Boundary);
         let slot = self.boundaries.issue();
         put(&mut self.boundary_face, slot, f);
@@ -385,7 +385,7 @@ impl Store {
     }
 
     #[inline]
-    pub(crate) fn vertex_link(&self, v: VertexSlot) -> VertexLink {
+    pub(crate) fn vertex_link(&self, v: VertexSlot) -> VertexLink<HalfEdgeSlot, BoundarySlot> {
         let bits = self.vertex_link[v.index()];
         if bits & OTHER == 0 {
             VertexLink::Leaving(HalfEdgeSlot(bits))
@@ -400,7 +400,7 @@ impl Store {
     }
 
     #[inline]
-    pub(crate) fn start(&self, b: BoundarySlot) -> BoundaryStart {
+    pub(crate) fn start(&self, b: BoundarySlot) -> BoundaryStart<HalfEdgeSlot, VertexSlot> {
         let bits = self.start[b.index()];
         if bits & OTHER == 0 {
             BoundaryStart::HalfEdge(HalfEdgeSlot(bits))
@@ -453,12 +453,12 @@ impl Store {
         self.boundary[h.index()] = b;
     }
 
-    pub(crate) fn set_vertex_link(&mut self, v: VertexSlot, link: VertexLink) {
+    pub(crate) fn set_vertex_link(&mut self, v: VertexSlot, link: VertexLink<HalfEdgeSlot, BoundarySlot>) {
         self.note(Written::VertexLink, v.0, self.vertex_link[v.index()]);
         self.vertex_link[v.index()] = vertex_link_bits(link);
     }
 
-    pub(crate) fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart) {
+    pub(crate) fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
         self.note(Written::Start, b.0, self.start[b.index()]);
         self.start[b.index()] = start_bits(start);
         if self.place[b.index()] == OUTER {

@@ -5,20 +5,32 @@ use super::rule::Rule;
 use alloc::vec::Vec;
 
 /// An error if the run ends early.
-pub(crate) type Flow = Result<(), Halt>;
+pub type Flow = Result<(), Halt>;
 
 /// A reason to end a run early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Halt {
+#[non_exhaustive]
+pub enum Halt {
     /// Only the first violation was wanted, and it is found.
     Found,
     /// No memory for a column.
     OutOfMemory,
 }
 
-/// The report under construction.
+/// A report under construction: the outcome of each rule, and violations. For rules that are checked beside those of [`validate`](super::validate),
+/// such as those of coordinates.
+///
+/// ```
+/// use twinedge::validate::{Collect, Findings, Rule, Violation};
+///
+/// let mut findings = Findings::new(Collect::All);
+/// findings.checked(Rule::G1, 3);
+/// findings.add(Violation::NotFinite { vertex: 2 }).unwrap();
+/// let report = findings.into_report(&[Rule::G1]);
+/// assert_eq!((report.violation_count(), report.outcome(Rule::G1).unwrap().checked), (1, 3));
+/// ```
 #[derive(Debug)]
-pub(crate) struct Findings {
+pub struct Findings {
     outcomes: [RuleOutcome; Rule::ALL.len()],
     /// Of each rule the first ones, up to the cap.
     violations: Vec<Violation>,
@@ -29,7 +41,9 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
-    pub(crate) const fn new(collect: Collect) -> Self {
+    /// Nothing was checked yet. O(1).
+    #[must_use]
+    pub const fn new(collect: Collect) -> Self {
         Self {
             outcomes: [RuleOutcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
             violations: Vec::new(),
@@ -39,9 +53,12 @@ impl Findings {
         }
     }
 
-    /// Notes a violation, and ends the run if the first one was asked for.
+    /// Notes a violation. O(1), amortised.
+    ///
+    /// # Errors
+    /// The run ends, as only the first violation is wanted.
     #[cold]
-    pub(crate) fn add(&mut self, violation: Violation) -> Flow {
+    pub fn add(&mut self, violation: Violation) -> Flow {
         let found = &mut self.outcomes[violation.rule().index()].violations;
         if *found < self.collect.cap() as u64 && self.violations.try_reserve(1).is_ok() {
             self.violations.push(violation);
@@ -55,28 +72,29 @@ impl Findings {
         Pass { findings: self, first, held_back: None }
     }
 
-    pub(crate) const fn checked(&mut self, rule: Rule, count: u64) {
+    /// Notes that a rule was checked on so many more records. O(1).
+    pub const fn checked(&mut self, rule: Rule, count: u64) {
         self.outcomes[rule.index()].checked += count;
     }
 
-    pub(crate) const fn not_checked(&mut self, rule: Rule, why: Unchecked) {
+    /// Notes the reason why a rule was not checked, or not on every record. O(1).
+    pub const fn not_checked(&mut self, rule: Rule, why: Unchecked) {
         self.outcomes[rule.index()].unchecked = Some(why);
     }
 
     /// Returns the greatest number of violations of a rule that are kept.
-    #[cfg(feature = "geometry")]
-    pub(crate) const fn cap(&self) -> usize {
+    #[must_use]
+    pub const fn cap(&self) -> usize {
         self.collect.cap()
     }
 
     /// Counts violations that were found elsewhere and not kept.
-    #[cfg(feature = "geometry")]
-    pub(crate) const fn add_uncollected(&mut self, rule: Rule, count: u64) {
+    pub const fn add_uncollected(&mut self, rule: Rule, count: u64) {
         self.outcomes[rule.index()].violations += count;
     }
 
-    /// The same, unless the rule was checked on some record or has a reason already.
-    pub(crate) const fn not_checked_yet(&mut self, rule: Rule, why: Unchecked) {
+    /// Notes the reason, unless the rule was checked on some record or has a reason already.
+    pub const fn not_checked_yet(&mut self, rule: Rule, why: Unchecked) {
         let outcome = &mut self.outcomes[rule.index()];
         if outcome.unchecked.is_none() && outcome.checked == 0 {
             outcome.unchecked = Some(why);
@@ -94,12 +112,14 @@ impl Findings {
     }
 
     /// The first of these rules that is broken.
-    pub(crate) fn broken(&self, rules: &[Rule]) -> Option<Rule> {
+    #[must_use]
+    pub fn broken(&self, rules: &[Rule]) -> Option<Rule> {
         rules.iter().copied().find(|rule| !self.holds(*rule))
     }
 
     /// The outcomes of these rules and the violations found.
-    pub(crate) fn into_report(self, rules: &[Rule]) -> Report {
+    #[must_use]
+    pub fn into_report(self, rules: &[Rule]) -> Report {
         let mut violations = self.violations;
         violations.sort_by_key(Violation::rule);
         keep_some_of_each(&mut violations, self.collect.cap());

@@ -62,8 +62,8 @@
 //! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
 //! can draw the map, outermost component first, each inside a face already drawn. So a structure that keeps R, L, V, B, F and
 //! T is the topology of some planar subdivision, and every planar subdivision keeps them. G then says that the coordinates
-//! draw that topology: `validate_embedding` checks it, with the
-//! feature `geometry`.
+//! draw that topology: `validate_embedding` of the crate
+//! `twinedge-map` checks it.
 //!
 //! M1 … M8 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
 //! and each is checked, and in the report, only if the [`Expectation`] asks for it.
@@ -90,7 +90,7 @@
 //!
 //! # A verdict that anyone can check
 //!
-//! [`certificate`] has labels for a structure by which a scan without walks, sets and order decides that it is valid. The specification
+//! The crate `twinedge-certificate` has labels for a structure by which a scan without walks, sets and order decides that it is valid. The specification
 //! of that scan is proved in Coq, and the scan in Rust runs beside a checker that is extracted from the proof.
 //!
 //! # With serde
@@ -101,14 +101,11 @@
 
 pub mod adapt;
 mod catalogue;
-pub mod certificate;
 mod columns;
 mod expectation;
 mod expectation_text;
 mod fast_path;
 mod findings;
-#[cfg(feature = "geometry")]
-mod geometric;
 pub mod near;
 mod passes;
 pub mod reference;
@@ -122,16 +119,11 @@ mod validator;
 
 pub use expectation::{Expectation, Surface};
 pub use expectation_text::ParseExpectationError;
-#[cfg(feature = "geometry")]
-pub use geometric::validator::validate_embedding;
-#[cfg(feature = "geometry")]
-pub use report::places;
+pub use findings::{Findings, Flow, Halt};
 pub use report::{Bounds, Collect, Counts, Field, Figures, Named, Record, Report, RuleOutcome, Unchecked, Violation};
 #[cfg(feature = "serde")]
 pub use report::{Described, REPORT_SCHEMA};
 pub use rule::Rule;
-#[cfg(feature = "geometry")]
-pub use structure::Embedding;
 pub use structure::{BoundaryPlace, Link, Only, Part, Parts, Start, View};
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, ParseTableError, Table, VertexRow};
 pub use validator::{accepts, validate};

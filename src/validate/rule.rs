@@ -25,8 +25,8 @@ macro_rules! rules {
                 #[doc = concat!("**", stringify!($rule), " ", $name, "**: ", $statement, ".\n")]
                 $(#[doc = $more])*
                 #[doc = concat!(
-                    "\n\nChecked in `src/validate/rules/", $file, ".rs`; broken alone by `", $test,
-                    "` in `tests/validate/", $tests, ".rs`."
+                    "\n\nChecked in `", $file, ".rs`; broken alone by `", $test,
+                    "` in `", $tests, ".rs`."
                 )]
                 $rule,
             )*

@@ -3,10 +3,7 @@
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 mod counting;
-mod coverage;
-mod geojson;
 mod history;
 mod pointer_model;
 mod stores;
-mod tiles;
 mod validator;

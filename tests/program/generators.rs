@@ -6,7 +6,6 @@ use proptest::test_runner::{Config, TestCaseError, TestError, TestRng, TestRunne
 use quickcheck::Gen;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::Dcel;
-use twinedge::map::program::{EditKind, EditProgram};
 use twinedge::program::choose::Bytes;
 use twinedge::program::*;
 
@@ -106,9 +105,6 @@ fn bytes_are_as_many_operators_as_they_are_enough_for() {
     assert_eq!(text(&split, &[]), "twinedge program 1\n");
     assert_eq!(Program::generator().decode(&[]).0, [Op::AddIsolatedVertex { face: FacePick::Unbounded }]);
     assert_eq!(Program::generator().only(&[]).decode(&[1, 2, 3]).0, []);
-    // An edit without arguments takes no byte, and yet there is an end.
-    let features = EditProgram::generator().only(&[EditKind::AddFeature]).decode(&[1, 2, 3]);
-    assert_eq!(features.to_string(), "twinedge edits 1\nadd_feature\nadd_feature\nadd_feature\n");
 }
 
 #[test]

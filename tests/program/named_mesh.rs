@@ -4,9 +4,9 @@ use crate::support::erased::validate;
 use crate::support::triangles::{Bug, Triangles};
 use proptest::strategy::ValueTree;
 use twinedge::program::choose::Random;
-use twinedge::program::conformance::{self, Conformance, Counterexample, Coverage, Difference, End, NotCompared};
+use twinedge::program::conformance::{Conformance, Counterexample, Coverage, Difference, End, NotCompared};
 use twinedge::program::mesh::Named;
-use twinedge::program::*;
+use twinedge::program::{conformance, *};
 use twinedge::validate::{Collect, Expectation, Part, Parts, View};
 
 const MESH: Expectation = Expectation::surface().open().simple().triangles();

@@ -1,7 +1,7 @@
 //! The validators through a pointer. Each is compiled once in a test binary then, and not for every structure: it is most of what
 //! the tests compile.
 
-use twinedge::validate::{Collect, Embedding, Expectation, Report, Rule, View, reference};
+use twinedge::validate::{Collect, Expectation, Report, Rule, View, reference};
 
 pub(crate) fn validate(view: &dyn View, expectation: &Expectation, collect: Collect) -> Report {
     twinedge::validate::validate(view, expectation, collect)
@@ -10,10 +10,6 @@ pub(crate) fn validate(view: &dyn View, expectation: &Expectation, collect: Coll
 /// A whole plane subdivision.
 pub(crate) fn validate_plane(view: &dyn View) -> Report {
     validate(view, &Expectation::plane(), Collect::All)
-}
-
-pub(crate) fn validate_embedding(embedding: &dyn Embedding, expectation: &Expectation, collect: Collect) -> Report {
-    twinedge::validate::validate_embedding(embedding, expectation, collect)
 }
 
 pub(crate) fn first_broken_rule(view: &dyn View, expectation: &Expectation) -> Option<Rule> {

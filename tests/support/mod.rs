@@ -2,14 +2,11 @@
 #![allow(dead_code, unused_macros, unused_imports, reason = "each test file uses a part of it")]
 
 pub(crate) mod changes;
-pub(crate) mod edits;
 pub(crate) mod erased;
-pub(crate) mod exact;
 pub(crate) mod inconsistent;
 pub(crate) mod nested;
 pub(crate) mod only_live;
 pub(crate) mod opinions;
-pub(crate) mod oracle;
 pub(crate) mod saved;
 pub(crate) mod tables;
 pub(crate) mod tokens;

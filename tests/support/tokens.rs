@@ -61,32 +61,27 @@ pub(crate) struct Handles {
 /// All values, by kind and key.
 pub(crate) type Values = [BTreeMap<String, Tokens>; 5];
 
+/// Attributes of a structure or a map.
 macro_rules! handles {
     ($host:expr, $mints:expr, $refuses:expr) => {{
         let [vertices, half_edges, edges, corners, faces] = $mints;
-        Handles {
-            vertices: $host.add_attribute(vertices.policy(Policy::of_vertices(), $refuses)),
-            half_edges: $host.add_attribute(half_edges.policy(Policy::of_half_edges(), $refuses)),
-            edges: $host.add_attribute(edges.policy(Policy::of_edges(), $refuses)),
-            corners: $host.add_attribute(corners.policy(Policy::of_corners(), $refuses)),
-            faces: $host.add_attribute(faces.policy(Policy::of_faces(), $refuses)),
+        $crate::support::tokens::Handles {
+            vertices: $host.add_attribute(vertices.policy(twinedge::dcel::Policy::of_vertices(), $refuses)),
+            half_edges: $host.add_attribute(half_edges.policy(twinedge::dcel::Policy::of_half_edges(), $refuses)),
+            edges: $host.add_attribute(edges.policy(twinedge::dcel::Policy::of_edges(), $refuses)),
+            corners: $host.add_attribute(corners.policy(twinedge::dcel::Policy::of_corners(), $refuses)),
+            faces: $host.add_attribute(faces.policy(twinedge::dcel::Policy::of_faces(), $refuses)),
         }
     }};
 }
+
+pub(crate) use handles;
 
 impl Handles {
     /// Attributes of the empty structure.
     pub(crate) fn new(dcel: &mut Dcel, mints: &Mints, refuses: u64) -> Self {
         let handles = handles!(dcel, mints, refuses);
         dcel.set_value(handles.faces, dcel.unbounded_face().key(), mints[4].purse()).unwrap();
-        handles
-    }
-
-    /// Attributes of the empty map.
-    #[allow(dead_code, reason = "for maps")]
-    pub(crate) fn of_map(map: &mut twinedge::map::PlanarMap, mints: &Mints, refuses: u64) -> Self {
-        let handles = handles!(map, mints, refuses);
-        map.set_value(handles.faces, map.dcel().unbounded_face().key(), mints[4].purse()).unwrap();
         handles
     }
 
@@ -144,7 +139,7 @@ impl Mint {
     }
 
     /// So many tokens that faces can share them.
-    fn purse(&self) -> Tokens {
+    pub(crate) fn purse(&self) -> Tokens {
         (0..40).map(|_| self.token()).collect()
     }
 }

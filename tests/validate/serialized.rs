@@ -4,7 +4,6 @@ use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::tables::{half_edge, textbook_mesh, torus};
 use serde_json::{Value, from_value, json, to_value};
-use twinedge::map::PlanarMap;
 use twinedge::validate::{Collect, Expectation, Figures, Part, Parts, Report, Rule, Table, Violation};
 use twinedge_trials::enumerate::for_each_corruption;
 
@@ -137,22 +136,6 @@ fn a_report_without_a_rule_is_refused() {
     for (place, rule) in topology.enumerate() {
         let without = |report: &mut Value| drop(report["rules"].as_array_mut().unwrap().remove(place));
         assert_eq!(refused_though_valid(without), format!("{rule} has no outcome"));
-    }
-}
-
-/// Coordinates are checked by all five rules or by none.
-#[test]
-fn a_report_with_some_of_the_rules_of_coordinates_is_refused() {
-    let report = PlanarMap::new().validate();
-    assert_eq!(read_again(&report), report);
-    let geometric: Vec<Rule> = Rule::ALL.iter().copied().filter(|rule| rule.is_geometric()).collect();
-    for left in 0..1_usize << geometric.len() {
-        let is_left = |rule: Rule| geometric.iter().position(|g| *g == rule).is_none_or(|i| left >> i & 1 == 1);
-        let mut value = to_value(&report).unwrap();
-        value["rules"].as_array_mut().unwrap().retain(|entry| is_left(from_value(entry["id"].clone()).unwrap()));
-        let missing = geometric.iter().find(|rule| !is_left(**rule)).filter(|_| left > 0);
-        let found = from_value::<Report>(value).err().map(|error| error.to_string());
-        assert_eq!(found, missing.map(|rule| format!("{rule} has no outcome")));
     }
 }
 

@@ -48,7 +48,7 @@ fn the_readme_states_each_rule_in_the_same_words() {
 #[test]
 fn the_file_of_each_rule_is_headed_by_its_statement() {
     for (rule, file, _, _) in documented() {
-        let text = read(&format!("src/validate/rules/{file}.rs"));
+        let text = read(&format!("{file}.rs"));
         let head = comment(&text, "//!", rule.id());
         assert_eq!(head, Some(format!("{rule} {}: {}.", rule.name(), rule.statement())), "{file}.rs");
         assert!(text.starts_with(&format!("//! {rule} ")), "{file}.rs");
@@ -81,7 +81,7 @@ fn each_rule_is_in_the_diagram() {
 fn the_test_that_breaks_each_rule_is_there() {
     for (rule, _, file, test) in documented() {
         assert!(test.starts_with(&format!("{}_", rule.id().to_lowercase())), "{rule}: {test}");
-        let tests = read(&format!("tests/validate/{file}.rs"));
+        let tests = read(&format!("{file}.rs"));
         assert!(tests.contains(&format!("#[test]\nfn {test}()")), "{file}.rs has no test {test}");
     }
 }

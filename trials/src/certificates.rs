@@ -3,9 +3,9 @@
 use crate::random::Random;
 use crate::verdict::{Checker, Validator, Verdict};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
-use twinedge::validate::certificate::{Certificate, Column, Labels, check, check_surface};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Parts, Rule, Surface, Table};
+use twinedge_certificate::{Certificate, Column, Labels, check, check_surface};
 
 /// A validator that knows certificates only: a table is right if its own labels pass, or random ranks, or labels in which something was
 /// changed; with the table, and in a plane as a certificate that stands for itself. It differs from the reference if and only if one of these

@@ -15,8 +15,6 @@ pub struct Import {
     pub name: String,
     /// The first line that names it.
     pub line: usize,
-    /// The features without which the importing module is not compiled.
-    pub features: BTreeSet<String>,
 }
 
 impl fmt::Display for Import {
@@ -29,13 +27,7 @@ impl fmt::Display for Import {
 /// The imports between files, each name once.
 #[derive(Clone, Debug, Default)]
 pub struct Imports {
-    files: BTreeMap<PathBuf, BTreeMap<PathBuf, BTreeMap<String, Place>>>,
-}
-
-#[derive(Clone, Debug)]
-struct Place {
-    line: usize,
-    features: BTreeSet<String>,
+    files: BTreeMap<PathBuf, BTreeMap<PathBuf, BTreeMap<String, usize>>>,
 }
 
 /// Files that import each other in a loop: each leads to all others.
@@ -56,27 +48,23 @@ impl fmt::Display for Loop {
 
 impl Imports {
     pub(crate) fn add(&mut self, import: Import) {
-        let Import { from, to, name, line, features } = import;
+        let Import { from, to, name, line } = import;
         if from == to {
             return;
         }
-        let place = self.files.entry(from).or_default().entry(to).or_default().entry(name);
-        let place = place.or_insert_with(|| Place { line, features: features.clone() });
-        place.line = line.min(place.line);
-        // The same file can hold modules with different conditions.
-        place.features.retain(|feature| features.contains(feature));
+        let first = self.files.entry(from).or_default().entry(to).or_default().entry(name).or_insert(line);
+        *first = line.min(*first);
     }
 
     /// All imports, in order of the files.
     pub fn iter(&self) -> impl Iterator<Item = Import> {
         self.files.iter().flat_map(|(from, targets)| {
             targets.iter().flat_map(move |(to, names)| {
-                names.iter().map(move |(name, place)| Import {
+                names.iter().map(move |(name, line)| Import {
                     from: from.clone(),
                     to: to.clone(),
                     name: name.clone(),
-                    line: place.line,
-                    features: place.features.clone(),
+                    line: *line,
                 })
             })
         })

@@ -8,20 +8,11 @@ use crate::graph::{Import, Imports};
 /// Each layer, and those that it may import. Between files of one layer only loops are refused.
 pub const LAYERS: &[(&str, &[&str])] = &[
     ("slots", &[]),
-    ("geometry", &["slots"]),
     ("validate", &["slots"]),
     ("store", &["slots", "validate"]),
     ("dcel", &["slots", "validate", "store"]),
     ("program", &["slots", "validate", "store", "dcel"]),
-    ("map", &["slots", "validate", "store", "dcel", "geometry"]),
-    ("algorithm", &["slots", "validate", "store", "dcel", "geometry", "map"]),
-    ("tile", &["slots", "validate", "store", "dcel", "geometry", "map", "algorithm"]),
-    ("io", &["slots", "validate", "store", "dcel", "geometry", "map", "algorithm"]),
 ];
-
-/// The further imports of a layer, in the modules that a feature adds: a layer, the other, and the feature. The rules G1 … G5
-/// need points and exact predicates; programs of edits are generated, shrunk and read like those of operators.
-pub const WITH_FEATURE: &[(&str, &str, &str)] = &[("validate", "geometry", "geometry"), ("map", "program", "program")];
 
 /// An import of a layer that the importing one may not know.
 #[derive(Clone, Debug)]
@@ -47,12 +38,7 @@ pub fn upward(imports: &Imports, sources: &Path) -> Vec<Upward> {
     for import in imports.iter().filter(|import| is_inside(&import.from, sources)) {
         let (layer, allowed) = layer_of(&import.from, sources).unwrap_or(("a file of no layer", &[]));
         let to = layer_of(&import.to, sources).map(|(to, _)| to);
-        let is_allowed = |to: &str| {
-            let with_feature = |(from, other, feature): &(&str, &str, &str)| {
-                *from == layer && *other == to && import.features.contains(*feature)
-            };
-            to == layer || allowed.contains(&to) || WITH_FEATURE.iter().any(with_feature)
-        };
+        let is_allowed = |to: &str| to == layer || allowed.contains(&to);
         if !to.is_some_and(is_allowed) {
             let imported = to.map_or_else(|| import.to.display().to_string(), str::to_owned);
             found.push(Upward { layer, imported, import });

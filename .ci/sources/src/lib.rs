@@ -50,7 +50,7 @@ use std::path::Path;
 
 pub use graph::{Import, Imports, Loop};
 pub use guide::{Missing, missing_paths};
-pub use layers::{LAYERS, Upward, WITH_FEATURE, upward};
+pub use layers::{LAYERS, Upward, upward};
 pub use let_chains::let_chains;
 pub use modules::Unreadable;
 pub use prose::{QUESTIONS, questions};

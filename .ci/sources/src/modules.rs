@@ -1,12 +1,12 @@
 //! The modules of a crate, with the names that each defines, imports and mentions.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
-use syn::{Attribute, Expr, ExprLit, Item, ItemMod, Lit, Meta, MetaNameValue, UseTree, Visibility};
+use syn::{Attribute, Expr, ExprLit, Item, ItemMod, Lit, Meta, UseTree, Visibility};
 
 use crate::Crate;
 
@@ -39,8 +39,6 @@ pub(crate) struct Module {
     pub file: PathBuf,
     pub parent: Option<ModuleId>,
     pub root: ModuleId,
-    /// The features without which this module is not compiled.
-    pub features: BTreeSet<String>,
     pub names: BTreeMap<String, Vec<Meaning>>,
     pub globs: Vec<Vec<String>>,
     pub code: Vec<Code>,
@@ -94,7 +92,7 @@ pub(crate) fn read(crates: &[Crate], read: Read<'_>) -> Result<Forest, Unreadabl
         let directory = each.root.parent().map(Path::to_path_buf).unwrap_or_default();
         let text = read(&each.root)
             .ok_or_else(|| Unreadable::Missing { file: each.root.clone(), name: "crate".to_owned() })?;
-        let root = forest.file(&each.root, &directory, &text, None, &[], read)?;
+        let root = forest.file(&each.root, &directory, &text, None, read)?;
         if each.is_library {
             forest.libraries.insert(each.name.clone(), root);
         }
@@ -103,14 +101,12 @@ pub(crate) fn read(crates: &[Crate], read: Read<'_>) -> Result<Forest, Unreadabl
 }
 
 impl Forest {
-    fn add(&mut self, file: &Path, parent: Option<ModuleId>, attributes: &[Attribute]) -> ModuleId {
+    fn add(&mut self, file: &Path, parent: Option<ModuleId>) -> ModuleId {
         let id = self.modules.len();
         let root = parent.map_or(id, |parent| self.modules[parent].root);
-        let mut features = parent.map(|parent| self.modules[parent].features.clone()).unwrap_or_default();
-        features.extend(attributes.iter().filter_map(feature));
         let file = file.to_path_buf();
         let (names, globs, code) = (BTreeMap::new(), Vec::new(), Vec::new());
-        self.modules.push(Module { file, parent, root, features, names, globs, code });
+        self.modules.push(Module { file, parent, root, names, globs, code });
         id
     }
 
@@ -121,12 +117,11 @@ impl Forest {
         directory: &Path,
         text: &str,
         parent: Option<ModuleId>,
-        attributes: &[Attribute],
         read: Read<'_>,
     ) -> Result<ModuleId, Unreadable> {
         let syntax = |error| Unreadable::Syntax { file: file.to_path_buf(), error };
         let items = syn::parse_file(text).map_err(syntax)?.items;
-        let id = self.add(file, parent, attributes);
+        let id = self.add(file, parent);
         self.items(id, directory, &items, read)?;
         Ok(id)
     }
@@ -172,11 +167,13 @@ impl Forest {
         let name = module.ident.to_string();
         let file = self.modules[parent].file.clone();
         let child = if let Some((_, items)) = &module.content {
-            let id = self.add(&file, Some(parent), &module.attrs);
+            let id = self.add(&file, Some(parent));
             self.items(id, &directory.join(&name), items, read)?;
             id
         } else {
-            let beside = file.parent().map(Path::to_path_buf).unwrap_or_default();
+            let is_inline =
+                |module: ModuleId| self.modules[module].parent.is_some_and(|p| self.modules[p].file == file);
+            let beside = if is_inline(parent) { Some(directory) } else { file.parent() }.unwrap_or(Path::new(""));
             let named = path_attribute(&module.attrs).map(|path| normal(&beside.join(path)));
             let candidates = match named {
                 Some(path) => {
@@ -192,7 +189,7 @@ impl Forest {
             let Some((path, inner, text)) = found else {
                 return Err(Unreadable::Missing { file, name });
             };
-            self.file(&path, &inner, &text, Some(parent), &module.attrs, read)?
+            self.file(&path, &inner, &text, Some(parent), read)?
         };
         self.modules[parent].names.entry(name).or_default().push(Meaning::Module(child));
         Ok(())
@@ -211,13 +208,6 @@ fn normal(path: &Path) -> PathBuf {
         }
     }
     normal
-}
-
-/// The feature of `#[cfg(feature = "…")]`. Of other conditions nothing is known.
-fn feature(attribute: &Attribute) -> Option<String> {
-    let Meta::List(list) = &attribute.meta else { return None };
-    let condition: MetaNameValue = list.path.is_ident("cfg").then(|| list.parse_args().ok())??;
-    if condition.path.is_ident("feature") { text(&condition.value) } else { None }
 }
 
 fn path_attribute(attributes: &[Attribute]) -> Option<String> {

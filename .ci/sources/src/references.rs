@@ -27,9 +27,8 @@ pub(crate) fn imports(forest: &Forest) -> Imports {
 fn record(forest: &Forest, from: ModuleId, path: &[String], line: usize, imports: &mut Imports) {
     for target in forest.resolve(from, path) {
         if let Target::Item(to, name) = target {
-            let features = forest.modules[from].features.clone();
             let (from, to) = (forest.file_of(from).to_path_buf(), forest.file_of(to).to_path_buf());
-            imports.add(Import { from, to, name, line, features });
+            imports.add(Import { from, to, name, line });
         }
     }
 }

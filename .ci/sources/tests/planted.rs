@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use twinedge_sources::{
-    Crate, Imports, LAYERS, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, missing_paths, questions,
-    upward,
+    Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, let_chains, missing_paths, questions, upward,
 };
 
 /// The imports of one library, `src/lib.rs` and these files.
@@ -263,27 +262,6 @@ fn every_import_that_the_layers_do_not_allow_is_found_and_no_other() {
 }
 
 #[test]
-fn the_validator_may_import_geometry_in_what_the_feature_adds_and_nothing_else() {
-    let found = |condition: &str, other: &str| {
-        layered(&[
-            ("src/validate/mod.rs", &format!("{condition} mod rules; pub struct Thing;")),
-            ("src/validate/rules/mod.rs", "mod finite;"),
-            ("src/validate/rules/finite.rs", &format!("use crate::{other}::Thing;")),
-        ])
-    };
-    let gated = "#[cfg(feature = \"geometry\")]";
-    assert!(found(gated, "geometry").is_empty());
-    let refused =
-        ["validate may not import geometry: src/validate/rules/finite.rs:1 imports Thing from src/geometry/mod.rs"];
-    assert_eq!(found("", "geometry"), refused);
-    assert_eq!(found("#[cfg(feature = \"map\")]", "geometry"), refused);
-    assert_eq!(found("#[cfg(not(feature = \"geometry\"))]", "geometry"), refused);
-    assert_eq!(found(gated, "map").len(), 1);
-    assert!(LAYERS.iter().any(|(layer, allowed)| *layer == "geometry" && *allowed == ["slots"]));
-    assert_eq!(WITH_FEATURE, [("validate", "geometry", "geometry"), ("map", "program", "program")]);
-}
-
-#[test]
 fn the_layers_have_no_loop_themselves() {
     let mut known: Vec<&str> = Vec::new();
     while known.len() < LAYERS.len() {
@@ -297,16 +275,16 @@ fn the_layers_have_no_loop_themselves() {
 #[test]
 fn a_file_of_no_layer_is_found_from_either_side() {
     let found = |code: &str, other: &str| -> Vec<String> {
-        let imports = of(&[("src/lib.rs", "mod io; mod other;"), ("src/io.rs", code), ("src/other.rs", other)]);
+        let imports = of(&[("src/lib.rs", "mod dcel; mod other;"), ("src/dcel.rs", code), ("src/other.rs", other)]);
         upward(&imports, Path::new("src")).iter().map(ToString::to_string).collect()
     };
     assert_eq!(
         found("use crate::other::Other;", "pub struct Other;"),
-        ["io may not import src/other.rs: src/io.rs:1 imports Other from src/other.rs"]
+        ["dcel may not import src/other.rs: src/dcel.rs:1 imports Other from src/other.rs"]
     );
     assert_eq!(
-        found("pub struct Io;", "use crate::io::Io;"),
-        ["a file of no layer may not import io: src/other.rs:1 imports Io from src/io.rs"]
+        found("pub struct Dcel;", "use crate::dcel::Dcel;"),
+        ["a file of no layer may not import dcel: src/other.rs:1 imports Dcel from src/dcel.rs"]
     );
 }
 

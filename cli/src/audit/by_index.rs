@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
-use twinedge::algorithm::coverage::insert_touches;
-use twinedge::io::ReadSummary;
-use twinedge::map::Feature;
+use twinedge_coverage::insert_touches;
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::{Feature as LayerFeature, Geometry, Indexed, ReadError, ReadOptions, to_map};
 use twinedge_geometry::Point;
+use twinedge_map::Feature;
 use twinedge_report::Shelf;
 
 /// The number of times that the features of a file may be passed over until it takes less to copy them.

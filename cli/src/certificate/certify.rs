@@ -11,9 +11,10 @@ use crate::output::{counted, print};
 use crate::progress::busy;
 use crate::status::{Failure, Verdict, named};
 use std::path::PathBuf;
-use twinedge::map::certificate::{self, DrawingError};
-use twinedge::validate::certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate, check};
 use twinedge::validate::{Collect, Expectation, View, validate};
+use twinedge_certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate, check};
+use twinedge_map::certificate;
+use twinedge_map::certificate::DrawingError;
 use twinedge_report::{Input, InputKind, Keep};
 
 /// Write a certificate: labels by which anyone can check that a map is a planar subdivision, and drawn without crossings; or that a mesh is a

@@ -4,7 +4,7 @@ use super::folder;
 use crate::output::print;
 use crate::status::{Failure, Verdict};
 use std::path::PathBuf;
-use twinedge::validate::certificate::{Failure as FailedTest, Test};
+use twinedge_certificate::{Failure as FailedTest, Test};
 
 /// Check a certificate: whether what is in a folder is a planar subdivision, or a surface.
 ///

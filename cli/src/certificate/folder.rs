@@ -6,9 +6,7 @@ use crate::status::Failure;
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
-use twinedge::validate::certificate::{
-    Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate,
-};
+use twinedge_certificate::{Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate};
 use twinedge_report::certificate::{Claimed, FIRST_LINE, POINT_FILES, check_plane, check_surface, file_name};
 
 /// More bytes than the first two lines of a claim have.

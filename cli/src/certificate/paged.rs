@@ -5,7 +5,7 @@ use std::cell::{OnceCell, RefCell};
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
-use twinedge::validate::certificate::{Column, Columns, Numbers};
+use twinedge_certificate::{Column, Columns, Numbers};
 use twinedge_report::certificate::{POINT_FILES, file_name};
 
 /// Numbers on a page.

@@ -11,7 +11,7 @@ use crate::status::{Failure, Verdict, named};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 use std::time::Instant;
-use twinedge::algorithm::clean::{Options, Winner};
+use twinedge_coverage::clean::{Options, Winner};
 use twinedge_formats::layer::clean::CleanOptions;
 use twinedge_geometry::noding::Snap;
 use twinedge_report::Division;

@@ -15,10 +15,10 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use twinedge::algorithm::convex::{Decomposition, decompose};
-use twinedge::algorithm::coverage::faces_by_feature;
 use twinedge::dcel::FaceKey;
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge_algorithm::claims::faces_by_feature;
+use twinedge_algorithm::convex::{Decomposition, decompose};
+use twinedge_map::{FeatureId, PlanarMap};
 use twinedge_report::Imported;
 use twinedge_report::names::label;
 

@@ -2,10 +2,10 @@
 
 use crate::output::grouped;
 use std::fmt::{self, Write as _};
-use twinedge::algorithm::convex::{ConvexError, is_essential, remove_inessential, triangulate};
 use twinedge::dcel::{FaceKey, HalfEdge};
-use twinedge::map::PlanarMap;
+use twinedge_algorithm::convex::{ConvexError, is_essential, remove_inessential, triangulate};
 use twinedge_geometry::Point;
+use twinedge_map::PlanarMap;
 
 /// More diagonals than this are no small input.
 const MOST: usize = 2_000;

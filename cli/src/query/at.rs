@@ -5,8 +5,8 @@ use super::source::Source;
 use crate::output::{Format, print_answer, print_json};
 use crate::status::Failure;
 use serde::Serialize;
-use twinedge::map::{Located, Locator};
 use twinedge_geometry::Point;
+use twinedge_map::{Located, Locator};
 
 /// Tell what lies at a point: a face, an edge or a vertex. The answer is exact.
 #[derive(Debug, clap::Args)]

@@ -6,10 +6,10 @@ use crate::output::{grouped, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::algorithm::contour::{Contour as Outline, of_feature};
-use twinedge::io::{geojson, wkt};
-use twinedge::map::Feature;
+use twinedge_algorithm::contour::{Contour as Outline, of_feature};
+use twinedge_formats::io::{geojson, wkt};
 use twinedge_geometry::Point;
+use twinedge_map::Feature;
 use twinedge_report::Condition;
 use twinedge_report::names::label;
 
@@ -80,7 +80,7 @@ impl Contour {
             Format::Geojson => geojson::write(&mut text, &written(contour))?,
             Format::Json => {
                 let ring = |points: Vec<Point>| points.into_iter().map(Into::into).collect();
-                let polygon = |p: twinedge::algorithm::contour::Polygon| Polygon {
+                let polygon = |p: twinedge_algorithm::contour::Polygon| Polygon {
                     outer: ring(p.outer),
                     holes: p.holes.into_iter().map(ring).collect(),
                 };

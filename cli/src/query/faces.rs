@@ -9,8 +9,8 @@ use clap::ValueEnum;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use twinedge::algorithm::area::face_area;
 use twinedge::dcel::Face;
+use twinedge_algorithm::area::face_area;
 use twinedge_report::names::label;
 
 /// All faces: the features that cover them, their areas, their boundaries and their neighbours.

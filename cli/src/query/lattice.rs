@@ -6,7 +6,7 @@ use crate::output::{Format, grouped, print_answer, print_json};
 use crate::status::Failure;
 use serde::Serialize;
 use std::fmt::Write as _;
-use twinedge::algorithm::lattice::of_map;
+use twinedge_algorithm::lattice::of_map;
 
 /// Lattice points and Pick's theorem, A = I + B / 2 - 1 + h, for every bounded face. All coordinates must be integers.
 #[derive(Debug, clap::Args)]

@@ -6,8 +6,8 @@ use crate::output::{Format, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::map::{Locator, QueryLine, ZoneElement};
 use twinedge_geometry::Point;
+use twinedge_map::{Locator, QueryLine, ZoneElement};
 
 /// The faces, edges and vertices that a line meets, in order.
 #[derive(Debug, clap::Args)]

@@ -3,7 +3,7 @@
 use super::source::Source;
 use crate::output::counted;
 use crate::status::Failure;
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge_map::{FeatureId, PlanarMap};
 
 /// The number of names that are suggested.
 const SUGGESTIONS: usize = 3;

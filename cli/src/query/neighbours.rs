@@ -11,12 +11,11 @@ use crate::status::Failure;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use twinedge::algorithm::coverage::faces_of;
-use twinedge::algorithm::neighbours::{of_feature, touching_feature};
-use twinedge::map::FeatureId;
-use twinedge_report::Condition;
-use twinedge_report::Units;
+use twinedge_algorithm::claims::faces_of;
+use twinedge_algorithm::neighbours::{of_feature, touching_feature};
+use twinedge_map::FeatureId;
 use twinedge_report::names::label;
+use twinedge_report::{Condition, Units};
 
 /// The neighbours of a feature: who shares a border with it, along which lines, and how long these are.
 #[derive(Debug, clap::Args)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge_map::{FeatureId, PlanarMap};
 use twinedge_report::names::label;
 
 /// One record of the map.

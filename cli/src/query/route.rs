@@ -6,7 +6,8 @@ use crate::output::{Format, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::algorithm::dual::{self, By};
+use twinedge_algorithm::dual;
+use twinedge_algorithm::dual::By;
 use twinedge_report::names::label;
 
 /// The features that one crosses on the way from one to another.

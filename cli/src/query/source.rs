@@ -1,7 +1,7 @@
 //! The map that a question is about.
 
 use crate::output::plain;
-use twinedge::map::PlanarMap;
+use twinedge_map::PlanarMap;
 use twinedge_report::Noted;
 
 /// A map, the name of its input, and what was noted of its features.

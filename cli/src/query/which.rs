@@ -4,7 +4,7 @@ use super::names::find;
 use super::source::Source;
 use crate::output::plain;
 use crate::status::Failure;
-use twinedge::map::FeatureId;
+use twinedge_map::FeatureId;
 use twinedge_report::Condition;
 
 /// A feature, by its name, its id or a column.

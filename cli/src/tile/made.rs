@@ -1,12 +1,12 @@
 //! Making the summaries of a tile, from all of a map or from what lies around the tile.
 
 use std::collections::BTreeMap;
-use twinedge::algorithm::coverage::{Limits, insert_touches};
-use twinedge::io::ReadSummary;
-use twinedge::map::{BuildError, Feature};
-use twinedge::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
+use twinedge_coverage::tile::{AuditError, Cuts, Grid, Summary, Tile, TileError};
+use twinedge_coverage::{Limits, insert_touches};
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::{Feature as LayerFeature, Indexed, ReadError, to_map};
 use twinedge_geometry::Point;
+use twinedge_map::{BuildError, Feature};
 use twinedge_report::{Error, grid_of, no_cuts};
 
 /// The summary that is asked for.

@@ -2,13 +2,13 @@
 
 use super::error::{ArchiveError, ReadError};
 use super::files::Files;
+use crate::io::{ForeignFormat, Format};
 use flate2::bufread::MultiGzDecoder;
 use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Cursor, ErrorKind, Read, Seek, Write as _};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use twinedge::io::{ForeignFormat, Format};
 use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};

@@ -46,7 +46,7 @@ impl Crs {
     pub fn of_member(member: Json) -> Self {
         let name = member.pointer("/properties/name").and_then(Json::as_str);
         let code = name.and_then(|name| {
-            if !twinedge::io::geojson::names_other_crs(&member) {
+            if !crate::io::geojson::names_other_crs(&member) {
                 return Some(WGS_84);
             }
             let mut parts = name.split([':', '/']);
@@ -67,7 +67,7 @@ impl Crs {
     #[must_use]
     pub fn is_other(&self) -> bool {
         if let Some(member) = &self.member {
-            return twinedge::io::geojson::names_other_crs(member);
+            return crate::io::geojson::names_other_crs(member);
         }
         match (&self.code, &self.wkt) {
             (Some((authority, code)), _) => !(authority.eq_ignore_ascii_case("EPSG") && *code == WGS_84),

@@ -1,10 +1,8 @@
 //! Why a layer could not be read or written.
 
 use super::loss::Loss;
-use std::fmt;
-use std::io;
-use twinedge::io::Format;
-use twinedge::io::{ForeignFormat, TextPlace};
+use crate::io::{ForeignFormat, Format, TextPlace};
+use std::{fmt, io};
 
 /// Why a layer could not be read.
 #[derive(Debug, thiserror::Error)]
@@ -15,7 +13,7 @@ pub enum ReadError {
     Io(#[from] io::Error),
     /// The text is not what GeoJSON or well-known text demands.
     #[error(transparent)]
-    Text(#[from] twinedge::io::ReadError),
+    Text(#[from] crate::io::ReadError),
     /// The content is not what the format demands.
     #[error("{format}: {place}: {cause}")]
     Content {

@@ -14,8 +14,8 @@ use serde_json::Value as Json;
 use std::io::{self, Read, Write};
 // A module for browsers is to be small.
 #[cfg(target_family = "wasm")]
-use twinedge::io::geojson::read_parts;
-use twinedge::io::geojson::{Documents, Part};
+use crate::io::geojson::read_parts;
+use crate::io::geojson::{Documents, Part};
 
 /// Reads features, each handed to `each`.
 pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<'_>) -> Result<Header, ReadError> {
@@ -36,7 +36,6 @@ pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<
             }
             Part::Member(name, Json::String(text)) if name == "name" => header.name = Some(text),
             Part::Member(name, member) => drop(header.members.insert(name, member)),
-            _ => {}
         }
         Ok::<_, ReadError>(())
     })?;

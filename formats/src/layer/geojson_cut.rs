@@ -12,12 +12,12 @@
 
 use super::error::ReadError;
 use super::geojson_scan::{Array, Scan};
+use crate::io::geojson::{Documents, Part};
+use crate::io::{MAX_NESTED_COLLECTIONS, TextPlace, geojson};
 use ::geojson::{Feature, GeometryValue, Position};
 use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::io::{self, Cursor, ErrorKind, Read};
-use twinedge::io::geojson::{self, Documents, Part};
-use twinedge::io::{MAX_NESTED_COLLECTIONS, TextPlace};
 
 /// The number of bytes that are read at once.
 const CHUNK: usize = 1 << 16;

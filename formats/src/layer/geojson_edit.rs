@@ -2,11 +2,11 @@
 
 use super::geojson::{write_feature, write_geometry};
 use super::model::{Feature, Layer};
+use crate::io::Format;
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 use std::io;
 use std::ops::Range;
-use twinedge::io::Format;
 
 /// A stretch of a text, and the text in its place.
 #[derive(Clone, Debug, PartialEq, Eq)]

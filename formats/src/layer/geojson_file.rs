@@ -7,13 +7,13 @@ use super::geojson_edit::{edited_feature, is_box};
 use super::geojson_places::{Places, places};
 use super::model::{Feature, Header, Layer};
 use super::read::{ReadOptions, beginning, format_of};
+use crate::io::Format;
+use crate::io::geojson::Documents;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
-use twinedge::io::Format;
-use twinedge::io::geojson::Documents;
 
 /// A file of GeoJSON or newline-delimited GeoJSON whose features are read when they are needed. Those that were replaced are in another file.
 ///

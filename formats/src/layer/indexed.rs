@@ -5,9 +5,9 @@ use super::error::ReadError;
 use super::extent::Extent;
 use super::model::Header;
 use super::read::{ReadOptions, beginning, format_of};
+use crate::io::Format;
 use std::fs::File;
 use std::path::Path;
-use twinedge::io::Format;
 use twinedge_geometry::Point;
 
 /// A file that says by boxes where its features are, so that those in a window are read without the others: `FlatGeobuf` with an index, and `GeoParquet` with

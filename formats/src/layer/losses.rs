@@ -3,8 +3,8 @@
 use super::closed::open_rings;
 use super::loss::{Loss, absent};
 use super::model::{Dimensions, EDGES, FieldKind, Geometry, Layer, Line, Shape, Value};
+use crate::io::Format;
 use std::collections::BTreeSet;
-use twinedge::io::Format;
 
 /// Returns the losses if the layer were written in this format. O(size of the layer).
 ///

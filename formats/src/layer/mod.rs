@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   file ─► read ─► features: id, geometry, attributes, foreign members ─► Layer ─► write ─► file
-//!                      └─► to_map ─► twinedge::map::Builder
+//!                      └─► to_map ─► twinedge_map::Builder
 //! ```
 //!
 //! | format | reads | writes | what it cannot hold |
@@ -83,6 +83,7 @@ mod wkb;
 mod wkt;
 mod write;
 
+pub use crate::io::Format;
 #[cfg(feature = "archive")]
 pub use archive::{Unpacked, UnpackedFiles, unpack, unpack_bytes, zip};
 pub use crs::Crs;
@@ -104,7 +105,6 @@ pub use model::{
 pub use overlay::{Keep, OverlayError, overlay};
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;
-pub use twinedge::io::Format;
 #[cfg(feature = "wkb")]
 pub use wkb::{geometry_of_wkb, wkb_of_geometry};
 pub use write::{files, refuse_losses, write, write_files, write_path};

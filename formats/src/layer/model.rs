@@ -266,7 +266,7 @@ impl Feature {
         self.attributes.iter().find(|(name, _)| **name == *column).map(|(_, value)| value)
     }
 
-    /// The name: the first text or number among the usual columns (`twinedge::io::geojson::NAME_COLUMNS`).
+    /// The name: the first text or number among the usual columns (`crate::io::geojson::NAME_COLUMNS`).
     #[must_use]
     pub fn name(&self) -> Option<String> {
         let label = |value: &Value| match value {
@@ -274,7 +274,7 @@ impl Feature {
             Value::Integer(_) | Value::Real(_) => value.text(),
             _ => None,
         };
-        twinedge::io::geojson::NAME_COLUMNS.iter().find_map(|column| self.get(column).and_then(label))
+        crate::io::geojson::NAME_COLUMNS.iter().find_map(|column| self.get(column).and_then(label))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::model::Position;
 use std::cmp::Ordering;
 use std::iter;
-use twinedge::algorithm::area::ring_area;
+use twinedge_algorithm::area::ring_area;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, on_segment, orientation};
 

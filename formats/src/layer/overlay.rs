@@ -4,16 +4,16 @@ use super::crs::Crs;
 use super::model::{Dimensions, Feature, Field, Geometry, Header, Layer, Line, Members, Position, Shape, Value};
 use super::to_map;
 use super::unique::unique;
+use crate::io::ReadSummary;
 use std::collections::HashSet;
 use std::sync::Arc;
 use thiserror::Error;
-use twinedge::algorithm::contour::{Contour, ContourError, of_faces};
-use twinedge::algorithm::coverage::CoverageError;
-use twinedge::algorithm::layers::{Piece, pieces};
-use twinedge::io::ReadSummary;
-use twinedge::map::{self, BuildError, Builder, Noding};
+use twinedge_algorithm::contour::{Contour, ContourError, of_faces};
+use twinedge_coverage::CoverageError;
+use twinedge_coverage::layers::{Piece, pieces};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
+use twinedge_map::{BuildError, Builder, Noding};
 
 /// The choice among the pieces of two layers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -87,8 +87,8 @@ pub fn overlay(first: &Layer, second: &Layer, keep: Keep, snap: Option<Snap>) ->
     let mut builder = Builder::new();
     for feature in first.features.iter().chain(&second.features) {
         let mut shapes = to_map(feature, &mut ReadSummary::default()).shapes;
-        shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
-        builder.feature(&map::Feature { shapes, ..map::Feature::default() })?;
+        shapes.retain(|shape| matches!(shape, twinedge_map::Shape::Polygon(_)));
+        builder.feature(&twinedge_map::Feature { shapes, ..twinedge_map::Feature::default() })?;
     }
     let map = match snap {
         Some(snap) => builder.build_with(Noding::Snap(snap))?,

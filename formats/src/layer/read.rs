@@ -4,11 +4,11 @@ use super::each::Each;
 use super::error::ReadError;
 use super::files::Files;
 use super::model::{Header, Layer};
+use crate::io::{ForeignFormat, Format};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 use std::sync::Arc;
-use twinedge::io::{ForeignFormat, Format};
 
 /// The number of bytes that are looked at to tell the format.
 const HEAD: u64 = 1 << 16;
@@ -63,9 +63,9 @@ pub fn read(
     let mut all = Cursor::new(head).chain(reader);
     match format {
         #[cfg(feature = "geojson")]
-        Format::GeoJson => super::geojson::read(&mut all, twinedge::io::geojson::Documents::One, each),
+        Format::GeoJson => super::geojson::read(&mut all, crate::io::geojson::Documents::One, each),
         #[cfg(feature = "geojson")]
-        Format::GeoJsonSeq => super::geojson::read(&mut all, twinedge::io::geojson::Documents::Many, each),
+        Format::GeoJsonSeq => super::geojson::read(&mut all, crate::io::geojson::Documents::Many, each),
         #[cfg(feature = "wkt")]
         Format::Wkt => super::wkt::read(&mut all, each),
         #[cfg(feature = "wkb")]

@@ -1,16 +1,15 @@
 //! Features as the library takes them.
 
 use super::model::{Feature, Geometry, Line, Position, Shape};
-use twinedge::io::ReadSummary;
-use twinedge::map;
+use crate::io::ReadSummary;
 use twinedge_geometry::Point;
 
 /// The feature for a map, with its name and id, counted in a summary. Further dimensions and empty shapes are dropped, collections
 /// flattened. O(positions).
 ///
 /// ```
-/// use twinedge::io::ReadSummary;
-/// use twinedge::map::Shape as MapShape;
+/// use twinedge_formats::io::ReadSummary;
+/// use twinedge_map::Shape as MapShape;
 /// use twinedge_formats::layer::{Dimensions, Feature, Geometry, Position, Shape, to_map};
 ///
 /// let shape = Shape::Point(Some(Position { more: Box::from([4478.0]), ..Position::new(7.66, 45.98) }));
@@ -20,7 +19,7 @@ use twinedge_geometry::Point;
 /// assert_eq!((summary.points, summary.with_extra_dimensions), (1, 1));
 /// ```
 #[must_use]
-pub fn to_map(feature: &Feature, summary: &mut ReadSummary) -> map::Feature {
+pub fn to_map(feature: &Feature, summary: &mut ReadSummary) -> twinedge_map::Feature {
     let mut shapes = Vec::new();
     let (mut further, mut empty) = (0, 0);
     if let Some(geometry) = &feature.geometry {
@@ -29,24 +28,24 @@ pub fn to_map(feature: &Feature, summary: &mut ReadSummary) -> map::Feature {
     }
     let name = feature.name();
     summary.dropped_properties += feature.attributes.len() - usize::from(name.is_some());
-    let feature = map::Feature { name, id: feature.id.as_ref().map(ToString::to_string), shapes };
+    let feature = twinedge_map::Feature { name, id: feature.id.as_ref().map(ToString::to_string), shapes };
     summary.add(&feature, further, empty);
     feature
 }
 
 /// The recursion is as deep as collections are nested.
-fn add(geometry: &Geometry, shapes: &mut Vec<map::Shape>, empty: &mut usize) {
+fn add(geometry: &Geometry, shapes: &mut Vec<twinedge_map::Shape>, empty: &mut usize) {
     fn line(positions: &Line) -> Vec<Point> {
         positions.iter().map(|p| Point::new(p.x, p.y)).collect()
     }
-    let mut put = |shape: Option<map::Shape>| match shape {
+    let mut put = |shape: Option<twinedge_map::Shape>| match shape {
         Some(shape) => shapes.push(shape),
         None => *empty += 1,
     };
-    let of_point = |point: Option<&Position>| point.map(|p| map::Shape::Point(Point::new(p.x, p.y)));
-    let of_line = |positions: &Line| (!positions.is_empty()).then(|| map::Shape::Line(line(positions)));
+    let of_point = |point: Option<&Position>| point.map(|p| twinedge_map::Shape::Point(Point::new(p.x, p.y)));
+    let of_line = |positions: &Line| (!positions.is_empty()).then(|| twinedge_map::Shape::Line(line(positions)));
     let of_rings =
-        |rings: &Vec<Line>| (!rings.is_empty()).then(|| map::Shape::Polygon(rings.iter().map(line).collect()));
+        |rings: &Vec<Line>| (!rings.is_empty()).then(|| twinedge_map::Shape::Polygon(rings.iter().map(line).collect()));
     match &geometry.shape {
         Shape::Point(point) => put(of_point(point.as_ref())),
         Shape::MultiPoint(points) => points.iter().for_each(|point| put(of_point(point.as_ref()))),

@@ -9,8 +9,8 @@ use super::crs::Crs;
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
 use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
+use crate::io::{Format, unread_geometry};
 use std::io::{BufRead, BufReader, Read, Write};
-use twinedge::io::{Format, unread_geometry};
 
 /// The number of collections that may lie around a geometry.
 const NESTED: usize = 32;

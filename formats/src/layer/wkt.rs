@@ -5,11 +5,11 @@ use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
 use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape};
+use crate::io::wkt::read_geometries;
+use crate::io::{ReadCause, ReadError as TextError, TextPlace};
 use ::wkt::Wkt;
 use ::wkt::types::{Coord, Dimension, LineString, Polygon};
 use std::io::{self, Read, Write};
-use twinedge::io::wkt::read_geometries;
-use twinedge::io::{ReadCause, ReadError as TextError, TextPlace};
 
 /// Reads a feature per line.
 pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {

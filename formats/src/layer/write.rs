@@ -5,10 +5,10 @@ use super::error::WriteError;
 use super::files::Files;
 use super::losses::losses;
 use super::model::Layer;
+use crate::io::Format;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
-use twinedge::io::Format;
 
 /// Refuses a format that cannot hold all of a layer. What a layer is likely to do without is let pass
 /// ([`Loss::is_minor`](super::Loss::is_minor)).

@@ -1,8 +1,9 @@
 //! The half-edges of an indexed mesh, as the validator sees them.
 
 use super::IndexedMesh;
-use twinedge::validate::{Embedding, Expectation, Link, Part, Parts, View};
+use twinedge::validate::{Expectation, Link, Part, Parts, View};
 use twinedge_geometry::Point;
+use twinedge_map::Embedding;
 
 pub(super) const NIL: u32 = u32::MAX;
 

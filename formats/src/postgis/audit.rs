@@ -13,8 +13,8 @@ use super::topology::Topology;
 use crate::diagnosis::{Diagnosis, Kind, Position, Reason, Records, RuleLine, Trace, middle};
 use crate::topology_audit::{TopologyAudit, TopologyCounts};
 use std::collections::BTreeSet;
-use twinedge::validate::{Collect, Embedding, Expectation, Record, Report, Rule, RuleOutcome, View, Violation};
-use twinedge::validate::{places, validate, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, RuleOutcome, View, Violation, validate};
+use twinedge_map::{Embedding, places, validate_embedding};
 
 const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 

@@ -5,12 +5,10 @@
 
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
-use twinedge::validate::{
-    Collect, Embedding, Expectation, Link, Parts, Record, Report, Rule, RuleOutcome, View, Violation,
-    validate_embedding,
-};
+use twinedge::validate::{Collect, Expectation, Link, Parts, Record, Report, Rule, RuleOutcome, View, Violation};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
+use twinedge_map::{Embedding, validate_embedding};
 
 /// The lines, each of which is next to itself only, and the nodes.
 pub(super) struct Lines<'a> {

@@ -4,8 +4,9 @@ use super::error::ReadError;
 use super::topology::Topology;
 use twinedge::delegate_view;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Embedding, Part, Parts, Start, View};
+use twinedge::validate::{Part, Parts, Start, View};
 use twinedge_geometry::Point;
+use twinedge_map::Embedding;
 
 /// A topology with what its columns imply: which cycle of a face is its outer one, and the lists of its holes and isolated nodes. [`audit`](super::audit)
 /// judges this view.

@@ -7,7 +7,7 @@
 //! A topology of PostGIS is a doubly connected edge list. Edge `e` of the table `edge_data` is two half-edges: `+e` from `start_node` to
 //! `end_node`, with `next_left_edge` as its next and `left_face` to its left, and `-e` back, with `next_right_edge` and `right_face`.
 //! Nodes are vertices, face 0 is the unbounded face, and a node without edges names the face that contains it. Edges are curves:
-//! lines with [bends](twinedge::validate::Embedding::bends).
+//! lines with [bends](twinedge_map::Embedding::bends).
 //!
 //! [`sql`] prints what `psql` needs to write nodes, faces and edges as they are, in one read-only transaction. [`read`] takes that,
 //! and [`audit`] has the validator judge the stored links: rules R1 … T4 and G1 … G5, with the ids of the database. Beside them are

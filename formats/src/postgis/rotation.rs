@@ -2,9 +2,10 @@
 
 use super::lines::Lines;
 use std::cmp::Ordering;
-use twinedge::validate::{Embedding, View};
+use twinedge::validate::View;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{compare_angle, in_range};
+use twinedge_map::Embedding;
 
 /// For each vertex the half-edges that leave it, by the lines.
 pub(super) struct Rotations<'a> {

@@ -3,8 +3,9 @@
 use super::finding::Findings;
 use super::ids::Ids;
 use super::mbr::{Box2, Mbr};
-use twinedge::validate::{Embedding, Link, Parts, Record, View};
+use twinedge::validate::{Link, Parts, Record, View};
 use twinedge_geometry::Point;
+use twinedge_map::Embedding;
 
 /// A column that is null there.
 pub(super) const NULL: u32 = u32::MAX;

@@ -5,8 +5,7 @@ use super::label_spot::widest;
 use super::text::{put, text};
 use core::f64::consts::{PI, TAU};
 use twinedge::dcel::HalfEdge;
-use twinedge::map::PlanarMap;
-use twinedge::validate::Embedding;
+use twinedge_map::{Embedding, PlanarMap};
 
 type Pixel = [f64; 2];
 

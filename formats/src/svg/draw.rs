@@ -6,7 +6,7 @@ use super::layout::{Layout, SPACE};
 use super::options::Options;
 use super::text::put;
 use super::{detail, lines, marks, names};
-use twinedge::map::PlanarMap;
+use twinedge_map::PlanarMap;
 
 const STYLE: &str = "\
 .sea,.free{fill:#f6f8fa}.hatch{fill:url(#hatch)}.gap{fill:url(#gap)}\
@@ -38,7 +38,7 @@ const DEFINITIONS: &str = "<defs>\
 /// names.
 ///
 /// ```
-/// use twinedge::map::{Builder, Shape};
+/// use twinedge_map::{Builder, Shape};
 /// use twinedge_formats::svg::{self, Options};
 ///
 /// let mut builder = Builder::new();
@@ -46,7 +46,7 @@ const DEFINITIONS: &str = "<defs>\
 /// let map = builder.build()?;
 /// let picture = svg::draw(&map, &Options { detail: true, ..Options::default() });
 /// assert!(picture.starts_with("<svg ") && picture.contains(">h5</text>"));
-/// # Ok::<(), twinedge::map::BuildError>(())
+/// # Ok::<(), twinedge_map::BuildError>(())
 /// ```
 #[must_use]
 pub fn draw(map: &PlanarMap, options: &Options<'_>) -> String {

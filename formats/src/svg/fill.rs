@@ -3,11 +3,10 @@
 use super::frame::{Bounds, Frame, path};
 use super::outline::outlines;
 use super::text::{escaped, put};
-use twinedge::algorithm::colouring::feature_colours;
 use twinedge::dcel::Boundary;
-use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::Embedding;
+use twinedge_algorithm::colouring::feature_colours;
 use twinedge_geometry::Point;
+use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
 /// Fills for features; more colours than these repeat.
 const FILLS: [&str; 8] = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb", "#c9b8e4", "#ffe08a", "#9adbc9", "#d8c4a8"];

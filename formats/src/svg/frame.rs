@@ -2,9 +2,8 @@
 
 use super::text::put;
 use twinedge::dcel::Face;
-use twinedge::map::PlanarMap;
-use twinedge::validate::Embedding;
 use twinedge_geometry::Point;
+use twinedge_map::{Embedding, PlanarMap};
 
 /// The mapping from points to places in a panel of the picture.
 pub(super) struct Frame {
@@ -116,13 +115,13 @@ impl Bounds {
 ///
 /// ```
 /// use twinedge_formats::svg::half_edges_in;
-/// use twinedge::map::PlanarMap;
+/// use twinedge_map::PlanarMap;
 ///
 /// let mut map = PlanarMap::new();
 /// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?;
 /// let corner = [[3.0, 3.0], [5.0, 5.0]].map(Into::into);
 /// assert_eq!((half_edges_in(&map, Some(corner)), half_edges_in(&map, None)), (4, 8));
-/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// # Ok::<(), twinedge_map::edit::EditError>(())
 /// ```
 #[must_use]
 pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {

@@ -2,8 +2,8 @@
 
 use super::frame::{Frame, sides};
 use twinedge::dcel::Face;
-use twinedge::map::PlanarMap;
 use twinedge_geometry::Point;
+use twinedge_map::PlanarMap;
 
 /// A horizontal stretch inside a face.
 pub(super) struct LabelSpot {

@@ -14,9 +14,8 @@
 
 use super::frame::{Bounds, Frame};
 use super::options::Options;
-use twinedge::map::PlanarMap;
-use twinedge::validate::Embedding;
 use twinedge_geometry::Point;
+use twinedge_map::{Embedding, PlanarMap};
 
 /// An empty strip is between two parts if it is wider than this, as a part of the longer side of both together.
 const STRIP: f64 = 0.1;

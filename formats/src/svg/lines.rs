@@ -3,8 +3,7 @@
 use super::frame::{Frame, path};
 use super::text::put;
 use twinedge::dcel::HalfEdge;
-use twinedge::map::PlanarMap;
-use twinedge::validate::Embedding;
+use twinedge_map::{Embedding, PlanarMap};
 
 /// Lines are as wide as this, in pixels, unless they would cover more than a part of the panel.
 const WIDTH: f64 = 0.6;

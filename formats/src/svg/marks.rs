@@ -3,11 +3,10 @@
 use super::frame::Frame;
 use super::text::{escaped, put, text};
 use twinedge::dcel::HalfEdge;
-use twinedge::map::PlanarMap;
-use twinedge::validate::{Embedding, places};
 use twinedge::validate::{Record, Violation};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, meeting};
+use twinedge_map::{Embedding, PlanarMap, places};
 
 /// The greatest number of times that a number is moved.
 const MOVES: usize = 12;

@@ -4,9 +4,9 @@ use super::frame::Frame;
 use super::label_spot::{LabelSpot, widest, widest_within};
 use super::text::{put, text};
 use core::f64::consts::TAU;
-use twinedge::algorithm::coverage::faces_by_feature;
-use twinedge::map::PlanarMap;
+use twinedge_algorithm::claims::faces_by_feature;
 use twinedge_geometry::Point;
+use twinedge_map::PlanarMap;
 
 /// The width of a letter and the height of a name, in pixels.
 const LETTER: f64 = 5.2;

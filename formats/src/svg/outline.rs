@@ -2,9 +2,8 @@
 
 use std::collections::BTreeMap;
 use twinedge::dcel::HalfEdge;
-use twinedge::map::PlanarMap;
-use twinedge::validate::Embedding;
 use twinedge_geometry::Point;
+use twinedge_map::{Embedding, PlanarMap};
 
 /// The rings that the edges of each feature form, by its index, without its spikes. O(n log n).
 pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {

@@ -2,8 +2,8 @@
 
 use crate::support::{from_text, through, to_geojson, world};
 use quickcheck::{TestResult, quickcheck};
-use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
-use twinedge::algorithm::coverage::{CoverageRule, DefectKind};
+use twinedge_coverage::clean::{ChangeKind, Options, Winner};
+use twinedge_coverage::{CoverageRule, DefectKind};
 use twinedge_formats::layer::clean::{CleanError, CleanOptions, CleanReport, clean};
 use twinedge_formats::layer::{Feature, Format, Layer, Position, Shape};
 use twinedge_geometry::noding::Snap;
@@ -25,7 +25,7 @@ fn rings(feature: &Feature) -> Vec<&Vec<Position>> {
 /// The area of polygons whose rings turn either way, as those that stay as they are do.
 fn area(feature: &Feature) -> f64 {
     let of_ring = |ring: &Vec<Position>| {
-        twinedge::algorithm::area::ring_area(ring.iter().map(|p| twinedge_geometry::Point::new(p.x, p.y))).abs()
+        twinedge_algorithm::area::ring_area(ring.iter().map(|p| twinedge_geometry::Point::new(p.x, p.y))).abs()
     };
     let of_polygon = |rings: &Vec<Vec<Position>>| {
         let areas: Vec<f64> = rings.iter().map(of_ring).collect();
@@ -120,7 +120,7 @@ fn rings_that_are_made_anew_turn_as_those_before() {
     let text = "POLYGON((0 0,0 10,10 10,10 0,0 0),(2 2,2 4,4 4,4 2,2 2))\nPOLYGON((9.5 0,25 0,25 10,9.5 10,9.5 0))\n";
     let turns = |layer: &Layer| {
         let is_clockwise = |ring: &Vec<Position>| {
-            twinedge::algorithm::area::ring_area(ring.iter().map(|p| twinedge_geometry::Point::new(p.x, p.y))) < 0.0
+            twinedge_algorithm::area::ring_area(ring.iter().map(|p| twinedge_geometry::Point::new(p.x, p.y))) < 0.0
         };
         layer.features.iter().map(|feature| rings(feature).into_iter().map(is_clockwise).collect()).collect()
     };

@@ -1,7 +1,7 @@
 //! Cleaning: the features that get gaps, and the width up to which gaps are filled.
 
 use crate::support::{from_text, to_geojson};
-use twinedge::algorithm::clean::{ChangeKind, Options};
+use twinedge_coverage::clean::{ChangeKind, Options};
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, GapsTo, GapsToError, clean};
 use twinedge_formats::layer::{Dimensions, Layer, Shape, Value};
 use twinedge_geometry::Point;

@@ -1,10 +1,10 @@
 //! Features of GeoJSON are cut out of the text and read at once: the outcome is that of the library, which reads byte by byte.
 
 use std::io::{self, Read};
-use twinedge::io::geojson::{self, Documents, Part};
-use twinedge::io::{ReadError as TextError, ReadSummary};
-use twinedge::map::Feature;
+use twinedge_formats::io::geojson::{Documents, Part};
+use twinedge_formats::io::{ReadError as TextError, ReadSummary, geojson};
 use twinedge_formats::layer::{Format, ReadError, ReadOptions, format_of, read, to_map};
+use twinedge_map::Feature;
 
 /// Collections with all that may stand between, in and around features.
 const TEXTS: [&str; 8] = [

@@ -2,7 +2,7 @@
 
 use crate::support::{from_text, through, to_geojson};
 use serde_json::{Value, json};
-use twinedge::algorithm::clean::Options;
+use twinedge_coverage::clean::Options;
 use twinedge_formats::layer::clean::{CleanOptions, GapsTo, clean};
 use twinedge_formats::layer::{Format, Layer, ReadOptions, edited, edits, read_layer};
 

@@ -1,6 +1,6 @@
 //! Neighbourhoods that are near each other, cleaned one after the other as the whole is.
 
-use twinedge::algorithm::clean::{Options, Winner};
+use twinedge_coverage::clean::{Options, Winner};
 use twinedge_formats::layer::clean::{
     CleanError, CleanOptions, Extent, Neighbourhoods, Source, clean, clean_neighbourhoods,
 };

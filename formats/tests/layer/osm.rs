@@ -2,14 +2,14 @@
 
 use crate::pbf::{File, Members};
 use quickcheck::{QuickCheck, TestResult};
-use twinedge::algorithm::area::ring_area;
-use twinedge::algorithm::coverage::defects;
-use twinedge::io::ReadSummary;
-use twinedge::map::Shape as MapShape;
+use twinedge_algorithm::area::ring_area;
+use twinedge_coverage::defects;
 use twinedge_formats::diagnosis::Diagnosis;
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::osm::{Boundaries, InvalidFilter, OsmError, TagFilter, read};
 use twinedge_formats::layer::{Crs, Feature, Position, Shape, to_map};
 use twinedge_geometry::Point;
+use twinedge_map::Shape as MapShape;
 
 /// Two squares side by side, west and east of way 10, and a third one around both with them as its hole.
 fn squares() -> File {

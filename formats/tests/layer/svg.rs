@@ -1,10 +1,10 @@
 //! Pictures: what is drawn, how often, and where.
 
 use quickcheck::{Gen, QuickCheck};
-use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::validate::{Field, Record, Violation};
 use twinedge_formats::svg::{Options, draw, half_edges_in};
 use twinedge_geometry::{MAX_COORDINATE, MIN_COORDINATE, Point};
+use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
 
 fn polygon(name: &str, ring: &[[f64; 2]]) -> Feature {
     let ring = ring.iter().copied().map(Point::from).collect();

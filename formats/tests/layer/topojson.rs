@@ -1,12 +1,12 @@
 //! TopoJSON: the examples of its specification, a file that `geo2topo` wrote, and every error.
 
 use crate::support::{from_bytes, from_text, scratch, to_geojson, world};
-use twinedge::map::{Builder, PlanarMap};
 use twinedge_formats::layer::topojson::{audit, read as read_arcs};
 use twinedge_formats::layer::{
     Cause, Format, Geometry, Id, Layer, Line, Loss, Place, Position, ReadError, ReadOptions, Shape, Value, WriteError,
     losses, read_layer, read_path, refuse_losses, to_map, write_path,
 };
+use twinedge_map::{Builder, PlanarMap};
 
 /// The example of the specification, section 1.1.
 const EXAMPLE: &str = r#"{"type": "Topology", "objects": {"example": {"type": "GeometryCollection", "geometries": [
@@ -109,7 +109,7 @@ fn of_several_objects_one_must_be_chosen() {
 fn built(layer: &Layer) -> PlanarMap {
     let mut builder = Builder::new();
     for feature in &layer.features {
-        builder.feature(&to_map(feature, &mut twinedge::io::ReadSummary::default())).unwrap();
+        builder.feature(&to_map(feature, &mut twinedge_formats::io::ReadSummary::default())).unwrap();
     }
     builder.build().unwrap()
 }

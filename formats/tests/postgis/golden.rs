@@ -1,8 +1,9 @@
 //! Topologies that PostGIS wrote are read as they are, and valid.
 
 use crate::support::{DECIMAL, EDGE, END, GEOM, LARGE_IDS, NODE, OLD_TOWN, Row, Rows, START, TOWN, int, line};
-use twinedge::validate::{Embedding, Record, View};
+use twinedge::validate::{Record, View};
 use twinedge_formats::postgis::{audit, is_copy, read};
+use twinedge_map::Embedding;
 
 #[test]
 fn what_postgis_wrote_is_valid() {

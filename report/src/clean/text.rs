@@ -5,7 +5,7 @@ use crate::noding_text;
 use crate::words::style::{BAD, GOOD, QUIET};
 use crate::words::{counted, decimals_of, grouped, measure, place, plain};
 use std::fmt::Write as _;
-use twinedge::algorithm::clean::{ChangeKind, ChosenWidth};
+use twinedge_coverage::clean::{ChangeKind, ChosenWidth};
 use twinedge_formats::layer::clean::{FeatureChange, LayerChange, Left};
 
 impl Cleaning<'_> {

@@ -11,11 +11,10 @@ use crate::words::{counted, grouped, place};
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::io;
-use twinedge::algorithm::coverage::{CoverageRule, Finding, Limits, insert_touches};
-use twinedge::io::ReadSummary;
-use twinedge::map;
-use twinedge::tile::{Grid, Outcome};
+use twinedge_coverage::tile::{Grid, Outcome};
+use twinedge_coverage::{CoverageRule, Finding, Limits, insert_touches};
 use twinedge_formats::diagnosis::FeatureName;
+use twinedge_formats::io::ReadSummary;
 use twinedge_formats::layer::clean::{
     CleanError, CleanOptions, CleanReport, Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods, is_tidy,
 };
@@ -192,11 +191,11 @@ impl<'a> FirstReading<'a> {
 }
 
 /// The polygons of a feature, as a map has them.
-fn polygons(feature: &Feature) -> map::Feature {
+fn polygons(feature: &Feature) -> twinedge_map::Feature {
     let mut shapes = to_map(feature, &mut ReadSummary::default()).shapes;
-    shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    shapes.retain(|shape| matches!(shape, twinedge_map::Shape::Polygon(_)));
     insert_touches(&mut shapes);
-    map::Feature { shapes, ..map::Feature::default() }
+    twinedge_map::Feature { shapes, ..twinedge_map::Feature::default() }
 }
 
 /// The limits by which the layer is judged, as cleaning the whole does.

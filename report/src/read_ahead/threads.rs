@@ -10,10 +10,10 @@ use super::{HandOn, Take};
 use serde_json::Value as Json;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{Builder, scope};
-use twinedge::map::{Feature, Shape};
 use twinedge_formats::layer::{
     Feature as LayerFeature, Geometry, Id, Line, Members, Position, ReadError, Shape as LayerShape, Value,
 };
+use twinedge_map::{Feature, Shape};
 
 /// The number of points from which on a batch is handed over.
 const BATCH: usize = 1 << 12;

@@ -6,7 +6,7 @@ use crate::diagnosis_text::size;
 use crate::imported::Imported;
 use crate::names::all_named;
 use crate::trace::position;
-use twinedge::algorithm::coverage::CoverageRule;
+use twinedge_coverage::CoverageRule;
 use twinedge_formats::diagnosis::{Diagnosis, Measures, MissingVertex, Position, Trace};
 use twinedge_sphere::Finding;
 

@@ -1,9 +1,9 @@
 //! The rules of a coverage, each broken alone.
 
 use crate::support::{Numbers, feature, mirrored};
-use twinedge::algorithm::coverage::{CoverageRule, Limits};
-use twinedge::map::{Feature, Shape};
+use twinedge_coverage::{CoverageRule, Limits};
 use twinedge_geometry::Point;
+use twinedge_map::{Feature, Shape};
 use twinedge_sphere::{Clash, Cover, Coverage, Drawing, Inside, Subdivision, check, mismatches};
 
 fn judged(features: &[Feature], inside: Inside, limits: &Limits) -> (Vec<Clash>, Coverage) {

@@ -3,10 +3,10 @@
 use crate::support::mirrored;
 use std::fs::File;
 use std::io::BufReader;
-use twinedge::algorithm::coverage::{CoverageRule, Limits};
-use twinedge::io::geojson::read;
-use twinedge::map::Feature;
 use twinedge::validate::{Collect, Expectation, validate};
+use twinedge_coverage::{CoverageRule, Limits};
+use twinedge_formats::io::geojson::read;
+use twinedge_map::Feature;
 use twinedge_sphere::{Clash, Cover, Coverage, Drawing, Inside, Place, Subdivision, check};
 
 fn world(name: &str) -> Vec<Feature> {
@@ -15,7 +15,7 @@ fn world(name: &str) -> Vec<Feature> {
     let mut features = Vec::new();
     read(file, |feature| {
         features.push(feature);
-        Ok::<_, twinedge::io::ReadError>(())
+        Ok::<_, twinedge_formats::io::ReadError>(())
     })
     .expect("it is GeoJSON");
     features

@@ -1,10 +1,10 @@
 //! The half-edge structure of maps on the sphere.
 
 use crate::support::{Numbers, at, feature};
-use twinedge::map::{Feature, Shape};
 use twinedge::validate::{Collect, Expectation, validate};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, Orientation};
+use twinedge_map::{Feature, Shape};
 use twinedge_sphere::predicates::{meeting, side};
 use twinedge_sphere::{Clash, Cover, Drawing, Inside, Place, Subdivision, SubdivisionError, Unresolved};
 

@@ -1,7 +1,7 @@
 //! Places, features and numbers for the tests.
 
-use twinedge::map::{Feature, Shape};
 use twinedge_geometry::Point;
+use twinedge_map::{Feature, Shape};
 use twinedge_sphere::Place;
 
 /// A feature of one shape.

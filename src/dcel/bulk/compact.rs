@@ -64,8 +64,7 @@ impl Dcel {
                 Kind::Vertex => renamed.vertices.get(old.into()).map(|key| key.data()),
                 Kind::HalfEdge | Kind::Edge | Kind::Corner => renamed.half_edges.get(old.into()).map(|key| key.data()),
                 Kind::Face => renamed.faces.get(old.into()).map(|key| key.data()),
-                #[cfg(feature = "map")]
-                Kind::Feature => Some(old),
+                Kind::Other => Some(old),
             });
             attributes
         }));

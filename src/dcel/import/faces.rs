@@ -316,7 +316,7 @@ impl Corners {
         };
         // The columns of the store take their memory.
         drop((self, leaving, pieces));
-        let dcel = assembly.assemble().map_err(FacesError::Full)?;
+        let dcel = assembly.assemble_right().map_err(FacesError::Full)?;
         let numbers = Numbers {
             vertices: (0..vertex_count as u32).collect(),
             half_edges: numbers,

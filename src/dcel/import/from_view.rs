@@ -68,7 +68,7 @@ impl Dcel {
         expectation: &Expectation,
         outside: Outside,
     ) -> Result<(Self, Keys), ImportError> {
-        let assemble = |columns: &Columns, _: &Numbers| columns.assembly().assemble().map_err(ImportError::Full);
+        let assemble = |columns: &Columns, _: &Numbers| columns.assembly().assemble_right().map_err(ImportError::Full);
         let (dcel, numbers) = import(view, *expectation, outside, assemble)?;
         let keys = keys(&dcel, &numbers);
         Ok((dcel, keys))

@@ -232,7 +232,7 @@ impl System {
             outer: &outer,
             inner: &inner,
         };
-        let dcel = assembly.assemble().map_err(RotationsError::Full)?;
+        let dcel = assembly.assemble_right().map_err(RotationsError::Full)?;
         let numbers = Numbers {
             vertices: (0..self.leaving.len() as u32).collect(),
             half_edges: (0..self.origin.len() as u32).collect(),

@@ -15,7 +15,9 @@ use slotmap::{Key, KeyData, SecondaryMap};
 /// One thing that an operator does to the records of a kind. Those that it makes get their values once they are there, in the order in which
 /// the steps that make them were announced.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Step {
+#[non_exhaustive]
+pub enum Step {
+    /// Makes one.
     Make,
     /// Makes a vertex on the edge between two.
     Between(KeyData, KeyData),
@@ -27,11 +29,11 @@ pub(crate) enum Step {
     Rename(KeyData, KeyData),
     /// Keeps the first and drops the second.
     Merge(KeyData, KeyData),
+    /// Drops this one.
     Drop(KeyData),
 }
 
 /// The values of an attribute whose type is not known.
-#[cfg_attr(not(feature = "map"), allow(dead_code, reason = "a map measures"))]
 pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     fn id(&self) -> u32;
     fn kind(&self) -> Kind;
@@ -234,7 +236,6 @@ impl<K: Attributed, T: Value> Column<K, T> {
     }
 }
 
-#[cfg(feature = "map")]
 impl<K: Attributed, T: Value> Column<K, T> {
     /// Gives a value to several records, as if they had been one that was split: each with its measure, the largest first.
     pub(super) fn spread(&mut self, value: T, parts: &[(KeyData, f64)], log: &mut Vec<Saved>) -> Result<(), Reason> {

@@ -1,55 +1,47 @@
 //! The kinds of records that have attributes.
 
-#[cfg(feature = "map")]
-use crate::store::keys::FeatureId;
 use crate::store::keys::{FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 use slotmap::Key;
 
-/// A kind of record.
+/// A kind of record that has attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Kind {
+    /// Vertices.
     Vertex,
+    /// Half-edges.
     HalfEdge,
+    /// Edges.
     Edge,
+    /// Corners.
     Corner,
+    /// Faces.
     Face,
-    #[cfg(feature = "map")]
-    Feature,
+    /// Records that a structure around the [`Dcel`](crate::dcel::Dcel) has, such as the features of a map. No operator writes to them.
+    Other,
 }
 
-mod sealed {
-    use super::Kind;
-
-    pub trait Sealed {
-        const KIND: Kind;
-    }
-}
-
-pub(crate) use sealed::Sealed;
-
-/// A kind of record that has [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`], [`Faces`] or, on
-/// maps, `Features`.
-pub trait Attributed: sealed::Sealed + Debug + Send + Sync + 'static {
+/// A kind of record that has [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`], [`Faces`], or a kind of
+/// a structure around a [`Dcel`](crate::dcel::Dcel), which is [`Kind::Other`].
+pub trait Attributed: Debug + Send + Sync + 'static {
     /// The keys of these records.
     type Key: Key + Send + Sync;
+
+    /// The kind.
+    const KIND: Kind = Kind::Other;
 }
 
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident $(if $feature:literal)?;)*) => {$(
+    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident;)*) => {$(
         $(#[$doc])*
-        $(#[cfg(feature = $feature)])?
         #[derive(Clone, Copy, Debug)]
         pub enum $name {}
 
-        $(#[cfg(feature = $feature)])?
-        impl sealed::Sealed for $name {
-            const KIND: Kind = Kind::$kind;
-        }
-
-        $(#[cfg(feature = $feature)])?
         impl Attributed for $name {
             type Key = $key;
+
+            const KIND: Kind = Kind::$kind;
         }
     )*};
 }
@@ -66,6 +58,4 @@ kinds! {
     Corners Corner HalfEdgeKey;
     /// Faces have the attribute, and the unbounded one may have a value, too.
     Faces Face FaceKey;
-    /// Features have the attribute. Only a [`PlanarMap`](crate::map::PlanarMap) has some, and gives them values.
-    Features Feature FeatureId if "map";
 }

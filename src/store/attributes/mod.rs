@@ -8,28 +8,18 @@ mod kind;
 mod policy;
 mod quantity;
 
-pub use column::Value;
-pub(crate) use column::{Saved, Step};
-#[cfg(feature = "map")]
-pub use kind::Features;
-pub use kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
-pub(crate) use kind::{Kind, Sealed};
+pub use column::{Saved, Step, Value};
+pub use kind::{Attributed, Corners, Edges, Faces, HalfEdges, Kind, Vertices};
 pub use policy::Policy;
 pub use quantity::Quantity;
 
-#[cfg(feature = "map")]
-use crate::store::FeatureId;
 use crate::store::issuer::structure_offset;
 use alloc::boxed::Box;
-#[cfg(feature = "map")]
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use column::{AnyColumn, Column};
-use core::fmt;
 use core::marker::PhantomData;
-use core::mem;
-#[cfg(feature = "map")]
-use slotmap::Key;
+use core::{fmt, mem};
 use slotmap::{KeyData, SecondaryMap};
 
 /// The name of an attribute of a structure: of values of type `T` that records of one kind have.
@@ -54,9 +44,10 @@ impl<K, T> fmt::Debug for Attribute<K, T> {
     }
 }
 
-/// The attributes of a structure.
+/// The attributes of a structure, with their values. A structure around a [`Dcel`](crate::dcel::Dcel) says here what it does to records of its own,
+/// and by which measures values are shared out.
 #[derive(Debug, Default)]
-pub(crate) struct Attributes {
+pub struct Attributes {
     columns: Vec<Box<dyn AnyColumn>>,
     /// The values that were overwritten: by the last operator, or by the change that is being made if it is recorded.
     log: Vec<Saved>,
@@ -125,7 +116,7 @@ impl Attributes {
 
     /// Does the first part of what an operator is about to do. If a policy refuses, everything is as it was.
     #[cold]
-    pub(crate) fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), &'static str> {
+    pub fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), &'static str> {
         let start = self.log.len();
         let larger = self.larger.take();
         self.columns.iter_mut().for_each(|column| column.forget_announced());
@@ -143,7 +134,7 @@ impl Attributes {
 
     /// Gives their values to records that were made, in the order in which they were announced.
     #[cold]
-    pub(crate) fn settle(&mut self, made: &[(Kind, KeyData)]) {
+    pub fn settle(&mut self, made: &[(Kind, KeyData)]) {
         for (kind, key) in made {
             for column in self.columns.iter_mut().filter(|column| column.kind() == *kind) {
                 column.settle(*key, &mut self.log);
@@ -153,7 +144,7 @@ impl Attributes {
 
     /// Takes over the attributes of another structure. Where both have the same one, a record that has a value of its own keeps it,
     /// and a number that a record has is not given to another one.
-    pub(crate) fn extend(&mut self, other: Self) {
+    pub fn extend(&mut self, other: Self) {
         for new in other.columns {
             if !self.columns.iter().any(|column| column.id() == new.id()) {
                 let mut column = new.copied();
@@ -173,30 +164,32 @@ impl Attributes {
     }
 
     /// Exchanges a value for the one that is there.
-    pub(crate) fn exchange(&mut self, saved: &mut Saved) {
+    pub fn exchange(&mut self, saved: &mut Saved) {
         if let Some(column) = self.columns.iter_mut().find(|column| column.id() == saved.id()) {
             saved.exchange(&mut **column);
         }
     }
 
     /// The values that were overwritten, for good.
-    pub(crate) fn take_log(&mut self) -> Vec<Saved> {
+    #[must_use]
+    pub fn take_log(&mut self) -> Vec<Saved> {
         mem::take(&mut self.log)
     }
 
-    #[cfg(feature = "map")]
-    pub(crate) fn log_len(&self) -> usize {
+    /// The number of values that were overwritten. O(1).
+    #[must_use]
+    pub fn log_len(&self) -> usize {
         self.log.len()
     }
 
     /// The values that were overwritten after so many others, for good.
-    #[cfg(feature = "map")]
-    pub(crate) fn split_log(&mut self, at: usize) -> Vec<Saved> {
+    #[must_use]
+    pub fn split_log(&mut self, at: usize) -> Vec<Saved> {
         self.log.split_off(at)
     }
 
     /// Forgets which values were overwritten.
-    pub(crate) fn clear_log(&mut self) {
+    pub fn clear_log(&mut self) {
         self.log.clear();
     }
 
@@ -210,37 +203,39 @@ impl Attributes {
     }
 }
 
-#[cfg(feature = "map")]
 impl Attributes {
     /// True if there is a value to be shared out by measures when a record of this kind is split.
-    pub(crate) fn shares(&self, kind: Kind) -> bool {
+    #[must_use]
+    pub fn shares(&self, kind: Kind) -> bool {
         self.columns.iter().any(|column| column.kind() == kind && column.shares())
     }
 
     /// True if the areas of merged faces make a difference.
-    pub(crate) fn is_by_area(&self) -> bool {
+    #[must_use]
+    pub fn is_by_area(&self) -> bool {
         self.columns.iter().any(|column| column.is_by_measure())
     }
 
     /// True if a vertex on an edge has a value between those of its ends.
-    pub(crate) fn interpolates(&self) -> bool {
+    #[must_use]
+    pub fn interpolates(&self) -> bool {
         self.columns.iter().any(|column| column.interpolates())
     }
 
     /// Says which face has the larger area, if one has, of two that are about to be merged.
-    pub(crate) const fn set_larger(&mut self, face: Option<KeyData>) {
+    pub const fn set_larger(&mut self, face: Option<KeyData>) {
         self.larger = face;
     }
 
     /// Shares out the values of a record that was split, of which the second of its parts gets this part.
-    pub(crate) fn share(&mut self, kind: Kind, parts: [KeyData; 2], part: f64) {
+    pub fn share(&mut self, kind: Kind, parts: [KeyData; 2], part: f64) {
         for column in self.columns.iter_mut().filter(|column| column.kind() == kind) {
             column.share(parts, part, &mut self.log);
         }
     }
 
     /// Gives to a vertex on an edge the values at this part of the way between its ends.
-    pub(crate) fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64) {
+    pub fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64) {
         for column in self.columns.iter_mut().filter(|column| column.kind() == Kind::Vertex) {
             column.interpolate(vertex, ends, part, &mut self.log);
         }
@@ -264,11 +259,11 @@ impl Attributes {
     }
 
     /// The same attributes for other faces, into which these were cut: each with its parts, the largest first, and their areas; and for other
-    /// features. Nothing else has a value then.
-    pub(crate) fn cut(
+    /// records that are not those of a [`Dcel`](crate::dcel::Dcel). Nothing else has a value then.
+    pub fn cut(
         &self,
         faces: &[(KeyData, Vec<(KeyData, f64)>)],
-        features: &[(FeatureId, Option<FeatureId>)],
+        others: &[(KeyData, Option<KeyData>)],
     ) -> Result<Self, &'static str> {
         let mut all = self.clone();
         let mut first = BTreeMap::new();
@@ -278,12 +273,13 @@ impl Attributes {
                 None => all.announce(&[(Kind::Face, Step::Drop(*old))])?,
             }
         }
-        for (old, _) in features.iter().filter(|(_, new)| new.is_none()) {
-            all.announce(&[(Kind::Feature, Step::Drop(old.data()))])?;
+        let others: BTreeMap<KeyData, Option<KeyData>> = others.iter().copied().collect();
+        for (old, _) in others.iter().filter(|(_, new)| new.is_none()) {
+            all.announce(&[(Kind::Other, Step::Drop(*old))])?;
         }
         all.rename(&|kind, old| match kind {
             Kind::Face => first.get(&old).copied(),
-            Kind::Feature => features.get(FeatureId::from(old).index()).and_then(|(_, new)| new.map(|new| new.data())),
+            Kind::Other => others.get(&old).copied().flatten(),
             _ => None,
         });
         for (_, parts) in faces {
@@ -301,7 +297,7 @@ impl Attributes {
     }
 
     /// Gives the values of records to others, or drops them: all at once, and policies are not asked.
-    pub(crate) fn transfer(&mut self, moves: &[(Kind, KeyData, Option<KeyData>)]) {
+    pub fn transfer(&mut self, moves: &[(Kind, KeyData, Option<KeyData>)]) {
         for column in &mut self.columns {
             let kind = column.kind();
             let mut of_kind = moves.iter().filter(|(of, ..)| *of == kind).map(|(_, from, to)| (*from, *to));

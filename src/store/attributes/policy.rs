@@ -1,7 +1,5 @@
 //! Policies: the rules by which the values of an attribute follow.
 
-#[cfg(feature = "map")]
-use super::kind::Features;
 use super::kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
 use super::quantity::Quantity;
 use alloc::sync::Arc;
@@ -64,7 +62,9 @@ pub struct Policy<K: Attributed, T> {
 }
 
 impl<K: Attributed, T> Policy<K, T> {
-    const fn new() -> Self {
+    /// The default policy, for an attribute of records of any kind.
+    #[must_use]
+    pub const fn new() -> Self {
         let (splitting, merging) = (Splitting::Keep, Merging::Keep);
         let (making, between, dropping, number, counter) = (None, None, None, None, None);
         Self { splitting, merging, making, between, dropping, number, counter, of: PhantomData }
@@ -196,7 +196,8 @@ impl<K: Attributed, T> Policy<K, T> {
     }
 
     /// True if it numbers records.
-    pub(crate) const fn counts(&self) -> bool {
+    #[must_use]
+    pub const fn counts(&self) -> bool {
         self.counter.is_some()
     }
 
@@ -249,8 +250,7 @@ impl<K: Attributed> Policy<K, u64> {
 }
 
 macro_rules! constructors {
-    ($($kind:ident $name:ident $doc:literal $(if $feature:literal)?;)*) => {$(
-        $(#[cfg(feature = $feature)])?
+    ($($kind:ident $name:ident $doc:literal;)*) => {$(
         impl<T> Policy<$kind, T> {
             #[doc = $doc]
             #[must_use]
@@ -267,7 +267,6 @@ constructors! {
     Edges of_edges "The default policy, for an attribute of edges.";
     Corners of_corners "The default policy, for an attribute of corners.";
     Faces of_faces "The default policy, for an attribute of faces.";
-    Features of_features "The default policy, for an attribute of the features of a map." if "map";
 }
 
 /// Policies by the length of edges or the area of faces.

@@ -20,7 +20,7 @@
 //! | outer half-edge and holes in each face | answer `outer_half_edge`, `inner_count`, `inner_start`; leave [`Part::BoundaryComponents`](super::Part::BoundaryComponents) out of the parts |
 //! | no faces | leave [`Part::Faces`](super::Part::Faces) out of the parts |
 //! | keys, handles or pointers instead of indices | [`Index`], one for each kind, or [`Ids`]; [`Report::named`](super::Report::named) prints reports with them |
-//! | half-edges that operators move to other indices | nothing to validate it; to test its operators, `program::mesh::Named` (feature `program`) |
+//! | half-edges that operators move to other indices | nothing to validate it; to test its operators, `program::mesh::Named` (feature `dcel`) |
 //! | vacant slots | answer `is_vertex`, `is_half_edge`, `is_face` |
 //!
 //! | family | half-edge `h` is | missing | tested in `tests/validate/families/` |

@@ -17,9 +17,9 @@ use alloc::vec::Vec;
 /// that a check takes is kept for the next one: some 40 bytes for each record that was written, where there were most of them.
 #[derive(Clone, Debug)]
 pub struct Baseline {
-    pub(super) expect: Expectation,
+    expect: Expectation,
     /// The links, and what the last check has found of those that were written.
-    pub(super) diff: Diff,
+    diff: Diff,
     scratch: Scratch,
 }
 
@@ -69,12 +69,15 @@ impl Baseline {
         Self::supports(expectation, expectation.looks_at(view.parts()))?;
         validate(view, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
         let mut baseline = Self::of_right(view, expectation)?;
-        baseline.diff.commit();
+        baseline.commit();
         Ok(baseline)
     }
 
-    /// Refuses structures that are not validated locally.
-    pub(super) fn supports(expectation: &Expectation, parts: Parts) -> Result<(), BaselineError> {
+    /// Returns an error for structures that are not validated locally: for those with these parts, or for this expectation.
+    ///
+    /// # Errors
+    /// [`BaselineError::OpenBoundaries`], [`BaselineError::Lacks`].
+    pub fn supports(expectation: &Expectation, parts: Parts) -> Result<(), BaselineError> {
         if expectation.is_open() {
             return Err(BaselineError::OpenBoundaries);
         }
@@ -85,11 +88,25 @@ impl Baseline {
         }
     }
 
-    /// Of a structure that is right, still as what has changed since there was nothing: see [`Diff::commit`].
-    pub(super) fn of_right<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
+    /// The links of a structure that is known to be right, as changes since there was nothing: see [`commit`](Self::commit). O(n).
+    ///
+    /// # Errors
+    /// [`BaselineError::Changing`].
+    pub fn of_right<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
         let mut baseline = Self { expect: *expectation, diff: Diff::default(), scratch: Scratch::default() };
         baseline.read(view).ok_or(BaselineError::Changing)?;
         Ok(baseline)
+    }
+
+    /// The links before and after, as the last check has found them. O(1).
+    #[must_use]
+    pub const fn changes(&self) -> &Diff {
+        &self.diff
+    }
+
+    /// Moves on to the structure as the last check has found it. O(records that were written).
+    pub fn commit(&mut self) {
+        self.diff.commit();
     }
 
     /// The expectation that the structure is held to.
@@ -98,8 +115,9 @@ impl Baseline {
         &self.expect
     }
 
-    /// Reads every link of a valid structure: all records are written, and there were none before.
-    pub(super) fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
+    /// Reads every link of a structure that is right: all records are written, and there were none before. Nothing if the links are not right.
+    /// O(n).
+    pub fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
         let now = LinkReader::new(view, self.expect)?;
         let written = WriteSet {
             vertices: (0..now.vertices).collect(),
@@ -113,8 +131,9 @@ impl Baseline {
         check(&mut self.diff, &now, &written, &mut Scratch::default())
     }
 
-    /// Finds what has changed. Nothing if it cannot be right.
-    pub(super) fn check<V: View + ?Sized>(&mut self, view: &V, written: &WriteSet) -> Option<()> {
+    /// Checks the links of the records that were written, and finds what has changed. Nothing if these links cannot be right. The cost is that of
+    /// [`validate_near`].
+    pub fn check<V: View + ?Sized>(&mut self, view: &V, written: &WriteSet) -> Option<()> {
         let now = LinkReader::new(view, self.expect)?;
         check(&mut self.diff, &now, written, &mut self.scratch)
     }
@@ -150,13 +169,13 @@ pub fn validate_near<V: View + ?Sized>(
     written: &WriteSet,
 ) -> Result<(), Box<Report>> {
     if baseline.check(view, written).is_some() {
-        baseline.diff.commit();
+        baseline.commit();
         return Ok(());
     }
     validate(view, &baseline.expect, Collect::All).into_result()?;
     // The structure is right: some record that has changed was not named.
     if baseline.read(view).is_some() {
-        baseline.diff.commit();
+        baseline.commit();
     }
     Ok(())
 }

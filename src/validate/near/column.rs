@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 /// An entry of a column.
-pub(super) trait Row: Copy + PartialEq {
+pub trait Row: Copy + PartialEq {
     /// The row of a vacant slot.
     const VACANT: Self;
 
@@ -16,19 +16,19 @@ pub(super) trait Row: Copy + PartialEq {
 
 /// Before a change, or after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg(feature = "geometry")]
-pub(super) enum Time {
+pub enum Time {
+    /// Before the change.
     Before,
+    /// After it.
     After,
 }
 
 /// Both, in order.
-#[cfg(feature = "geometry")]
-pub(super) const TIMES: [Time; 2] = [Time::Before, Time::After];
+pub const TIMES: [Time; 2] = [Time::Before, Time::After];
 
 /// Rows by index, vacant beyond the end, and what has become of some. To find a row takes O(1) at both times.
 #[derive(Clone, Debug)]
-pub(super) struct Column<R> {
+pub struct Column<R> {
     /// Each with the position that it has in `after`, from 1 on, or 0.
     before: Vec<(R, u32)>,
     /// Rows that may differ, each once, with their indices.
@@ -43,24 +43,29 @@ impl<R> Default for Column<R> {
 
 impl<R: Row> Column<R> {
     /// Makes it as long as there are slots, if it is shorter.
-    pub(super) fn fit(&mut self, slots: usize) {
+    pub fn fit(&mut self, slots: usize) {
         if self.before.len() < slots {
             self.before.resize(slots, (R::VACANT, 0));
         }
     }
 
-    #[cfg(feature = "geometry")]
-    pub(super) fn slots(&self) -> usize {
+    /// The number of rows. O(1).
+    #[must_use]
+    pub fn slots(&self) -> usize {
         self.before.len()
     }
 
+    /// The row before the change. O(1).
     #[inline]
-    pub(super) fn before(&self, index: usize) -> R {
+    #[must_use]
+    pub fn before(&self, index: usize) -> R {
         self.before.get(index).map_or(R::VACANT, |row| row.0)
     }
 
+    /// The row after the change. O(1).
     #[inline]
-    pub(super) fn after(&self, index: usize) -> R {
+    #[must_use]
+    pub fn after(&self, index: usize) -> R {
         match self.before.get(index) {
             Some((row, 0)) => *row,
             Some((_, position)) => self.after[*position as usize - 1].1,
@@ -68,9 +73,10 @@ impl<R: Row> Column<R> {
         }
     }
 
-    #[cfg(feature = "geometry")]
+    /// The row before or after the change. O(1).
     #[inline]
-    pub(super) fn at(&self, time: Time, index: usize) -> R {
+    #[must_use]
+    pub fn at(&self, time: Time, index: usize) -> R {
         match time {
             Time::Before => self.before(index),
             Time::After => self.after(index),
@@ -79,13 +85,14 @@ impl<R: Row> Column<R> {
 
     /// Returns true for a row that may differ.
     #[inline]
-    pub(super) fn may_differ(&self, index: usize) -> bool {
+    #[must_use]
+    pub fn may_differ(&self, index: usize) -> bool {
         self.before.get(index).is_some_and(|row| row.1 != 0)
     }
 
     /// The row after the change, which may differ from now on. Nothing if the column has no such row: it is, and was, vacant.
     #[inline]
-    pub(super) fn change(&mut self, index: usize) -> Option<&mut R> {
+    pub fn change(&mut self, index: usize) -> Option<&mut R> {
         let (row, position) = self.before.get_mut(index)?;
         if *position == 0 {
             self.after.push((index as u32, *row));
@@ -96,46 +103,48 @@ impl<R: Row> Column<R> {
 
     /// Notes that the row may differ.
     #[inline]
-    pub(super) fn note(&mut self, index: usize) {
+    pub fn note(&mut self, index: usize) {
         let _ = self.change(index);
     }
 
     /// The number of rows that may differ.
-    pub(super) fn len(&self) -> usize {
+    #[must_use]
+    pub fn len(&self) -> usize {
         self.after.len()
     }
 
     /// The index of one of these.
     #[inline]
-    pub(super) fn index(&self, position: usize) -> usize {
+    #[must_use]
+    pub fn index(&self, position: usize) -> usize {
         self.after[position].0 as usize
     }
 
     /// Sets one of these, as it is after the change.
     #[inline]
-    pub(super) fn put(&mut self, position: usize, row: R) {
+    pub fn put(&mut self, position: usize, row: R) {
         self.after[position].1 = row;
     }
 
     /// All of these: index, before, after.
-    pub(super) fn changes(&self) -> impl Iterator<Item = (usize, R, R)> + '_ {
+    pub fn changes(&self) -> impl Iterator<Item = (usize, R, R)> + '_ {
         self.after.iter().map(|(index, row)| (*index as usize, self.before(*index as usize), *row))
     }
 
     /// The growth of a sum over all rows.
-    pub(super) fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
+    pub fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
         self.changes().map(|(_, before, after)| term(after) - term(before)).sum()
     }
 
     /// Forgets what has changed. Keeps the memory.
-    pub(super) fn clear(&mut self) {
+    pub fn clear(&mut self) {
         for (index, _) in self.after.drain(..) {
             self.before[index as usize].1 = 0;
         }
     }
 
     /// Lets the rows be what they are after the change. After a change of most of them, the memory for it is given back.
-    pub(super) fn commit(&mut self) {
+    pub fn commit(&mut self) {
         for (index, row) in self.after.drain(..) {
             self.before[index as usize] = (row, 0);
         }

@@ -17,13 +17,15 @@ pub(super) struct Sums {
 /// The links of a structure that was right, and of each record that may differ, its links now. With coordinates, the places of
 /// vertices, too. Every check near a change reads only this.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Diff {
-    pub(super) half_edges: Column<HalfEdge>,
-    pub(super) vertices: Column<Vertex>,
-    pub(super) labels: Column<Label>,
-    pub(super) faces: Column<Face>,
-    #[cfg(feature = "geometry")]
-    pub(super) places: Column<Option<[f64; 2]>>,
+pub struct Diff {
+    /// Half-edges.
+    pub half_edges: Column<HalfEdge>,
+    /// Vertices.
+    pub vertices: Column<Vertex>,
+    /// Boundary components, or faces where there are none.
+    pub labels: Column<Label>,
+    /// Faces, where there are boundary components.
+    pub faces: Column<Face>,
     before: Sums,
     after: Sums,
 }
@@ -41,8 +43,6 @@ impl Diff {
         if now.has(Part::BoundaryComponents) {
             self.faces.fit(now.faces);
         }
-        #[cfg(feature = "geometry")]
-        self.places.clear();
     }
 
     /// Adds up the sums after the change.
@@ -65,8 +65,6 @@ impl Diff {
         self.vertices.commit();
         self.labels.commit();
         self.faces.commit();
-        #[cfg(feature = "geometry")]
-        self.places.commit();
     }
 
     /// The half-edge that followed clockwise in the rotation.
@@ -87,9 +85,4 @@ impl Diff {
         let stays = |h: &usize| !self.half_edges.may_differ(*h) || stays(self.half_edges.after(*h));
         orbit.take(self.half_edges.len() + 1).find(stays)
     }
-}
-
-#[cfg(feature = "geometry")]
-impl Row for Option<[f64; 2]> {
-    const VACANT: Self = None;
 }

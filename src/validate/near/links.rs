@@ -11,7 +11,8 @@ pub(super) const VACANT: u32 = NIL - 1;
 pub(super) const OUTER: u32 = NIL;
 
 /// The link in a column, unless it is nil.
-pub(super) fn index(link: u32) -> Option<usize> {
+#[must_use]
+pub fn index(link: u32) -> Option<usize> {
     (link < VACANT).then_some(link as usize)
 }
 
@@ -22,12 +23,17 @@ pub(super) fn link(index: Option<usize>) -> u32 {
 
 /// The links of a half-edge. Its *label* is its boundary component, or its face where there are no boundary components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct HalfEdge {
-    pub(super) origin: u32,
-    pub(super) twin: u32,
-    pub(super) next: u32,
-    pub(super) prev: u32,
-    pub(super) label: u32,
+pub struct HalfEdge {
+    /// The vertex at which it starts.
+    pub origin: u32,
+    /// Its twin.
+    pub twin: u32,
+    /// The half-edge after it.
+    pub next: u32,
+    /// The half-edge before it.
+    pub prev: u32,
+    /// Its label.
+    pub label: u32,
 }
 
 impl Row for HalfEdge {
@@ -36,9 +42,11 @@ impl Row for HalfEdge {
 
 /// A vertex: a half-edge that leaves it, or nil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Vertex {
-    pub(super) leaving: u32,
-    pub(super) isolated: u32,
+pub struct Vertex {
+    /// A half-edge that leaves it.
+    pub leaving: u32,
+    /// The boundary component that it is.
+    pub isolated: u32,
 }
 
 impl Row for Vertex {
@@ -48,12 +56,14 @@ impl Row for Vertex {
 /// The boundary component or face of a label: where it starts, and the face and the place where it is listed. Without records for boundary
 /// components it is a face, and only the start counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Label {
+pub struct Label {
     /// An isolated vertex, or a half-edge.
     starts_at: u32,
     is_vertex: bool,
-    pub(super) face: u32,
-    pub(super) place: u32,
+    /// The face that lists it.
+    pub face: u32,
+    /// Its place in the list of that face.
+    pub place: u32,
 }
 
 impl Row for Label {
@@ -67,25 +77,31 @@ impl Label {
             Start::Vertex(v) => Self { starts_at: v as u32, is_vertex: true, face, place },
         }
     }
-    pub(super) const fn start(&self) -> Start {
+    /// The half-edge or isolated vertex at which it starts.
+    #[must_use]
+    pub const fn start(&self) -> Start {
         let at = self.starts_at as usize;
         if self.is_vertex { Start::Vertex(at) } else { Start::HalfEdge(at) }
     }
     /// The isolated vertex that a live one is.
-    pub(super) fn vertex(&self) -> Option<usize> {
+    #[must_use]
+    pub fn vertex(&self) -> Option<usize> {
         (self.is_live() && self.is_vertex).then_some(self.starts_at as usize)
     }
     /// The face that lists it inside, with the position.
-    pub(super) fn inner(&self) -> Option<(usize, usize)> {
+    #[must_use]
+    pub fn inner(&self) -> Option<(usize, usize)> {
         (self.is_live() && self.place != OUTER).then_some((self.face as usize, self.place as usize))
     }
 }
 
 /// A face, where there are records for boundary components: its outer one, or nil, and how many inner ones there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Face {
-    pub(super) outer: u32,
-    pub(super) inner: u32,
+pub struct Face {
+    /// Its outer boundary component.
+    pub outer: u32,
+    /// The number of its inner ones.
+    pub inner: u32,
 }
 
 impl Row for Face {

@@ -33,7 +33,8 @@ impl WriteSet {
 
     /// Adds all of another one.
     #[cfg(feature = "dcel")]
-    pub(crate) fn extend(&mut self, more: Self) {
+    /// Adds the records of another. O(records).
+    pub fn extend(&mut self, more: Self) {
         self.vertices.extend(more.vertices);
         self.half_edges.extend(more.half_edges);
         self.boundaries.extend(more.boundaries);

@@ -5,8 +5,6 @@ mod hints;
 mod kept;
 mod named;
 mod names;
-#[cfg(feature = "geometry")]
-mod places;
 mod record;
 #[cfg(feature = "serde")]
 mod saved;
@@ -17,8 +15,6 @@ mod words;
 pub use counts::{Bounds, Counts};
 pub(super) use kept::keep_some_of_each;
 pub use named::Named;
-#[cfg(feature = "geometry")]
-pub use places::places;
 pub use record::{Field, Record};
 #[cfg(feature = "serde")]
 pub use saved::{Described, REPORT_SCHEMA};
@@ -242,8 +238,8 @@ impl Report {
     }
 
     /// Adds the outcomes and violations of rules that are checked after these.
-    #[cfg(feature = "geometry")]
-    pub(super) fn append(&mut self, later: Self, collect: Collect) {
+    /// Adds the outcomes and violations of other rules, which come after those of this report. O(violations).
+    pub fn append(&mut self, later: Self, collect: Collect) {
         self.outcomes.extend(later.outcomes);
         self.violations.extend(later.violations);
         keep_some_of_each(&mut self.violations, collect.cap());

@@ -23,17 +23,6 @@ pub(super) mod target;
 pub(super) mod twin;
 pub(super) mod used;
 
-#[cfg(feature = "geometry")]
-pub(super) mod angles;
-#[cfg(feature = "geometry")]
-pub(super) mod disjoint;
-#[cfg(feature = "geometry")]
-pub(super) mod finite;
-#[cfg(feature = "geometry")]
-pub(super) mod inside;
-#[cfg(feature = "geometry")]
-pub(super) mod winding;
-
 use super::findings::Findings;
 use super::report::Unchecked;
 use super::rule::Rule;

@@ -2,14 +2,10 @@
 
 mod answers;
 mod delegate;
-#[cfg(feature = "geometry")]
-mod embedding;
 mod only;
 mod parts;
 mod view;
 
-#[cfg(feature = "geometry")]
-pub use embedding::Embedding;
 pub use only::Only;
 pub use parts::{Part, Parts};
 pub use view::{BoundaryPlace, Link, Start, View};

@@ -19,7 +19,7 @@ use super::view::View;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Only<V> {
-    pub(super) view: V,
+    view: V,
     parts: Parts,
 }
 
@@ -28,6 +28,11 @@ impl<V> Only<V> {
     #[must_use]
     pub const fn new(view: V, parts: Parts) -> Self {
         Self { view, parts }
+    }
+
+    /// The whole structure. O(1).
+    pub const fn whole(&self) -> &V {
+        &self.view
     }
 }
 

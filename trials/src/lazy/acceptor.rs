@@ -4,9 +4,9 @@ use super::labels::LazyLabels;
 use super::open_table::OpenTable;
 use super::work::Claim;
 use crate::verdict::Validator;
-use twinedge::validate::certificate::{passes, passes_surface};
 use twinedge::validate::reference::first_broken_of;
 use twinedge::validate::{Expectation, Rule, View, accepts};
+use twinedge_certificate::{passes, passes_surface};
 
 /// A validator under test that says yes or no: [`lazy()`](crate::lazy()) compares it with the reference.
 pub trait Acceptor: Sync {

@@ -3,7 +3,7 @@
 use super::work::{Claim, LazyError, LazyWork};
 use std::fmt;
 use twinedge::validate::Part;
-use twinedge::validate::certificate::{Column, Columns, Labels, Numbers};
+use twinedge_certificate::{Column, Columns, Labels, Numbers};
 
 /// The labels of a table, whose cells can be open.
 #[derive(Clone, Copy)]

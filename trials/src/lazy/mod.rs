@@ -20,7 +20,7 @@
 //!
 //! # Certificates
 //!
-//! With [`LazyWork::certificates`] the [checker of certificates](twinedge::validate::certificate) is judged: labels are cells, too, as are the lengths of their
+//! With [`LazyWork::certificates`] the [checker of certificates](twinedge_certificate) is judged: labels are cells, too, as are the lengths of their
 //! columns. Each table that the reference accepts must pass with the labels that are made for it: nothing right is without certificate. The checker goes through all tables with
 //! all labels, and the reference judges each table that passes with some: nothing wrong has a certificate. Then the reference goes through them before the checker does;
 //! as many must be accepted by both.

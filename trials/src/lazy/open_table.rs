@@ -4,8 +4,8 @@ use super::labels::{Entries, LabelSource, Shape};
 use super::order::Order;
 use super::work::{LazyError, LazyWork, MOST_SLOTS};
 use std::cell::{Cell, RefCell};
-use twinedge::validate::certificate::Column;
 use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, View};
+use twinedge_certificate::Column;
 
 /// A table of a size, of which the cells that were read have values.
 ///

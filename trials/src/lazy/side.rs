@@ -6,7 +6,7 @@ use super::open_table::{Branch, OpenTable};
 use super::work::{Claim, LazyError, LazyWork};
 use crate::run::Run;
 use twinedge::validate::Table;
-use twinedge::validate::certificate::Labels;
+use twinedge_certificate::Labels;
 
 /// The number of branches that suffices for all threads and parts.
 const ENOUGH_BRANCHES: usize = 512;

@@ -1,8 +1,8 @@
 //! All tables of a size, each with all labels: what the checker of certificates and the reference accept.
 
 use std::cell::Cell;
-use twinedge::validate::certificate::{Column, Columns, Numbers, passes, passes_surface};
 use twinedge::validate::{Expectation, Part, Parts, View};
+use twinedge_certificate::{Column, Columns, Numbers, passes, passes_surface};
 use twinedge_trials::lazy::{Acceptor, LazyColumn, LazyError, LazyLabels, LazyOutcome, LazyWork};
 use twinedge_trials::{Outcome, Run, Shard, Validator, lazy, sum};
 

@@ -4,7 +4,7 @@ use crate::error::CallError;
 use crate::source::NamedFile;
 use serde::Deserialize;
 use serde_json::{Value, json};
-use twinedge::validate::certificate::{Column, Columns, Numbers, Test};
+use twinedge_certificate::{Column, Columns, Numbers, Test};
 use twinedge_report::certificate::{Claimed, POINT_FILES, file_name};
 use twinedge_web_bridge::Buffers;
 

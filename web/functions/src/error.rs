@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use std::fmt::Display;
 use std::path::PathBuf;
-use twinedge::io::ForeignFormat;
+use twinedge_formats::io::ForeignFormat;
 use twinedge_formats::{layer, mesh, postgis};
 use twinedge_report as report;
 
@@ -143,6 +143,6 @@ contents!(
     serde_json::Error,
     std::fmt::Error,
     std::io::Error,
-    twinedge::algorithm::voronoi::VoronoiError,
+    twinedge_algorithm::voronoi::VoronoiError,
     twinedge::dcel::StaleKey
 );

@@ -3,7 +3,7 @@
 use crate::error::CallError;
 use serde::Deserialize;
 use serde_json::Value;
-use twinedge::algorithm::coverage::Limits;
+use twinedge_coverage::Limits;
 use twinedge_formats::mesh::HalfEdgeMesh;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;

@@ -4,7 +4,7 @@ use crate::error::CallError;
 use crate::source::{Buffer, NamedFile, layer};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
-use twinedge::algorithm::voronoi::{delaunay, voronoi, voronoi_merging};
+use twinedge_algorithm::voronoi::{delaunay, voronoi, voronoi_merging};
 use twinedge_geometry::Point;
 use twinedge_report::voronoi::{Sites, cells, triangles};
 use twinedge_web_bridge::Buffers;

@@ -2,7 +2,7 @@
 
 use crate::certificate::folder::{Claim, Folder};
 use twinedge::validate::View;
-use twinedge::validate::certificate::{Certificate, Column, Drawing, Labels, VACANT};
+use twinedge_certificate::{Certificate, Column, Drawing, Labels, VACANT};
 
 /// A table: its name, and its columns, all of the same length.
 pub(super) struct Table<'a> {

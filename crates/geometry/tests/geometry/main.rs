@@ -2,7 +2,6 @@
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
-#[path = "../../../../tests/support/exact.rs"]
 mod exact;
 
 mod noding;

@@ -6,9 +6,9 @@
 //!   ───────q0─────────q1──────   the nearest points on stretches of the other, which run the other way
 //! ```
 
-use twinedge::algorithm::coverage::Finding;
-use twinedge::map::Shape;
+use twinedge_coverage::Finding;
 use twinedge_geometry::Point;
+use twinedge_map::Shape;
 
 /// A little more than the width, as places on borders are rounded.
 const TOLERANCE: f64 = 1.0 + 1e-9;

@@ -4,10 +4,10 @@ use super::rebuild::Rings;
 use super::report::AddedVertex;
 use super::restored::key;
 use rustc_hash::FxHashMap;
-use twinedge::algorithm::coverage::{CoverageError, mismatches};
-use twinedge::map::{PlanarMap, UnmatchedVertex};
+use twinedge_coverage::{CoverageError, mismatches};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
+use twinedge_map::{PlanarMap, UnmatchedVertex};
 
 type Key = (u64, u64);
 

@@ -1,4 +1,4 @@
-//! Cleaning a layer of polygons: noding, then [`twinedge::algorithm::clean`], then the polygons of the features that changed.
+//! Cleaning a layer of polygons: noding, then [`twinedge_coverage::clean`], then the polygons of the features that changed.
 //!
 //! ```text
 //!   polygons ─► map, cut where they meet ─► faces, each of one feature ─► outlines ─► polygons
@@ -27,19 +27,20 @@ mod report;
 mod restored;
 
 use super::model::{Dimensions, Feature, Geometry, Layer, Shape};
+use crate::io::ReadSummary;
 use dimensions::Further;
 use fillers::fillers;
 use missing::Missing;
 use rebuild::{is_same, polygons_of, replace, rings_of};
 use restored::Restoration;
 use std::borrow::Cow;
-use twinedge::algorithm::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
-use twinedge::algorithm::contour::{self, ContourError};
-use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects, insert_touches};
-use twinedge::io::ReadSummary;
-use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
+use twinedge_algorithm::contour;
+use twinedge_algorithm::contour::ContourError;
+use twinedge_coverage::clean::{ChosenWidth, Cleaned, Options, choose_gap_width, clean_with_fillers};
+use twinedge_coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects, insert_touches};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingSummary, Snap};
+use twinedge_map::{BuildError, Builder, Noding, PlanarMap};
 
 pub use gaps_to::{GapsTo, GapsToError};
 pub use neighbourhoods::{Extent, Neighbourhoods, Source, TooLarge, clean_neighbourhoods};
@@ -81,7 +82,7 @@ pub enum CleanError {
 }
 
 /// Cleans a layer in place, and reports what was done. O(n log n) for most layers; see
-/// [`twinedge::algorithm::clean::clean`] and [noding](twinedge_geometry::noding#cost).
+/// [`twinedge_coverage::clean::clean`] and [noding](twinedge_geometry::noding#cost).
 ///
 /// Cleaning the result again changes nothing.
 ///
@@ -109,7 +110,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
 /// As [`clean`], of a part of a layer with this largest coordinate, so that the finest grid is that of the whole.
 fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -> Result<CleanReport, CleanError> {
     // A point outside of everything.
-    let anchor = || largest.map(|most| map::Shape::Point(Point::new(most, most)));
+    let anchor = || largest.map(|most| twinedge_map::Shape::Point(Point::new(most, most)));
     let mut options = options.clone();
     let mut features: Vec<Cow<'_, Feature>> = layer.features.iter().map(Cow::Borrowed).collect();
     options.assign.gaps_to = options.gaps_to.take().map(|to| receiving(&mut features, to)).unwrap_or_default();
@@ -232,7 +233,7 @@ impl Pass<'_> {
 /// One round: noding, faces to features, outlines.
 fn pass<'a>(
     features: &[Cow<'a, Feature>],
-    fillers: &[map::Shape],
+    fillers: &[twinedge_map::Shape],
     options: &CleanOptions,
 ) -> Result<Pass<'a>, CleanError> {
     let map = build(features, fillers, options.snap)?;
@@ -302,7 +303,11 @@ fn outlined<'a>(
 }
 
 /// The map of all polygons and then of the fillers, cut where they meet.
-fn build(features: &[Cow<'_, Feature>], fillers: &[map::Shape], snap: Option<Snap>) -> Result<PlanarMap, CleanError> {
+fn build(
+    features: &[Cow<'_, Feature>],
+    fillers: &[twinedge_map::Shape],
+    snap: Option<Snap>,
+) -> Result<PlanarMap, CleanError> {
     if let Some(snap) = snap {
         return Ok(gather(features, fillers)?.build_with(Noding::Snap(snap))?);
     }
@@ -313,13 +318,13 @@ fn build(features: &[Cow<'_, Feature>], fillers: &[map::Shape], snap: Option<Sna
 }
 
 /// A builder with all polygons and then the fillers.
-fn gather(features: &[Cow<'_, Feature>], fillers: &[map::Shape]) -> Result<Builder, CleanError> {
+fn gather(features: &[Cow<'_, Feature>], fillers: &[twinedge_map::Shape]) -> Result<Builder, CleanError> {
     let mut builder = Builder::new();
     let mut any = false;
     for feature in features {
         let shapes = shapes(feature);
         any |= !shapes.is_empty();
-        builder.feature(&map::Feature { name: feature.name(), id: None, shapes })?;
+        builder.feature(&twinedge_map::Feature { name: feature.name(), id: None, shapes })?;
     }
     if !any {
         return Err(CleanError::NoPolygons);
@@ -331,16 +336,16 @@ fn gather(features: &[Cow<'_, Feature>], fillers: &[map::Shape]) -> Result<Build
 }
 
 /// The polygons of a feature, as the library takes them, with vertices where rings touch as the OGC allows.
-fn shapes(feature: &Feature) -> Vec<map::Shape> {
+fn shapes(feature: &Feature) -> Vec<twinedge_map::Shape> {
     let mut shapes = super::to_map(feature, &mut ReadSummary::default()).shapes;
-    shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    shapes.retain(|shape| matches!(shape, twinedge_map::Shape::Polygon(_)));
     insert_touches(&mut shapes);
     shapes
 }
 
 /// The rings of [`shapes`].
 fn with_touches(feature: &Feature) -> Vec<rebuild::Rings> {
-    let rings = |shape| if let map::Shape::Polygon(rings) = shape { rings } else { Vec::new() };
+    let rings = |shape| if let twinedge_map::Shape::Polygon(rings) = shape { rings } else { Vec::new() };
     shapes(feature).into_iter().map(rings).collect()
 }
 
@@ -369,7 +374,7 @@ fn judged(features: &[Cow<'_, Feature>], options: &CleanOptions) -> Result<Judge
             left.invalid += 1;
             judged.invalid.push(Remaining::invalid(number, defect));
         }
-        builder.feature(&map::Feature { shapes, ..map::Feature::default() })?;
+        builder.feature(&twinedge_map::Feature { shapes, ..twinedge_map::Feature::default() })?;
     }
     let map = builder.build()?;
     left.is_plane = map.is_plane();

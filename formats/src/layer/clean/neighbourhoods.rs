@@ -10,7 +10,7 @@
 //!
 //! *Why that is the same as cleaning the whole.* In the end windows are disjoint, and each has the boxes of all features that change there. So a feature that meets
 //! a window and is not of its core changes nowhere. Inside of a window all faces, their claims and the features beside them are those of the whole; gaps and
-//! slivers that reach out of it stay ([`Options::window`](twinedge::algorithm::clean::Options::window)). A gap that is to be filled lies in the box around the features beside it,
+//! slivers that reach out of it stay ([`Options::window`](twinedge_coverage::clean::Options::window)). A gap that is to be filled lies in the box around the features beside it,
 //! and they are of the core, as its finding names them. Limits are those of the whole, as they are given, and so is the finest grid.
 //!
 //! *Exceptions.* Without an area of slivers that is given, the whole measures the parts of features anew in each round. Where borders cross, the whole
@@ -93,7 +93,7 @@ pub struct Neighbourhoods {
 /// windows grow, and that of cleaning the neighbourhoods.
 ///
 /// ```
-/// use twinedge::algorithm::clean::Options;
+/// use twinedge_coverage::clean::Options;
 /// use twinedge_formats::layer::clean::{CleanError, CleanOptions, Extent, Source, clean_neighbourhoods};
 /// use twinedge_formats::layer::{Dimensions, Feature, Geometry, Position, Shape};
 ///

@@ -4,8 +4,8 @@ use super::super::model::{Feature, Geometry, Layer, Line, Members, Position, Sha
 use super::dimensions::Further;
 use std::cmp::Ordering;
 use std::collections::HashMap;
-use twinedge::algorithm::area::ring_area;
-use twinedge::algorithm::contour::Polygon;
+use twinedge_algorithm::area::ring_area;
+use twinedge_algorithm::contour::Polygon;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 

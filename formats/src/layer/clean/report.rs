@@ -1,14 +1,15 @@
 //! The report of cleaning.
 
 use super::super::model::Geometry;
-use twinedge::algorithm::area::{face_area, ring_area};
-use twinedge::algorithm::clean::{Change, ChangeKind, ChosenWidth};
-use twinedge::algorithm::coverage::{CoverageRule, Defect, DefectKind, Finding, defects, faces_of};
-use twinedge::map::{self, Builder, FeatureId, Noding, Shape};
-use twinedge::tile::Outcome;
+use twinedge_algorithm::area::{face_area, ring_area};
+use twinedge_algorithm::claims::faces_of;
+use twinedge_coverage::clean::{Change, ChangeKind, ChosenWidth};
+use twinedge_coverage::tile::Outcome;
+use twinedge_coverage::{CoverageRule, Defect, DefectKind, Finding, defects};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::{NodingSummary, Snap};
 use twinedge_geometry::predicates::compare_lexicographic;
+use twinedge_map::{Builder, FeatureId, Noding, Shape};
 
 /// The report of cleaning. Areas and widths are in the units of the coordinates.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -273,7 +274,8 @@ impl FeatureChange {
 /// The area that polygons cover whose rings may cross: that of the faces inside an odd number of rings, on the finest grid.
 fn covered(shapes: &[Shape]) -> Option<f64> {
     let mut builder = Builder::new();
-    let feature = builder.feature(&map::Feature { shapes: shapes.to_vec(), ..map::Feature::default() }).ok()?;
+    let feature =
+        builder.feature(&twinedge_map::Feature { shapes: shapes.to_vec(), ..twinedge_map::Feature::default() }).ok()?;
     let map = builder.build_with(Noding::Snap(Snap::Auto)).ok()?;
     let areas = faces_of(&map, feature).into_iter().filter_map(|face| face_area(&map, face).ok());
     Some(areas.fold(0.0, |a, b| a + b))

@@ -3,7 +3,7 @@
 use super::super::model::Feature;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
-use twinedge::algorithm::contour::Polygon;
+use twinedge_algorithm::contour::Polygon;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::NodingSummary;
 

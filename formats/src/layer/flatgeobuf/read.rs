@@ -7,6 +7,7 @@ use super::super::model::{Dimensions, Feature, Field, Geometry, Header, Id, Line
 use super::TEXTS;
 use super::properties::{attributes, kind};
 use super::tree::Tree;
+use crate::io::{Format, unread_geometry};
 use ::flatgeobuf::{
     Feature as FeatureTable, Geometry as Table, GeometryType as Kind, Header as HeaderTable,
     size_prefixed_root_as_feature_with_opts, size_prefixed_root_as_header_with_opts,
@@ -14,7 +15,6 @@ use ::flatgeobuf::{
 use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
 use std::sync::Arc;
-use twinedge::io::{Format, unread_geometry};
 
 /// The number of collections that may lie around a geometry.
 const NESTED: usize = 32;

@@ -6,6 +6,7 @@ use super::super::model::{Feature, Field, FieldKind, Geometry, Layer, Line, Posi
 use super::packed::{NODE_SIZE, extents, packed};
 use super::properties::{append, column};
 use super::{TEXTS, holds_ids};
+use crate::io::Format;
 use ::flatgeobuf::{
     Column, ColumnArgs, Crs as CrsTable, CrsArgs, Feature as FeatureTable, FeatureArgs, Geometry as Table,
     GeometryArgs, GeometryType as Kind, Header as HeaderTable, HeaderArgs,
@@ -13,7 +14,6 @@ use ::flatgeobuf::{
 use flatbuffers::{FlatBufferBuilder, WIPOffset};
 use std::borrow::Cow;
 use std::io::Write;
-use twinedge::io::Format;
 
 /// The version that is written.
 const MAGIC: &[u8; 8] = b"fgb\x03fgb\x00";

@@ -6,11 +6,11 @@ use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Feature, Field, FieldKind, Geometry, Header, Id, Value};
 use super::super::wkb;
 use super::{MAGIC, quoted};
+use crate::io::Format;
 use rusqlite::config::DbConfig;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags, OptionalExtension};
 use std::path::Path;
-use twinedge::io::Format;
 
 impl From<rusqlite::Error> for ReadError {
     fn from(error: rusqlite::Error) -> Self {

@@ -8,6 +8,7 @@ use super::super::model::{Feature, Field, FieldKind, Geometry, Header};
 use super::super::wkb;
 use super::geometry_column::{GeometryColumn, entry_of};
 use super::{ids, value};
+use crate::io::Format;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field as Cell;
@@ -17,7 +18,6 @@ use std::fs::File;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
-use twinedge::io::Format;
 
 pub(super) fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::GeoParquet, place, cause }

@@ -1,8 +1,8 @@
 //! Errors of the reader.
 
 use super::super::error::{Cause, Place, ReadError};
+use crate::io::Format;
 use std::io;
-use twinedge::io::Format;
 
 /// The error that the content is not what the format demands.
 pub(super) fn content(place: Place, cause: Cause) -> ReadError {

@@ -19,13 +19,13 @@ use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
 use super::files::Files;
 use super::model::{Feature, Field, Geometry, Header, Layer};
+use crate::io::Format;
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
 use failed::{content, truncated};
 use std::io::{self, BufReader, Read, Seek as _, SeekFrom};
 use std::path::{Path, PathBuf};
 use storage::ReadSeek;
-use twinedge::io::Format;
 
 pub(super) use columns::losses;
 pub(super) use storage::Storage;

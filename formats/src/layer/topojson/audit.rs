@@ -4,7 +4,8 @@ use super::finding::{RULES, placed};
 use super::topology::ArcTopology;
 use crate::diagnosis::{Diagnosis, Kind, Reason, RuleLine};
 use crate::topology_audit::{TopologyAudit, TopologyCounts};
-use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Unchecked, places, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Unchecked};
+use twinedge_map::{places, validate_embedding};
 
 /// Judges the arcs of a file, and the polygons that are made of them. Up to `limit` violations are kept, those of the first rules
 /// before others; all are counted. The rules about faces need A1: where it is broken, they are reported as not checked.

@@ -2,13 +2,12 @@
 
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Line, Members, Position};
+use crate::io::{Format, TextPlace};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::Value as Json;
 use serde_json::error::Category;
 use std::fmt;
 use std::io::Read;
-use twinedge::io::Format;
-use twinedge::io::TextPlace;
 
 /// A file, whose numbers are coordinates already.
 #[derive(Debug, Default)]

@@ -7,9 +7,9 @@ use super::super::json::{InDegrees, geometry};
 use super::super::model::{Feature, Header, Id, Line, Members, Position, Shape, Value};
 use super::super::names::Names;
 use super::document::{Document, check_finite, content};
+use crate::io::MAX_NESTED_COLLECTIONS;
 use serde_json::Value as Json;
 use std::io::Read;
-use twinedge::io::MAX_NESTED_COLLECTIONS;
 
 /// The number of positions that features may have together: so many times those of all arcs, and so many more. Arcs are shared by a few
 /// features each, but a small file may name a long arc any number of times.

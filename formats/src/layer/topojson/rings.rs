@@ -6,10 +6,10 @@ use super::document::{Document, content};
 use super::features::{chosen, list, no_list};
 use super::finding::{Findings, Kind};
 use super::topology::{ArcTopology, NIL};
+use crate::io::MAX_NESTED_COLLECTIONS;
 use rustc_hash::FxHashMap;
 use serde_json::Value as Json;
 use std::io::Read;
-use twinedge::io::MAX_NESTED_COLLECTIONS;
 use twinedge_geometry::Point;
 
 /// Reads the arcs, and how the object of this name, or the only one, is made of them. Of each rule A0 … A3 up to `limit` findings

@@ -1,9 +1,10 @@
 //! The arcs of a file as a half-edge structure, and as a view.
 
 use super::finding::Findings;
-use twinedge::validate::{Embedding, Link, Part, Parts, Record, Start, View};
+use twinedge::validate::{Link, Part, Parts, Record, Start, View};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_angle;
+use twinedge_map::Embedding;
 
 /// No half-edge, vertex or face.
 pub(super) const NIL: u32 = u32::MAX;

@@ -6,11 +6,10 @@ use spade::handles::{
     DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedFaceHandle, FixedVertexHandle, PossiblyOuterTag,
 };
 use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation};
-use twinedge::validate::{
-    Collect, Embedding, Expectation, Link, Part, Parts, Report, Start, View, validate, validate_embedding,
-};
+use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Report, Start, View, validate};
 use twinedge::view_answers;
 use twinedge_geometry::Point;
+use twinedge_map::{Embedding, validate_embedding};
 
 /// A triangulation of points without data.
 pub type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;

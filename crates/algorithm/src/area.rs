@@ -1,0 +1,143 @@
+//! Areas, by the shoelace formula.
+//!
+//! The sum runs over triangles that share the first point of the ring, so it is as accurate for a small ring far from the
+//! origin as for one near it. It is compensated, so it is as accurate for a long ring as for a short one. What remains is
+//! the rounding of each triangle: at worst a few units in the last place of the squared diameter of the ring.
+//!
+//! Where coordinates are near [`MAX_COORDINATE`](twinedge_geometry::MAX_COORDINATE), an area may be infinite.
+//!
+//! Source for the compensation: A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen",
+//! ZAMM 54 (1974) 39-51.
+
+use super::claims::faces_of;
+use twinedge::dcel::{Boundary, BoundaryKey, FaceKey, HalfEdge, StaleKey};
+use twinedge_geometry::Point;
+use twinedge_map::{Embedding, FeatureId, PlanarMap};
+
+/// A compensated sum: the rounding errors are summed as well.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sum {
+    total: f64,
+    lost: f64,
+}
+
+impl Sum {
+    /// Adds a term. O(1).
+    pub fn add(&mut self, term: f64) {
+        let total = self.total + term;
+        let (large, small) = if self.total.abs() >= term.abs() { (self.total, term) } else { (term, self.total) };
+        self.lost += (large - total) + small;
+        self.total = total;
+    }
+
+    /// The sum. O(1).
+    #[must_use]
+    pub fn value(self) -> f64 {
+        // Beyond the largest number, the sum of the errors is NaN.
+        if self.total.is_finite() { self.total + self.lost } else { self.total }
+    }
+}
+
+impl FromIterator<f64> for Sum {
+    fn from_iter<I: IntoIterator<Item = f64>>(terms: I) -> Self {
+        let mut sum = Self::default();
+        terms.into_iter().for_each(|term| sum.add(term));
+        sum
+    }
+}
+
+/// The area that a ring encloses: positive if it turns counter-clockwise, negative if clockwise. O(points).
+///
+/// The last point may or may not repeat the first.
+///
+/// ```
+/// use twinedge_algorithm::area::ring_area;
+/// use twinedge_geometry::Point;
+///
+/// // A unit square, a thousand million units away: the plain formula would say 0.
+/// let far = |x: f64, y: f64| Point::new(1e9 + x, 1e9 + y);
+/// assert_eq!(ring_area([far(0.0, 0.0), far(1.0, 0.0), far(1.0, 1.0), far(0.0, 1.0)]), 1.0);
+/// ```
+#[must_use]
+pub fn ring_area(ring: impl IntoIterator<Item = Point>) -> f64 {
+    let mut points = ring.into_iter();
+    let Some(o) = points.next() else { return 0.0 };
+    let mut last = o;
+    let twice: Sum = points
+        .map(|p| {
+            let a = core::mem::replace(&mut last, p);
+            (a.x - o.x) * (p.y - o.y) - (p.x - o.x) * (a.y - o.y)
+        })
+        .collect();
+    twice.value() / 2.0
+}
+
+pub(super) fn boundary(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
+    ring_area(boundary.half_edges().map(HalfEdge::origin).map(|v| map.point(v.index())))
+}
+
+/// The signed area inside a boundary component: positive for an outer one, negative for a hole, 0 for an isolated vertex and
+/// for a hole that is only a line. O(its half-edges).
+///
+/// ```
+/// use twinedge_algorithm::area::boundary_area;
+/// use twinedge_map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// map.insert_ring([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+/// let areas: Vec<f64> = map.dcel().boundaries().map(|b| boundary_area(&map, b.key()).unwrap()).collect();
+/// // Its two sides: the outer boundary of the triangle, and the hole that it is in the plane.
+/// assert!(areas.contains(&2.0) && areas.contains(&-2.0));
+/// # Ok::<(), twinedge_map::edit::EditError>(())
+/// ```
+///
+/// # Errors
+/// [`StaleKey::Boundary`].
+pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey> {
+    Ok(boundary(map, map.dcel().boundary(key)?))
+}
+
+/// The area of a face, without its holes; infinite for the unbounded face. O(its half-edges).
+///
+/// # Errors
+/// [`StaleKey::Face`].
+///
+/// ```
+/// use twinedge_algorithm::area::face_area;
+/// use twinedge_map::{Builder, Shape};
+///
+/// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::polygon(square(0.0, 3.0)).hole(square(1.0, 2.0)))?;
+/// let map = builder.build()?;
+/// let areas: Vec<f64> = map.dcel().faces().map(|f| face_area(&map, f.key()).unwrap()).collect();
+/// assert_eq!(areas, [f64::INFINITY, 8.0, 1.0]);
+/// # Ok::<(), twinedge_map::BuildError>(())
+/// ```
+pub fn face_area(map: &PlanarMap, key: FaceKey) -> Result<f64, StaleKey> {
+    let face = map.dcel().face(key)?;
+    if face.is_unbounded() {
+        return Ok(f64::INFINITY);
+    }
+    let sum: Sum = face.boundaries().map(|b| boundary(map, b)).collect();
+    Ok(sum.value())
+}
+
+/// The area of all faces that a feature covers. O(faces of the map · log + half-edges of those covered).
+///
+/// ```
+/// use twinedge_algorithm::area::feature_area;
+/// use twinedge_map::{Builder, Feature, Shape};
+///
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
+/// let mut builder = Builder::new();
+/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::polygon(square(x))).to_vec();
+/// let estate = builder.feature(&Feature { shapes, ..Feature::default() })?;
+/// assert_eq!(feature_area(&builder.build()?, estate), 3.0);
+/// # Ok::<(), twinedge_map::BuildError>(())
+/// ```
+#[must_use]
+pub fn feature_area(map: &PlanarMap, feature: FeatureId) -> f64 {
+    let sum: Sum = faces_of(map, feature).into_iter().filter_map(|f| face_area(map, f).ok()).collect();
+    sum.value()
+}

@@ -1,0 +1,85 @@
+//! The faces that a feature covers.
+
+use twinedge::dcel::{Face, FaceKey};
+use twinedge_map::{FeatureId, PlanarMap};
+
+/// The features that cover a face, without those that leak. O(log n), as long as the map is plane.
+pub fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
+    let plane = map.is_plane();
+    map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
+}
+
+/// Returns true if a feature seems to cover the unbounded face, which none does on a plane map: then the faces that it covers are
+/// not known. O(log n + features that do).
+///
+/// ```
+/// use twinedge_algorithm::claims::leaks;
+/// use twinedge_map::{Builder, Shape};
+///
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// let field = builder.shape(&Shape::polygon(square))?;
+/// assert!(!leaks(&builder.build()?, field));
+/// # Ok::<(), twinedge_map::BuildError>(())
+/// ```
+#[must_use]
+pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
+    map.features_of(map.dcel().unbounded_face().key()).into_iter().flatten().any(|f| f == feature)
+}
+
+/// The faces that a feature covers, in order of their indices. O(faces · log).
+///
+/// None for a feature of another map that this one does not have.
+///
+/// ```
+/// use twinedge_algorithm::claims::{faces_by_feature, faces_of};
+/// use twinedge_map::{Builder, Shape};
+///
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// let field = builder.shape(&Shape::polygon(square))?;
+/// let path = builder.segment([0.0, 0.0], [1.0, 1.0])?;
+/// let map = builder.build()?;
+/// // The path cuts the field in two.
+/// assert_eq!((faces_of(&map, field).len(), faces_of(&map, path).len()), (2, 0));
+/// assert_eq!(faces_by_feature(&map), [faces_of(&map, field), vec![]]);
+/// # Ok::<(), twinedge_map::BuildError>(())
+/// ```
+#[must_use]
+pub fn faces_of(map: &PlanarMap, feature: FeatureId) -> Vec<FaceKey> {
+    let covers = |f: &Face<'_>| map.features_of(f.key()).into_iter().flatten().any(|g| g == feature);
+    map.dcel().faces().filter(covers).map(Face::key).collect()
+}
+
+/// The faces that each feature covers, by [`FeatureId::index`]; none for a feature that [leaks]. O(faces · log + answer). For
+/// an example see [`faces_of`].
+#[must_use]
+pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
+    let mut faces = vec![Vec::new(); map.features().count()];
+    for face in map.dcel().faces() {
+        for feature in features_of(map, face) {
+            faces[feature.index()].push(face.key());
+        }
+    }
+    faces
+}
+
+/// The faces that more than one feature covers, in order of their indices. O(faces · log).
+///
+/// ```
+/// use twinedge_algorithm::claims::overlaps;
+/// use twinedge_map::{Builder, Shape};
+///
+/// // The upper half of the square is claimed again, by the triangle.
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// let triangle = [[0.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// builder.shape(&Shape::polygon(square))?;
+/// builder.shape(&Shape::polygon(triangle))?;
+/// assert_eq!(overlaps(&builder.build()?).len(), 1);
+/// # Ok::<(), twinedge_map::BuildError>(())
+/// ```
+#[must_use]
+pub fn overlaps(map: &PlanarMap) -> Vec<FaceKey> {
+    map.dcel().faces().filter(|f| features_of(map, *f).nth(1).is_some()).map(Face::key).collect()
+}

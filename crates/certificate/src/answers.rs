@@ -1,0 +1,232 @@
+//! The structure as the tests read it: each link from the structure if it stores it, and from the labels if not.
+
+use super::columns::{Column, Labels, MOST_SLOTS};
+use super::storage::{Columns, Entries as _, Numbers as _};
+use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, View};
+
+/// A structure together with labels. What is asked of a slot that is vacant, or not there, is nil.
+pub(super) struct Answers<'a, V: ?Sized, C = Labels> {
+    pub(super) view: &'a V,
+    pub(super) labels: &'a C,
+    parts: Parts,
+    /// The numbers of slots, asked for once.
+    pub(super) vertices: usize,
+    pub(super) half_edges: usize,
+    pub(super) boundaries: usize,
+    pub(super) faces: usize,
+}
+
+impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
+    pub(super) fn new(view: &'a V, labels: &'a C) -> Self {
+        let parts = view.parts();
+        let by_record = parts.has(Part::BoundaryComponents);
+        let length = |column| labels.column(column).count();
+        Self {
+            view,
+            labels,
+            parts,
+            vertices: view.vertex_slots(),
+            half_edges: view.half_edge_slots(),
+            boundaries: if by_record { view.boundary_slots() } else { length(Column::BoundaryFace) },
+            faces: if parts.has(Part::Faces) { view.face_slots() } else { length(Column::FaceOuter) },
+        }
+    }
+
+    /// Each half-edge has a rank, and numbers fit into columns.
+    pub(super) fn readable(&self) -> bool {
+        let slots = [self.vertices, self.half_edges, self.boundaries, self.faces];
+        self.labels.column(Column::HalfEdgeRank).count() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
+    }
+
+    /// True if the structure has records for boundary components.
+    #[inline(always)]
+    pub(super) fn by_record(&self) -> bool {
+        self.parts.has(Part::BoundaryComponents)
+    }
+
+    /// True if half-edges and faces name each other, without boundary components.
+    #[inline(always)]
+    pub(super) fn by_name(&self) -> bool {
+        self.parts.has(Part::Faces) && !self.by_record()
+    }
+
+    #[inline(always)]
+    pub(super) fn is_vertex(&self, v: usize) -> bool {
+        has(self.vertices, v) && self.view.is_vertex(v)
+    }
+
+    #[inline(always)]
+    pub(super) fn is_half_edge(&self, h: usize) -> bool {
+        has(self.half_edges, h) && self.view.is_half_edge(h)
+    }
+
+    #[inline(always)]
+    pub(super) fn is_boundary(&self, b: usize) -> bool {
+        has(self.boundaries, b) && (!self.by_record() || self.view.is_boundary(b))
+    }
+
+    #[inline(always)]
+    pub(super) fn is_face(&self, f: usize) -> bool {
+        has(self.faces, f) && (!self.parts.has(Part::Faces) || self.view.is_face(f))
+    }
+
+    #[inline(always)]
+    pub(super) fn origin(&self, h: usize) -> Link {
+        if self.is_half_edge(h) { self.view.origin(h) } else { None }
+    }
+
+    #[inline(always)]
+    pub(super) fn twin(&self, h: usize) -> Link {
+        if self.is_half_edge(h) { self.view.twin(h) } else { None }
+    }
+
+    #[inline(always)]
+    pub(super) fn next(&self, h: usize) -> Link {
+        if self.is_half_edge(h) { self.view.next(h) } else { None }
+    }
+
+    #[inline(always)]
+    pub(super) fn prev(&self, h: usize) -> Link {
+        match self.is_half_edge(h) {
+            false => None,
+            true if self.parts.has(Part::Prev) => self.view.prev(h),
+            true => self.labels.link(Column::HalfEdgePrev, h),
+        }
+    }
+
+    /// The twin, the next and the previous half-edge.
+    #[inline(always)]
+    pub(super) fn links(&self, h: usize) -> [Link; 3] {
+        [self.twin(h), self.next(h), self.prev(h)]
+    }
+
+    /// The same, if all are live.
+    #[inline(always)]
+    pub(super) fn live_links(&self, h: usize) -> Option<[usize; 3]> {
+        let live = |link: Link| link.filter(|h| self.is_half_edge(*h));
+        Some([live(self.twin(h))?, live(self.next(h))?, live(self.prev(h))?])
+    }
+
+    /// The half-edge that its origin keeps.
+    #[inline(always)]
+    pub(super) fn kept(&self, h: usize) -> Link {
+        self.leaving(self.origin(h)?)
+    }
+
+    #[inline(always)]
+    pub(super) fn boundary(&self, h: usize) -> Link {
+        match self.is_half_edge(h) {
+            false => None,
+            true if self.by_record() => self.view.boundary(h),
+            true => self.labels.link(Column::HalfEdgeBoundary, h),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn leaving(&self, v: usize) -> Link {
+        match self.is_vertex(v) {
+            false => None,
+            true if self.parts.has(Part::Leaving) => self.view.leaving(v),
+            true => self.labels.link(Column::VertexLeaving, v),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn isolated(&self, v: usize) -> Link {
+        match self.is_vertex(v) {
+            false => None,
+            true if self.by_record() => self.view.isolated(v),
+            true => self.labels.link(Column::VertexIsolated, v),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn boundary_face(&self, b: usize) -> Link {
+        match self.is_boundary(b) {
+            false => None,
+            true if self.by_record() => self.view.boundary_face(b),
+            true => self.labels.link(Column::BoundaryFace, b),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn start(&self, b: usize) -> Option<Start> {
+        if !self.is_boundary(b) {
+            return None;
+        }
+        if self.by_record() {
+            return self.view.boundary_start(b);
+        }
+        match (self.labels.link(Column::BoundaryStart, b), self.labels.link(Column::BoundaryVertex, b)) {
+            (Some(h), None) => Some(Start::HalfEdge(h)),
+            (None, Some(v)) => Some(Start::Vertex(v)),
+            _ => None,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn place(&self, b: usize) -> Option<BoundaryPlace> {
+        match self.is_boundary(b) {
+            false => None,
+            true if self.parts.has(Part::Places) => self.view.boundary_place(b),
+            true => Some(self.labels.link(Column::BoundaryPlace, b).map_or(BoundaryPlace::Outer, BoundaryPlace::Inner)),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn outer(&self, f: usize) -> Link {
+        match self.is_face(f) {
+            false => None,
+            true if self.by_record() => self.view.outer(f),
+            true => self.labels.link(Column::FaceOuter, f),
+        }
+    }
+
+    pub(super) fn inner_count(&self, f: usize) -> usize {
+        match self.is_face(f) {
+            false => 0,
+            true if self.by_record() => self.view.inner_count(f),
+            true => {
+                let (begin, end) = self.labels.list(f);
+                end.saturating_sub(begin)
+            }
+        }
+    }
+
+    pub(super) fn inner(&self, f: usize, i: usize) -> Link {
+        if i >= self.inner_count(f) {
+            None
+        } else if self.by_record() {
+            self.view.inner(f, i)
+        } else {
+            self.labels.link(Column::FaceInner, self.labels.list(f).0.checked_add(i)?)
+        }
+    }
+
+    /// The half-edge with which the boundary component starts, if it is a cycle.
+    #[inline(always)]
+    pub(super) fn cycle_start(&self, b: usize) -> Link {
+        match self.start(b) {
+            Some(Start::HalfEdge(h)) => Some(h),
+            _ => None,
+        }
+    }
+
+    pub(super) fn is_inner(&self, b: usize) -> bool {
+        matches!(self.place(b), Some(BoundaryPlace::Inner(_)))
+    }
+
+    /// The link leads to a half-edge with a lower rank than that of `h`.
+    #[inline(always)]
+    pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
+        let rank = self.labels.column(Column::HalfEdgeRank);
+        link.and_then(|l| rank.at(l)).zip(rank.at(h)).is_some_and(|(l, h)| l < h)
+    }
+}
+
+/// True if there is a slot of this number. In 32 bits: of a structure that keeps its links so, with all bits set for nil, one comparison then
+/// tells that a link is not nil and that its slot is there.
+#[inline(always)]
+const fn has(slots: usize, i: usize) -> bool {
+    i < slots as u32 as usize
+}

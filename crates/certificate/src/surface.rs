@@ -1,0 +1,222 @@
+//! The checker for surfaces of any genus: positions say that each rotation and each cycle is one orbit.
+//!
+//! Each function is a row of the table of surfaces in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Surface.v`, under the same
+//! name. Boundary components are the faces: where half-edges name their face, that is taken for one.
+
+use super::answers::Answers;
+use super::columns::{Column, Labels};
+use super::storage::{Columns, Entries as _, Numbers as _};
+use super::sums::Sums;
+use super::test::{Failure, Failures, Noted, Test, UntilFailure};
+use crate::NIL;
+use alloc::vec::Vec;
+use twinedge::validate::{BoundaryPlace, Link, View};
+
+/// Checks the labels of a structure on closed surfaces, the genera of whose components are claimed to add up to `genus`. If all tests pass,
+/// it keeps R1 … T4 of [`Expectation::surface`](twinedge::validate::Expectation::surface), and M7 with this genus.
+///
+/// The labels may be anything, and so may the structure, as for [`check`](super::check()). O(n).
+///
+/// # Errors
+/// The tests that fail.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge_certificate::{Labels, Test, check_surface};
+/// // One vertex with two loops that cross: a torus with one face.
+/// let torus: Table = "P 3 prev leaving faces V 1 0 - H 4 0 2 1 3 - 0 3 2 0 - 0 0 3 1 - 0 1 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0".parse()?;
+/// let (labels, genus) = Labels::of_surface(&torus)?;
+/// assert_eq!((check_surface(&torus, &labels, genus), genus), (Ok(()), 1));
+/// let failures = check_surface(&torus, &labels, 0).unwrap_err();
+/// assert_eq!(failures[0].test(), Test::GenusOk);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> Result<(), Vec<Failure>> {
+    let mut failures = Failures::new();
+    run(view, labels, genus, &mut failures);
+    failures.into_result()
+}
+
+/// Tells whether all tests pass: the same as [`check_surface`] without failures. It ends with the first test that fails, and reads no record after that.
+///
+/// O(n). No memory is allocated.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge_certificate::{Labels, passes_surface};
+/// let torus: Table = "P 3 prev leaving faces V 1 0 - H 4 0 2 1 3 - 0 3 2 0 - 0 0 3 1 - 0 1 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0".parse()?;
+/// let (labels, _) = Labels::of_surface(&torus)?;
+/// assert!(passes_surface(&torus, &labels, 1));
+/// assert!(!passes_surface(&torus, &labels, 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn passes_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize) -> bool {
+    run(view, labels, genus, &mut UntilFailure).is_some()
+}
+
+/// Runs every test. None if the check ended before the last one.
+#[inline(always)]
+fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize, noted: &mut impl Noted) -> Option<()> {
+    let s = Surface(Answers::new(view, labels));
+    let readable = s.0.readable();
+    noted.note(Test::Readable, 0, readable)?;
+    let sums = if readable { s.scan(false, noted)? } else { return None };
+    noted.note(Test::GenusOk, 0, sums.fit(genus))
+}
+
+/// A structure whose faces are taken for boundary components, if it has no records for these.
+pub(super) struct Surface<'a, V: ?Sized, C = Labels>(pub(super) Answers<'a, V, C>);
+
+impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
+    /// Runs every test but that of the genus. An open surface may have holes: boundary components without face.
+    /// None if the check ended before the last one.
+    #[inline(always)]
+    pub(super) fn scan(&self, open: bool, noted: &mut impl Noted) -> Option<Sums> {
+        let mut sums = Sums::default();
+        for h in (0..self.0.half_edges).filter(|h| self.0.is_half_edge(*h)) {
+            sums.half_edges += 1;
+            sums.roots += usize::from(self.component(h) == Some(h));
+            self.half_edge(h, open, noted)?;
+        }
+        for v in (0..self.0.vertices).filter(|v| self.0.is_vertex(*v)) {
+            let leaving = self.0.leaving(v);
+            sums.rotations += usize::from(leaving.is_some());
+            noted.note(Test::SurfaceVertexOk, v, leaving.is_none_or(|h| self.0.origin(h) == Some(v)))?;
+        }
+        for b in (0..self.boundaries()).filter(|b| self.is_boundary(*b)) {
+            let is_hole = open && self.0.boundary_face(b).is_none();
+            sums.cycles += usize::from(self.start(b).is_some());
+            sums.holes += usize::from(is_hole);
+            let starts_there = self.start(b).is_some_and(|h| self.boundary(h) == Some(b));
+            noted.note(Test::SurfaceBoundaryOk, b, starts_there && (is_hole || self.bounds_its_face(b)))?;
+        }
+        for f in (0..self.0.faces).filter(|f| self.0.by_record() && self.0.is_face(*f)) {
+            let face_ok = self.0.outer(f).is_some_and(|b| self.0.boundary_face(b) == Some(f));
+            noted.note(Test::SurfaceFaceOk, f, face_ok)?;
+        }
+        Some(sums)
+    }
+
+    pub(super) fn boundaries(&self) -> usize {
+        if self.0.by_name() { self.0.faces } else { self.0.boundaries }
+    }
+
+    pub(super) fn is_boundary(&self, b: usize) -> bool {
+        if self.0.by_name() { self.0.is_face(b) } else { self.0.is_boundary(b) }
+    }
+
+    #[inline(always)]
+    pub(super) fn boundary(&self, h: usize) -> Link {
+        match self.0.by_name() {
+            true if self.0.is_half_edge(h) => self.0.view.face(h),
+            true => None,
+            false => self.0.boundary(h),
+        }
+    }
+
+    /// The half-edge with which the boundary component starts.
+    #[inline(always)]
+    pub(super) fn start(&self, b: usize) -> Link {
+        match self.0.by_name() {
+            true if self.0.is_face(b) => self.0.view.outer_half_edge(b),
+            true => None,
+            false => self.0.cycle_start(b),
+        }
+    }
+
+    /// It is the outer one of its face.
+    fn bounds_its_face(&self, b: usize) -> bool {
+        let is_outer = |f| self.0.outer(f) == Some(b);
+        !self.0.by_record()
+            || self.0.boundary_face(b).is_some_and(is_outer) && self.0.place(b) == Some(BoundaryPlace::Outer)
+    }
+
+    fn is_in_hole(&self, h: usize) -> bool {
+        self.boundary(h).is_some_and(|b| self.0.boundary_face(b).is_none())
+    }
+
+    /// A half-edge of a hole is the one that the border of its origin names, and its twin bounds a face.
+    fn border_ok(&self, h: usize) -> bool {
+        let named = |v| self.0.labels.link(Column::VertexBorder, v);
+        !self.is_in_hole(h)
+            || self.0.origin(h).and_then(named) == Some(h) && self.0.twin(h).is_some_and(|t| !self.is_in_hole(t))
+    }
+
+    /// The component of the half-edge. The last entry of the column stands for all that follow, so that one is enough for one component.
+    #[inline(always)]
+    fn component(&self, h: usize) -> Link {
+        let component = self.0.labels.column(Column::HalfEdgeComponent);
+        let last = || component.at(component.count().checked_sub(1)?).filter(|_| h < self.0.half_edges);
+        component.at(h).or_else(last).filter(|root| *root != NIL).map(|root| root as usize)
+    }
+
+    /// A label of the second half-edge is greater.
+    #[inline(always)]
+    fn grows(&self, column: Column, h: usize, to: usize) -> bool {
+        let labels = self.0.labels.column(column);
+        labels.at(h).zip(labels.at(to)).is_some_and(|(before, after)| before < after)
+    }
+
+    /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
+    #[inline(always)]
+    fn half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) -> Option<()> {
+        if self.whole_star(h).is_some_and(|star| self.half_edge_ok(h, star, open, |_, passes| passes)) {
+            Some(())
+        } else {
+            noted.note_each(|noted| self.note_half_edge(h, open, noted))
+        }
+    }
+
+    #[cold]
+    fn note_half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) {
+        self.half_edge_ok(h, self.star(h), open, |test, passes| noted.note(test, h, passes).is_some());
+    }
+
+    /// The star, if nothing of it is nil.
+    #[inline(always)]
+    fn whole_star(&self, h: usize) -> Option<Star> {
+        let links = self.0.live_links(h)?;
+        let [t, n, p] = links;
+        let (b, kept) = (self.boundary(h)?, self.0.kept(h)?);
+        let (start, turned) = (self.start(b)?, self.0.next(t)?);
+        let links = [Some(t), Some(n), Some(p)];
+        Some(Star { links, kept: Some(kept), turned: Some(turned), boundary: Some(b), start: Some(start) })
+    }
+
+    fn star(&self, h: usize) -> Star {
+        let (links, boundary) = (self.0.links(h), self.boundary(h));
+        let turned = links[0].and_then(|t| self.0.next(t));
+        Star { links, kept: self.0.kept(h), turned, boundary, start: boundary.and_then(|b| self.start(b)) }
+    }
+
+    /// The tests of a half-edge, until `passes` returns false.
+    #[inline(always)]
+    fn half_edge_ok(&self, h: usize, star: Star, open: bool, mut passes: impl FnMut(Test, bool) -> bool) -> bool {
+        let Star { links, kept, turned, boundary, start } = star;
+        let [twin, next, prev] = links;
+        let component = self.component(h);
+        let is_same = |link: Link| link.is_some_and(|l| self.component(l) == component);
+        let lower = |link| self.0.is_lower(link, h);
+        self.0.links_ok(h, links, kept, &mut passes)
+            && passes(Test::CycleOk, next.and_then(|n| self.boundary(n)) == boundary && start.is_some())
+            // The next half-edge around the origin is the one that this vertex keeps, or has a greater turn.
+            && passes(Test::TurnOk, turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g)))
+            // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
+            && passes(Test::StepOk, next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n)))
+            && passes(Test::ComponentOk, {
+                let ranked = component == Some(h) || lower(next) || lower(prev) || lower(twin);
+                component.is_some() && is_same(next) && is_same(twin) && ranked
+            })
+            && passes(Test::BorderOk, !open || self.border_ok(h))
+    }
+}
+
+/// The links of a half-edge, what its vertex keeps, the next half-edge around that, its boundary component and where that starts.
+#[derive(Clone, Copy)]
+struct Star {
+    links: [Link; 3],
+    kept: Link,
+    turned: Link,
+    boundary: Link,
+    start: Link,
+}

@@ -1,0 +1,118 @@
+//! A certificate of surfaces that stands for itself: the structure and its labels as columns.
+
+use super::answers::Answers;
+use super::closed::closed;
+use super::columns::{Column, Labels, LabelsError};
+use super::saved::{Certificate, have_one_length};
+use super::storage::Columns;
+use super::sums::Sums;
+use super::surface::Surface;
+use super::surface_counts::SurfaceCounts;
+use super::test::{Failure, Failures, Noted as _, Test};
+use crate::NIL;
+use alloc::vec::Vec;
+use twinedge::validate::View;
+
+/// A structure on surfaces, and its labels, as columns of 32-bit numbers: the files of a certificate with the claim `surface`.
+///
+/// The surfaces have any genus, and may be open: then a face is missing on one side of each edge along the border. In the certificate each
+/// half-edge has a twin, and the cycles along the border are boundary components without a face: *holes*. Half-edges that are added have
+/// numbers after those of the structure, holes numbers after those of its boundary components.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge_certificate::{Column, SurfaceCertificate};
+/// // A triangle of three half-edges.
+/// let table: Table = "P 3 prev leaving faces V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
+/// let certificate = SurfaceCertificate::new(&table)?;
+/// assert_eq!(certificate.columns().column(Column::HalfEdgeTwin), [3, 4, 5, 0, 1, 2]);
+/// assert_eq!(certificate.columns().column(Column::BoundaryFace), [0, u32::MAX]);
+/// let counts = certificate.check().map_err(|failures| failures[0].to_string())?;
+/// assert_eq!((counts.genus, counts.components, counts.holes), (0, 1, 1));
+/// assert_eq!(counts.to_string(), "a surface of genus 0 with 1 component, open at 1 hole");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SurfaceCertificate<C = Labels> {
+    certificate: Certificate<C>,
+}
+
+impl SurfaceCertificate {
+    /// The certificate of a structure on surfaces, open or closed.
+    ///
+    /// If it keeps all rules of [`Expectation::surface`](twinedge::validate::Expectation::surface), [`check`](Self::check) passes. If it is
+    /// [open](twinedge::validate::Expectation::open) and keeps them, `check` passes unless its border meets itself at a vertex, or both sides
+    /// of an edge lack a face. If a rule is broken, it never passes. Whether it is open where it should not be is for its
+    /// [number of holes](SurfaceCounts::holes) to say.
+    ///
+    /// O(n) for n slots; 40 bytes for each half-edge.
+    ///
+    /// # Errors
+    /// [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].
+    pub fn new<V: View + ?Sized>(view: &V) -> Result<Self, LabelsError> {
+        let mut certificate = Certificate { columns: closed(view)? };
+        let (mut labels, _) = Labels::of_surface(&certificate)?;
+        // One entry may stand for the component of all that follow; in a certificate each has its own.
+        let components = labels.column_mut(Column::HalfEdgeComponent);
+        let missing = certificate.half_edge_slots() - components.len().min(certificate.half_edge_slots());
+        components.try_reserve_exact(missing).map_err(|_| LabelsError::OutOfMemory)?;
+        let last = components.last().copied().unwrap_or(NIL);
+        components.resize(components.len() + missing, last);
+        for column in LABELS {
+            certificate.columns.set(column, core::mem::take(labels.column_mut(column)));
+        }
+        Ok(Self { certificate })
+    }
+}
+
+impl<C: Columns> SurfaceCertificate<C> {
+    /// The certificate that has these columns. `None` if columns of one kind of record have different lengths.
+    #[must_use]
+    pub fn from_columns(columns: C) -> Option<Self> {
+        let kinds = KINDS.iter().all(|kind| have_one_length(&columns, kind));
+        kinds.then_some(Self { certificate: Certificate { columns } })
+    }
+
+    /// The columns. Those that are not [of surfaces](Column::of_surface) are empty.
+    #[must_use]
+    pub const fn columns(&self) -> &C {
+        self.certificate.columns()
+    }
+
+    /// Checks the certificate: a scan that looks at each record once. If all tests pass, the columns are surfaces with these counts.
+    ///
+    /// # Errors
+    /// The tests that fail.
+    pub fn check(&self) -> Result<SurfaceCounts, Vec<Failure>> {
+        let s = Surface(Answers::new(&self.certificate, self.columns()));
+        let mut failures = Failures::new();
+        failures.note(Test::Readable, 0, s.0.readable());
+        let mut sums = Sums::default();
+        if s.0.readable() {
+            sums = s.scan(true, &mut failures).unwrap_or_default();
+            failures.note(Test::GenusOk, 0, sums.fit(sums.counts().genus));
+        }
+        failures.into_result().map(|()| sums.counts())
+    }
+}
+
+const LABELS: [Column; 4] =
+    [Column::HalfEdgeTurn, Column::HalfEdgeStep, Column::HalfEdgeComponent, Column::HalfEdgeRank];
+
+/// The columns of each kind of record.
+const KINDS: [&[Column]; 3] = [
+    &[
+        Column::HalfEdgeOrigin,
+        Column::HalfEdgeTwin,
+        Column::HalfEdgeNext,
+        Column::HalfEdgePrev,
+        Column::HalfEdgeBoundary,
+        Column::HalfEdgeTurn,
+        Column::HalfEdgeStep,
+        Column::HalfEdgeComponent,
+        Column::HalfEdgeRank,
+    ],
+    &[Column::VertexLeaving, Column::VertexBorder],
+    &[Column::BoundaryFace, Column::BoundaryStart],
+];

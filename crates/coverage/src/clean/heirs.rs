@@ -1,0 +1,29 @@
+//! The features that get the gaps that are filled.
+
+use super::ownership::{Ownership, Region};
+use rustc_hash::FxHashSet;
+use twinedge_map::{FeatureId, PlanarMap};
+
+/// The features that were asked for; any neighbour, if none was.
+pub(super) struct Heirs {
+    asked: FxHashSet<FeatureId>,
+    first: Option<FeatureId>,
+}
+
+impl Heirs {
+    /// By their numbers; those of no feature are passed over.
+    pub(super) fn new(map: &PlanarMap, numbers: &[usize]) -> Self {
+        let asked = numbers.iter().filter_map(|number| map.feature(*number));
+        let (asked, first) = (asked.clone().collect(), asked.min());
+        Self { asked, first }
+    }
+
+    pub(super) fn has(&self, feature: FeatureId) -> bool {
+        self.asked.contains(&feature)
+    }
+
+    /// The feature that gets a gap.
+    pub(super) fn of_gap(&self, ownership: &Ownership<'_>, gap: &Region<'_>) -> Option<FeatureId> {
+        ownership.neighbour(gap, |feature| self.asked.is_empty() || self.has(feature)).or(self.first)
+    }
+}

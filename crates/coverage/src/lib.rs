@@ -1,0 +1,61 @@
+//! A check that the features of a map are a coverage: areas side by side, without overlaps and gaps.
+//!
+//! ```text
+//!   ┌──────┬──┬─────┐    ┌──────┐┌─────┐    ┌──────┐┌─────┐    ┌──────┬┬─────┐
+//!   │  a   │ab│  b  │    │  a   ││  b  │    │  a   ││  b  │    │  a   ││  b  │  ││ belongs to a
+//!   │      │  │     │    │      └┴─────┤    │      ││     │    │      ││     │  third part of b,
+//!   └──────┴──┴─────┘    └──────┴──────┘    └──────┘└─────┘    └──────┴┴─────┘  or to c
+//!      C1 overlap             C2 gap          C3 near miss        C4 sliver
+//!
+//!   ┌──────┬─────┐
+//!   │  a  v○  b  │    v is a vertex of a on its border with b, which lacks it
+//!   └──────┴─────┘
+//!     C7 mismatch
+//! ```
+//!
+//! | rule | finds | file |
+//! | --- | --- | --- |
+//! | C1 overlap | faces that two features claim | `overlap.rs` |
+//! | C2 gap | faces that no feature claims, with claimed faces all around them | `gap.rs` |
+//! | C3 near miss | borders of two features that face each other across a narrow space that is open to the outside or to a wider gap | `near_miss.rs` |
+//! | C4 sliver | small and thin parts of a feature | `sliver.rs` |
+//! | C5 duplicate | features that claim the same faces | `duplicate.rs` |
+//! | C6 OGC validity | polygons that are not valid by the rules of the OGC, in its words | `validity.rs` |
+//! | C7 mismatch | vertices of a feature on the border of another one, or of another ring of its own, which lacks them | `mismatch.rs` |
+//!
+//! [`check`] asks C1 … C5 of a map, [`defects`] asks C6 of the shapes of a feature, which a map has no longer, and [`mismatches`] asks C7 of a map and the
+//! input that it was made of. [`insert_touches`] first puts vertices where rings of one feature touch as the OGC allows. A finding is
+//! no error of the structure: a map with overlaps is a valid planar subdivision. The rules are independent: a map can be made
+//! that breaks any one of them alone.
+//!
+//! | module | purpose |
+//! | --- | --- |
+//! | [`clean`](mod@clean) | which feature gets each face, if none may lie in two, and gaps and slivers go to neighbours? |
+//! | [`layers`] | does each feature lie within one of another layer, do both cover the same, do parts make up their parents? |
+//! | [`tile`] | maps in tiles, whose summaries add up |
+//!
+//! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
+//! feature leaks ([`leaks`](twinedge_algorithm::claims::leaks)). Then it is not known what it covers, and [`check`] refuses the map.
+
+mod apart;
+mod check;
+pub mod clean;
+mod duplicate;
+mod finding;
+mod gap;
+pub mod layers;
+mod mismatch;
+mod near_miss;
+mod overlap;
+mod region;
+mod rings;
+mod sliver;
+pub mod tile;
+mod touches;
+mod validity;
+
+pub use check::{Coverage, CoverageError, check};
+pub use finding::{CoverageRule, Finding, Limits, MissingVertex};
+pub use mismatch::mismatches;
+pub use touches::insert_touches;
+pub use validity::{Defect, DefectKind, defects};

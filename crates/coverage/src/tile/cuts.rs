@@ -1,0 +1,436 @@
+//! The cuts of a map whose edges meet elsewhere than at vertices, found tile by tile.
+//!
+//! The whole map is cut by [snap rounding](twinedge_geometry::noding) on the finest grid of cells: each edge becomes the chain of the *hot* pixels that it
+//! visits, and what a chain is made of is bent by the hot pixels that it visits in turn, until nothing bends any more. A
+//! pixel is hot if an edge ends or crosses another one in it. So whether a pixel is hot, and which edges visit it, is known in its
+//! tile; how an edge is bent is known as soon as both of its ends are.
+//!
+//! ```text
+//!   round 0   each tile: hot pixels of crossings, and the edges that visit hot pixels          all tiles
+//!      │      together: the chains of these edges
+//!   round 1   each tile: the hot pixels that the pieces of these chains visit                  tiles with such pieces
+//!      │      together: pieces that are bent, and what they become
+//!    …        until no piece is bent
+//! ```
+//!
+//! Both sides of a seam have the same pieces, since they are made from one list. The list is as long as what is cut, so it is short where
+//! borders of a map are meant to meet at vertices.
+
+use super::clip::Bounds;
+use super::ends::{Ends, compare_edges, compare_points};
+use super::error::TileError;
+use super::extent::{corners, points};
+use super::grid::{Grid, Tile};
+use core::cmp::Ordering;
+use rustc_hash::{FxHashMap, FxHashSet};
+use twinedge::dcel::RecordKind;
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{NodingError, PartNoding};
+use twinedge_map::{BuildError, Feature, Shape, usual_cuts};
+
+#[cfg(feature = "serde")]
+mod saved;
+
+/// The greatest number of rounds: more would let a chain drift out of the tiles that its feature was given to.
+const ROUNDS: u32 = 60;
+
+/// The distance up to which tiles are given features, in cells: more than half of one for each round.
+const MARGIN: f64 = 40.0;
+
+/// A step reads a point an eighth of a cell off, and a pixel is half a cell around its centre.
+const REACH: f64 = 2.0;
+
+type Key = [(u64, u64); 2];
+
+fn key(ends: &Ends) -> Key {
+    ends.map(Point::hash_key)
+}
+
+/// The cuts of a map whose edges meet elsewhere than at vertices, by which each of its tiles cuts what it is given.
+///
+/// ```
+/// use twinedge_coverage::Limits;
+/// use twinedge_map::{Feature, Shape};
+/// use twinedge_coverage::tile::{Cuts, Grid, Summary};
+///
+/// // Two squares that overlap, in four tiles.
+/// let square = |x: f64| Shape::polygon([[x, x], [x + 2.0, x], [x + 2.0, x + 2.0], [x, x + 2.0]]);
+/// let [one, other] = [0.0, 1.0].map(|x| Feature { shapes: vec![square(x)], ..Feature::default() });
+/// let features = [(0, &one), (1, &other)];
+/// let grid = Grid::new([0.0, 0.0], [3.0, 3.0], 2, 2)?;
+/// // No coordinate is larger than 3.
+/// let mut cuts = Cuts::new(3.0)?;
+/// while !cuts.is_complete() {
+///     let found = grid.tiles().map(|tile| cuts.search(&grid, tile, features)).collect::<Result<Vec<_>, _>>()?;
+///     cuts.take(found)?;
+/// }
+/// let tiles = grid.tiles().map(|tile| Summary::cut(&grid, tile, features, &Limits::default(), &cuts));
+/// let mut tiles = tiles.collect::<Result<Vec<_>, _>>()?.into_iter();
+/// let first = tiles.next().unwrap();
+/// let whole = tiles.try_fold(first, Summary::merge)?.finish()?;
+/// assert_eq!(whole.counts.vertices, 10);
+/// assert_eq!(whole.coverage.unwrap().findings[0].area, 1.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// With the feature `serde` they are saved and read between rounds, too, and equal ones as equal bytes.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "saved::SavedCuts", into = "saved::SavedCuts"))]
+pub struct Cuts {
+    noding: PartNoding,
+    largest: f64,
+    rounds: u32,
+    is_complete: bool,
+    /// The hot pixels in which edges cross and none ends, in order.
+    crossings: Vec<Point>,
+    /// The hot pixels that edges visit, in order from the smaller end, by the ends of the edges in the input.
+    chains: FxHashMap<Key, Vec<Point>>,
+    /// Those that pieces visit, by the ends of the pieces.
+    bends: FxHashMap<Key, Vec<Point>>,
+    /// The pieces of which it is not known yet.
+    fresh: Vec<Ends>,
+    seen: FxHashSet<Key>,
+}
+
+/// The cuts that a tile found in a round. With the feature `serde` they are saved as equal bytes whenever they are found.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "saved::SavedFound"))]
+pub struct Found {
+    /// The largest coordinate and the round for which they were found.
+    largest: f64,
+    round: u32,
+    // All in order.
+    crossings: Vec<Point>,
+    chains: Vec<(Ends, Vec<Point>)>,
+    doubtful: Vec<Ends>,
+}
+
+impl Cuts {
+    /// No cuts yet, of a map whose coordinates are at most so large.
+    ///
+    /// # Errors
+    /// [`BuildError::OutOfReach`], if the number is not finite.
+    pub fn new(largest: f64) -> Result<Self, BuildError> {
+        let refused = || BuildError::OutOfReach { x: largest, y: largest };
+        if !(0.0..f64::INFINITY).contains(&largest) {
+            return Err(refused());
+        }
+        let noding = PartNoding::new(largest).map_err(|_| refused())?;
+        Ok(Self {
+            noding,
+            largest,
+            rounds: 0,
+            is_complete: false,
+            crossings: Vec::new(),
+            chains: FxHashMap::default(),
+            bends: FxHashMap::default(),
+            fresh: Vec::new(),
+            seen: FxHashSet::default(),
+        })
+    }
+
+    /// Returns true if nothing is left to be found.
+    #[must_use]
+    pub const fn is_complete(&self) -> bool {
+        self.is_complete
+    }
+
+    /// Returns true if nothing was found to be cut.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.chains.is_empty() && self.bends.is_empty()
+    }
+
+    /// The tiles that a feature is to be given to: those that come near the box around it. O(points).
+    pub fn tiles_of(&self, grid: &Grid, feature: &Feature) -> impl Iterator<Item = Tile> + use<> {
+        let (grid, margin) = (*grid, self.margin());
+        corners(feature).into_iter().flat_map(move |(low, high)| {
+            let [low, high] = [(low, -margin), (high, margin)].map(|(p, by)| Point::new(p.x + by, p.y + by));
+            grid.tiles_between(low, high)
+        })
+    }
+
+    /// The corners of a box around all features that are to be given to a tile, and around the edges of `features` that come near it, infinite where the grid
+    /// ends. What lies outside makes no difference to the way in which the edges in the tile are cut, if `features` are all that are given to it. O(points).
+    #[must_use]
+    pub fn window<'f>(&self, grid: &Grid, tile: Tile, features: impl IntoIterator<Item = &'f Feature>) -> [Point; 2] {
+        let margin = 2.0 * self.margin();
+        let around = grid.bounds(tile).grown(margin);
+        let line = |line: Option<f64>, otherwise| line.unwrap_or(otherwise);
+        let mut low = Point::new(line(around.left, -f64::INFINITY), line(around.bottom, -f64::INFINITY));
+        let mut high = Point::new(line(around.right, f64::INFINITY), line(around.top, f64::INFINITY));
+        let chains = features.into_iter().flat_map(|feature| &feature.shapes).flat_map(chains_of);
+        for [a, b] in chains.flat_map(steps).map(|(a, b)| in_order(a, b)).filter(|ends| meets(&around, ends)) {
+            low = Point::new(low.x.min(a.x - margin), low.y.min(a.y.min(b.y) - margin));
+            high = Point::new(high.x.max(b.x + margin), high.y.max(a.y.max(b.y) + margin));
+        }
+        [low, high]
+    }
+
+    /// The distance from a tile up to which features are given to it.
+    pub(super) fn margin(&self) -> f64 {
+        MARGIN * self.noding.cell()
+    }
+
+    /// Returns true if the tile has something to find in this round. O(pieces that the last round made).
+    #[must_use]
+    pub fn concern(&self, grid: &Grid, tile: Tile) -> bool {
+        self.rounds == 0 || self.pieces(&grid.bounds(tile)).next().is_some()
+    }
+
+    /// The pieces that come near a tile and of which it is not known yet whether they are bent.
+    fn pieces(&self, bounds: &Bounds) -> impl Iterator<Item = &Ends> {
+        let bounds = bounds.grown(self.noding.cell());
+        self.fresh.iter().filter(move |ends| meets(&bounds, ends))
+    }
+
+    /// Finds what a tile adds in this round. `features` are all that [`tiles_of`](Self::tiles_of) gives to the tile; others make no
+    /// difference. O(n log n + k) for k cuts.
+    ///
+    /// # Errors
+    /// [`TileError::NoSuchTile`], and [`TileError::Build`] with [`BuildError::TooManyCuts`], or with [`BuildError::OutOfReach`] if a coordinate is
+    /// larger than was said.
+    pub fn search<'f>(
+        &self,
+        grid: &Grid,
+        tile: Tile,
+        features: impl IntoIterator<Item = (u32, &'f Feature)>,
+    ) -> Result<Found, TileError> {
+        if !grid.has(tile) {
+            return Err(TileError::NoSuchTile(tile));
+        }
+        let bounds = grid.bounds(tile);
+        let near = bounds.grown(REACH * self.noding.cell());
+        let features: Vec<&Feature> = features.into_iter().map(|(_, feature)| feature).collect();
+        features.iter().try_for_each(|feature| self.check(feature))?;
+        let shapes = features.iter().flat_map(|feature| &feature.shapes);
+        let mut found = if self.rounds == 0 {
+            let (mut segments, mut vertices) = (Vec::new(), Vec::new());
+            for shape in shapes {
+                vertices.extend(points(shape).map(unsigned).filter(|p| near.contains(*p)));
+                for chain in chains_of(shape) {
+                    segments.extend(steps(chain).map(|(a, b)| in_order(a, b)).filter(|ends| meets(&near, ends)));
+                }
+            }
+            self.cuts_of(&segments, &vertices)?
+        } else {
+            let vertices = shapes.flat_map(points).filter(|p| near.contains(*p)).map(|p| self.noding.snapped(p));
+            let hot: Vec<Point> =
+                vertices.chain(self.crossings.iter().copied()).filter(|p| near.contains(*p)).collect();
+            let pieces: Vec<Ends> = self.pieces(&bounds).copied().collect();
+            let bends = self.noding.bends(&pieces, &hot, usual_cuts(pieces.len())).map_err(refused)?;
+            let chains = bends.into_iter().map(|(piece, chain)| (pieces[piece], chain)).collect();
+            Found { chains, ..self.nothing() }
+        };
+        // Each pixel is that of one tile.
+        found.crossings.retain(|p| bounds.contains(*p));
+        for (_, chain) in &mut found.chains {
+            chain.retain(|p| bounds.contains(*p));
+        }
+        found.chains.retain(|(_, chain)| !chain.is_empty());
+        found.crossings.sort_by(|a, b| compare_points(*a, *b));
+        // Edges of several features are found once for each.
+        found.chains.sort_by(|a, b| compare_edges(&a.0, &b.0));
+        found.chains.dedup_by_key(|(ends, _)| *ends);
+        found.doubtful.sort_by(compare_edges);
+        found.doubtful.dedup();
+        Ok(found)
+    }
+
+    fn nothing(&self) -> Found {
+        let (largest, round) = (self.largest, self.rounds);
+        Found { largest, round, crossings: Vec::new(), chains: Vec::new(), doubtful: Vec::new() }
+    }
+
+    fn cuts_of(&self, segments: &[Ends], vertices: &[Point]) -> Result<Found, TileError> {
+        let found = self.noding.cuts(segments, vertices, usual_cuts(segments.len())).map_err(refused)?;
+        Ok(Found {
+            crossings: found.crossings,
+            chains: found.chains.into_iter().map(|(segment, chain)| (segments[segment], chain)).collect(),
+            doubtful: found.doubtful.into_iter().map(|segment| segments[segment]).collect(),
+            ..self.nothing()
+        })
+    }
+
+    /// Takes what all tiles found in a round, which ends it. What a tile found may come twice. O(n log n) for what they found.
+    ///
+    /// # Errors
+    /// [`TileError::OtherCuts`], and nothing is taken; [`TileError::Build`] with [`BuildError::TooManyCuts`], if edges bend so often that they
+    /// drift out of their tiles.
+    pub fn take(&mut self, found: impl IntoIterator<Item = Found>) -> Result<(), TileError> {
+        let mut of_round: FxHashMap<Key, (Ends, Vec<Point>)> = FxHashMap::default();
+        let (mut crossings, mut doubtful) = (Vec::new(), Vec::new());
+        for mut one in found {
+            if self.is_complete || one.round != self.rounds || one.largest.to_bits() != self.largest.to_bits() {
+                return Err(TileError::OtherCuts);
+            }
+            crossings.append(&mut one.crossings);
+            doubtful.append(&mut one.doubtful);
+            for (ends, mut chain) in one.chains {
+                of_round.entry(key(&ends)).or_insert_with(|| (ends, Vec::new())).1.append(&mut chain);
+            }
+        }
+        let is_first = self.rounds == 0;
+        for (ends, chain) in of_round.values_mut() {
+            let ends = self.ends_of(ends, is_first);
+            // Chains never turn back, neither in x nor in y.
+            let way = |p: &Point| (p.x - ends[0].x).abs() + (p.y - ends[0].y).abs();
+            chain.sort_by(|a, b| way(a).total_cmp(&way(b)));
+            chain.dedup();
+            if !is_way(ends, chain) {
+                return Err(TileError::OtherCuts);
+            }
+        }
+        self.crossings.append(&mut crossings);
+        self.crossings.sort_by(|a, b| compare_points(*a, *b));
+        self.crossings.dedup();
+        self.fresh.clear();
+        let mut pieces = Vec::new();
+        for (key, (ends, chain)) in of_round {
+            let [first, last] = self.ends_of(&ends, is_first);
+            let all = [first].into_iter().chain(chain.iter().copied()).chain([last]);
+            pieces.extend(all.clone().zip(all.skip(1)));
+            (if is_first { &mut self.chains } else { &mut self.bends }).insert(key, chain);
+        }
+        let uncut = doubtful.iter().filter(|ends| !self.chains.contains_key(&key(ends)));
+        pieces.extend(uncut.map(|ends| ends.map(|p| self.noding.snapped(p))).map(|[a, b]| (a, b)));
+        for (a, b) in pieces {
+            let piece = in_order(a, b);
+            if a != b && self.seen.insert(key(&piece)) {
+                self.fresh.push(piece);
+            }
+        }
+        self.fresh.sort_by(compare_edges);
+        self.rounds += 1;
+        self.is_complete = self.fresh.is_empty();
+        if self.rounds > ROUNDS && !self.is_complete {
+            return Err(BuildError::TooManyCuts { allowed: self.bends.len() }.into());
+        }
+        Ok(())
+    }
+
+    /// The ends of the chain of an edge: of one of the input, or of a piece.
+    fn ends_of(&self, ends: &Ends, of_input: bool) -> Ends {
+        if of_input { ends.map(|p| self.noding.snapped(p)) } else { *ends }
+    }
+
+    /// Refuses a feature with a coordinate that is larger than was said.
+    pub(super) fn check(&self, feature: &Feature) -> Result<(), BuildError> {
+        let is_within = |p: &Point| p.x.abs() <= self.largest && p.y.abs() <= self.largest;
+        match feature.shapes.iter().flat_map(points).find(|p| !is_within(p)) {
+            Some(Point { x, y }) => Err(BuildError::OutOfReach { x, y }),
+            None => Ok(()),
+        }
+    }
+
+    /// The vertex that a point of the input becomes.
+    pub(super) fn snapped(&self, p: Point) -> Point {
+        self.noding.snapped(p)
+    }
+
+    /// The feature with its edges cut.
+    pub(super) fn cut(&self, feature: &Feature) -> Feature {
+        let shape = |shape: &Shape| match shape {
+            Shape::Polygon(rings) => {
+                Shape::Polygon(rings.iter().map(|ring| self.way(steps_around(ring), ring)).collect())
+            }
+            Shape::Line(points) => Shape::Line(self.way(steps(Chain { points, is_closed: false }), points)),
+            Shape::Point(p) => Shape::Point(self.snapped(*p)),
+        };
+        Feature { shapes: feature.shapes.iter().map(shape).collect(), ..Feature::default() }
+    }
+
+    /// The chain of edges that start at the first of some points.
+    fn way(&self, steps: impl Iterator<Item = (Point, Point)>, points: &[Point]) -> Vec<Point> {
+        let mut way: Vec<Point> = points.first().map(|p| self.snapped(*p)).into_iter().collect();
+        for (a, b) in steps {
+            let ends = in_order(a, b);
+            let along = self.chains.get(&key(&ends)).map_or(&[][..], Vec::as_slice);
+            let is_forth = ends[0] == a;
+            for i in 0..along.len() {
+                self.bend(along[if is_forth { i } else { along.len() - 1 - i }], &mut way);
+            }
+            self.bend(self.snapped(b), &mut way);
+        }
+        way
+    }
+
+    /// Goes on to a point, through the vertices that bend the way to it.
+    fn bend(&self, to: Point, way: &mut Vec<Point>) {
+        let mut ahead = vec![to];
+        while let (Some(to), Some(from)) = (ahead.last().copied(), way.last().copied()) {
+            let piece = in_order(from, to);
+            match self.bends.get(&key(&piece)) {
+                Some(bends) if piece[0] == from => ahead.extend(bends.iter().rev()),
+                Some(bends) => ahead.extend(bends),
+                None => {
+                    if from != to {
+                        way.push(to);
+                    }
+                    ahead.pop();
+                }
+            }
+        }
+    }
+}
+
+fn refused(error: NodingError) -> BuildError {
+    match error {
+        NodingError::TooManyCuts { allowed } => BuildError::TooManyCuts { allowed },
+        _ => BuildError::Full(RecordKind::Vertex),
+    }
+}
+
+/// A chain of points, closed or not.
+#[derive(Clone, Copy)]
+struct Chain<'a> {
+    points: &'a [Point],
+    is_closed: bool,
+}
+
+fn chains_of(shape: &Shape) -> Vec<Chain<'_>> {
+    match shape {
+        Shape::Polygon(rings) => rings.iter().map(|points| Chain { points, is_closed: true }).collect(),
+        Shape::Line(points) => vec![Chain { points, is_closed: false }],
+        Shape::Point(_) => Vec::new(),
+    }
+}
+
+/// The segments of a chain that have a length.
+fn steps(Chain { points, is_closed }: Chain<'_>) -> impl Iterator<Item = (Point, Point)> {
+    let closing = points.last().copied().zip(points.first().copied()).filter(|_| is_closed);
+    let steps = points.windows(2).map(|pair| (pair[0], pair[1])).chain(closing);
+    steps.map(|(a, b)| (unsigned(a), unsigned(b))).filter(|(a, b)| a != b)
+}
+
+fn steps_around(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
+    steps(Chain { points, is_closed: true })
+}
+
+/// The point with zeros that have no sign.
+fn unsigned(p: Point) -> Point {
+    Point::new(p.x + 0.0, p.y + 0.0)
+}
+
+/// Returns true if points lead from end to end, and never back.
+fn is_way([first, last]: Ends, between: &[Point]) -> bool {
+    let course = |a: Point, b: Point| [a.x.partial_cmp(&b.x), a.y.partial_cmp(&b.y)];
+    let whole = course(first, last);
+    let leads = |a: Point, b: Point| {
+        a != b && course(a, b).iter().zip(&whole).all(|(step, whole)| step == whole || *step == Some(Ordering::Equal))
+    };
+    let all = [first].into_iter().chain(between.iter().copied()).chain([last]);
+    !between.is_empty() && all.clone().zip(all.skip(1)).all(|(a, b)| leads(a, b))
+}
+
+fn in_order(a: Point, b: Point) -> Ends {
+    if compare_points(a, b).is_le() { [a, b] } else { [b, a] }
+}
+
+/// Returns true if the box around a segment meets a tile.
+fn meets(bounds: &Bounds, [a, b]: &Ends) -> bool {
+    // The smaller end is on the left.
+    bounds.meets(Point::new(a.x, a.y.min(b.y)), Point::new(b.x, a.y.max(b.y)))
+}

@@ -1,0 +1,79 @@
+//! Errors of tiles.
+
+use super::grid::Tile;
+use thiserror::Error;
+use twinedge_map::BuildError;
+
+/// The error of [`Summary::new`](super::Summary::new), and of finding [`Cuts`](super::Cuts).
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum TileError {
+    /// The grid does not have the tile.
+    #[error("the grid has no tile {0}")]
+    NoSuchTile(Tile),
+    /// Two features have the same number.
+    #[error("two features have the number {0}")]
+    SameNumber(u32),
+    /// Cuts were found in another round, or are those of another map.
+    #[error("cuts were found in another round, or are those of another map")]
+    OtherCuts,
+    /// A feature was refused.
+    #[error("{0}")]
+    Build(#[from] BuildError),
+}
+
+/// The error of [`Summary::merge`](super::Summary::merge).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum MergeError {
+    /// The summaries are of different grids.
+    #[error("the summaries are of different grids")]
+    Grids,
+    /// The summaries were made with different limits.
+    #[error("the summaries were made with different limits")]
+    Limits,
+    /// Both summaries have a tile.
+    #[error("both summaries have tile {0}")]
+    Twice(Tile),
+}
+
+/// The error of [`Summary::finish`](super::Summary::finish).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum FinishError {
+    /// Tiles are missing.
+    #[error("{} missing, the first of them {first}", Missing(*count))]
+    Missing {
+        /// The first of them.
+        first: Tile,
+        /// Their number.
+        count: u64,
+    },
+}
+
+/// The error of [`audit`](super::audit).
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum AuditError<E> {
+    /// The features of a tile could not be had.
+    #[error("{0}")]
+    Features(E),
+    /// A tile could not be judged.
+    #[error(transparent)]
+    Tile(#[from] TileError),
+    /// Summaries could not be merged.
+    #[error(transparent)]
+    Merge(#[from] MergeError),
+    /// Tiles are missing.
+    #[error(transparent)]
+    Finish(#[from] FinishError),
+}
+
+/// The number of tiles that are missing.
+struct Missing(u64);
+
+impl core::fmt::Display for Missing {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        if self.0 == 1 { f.write_str("1 tile is") } else { write!(f, "{} tiles are", self.0) }
+    }
+}

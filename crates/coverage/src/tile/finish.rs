@@ -1,0 +1,191 @@
+//! The audit of the whole, from the summaries of all tiles.
+
+use super::error::FinishError;
+use super::fault::{Crossing, SeamFault, Uneven};
+use super::findings::coverage;
+use super::grid::Tile;
+use super::summary::Summary;
+use crate::{Coverage, Defect};
+use twinedge::validate::{Bounds, Counts, Rule, RuleOutcome, Unchecked};
+use twinedge_geometry::Point;
+use twinedge_map::BuildError;
+
+/// The audit of a map by its tiles.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// The numbers of records.
+    pub counts: Counts,
+    /// The least and the greatest corner of the box around the features; none, if there are none.
+    pub corners: Option<[Point; 2]>,
+    /// The number of edges of polygons by their extent, the greater of those in x and y: pairs of its exponent, as the bits of a double have it, and the
+    /// number, in order. An edge counts as often as it is drawn.
+    pub extents: Vec<(u16, u64)>,
+    /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
+    pub crossings: Vec<Crossing>,
+    /// The components for which `V − E + cycles` is not 2 (T3).
+    pub uneven: Vec<Uneven>,
+    /// The places where two tiles contradict each other (S1 … S3).
+    pub seams: Vec<SeamFault>,
+    /// The findings of C1 … C5 and C7; none if edges meet elsewhere than at vertices and were not cut, or tiles contradict each other: then it is
+    /// not known what features cover.
+    pub coverage: Option<Coverage>,
+    /// The reason why edges that meet elsewhere than at vertices could not be cut, if that was tried in vain.
+    pub uncut: Option<BuildError>,
+    /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
+    pub defects: Vec<(u32, Vec<Defect>)>,
+    /// The features that not every tile was given that the box around them meets, or that have another box in another of these tiles, by number.
+    pub not_given: Vec<u32>,
+    /// False if `V − E + F = 1 + C` does not hold of the sums, or there is not one unbounded face (T3); none if faces are not known.
+    pub adds_up: Option<bool>,
+}
+
+impl Outcome {
+    /// Returns true if nothing is wrong: the whole map is a planar subdivision.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.crossings.is_empty()
+            && self.uneven.is_empty()
+            && self.seams.is_empty()
+            && self.not_given.is_empty()
+            && self.adds_up == Some(true)
+    }
+}
+
+impl Outcome {
+    /// The outcome with the coverage of the same map with its edges cut, if they meet elsewhere than at vertices and tiles do not contradict each other.
+    #[must_use]
+    pub fn with_cut(self, cut: Self) -> Self {
+        if self.needs_cut() { Self { coverage: cut.coverage, ..self } } else { self }
+    }
+
+    /// Returns true if it would be known what features cover, if edges were cut where they meet.
+    #[must_use]
+    pub fn needs_cut(&self) -> bool {
+        !self.crossings.is_empty() && self.seams.is_empty() && self.not_given.is_empty()
+    }
+
+    /// The outcomes of R1 … G5, as the report of the whole map has them. The rules that every map keeps that is built of features were checked
+    /// when it was.
+    pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
+        let Counts { vertices, half_edges, edges, faces, outer_boundaries, inner_boundaries, .. } = self.counts;
+        let isolated = self.counts.isolated_vertices;
+        // Tiles may have more records together than the numbers of a small machine count.
+        let sum = |numbers: &[usize]| numbers.iter().fold(0, |sum: usize, n| sum.saturating_add(*n));
+        let boundaries = sum(&[outer_boundaries, inner_boundaries]);
+        let links = sum(&[half_edges.saturating_mul(5), vertices, boundaries, boundaries, faces, inner_boundaries]);
+        let (uneven, crossings) = (self.uneven.len(), self.crossings.len());
+        let broken = [(uneven, Rule::T3), (crossings, Rule::G4)].into_iter().find(|(count, _)| *count > 0);
+        let simple = vertices >= 3;
+        Rule::ALL.iter().copied().filter_map(move |rule| {
+            let (checked, violations) = match rule {
+                Rule::R1 => (links, 0),
+                Rule::L1 | Rule::L2 | Rule::L3 | Rule::B1 => (half_edges, 0),
+                Rule::V1 | Rule::V2 | Rule::G2 => (vertices.saturating_sub(isolated), 0),
+                Rule::B2 | Rule::G1 => (vertices, 0),
+                Rule::F1 => (faces, 0),
+                Rule::F2 => (boundaries, 0),
+                Rule::T1 | Rule::T2 | Rule::G5 => (inner_boundaries, 0),
+                Rule::T3 => (inner_boundaries, uneven),
+                Rule::T4 => (usize::from(simple), 0),
+                Rule::G3 => (boundaries.saturating_sub(isolated), 0),
+                Rule::G4 => (edges, crossings),
+                _ => return None,
+            };
+            let unchecked = match (rule, broken) {
+                (Rule::T4, _) if !simple => Some(Unchecked::NotSimple),
+                (Rule::G3 | Rule::G5, Some((_, broken))) => Some(Unchecked::Broken(broken)),
+                _ => None,
+            };
+            let checked = if unchecked.is_some() { 0 } else { checked as u64 };
+            Some((rule, RuleOutcome { checked, violations: violations as u64, unchecked }))
+        })
+    }
+
+    /// The greatest numbers of edges and faces by T4, if it applies.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        let vertices = self.counts.vertices;
+        let most = |times: usize| vertices.saturating_mul(times) - 2 * times;
+        (vertices >= 3).then(|| Bounds { most_edges: most(3), most_faces: most(2) })
+    }
+}
+
+impl Summary {
+    /// The tiles that are missing of the whole.
+    fn missing(&self) -> Result<(), FinishError> {
+        let [columns, rows] = self.grid.size().map(u64::from);
+        let count = (columns * rows).saturating_sub(self.tiles.len() as u64);
+        let mut all = (0..columns as u32).flat_map(|column| (0..rows as u32).map(move |row| Tile { column, row }));
+        match all.find(|tile| self.tiles.binary_search(tile).is_err()) {
+            Some(first) => Err(FinishError::Missing { first, count }),
+            None => Ok(()),
+        }
+    }
+
+    /// The audit of the whole, from the summary of all its tiles. O(tiles log tiles).
+    ///
+    /// ```
+    /// use twinedge_coverage::Limits;
+    /// use twinedge_map::{Feature, Shape};
+    /// use twinedge_coverage::tile::{FinishError, Grid, Summary};
+    ///
+    /// let grid = Grid::new([0.0, 0.0], [4.0, 4.0], 2, 2)?;
+    /// let square = Shape::polygon([[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
+    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
+    /// let mut tiles = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &Limits::default()));
+    /// let first = tiles.next().unwrap()?;
+    /// assert!(matches!(first.clone().finish(), Err(FinishError::Missing { count: 3, .. })));
+    /// let whole = tiles.try_fold(first, |sum, tile| Ok::<_, Box<dyn std::error::Error>>(sum.merge(tile?)?))?;
+    /// let outcome = whole.finish()?;
+    /// assert!(outcome.is_valid());
+    /// assert_eq!((outcome.counts.vertices, outcome.counts.edges, outcome.counts.faces), (4, 4, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FinishError::Missing`].
+    pub fn finish(self) -> Result<Outcome, FinishError> {
+        self.missing()?;
+        let totals = self.totals;
+        let number = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
+        let with_edges = totals.components.saturating_sub(totals.isolated_vertices);
+        // Each component has one cycle outside, and each other cycle bounds a face.
+        let bounded = totals.cycles.saturating_sub(with_edges);
+        let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
+        let genus =
+            self.uneven.iter().map(Uneven::genus).try_fold(0_u64, |sum, genus| Some(sum.saturating_add(genus?)));
+        let counts = Counts {
+            vertices: number(totals.vertices),
+            half_edges: number(totals.edges.saturating_mul(2)),
+            edges: number(totals.edges),
+            faces: number(if self.is_plane { totals.faces } else { bounded + 1 }),
+            outer_boundaries: number(bounded),
+            inner_boundaries: number(totals.components),
+            isolated_vertices: number(totals.isolated_vertices),
+            components: Some(number(totals.components)),
+            cycles: Some(number(totals.cycles)),
+            borders: Some(0),
+            genus: genus.map(number),
+        };
+        let incomplete = self.claimed.iter().filter(|one| one.seen != one.of());
+        let mut not_given: Vec<u32> = incomplete.map(|one| one.feature).collect();
+        not_given.dedup();
+        let mut seams = [&self.seams[..], &self.plane_seams].concat();
+        seams.sort_by(SeamFault::compare);
+        let is_known = self.is_plane && seams.is_empty() && not_given.is_empty();
+        Ok(Outcome {
+            counts,
+            corners: self.corners,
+            coverage: is_known.then(|| coverage(&self)),
+            extents: self.extents,
+            uncut: None,
+            not_given,
+            defects: self.defects,
+            crossings: self.crossings,
+            uneven: self.uneven,
+            seams,
+            adds_up,
+        })
+    }
+}

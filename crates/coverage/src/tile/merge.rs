@@ -1,0 +1,169 @@
+//! Merging summaries.
+
+use super::ends::compare_edges;
+use super::error::MergeError;
+use super::extent::around;
+use super::fault::{SeamFault, SeamRule};
+use super::grid::Tile;
+use super::side::Side;
+use super::summary::{Border, Contact, Joins, Summary};
+use core::cmp::Ordering;
+use std::collections::BTreeMap;
+
+impl Summary {
+    /// Merges two summaries of different tiles. The tiles need not be neighbours. O(n log n) for what both list, expected.
+    ///
+    /// ```
+    /// use twinedge_coverage::Limits;
+    /// use twinedge_map::{Feature, Shape};
+    /// use twinedge_coverage::tile::{Grid, MergeError, Summary};
+    ///
+    /// let grid = Grid::new([0.0, 0.0], [2.0, 1.0], 2, 1)?;
+    /// let square = Shape::polygon([[0.5, 0.0], [1.5, 0.0], [1.5, 1.0], [0.5, 1.0]]);
+    /// let features = [(0, &Feature { shapes: vec![square], ..Feature::default() })];
+    /// let limits = Limits::default();
+    /// let halves: Vec<Summary> = grid.tiles().map(|tile| Summary::new(&grid, tile, features, &limits).unwrap()).collect();
+    /// assert_eq!(halves[0].contact_count(), 2);
+    /// let whole = halves[0].clone().merge(halves[1].clone())?;
+    /// assert_eq!(whole.contact_count(), 0);
+    /// assert!(matches!(whole.merge(halves[1].clone()), Err(MergeError::Twice(_))));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MergeError::Grids`] and [`MergeError::Twice`].
+    pub fn merge(self, other: Self) -> Result<Self, MergeError> {
+        if self.limits != other.limits {
+            return Err(MergeError::Limits);
+        }
+        if self.grid != other.grid {
+            return Err(MergeError::Grids);
+        }
+        if let Some(tile) = self.tiles.iter().find(|tile| other.tiles.binary_search(tile).is_ok()) {
+            return Err(MergeError::Twice(*tile));
+        }
+        let mut both = beside(self, other);
+        let mut joins = Joins::new(&both);
+        let mut borders: BTreeMap<(Tile, Side), Border> =
+            core::mem::take(&mut both.borders).into_iter().map(|border| ((border.tile, border.side), border)).collect();
+        let keys: Vec<(Tile, Side)> = borders.keys().copied().collect();
+        for (tile, side) in keys.into_iter().filter(|(_, side)| matches!(side, Side::Right | Side::Top)) {
+            let there = both.grid.neighbour(tile, side).map(|neighbour| (neighbour, side.opposite()));
+            let Some(there) = there.filter(|there| borders.contains_key(there)) else { continue };
+            if let (Some(here), Some(there)) = (borders.remove(&(tile, side)), borders.remove(&there)) {
+                both.join(&here, &there, &mut joins);
+            }
+        }
+        both.borders = borders.into_values().collect();
+        Ok(both.settled(&mut joins))
+    }
+}
+
+/// Both, with what the second lists numbered after what the first does.
+fn beside(mut one: Summary, mut other: Summary) -> Summary {
+    let [faces, components, cycles, regions, claimed] =
+        [one.faces.len(), one.components.len(), one.cycles.len(), one.regions.len(), one.claimed.len()]
+            .map(|count| count as u32);
+    for border in &mut other.borders {
+        border.faces.iter_mut().for_each(|face| *face += faces);
+        for contact in &mut border.contacts {
+            contact.component += components;
+            contact.cycles = contact.cycles.map(|cycle| cycle + cycles);
+        }
+    }
+    other.cycles.iter_mut().for_each(|component| *component += components);
+    other.claimed.iter_mut().filter_map(|one| one.like.as_mut()).for_each(|like| *like += claimed);
+    other.faces.iter_mut().flat_map(|face| &mut face.regions).for_each(|region| *region += regions);
+    one.tiles.append(&mut other.tiles);
+    one.corners = around([one.corners, other.corners].into_iter().flatten().flatten());
+    one.borders.append(&mut other.borders);
+    one.faces.append(&mut other.faces);
+    one.components.append(&mut other.components);
+    one.cycles.append(&mut other.cycles);
+    one.regions.append(&mut other.regions);
+    one.closed.append(&mut other.closed);
+    one.slivers.append(&mut other.slivers);
+    one.lengths.append(&mut other.lengths);
+    one.areas.append(&mut other.areas);
+    one.claimed.append(&mut other.claimed);
+    for (exponent, edges) in other.extents {
+        one.count_edges(exponent, edges);
+    }
+    one.defects.append(&mut other.defects);
+    one.unmatched.append(&mut other.unmatched);
+    one.crossings.append(&mut other.crossings);
+    one.uneven.append(&mut other.uneven);
+    one.seams.append(&mut other.seams);
+    one.plane_seams.append(&mut other.plane_seams);
+    one.totals.add(&other.totals);
+    one.is_plane &= other.is_plane;
+    one
+}
+
+impl Summary {
+    /// Joins what lies on both sides of a border.
+    fn join(&mut self, here: &Border, there: &Border, joins: &mut Joins) {
+        let fault = |rule, border: &Border, contact: Option<&&Contact>| SeamFault {
+            rule,
+            tile: border.tile,
+            side: border.side,
+            edge: contact.map(|contact| contact.edge),
+        };
+        let is_same = |a: &Contact, b: &Contact| compare_edges(&a.edge, &b.edge).is_eq();
+        let [these, those] = [here, there].map(sorted);
+        let (mut i, mut j) = (0, 0);
+        let mut is_matched = true;
+        loop {
+            let (a, b) = (these.get(i), those.get(j));
+            let order = match (a, b) {
+                (None, None) => break,
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (Some(a), Some(b)) => compare_edges(&a.edge, &b.edge),
+            };
+            match (order, a, b) {
+                (Ordering::Equal, Some(a), Some(b)) => {
+                    joins.components.union(a.component, b.component);
+                    for way in 0..2 {
+                        joins.cycles.union(a.cycles[way], b.cycles[way]);
+                    }
+                    if a.features != b.features {
+                        self.seams.push(fault(SeamRule::Features, here, Some(a)));
+                    }
+                }
+                (Ordering::Less, ..) => self.seams.push(fault(SeamRule::Contact, here, a)),
+                _ => self.seams.push(fault(SeamRule::Contact, there, b)),
+            }
+            is_matched &= order.is_eq();
+            i += usize::from(order.is_le());
+            j += usize::from(order.is_ge());
+        }
+        if !self.is_plane || !is_matched {
+            return;
+        }
+        let mut pairs = here.contacts.iter().zip(&there.contacts);
+        if let Some((a, _)) = pairs.find(|(a, b)| !is_same(a, b)) {
+            self.plane_seams.push(fault(SeamRule::Order, here, Some(&a)));
+            return;
+        }
+        let before = [None].into_iter().chain(here.contacts.iter().map(Some));
+        for ((a, b), contact) in here.faces.iter().zip(&there.faces).zip(before) {
+            let [one, other] = [a, b].map(|face| &self.faces[*face as usize]);
+            if one.features == other.features {
+                joins.faces.union(*a, *b);
+                for (region, same) in one.regions.iter().zip(&other.regions) {
+                    joins.regions.union(*region, *same);
+                }
+            } else {
+                self.plane_seams.push(fault(SeamRule::Features, here, contact.as_ref()));
+            }
+        }
+    }
+}
+
+/// The contacts in order of their edges.
+fn sorted(border: &Border) -> Vec<&Contact> {
+    let mut contacts: Vec<&Contact> = border.contacts.iter().collect();
+    contacts.sort_by(|a, b| compare_edges(&a.edge, &b.edge));
+    contacts
+}

@@ -1,0 +1,8 @@
+//! Memory use of audits, counted by the allocator.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../../../../tests/memory/counting.rs"]
+mod counting;
+mod coverage;
+mod tiles;

@@ -1,0 +1,340 @@
+//! Summaries that were changed after they were made, and the order of merging.
+
+use crate::maps::{Random, area, feature, line, nested, point};
+use crate::whole::{grid, merged, summaries};
+use serde_json::{Value, json, to_value};
+use twinedge::validate::Rule;
+use twinedge_coverage::Limits;
+use twinedge_coverage::tile::{FinishError, Grid, GridError, MergeError, Outcome, SeamRule, Summary, Tile, TileError};
+use twinedge_map::{Feature, Shape};
+
+/// A cross of four parcels with an enclave, an island and a path, cut by both lines of the grid.
+fn parcels() -> Vec<Feature> {
+    vec![
+        feature([area([0.0, 0.0], [4.0, 4.0]).hole([[1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [3.0, 1.0]])]),
+        feature([area([1.0, 1.0], [3.0, 3.0])]),
+        feature([Shape::polygon([[4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0]])]),
+        feature([line(&[[5.0, 1.0], [7.0, 3.0], [5.0, 3.0]]), point(2.0, 2.0)]),
+        feature([area([0.0, 6.0], [8.0, 7.0])]),
+    ]
+}
+
+fn lines() -> Grid {
+    grid(&[2.0, 6.0], &[2.0, 6.5])
+}
+
+fn finished(mut summaries: Vec<Summary>) -> Outcome {
+    let first = summaries.remove(0);
+    let sum = summaries.into_iter().fold(first, |sum, one| sum.merge(one).expect("different tiles"));
+    sum.finish().expect("none is missing")
+}
+
+/// Every change of a value at some place of a summary, each alone.
+fn changes(of: &Value) -> Vec<(String, Value)> {
+    let mut found = Vec::new();
+    let mut change = |what: String, edit: &dyn Fn(&mut Value)| {
+        let mut changed = of.clone();
+        edit(&mut changed);
+        if changed != *of {
+            found.push((what, changed));
+        }
+    };
+    let count = |key: &str| of[key].as_array().map_or(0, Vec::len);
+    for (b, border) in of["borders"].as_array().expect("a list").iter().enumerate() {
+        let contacts = border["contacts"].as_array().expect("a list").len();
+        for c in 0..contacts {
+            let at = format!("/borders/{b}/contacts/{c}");
+            for end in 0..2 {
+                for axis in 0..2 {
+                    change(format!("{at}: end {end} moved"), &|v| {
+                        let x = v.pointer_mut(&format!("{at}/edge/{end}/{axis}")).expect("a number");
+                        *x = json!(x.as_f64().expect("a number") + 0.25);
+                    });
+                }
+            }
+            change(format!("{at}: a feature more"), &|v| {
+                v.pointer_mut(&format!("{at}/features")).and_then(Value::as_array_mut).expect("a list").push(json!(77));
+            });
+            change(format!("{at}: a feature less"), &|v| {
+                v.pointer_mut(&format!("{at}/features")).and_then(Value::as_array_mut).expect("a list").pop();
+            });
+            for component in 0..count("components") {
+                change(format!("{at}: component {component}"), &|v| {
+                    *v.pointer_mut(&format!("{at}/component")).expect("a number") = json!(component);
+                });
+            }
+            for cycle in 0..count("cycles") {
+                for way in 0..2 {
+                    change(format!("{at}: cycle {way} is {cycle}"), &|v| {
+                        *v.pointer_mut(&format!("{at}/cycles/{way}")).expect("a number") = json!(cycle);
+                    });
+                }
+            }
+            let edit = |v: &mut Value, edit: &dyn Fn(&mut Vec<Value>, &mut Vec<Value>)| {
+                let border = &mut v["borders"][b];
+                let [mut contacts, mut faces] = ["contacts", "faces"].map(|key| border[key].take());
+                let (Value::Array(these), Value::Array(those)) = (&mut contacts, &mut faces) else { unreachable!() };
+                edit(these, those);
+                (border["contacts"], border["faces"]) = (contacts, faces);
+            };
+            change(format!("{at}: dropped"), &|v| {
+                edit(v, &|contacts, faces| {
+                    contacts.remove(c);
+                    faces.remove(c);
+                });
+            });
+            change(format!("{at}: repeated"), &|v| {
+                edit(v, &|contacts, faces| {
+                    contacts.insert(c, contacts[c].clone());
+                    faces.insert(c, faces[c].clone());
+                });
+            });
+            if c > 0 {
+                change(format!("{at}: swapped"), &|v| edit(v, &|contacts, _| contacts.swap(c - 1, c)));
+            }
+        }
+        for place in 0..=contacts {
+            for face in 0..count("faces") {
+                change(format!("/borders/{b}/faces/{place}: face {face}"), &|v| {
+                    v["borders"][b]["faces"][place] = json!(face);
+                });
+            }
+        }
+    }
+    for face in 0..count("faces") {
+        change(format!("face {face}: unbounded or not"), &|v| {
+            let is_unbounded = v["faces"][face]["is_unbounded"].as_bool().expect("a truth value");
+            v["faces"][face]["is_unbounded"] = json!(!is_unbounded);
+        });
+        change(format!("face {face}: no features"), &|v| v["faces"][face]["features"] = json!([]));
+        change(format!("face {face}: another feature"), &|v| v["faces"][face]["features"] = json!([77]));
+    }
+    for cycle in 0..count("cycles") {
+        for component in 0..count("components") {
+            change(format!("cycle {cycle}: component {component}"), &|v| v["cycles"][cycle] = json!(component));
+        }
+    }
+    for component in 0..count("components") {
+        for key in ["vertices", "edges", "cycles"] {
+            change(format!("component {component}: {key}"), &|v| {
+                let n = v["components"][component][key].as_u64().expect("a number");
+                v["components"][component][key] = json!(n + 1);
+            });
+        }
+    }
+    for key in ["components", "isolated_vertices", "faces", "unbounded_faces", "cycles"] {
+        change(format!("totals: {key}"), &|v| {
+            let n = v["totals"][key].as_u64().expect("a number");
+            v["totals"][key] = json!(n + 1);
+        });
+    }
+    found
+}
+
+#[test]
+fn every_change_of_a_contact_is_found() {
+    let summaries = summaries(&parcels(), &lines(), &Limits::default());
+    let right = finished(summaries.clone());
+    assert!(right.is_valid());
+    let (mut refused, mut found, mut harmless) = (0, 0, 0);
+    for tile in 0..summaries.len() {
+        for (what, changed) in changes(&to_value(&summaries[tile]).expect("it can be saved")) {
+            let Ok(summary) = serde_json::from_value::<Summary>(changed) else {
+                refused += 1;
+                continue;
+            };
+            let mut all = summaries.clone();
+            all[tile] = summary;
+            let outcome = finished(all);
+            if outcome.is_valid() {
+                assert_eq!(outcome, right, "tile {tile}: {what}");
+                harmless += 1;
+            } else {
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 1000 && refused > 20 && harmless < found / 10, "{found} {refused} {harmless}");
+}
+
+#[test]
+fn a_contact_of_one_side_is_named() {
+    let summaries = summaries(&parcels(), &lines(), &Limits::default());
+    let tile = summaries[0].tiles()[0];
+    let mut changed = to_value(&summaries[0]).expect("it can be saved");
+    let border = changed["borders"].as_array_mut().and_then(|all| all.first_mut()).expect("a border");
+    let dropped = border["contacts"].as_array_mut().expect("a list").remove(0);
+    border["faces"].as_array_mut().expect("a list").remove(0);
+    let mut all = summaries.clone();
+    all[0] = serde_json::from_value(changed).expect("it could be a summary");
+    let outcome = finished(all);
+    let [fault] = &outcome.seams[..] else { panic!("{:?}", outcome.seams) };
+    assert_eq!((fault.rule, fault.rule.id()), (SeamRule::Contact, "S1"));
+    assert_eq!(to_value(fault.edge).expect("it can be saved"), dropped["edge"]);
+    assert_ne!(fault.tile, tile);
+}
+
+#[test]
+fn a_feature_that_a_tile_was_not_given_is_found() {
+    let (features, grid) = (parcels(), lines());
+    for missing in 0..features.len() as u32 {
+        for (place, tile) in grid.tiles().enumerate() {
+            let mut all = summaries(&features, &grid, &Limits::default());
+            let given = (0..).zip(&features).filter(|(number, _)| *number != missing);
+            let without = Summary::new(&grid, tile, given, &Limits::default()).expect("in range");
+            if without != all[place] {
+                all[place] = without;
+                let outcome = finished(all);
+                assert!(!outcome.is_valid() && outcome.not_given == [missing], "{missing} {tile}");
+            }
+        }
+    }
+}
+
+/// The parts of one feature on a row of three tiles, from each place 3 long, as each tile was given them.
+#[test]
+fn a_feature_whose_box_differs_between_tiles_is_found_in_any_order_of_merging() {
+    let grid = grid(&[4.0, 8.0], &[]);
+    let given: [[&[f64]; 3]; 4] = [
+        // Two tiles agree on less than the first was given.
+        [&[0.5, 4.5, 8.5], &[0.5, 4.5], &[0.5, 4.5]],
+        [&[0.5], &[0.5, 4.5], &[]],
+        // As many tiles as each box meets, but not the tiles of one box.
+        [&[0.5, 4.5], &[], &[4.5, 8.5]],
+        [&[0.5, 4.5], &[0.5, 4.5], &[4.5, 8.5]],
+    ];
+    for given in given {
+        let summary = |(tile, parts): (Tile, &[f64])| {
+            let parts: Vec<Shape> = parts.iter().map(|x| area([*x, 0.0], [x + 3.0, 1.0])).collect();
+            Summary::new(&grid, tile, [(7, &feature(parts))], &Limits::default()).expect("in range")
+        };
+        let all: Vec<Summary> = grid.tiles().zip(given).map(summary).collect();
+        let mut outcomes = Vec::new();
+        for [i, j, k] in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
+            let outcome = finished(vec![all[i].clone(), all[j].clone(), all[k].clone()]);
+            assert_eq!(outcome.not_given, [7], "{given:?} {i} {j} {k}");
+            outcomes.push(outcome);
+        }
+        assert!(outcomes.windows(2).all(|pair| pair[0] == pair[1]), "{given:?}");
+    }
+}
+
+#[test]
+fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
+    const MOST: u64 = 1 << 53;
+    let all = summaries(&parcels(), &lines(), &Limits::default());
+    let saved = to_value(&all[4]).expect("it can be saved");
+    let changed = |of: &Value, at: &str, to: Value| {
+        let mut changed = of.clone();
+        *changed.pointer_mut(at).unwrap_or_else(|| panic!("{at} in {of}")) = to;
+        changed
+    };
+    let refused = |at: &str, to: Value, why: &str| {
+        let error = serde_json::from_value::<Summary>(changed(&saved, at, to)).expect_err(at).to_string();
+        assert!(error.contains(why), "{at}: {error}");
+    };
+    let totals = ["vertices", "edges", "cycles", "components", "isolated_vertices", "faces", "unbounded_faces"];
+    let totals = totals.map(|key| format!("/totals/{key}"));
+    let of_component = ["vertices", "edges", "cycles"].map(|key| format!("/components/0/{key}"));
+    for at in totals.iter().chain(&of_component) {
+        refused(at, json!(MOST + 1), "larger than any map has");
+        refused(at, json!(u64::MAX), "larger than any map has");
+    }
+    refused("/extents", json!([[2048, 1]]), "larger than any map has");
+    refused("/extents", json!([[1023, MOST + 1]]), "larger than any map has");
+    refused("/extents", json!([[7, 1], [7, 1]]), "out of order");
+    refused("/claimed/0/seen", json!(99), "out of range");
+    refused("/claimed/0/between/1/column", json!(3), "out of range");
+    refused("/claimed/0/between/0/row", json!(2), "out of range");
+    // Sums of the rest do not overflow.
+    let mut most = all.iter().map(|one| to_value(one).expect("it can be saved")).collect::<Vec<_>>();
+    for one in &mut most {
+        for at in totals.iter().chain(&of_component) {
+            if one.pointer(at).is_some() {
+                *one = changed(one, at, json!(MOST));
+            }
+        }
+        *one = changed(one, "/extents", json!([[2047, MOST]]));
+    }
+    let outcome = finished(most.into_iter().map(|one| serde_json::from_value(one).expect("in range")).collect());
+    assert!(!outcome.is_valid());
+    assert_eq!((outcome.counts.vertices, outcome.counts.half_edges), (1 << 53, 1 << 54));
+    assert_eq!(outcome.extents, [(2047, MOST)]);
+    assert_eq!(outcome.bounds().map(|bounds| bounds.most_edges), Some((3 << 53) - 6));
+    let checked = |rule| outcome.rules().find(|(other, _)| *other == rule).map(|(_, outcome)| outcome.checked);
+    assert_eq!((checked(Rule::L1), checked(Rule::V1)), (Some(1 << 54), Some(0)));
+}
+
+#[test]
+fn any_order_of_merging_gives_the_same_bytes() {
+    let mut random = Random::new(41);
+    for limits in [Limits::default(), Limits { gap_width: Some(0.1), sliver_area: Some(0.5), ..Limits::default() }] {
+        for _ in 0..40 {
+            let mut features = Vec::new();
+            nested([-7, -7], [7, 7], &mut random, &mut features);
+            let all = summaries(&features, &grid(&[-2.5, 1.0], &[-1.0, 3.0]), &limits);
+            // Any tiles, in any order: also those that are no neighbours.
+            let mut chosen: Vec<Summary> = all.into_iter().filter(|_| random.below(3) > 0).collect();
+            if chosen.is_empty() {
+                continue;
+            }
+            let bytes = |summary: &Summary| serde_json::to_vec(summary).expect("it can be saved");
+            let first = merged(chosen.clone(), &mut random);
+            chosen.reverse();
+            let second = merged(chosen, &mut random);
+            assert_eq!(bytes(&first), bytes(&second));
+            // A saved summary is read.
+            let read: Summary = serde_json::from_slice(&bytes(&first)).expect("it was saved");
+            assert_eq!(read, first);
+        }
+    }
+}
+
+#[test]
+fn an_early_merge_finds_no_more_at_a_seam_than_a_late_one_where_another_tile_has_crossings() {
+    let mut features = parcels();
+    features.push(feature([line(&[[6.5, 6.6], [7.5, 6.9]]), line(&[[6.5, 6.9], [7.5, 6.6]])]));
+    let all = summaries(&features, &lines(), &Limits::default());
+    let mut contradictions = 0;
+    let changes = changes(&to_value(&all[0]).expect("it can be saved"));
+    for (what, changed) in changes
+        .into_iter()
+        .filter(|(what, _)| what.contains("feature") || what.contains("swapped") || what.contains("/faces/"))
+    {
+        let Ok(changed) = serde_json::from_value::<Summary>(changed) else { continue };
+        let mut early = all.clone();
+        early[0] = changed;
+        let mut late = early.clone();
+        late.rotate_left(1);
+        late.reverse();
+        let [early, late] = [early, late].map(finished);
+        assert_eq!(early, late, "{what}");
+        contradictions += usize::from(!early.seams.is_empty());
+    }
+    assert!(contradictions > 5, "{contradictions}");
+}
+
+#[test]
+fn what_cannot_be_merged_is_refused() {
+    let (features, grid) = (parcels(), lines());
+    let limits = Limits::default();
+    let all = summaries(&features, &grid, &limits);
+    let numbered = || (0..).zip(&features);
+    let tile = Tile { column: 0, row: 0 };
+    assert_eq!(all[0].clone().merge(all[0].clone()), Err(MergeError::Twice(tile)));
+    let other = Grid::new([0.0, 0.0], [1.0, 1.0], 3, 3).expect("a grid");
+    let of_other = Summary::new(&other, Tile { column: 1, row: 0 }, numbered(), &limits).expect("in range");
+    assert_eq!(all[0].clone().merge(of_other), Err(MergeError::Grids));
+    let by_width = Limits { gap_width: Some(1.0), ..Limits::default() };
+    let of_width = Summary::new(&grid, Tile { column: 1, row: 0 }, numbered(), &by_width).expect("in range");
+    assert_eq!(all[0].clone().merge(of_width), Err(MergeError::Limits));
+    assert_eq!(all[1].clone().finish().unwrap_err(), FinishError::Missing { first: tile, count: 8 });
+    let outside = Tile { column: 3, row: 0 };
+    assert_eq!(Summary::new(&grid, outside, numbered(), &limits).unwrap_err(), TileError::NoSuchTile(outside));
+    let twice = [(5, &features[0]), (5, &features[1])];
+    assert_eq!(Summary::new(&grid, Tile { column: 1, row: 1 }, twice, &limits).unwrap_err(), TileError::SameNumber(5));
+    let far = feature([line(&[[0.0, 0.0], [1e200, 0.0]])]);
+    assert!(matches!(Summary::new(&grid, tile, [(0, &far)], &limits), Err(TileError::Build(_))));
+    assert_eq!(Grid::new([0.0, 0.0], [1.0, 1.0], 0, 3), Err(GridError::Size));
+    assert_eq!(Grid::new([0.0, 0.0], [0.0, 1.0], 3, 3), Err(GridError::Lines));
+}

@@ -1,0 +1,99 @@
+//! Maps with coordinates of many digits, plane or not, and maps of the world.
+
+use crate::maps::{Random, feature, line, point};
+use crate::whole::{compare, grid};
+use twinedge_coverage::Limits;
+use twinedge_coverage::tile::Grid;
+use twinedge_formats::io::{ReadError, geojson};
+use twinedge_map::{Feature, Shape};
+
+fn cut(random: &mut Random) -> Vec<f64> {
+    let mut at = [random.part(), random.part()];
+    at.sort_by(f64::total_cmp);
+    at[..random.below(3)].to_vec()
+}
+
+/// Triangles that grow, until they meet others or not.
+fn triangles(random: &mut Random, count: usize, size: f64) -> Vec<Feature> {
+    let shape = |random: &mut Random| {
+        let [x, y] = [random.part(), random.part()];
+        let corner = |random: &mut Random| [x + random.part() * size, y + random.part() * size];
+        let corners = [corner(random), corner(random), corner(random)];
+        match random.below(4) {
+            0 => line(&corners),
+            1 => point(x, y),
+            _ => Shape::polygon(corners),
+        }
+    };
+    (0..count).map(|_| feature([shape(random)])).collect()
+}
+
+#[test]
+fn random_maps_add_up_plane_or_not() {
+    let mut random = Random::new(21);
+    let mut plane = 0;
+    for round in 0..300 {
+        let size = [0.02, 0.1, 0.4][round % 3];
+        let features = triangles(&mut random, 24, size);
+        plane += usize::from(crate::whole::whole(&features).is_plane());
+        let (upright, level) = (cut(&mut random), cut(&mut random));
+        compare(&features, &grid(&upright, &level), &Limits::default(), &mut random);
+    }
+    assert!((50..250).contains(&plane), "{plane}");
+}
+
+/// The features of a map of the world.
+fn world(text: &[u8]) -> Vec<Feature> {
+    let mut features = Vec::new();
+    geojson::read(text, |feature| {
+        features.push(feature);
+        Ok::<(), ReadError>(())
+    })
+    .expect("it is GeoJSON");
+    features
+}
+
+/// Grids around the world; `rounds` of them.
+fn around_the_world(features: &[Feature], rounds: usize, random: &mut Random) {
+    for round in 0..rounds {
+        let low = [-180.0 - random.part(), -90.0 - random.part()];
+        let high = [180.0 + random.part(), 90.0 + random.part()];
+        let [columns, rows] = [1 + random.below(6), 1 + random.below(6)].map(|n| n as u32);
+        // Lines through vertices, too: degrees that many borders are at.
+        let (low, high) = if round % 3 == 0 { ([-180.0, -90.0], [180.0, 90.0]) } else { (low, high) };
+        let grid = Grid::new(low, high, columns, rows).expect("a grid");
+        let limits = match round % 2 {
+            0 => Limits::default(),
+            _ => Limits { gap_width: Some(0.05), sliver_area: Some(0.01), ..Limits::default() },
+        };
+        compare(features, &grid, &limits, random);
+    }
+}
+
+const SMALL: &[u8] = include_bytes!("../../../../cli/data/world-110m.geojson");
+const CROSSING: &[u8] = include_bytes!("../../../../tests/data/world-110m-crossing.geojson");
+const LARGE: &[u8] = include_bytes!("../../../../tests/data/world-50m.geojson");
+
+/// Leaves some features out, and repeats others.
+fn planted(mut features: Vec<Feature>, random: &mut Random) -> Vec<Feature> {
+    for _ in 0..4 {
+        features.remove(random.below(features.len()));
+        features.push(features[random.below(features.len())].clone());
+    }
+    features
+}
+
+#[test]
+fn the_world_adds_up() {
+    let mut random = Random::new(31);
+    around_the_world(&world(SMALL), 12, &mut random);
+    around_the_world(&planted(world(SMALL), &mut random), 12, &mut random);
+    around_the_world(&world(CROSSING), 4, &mut random);
+}
+
+/// Coasts with many islands, cut by few lines: grids of all sizes are those of the smaller map.
+#[test]
+fn a_larger_world_adds_up() {
+    let mut random = Random::new(32);
+    around_the_world(&planted(world(LARGE), &mut random), 1, &mut random);
+}

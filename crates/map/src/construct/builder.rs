@@ -1,0 +1,473 @@
+//! Gathering rings, lines and points, and building the map of them all at once.
+
+use super::arrange::{CombinatorialMap, Placement, arrange, points_by_vertex};
+use super::cover::cover;
+use super::cut::{self, CutSegments, Noding, usual_cuts};
+use super::error::BuildError;
+use super::gathered::GatheredFeatures;
+use super::rings::Ring;
+use crate::FeatureId;
+use crate::feature::{Feature, Shape};
+use crate::index::KeptIndex;
+use crate::not_plane::NotPlane;
+use crate::notes::Notes;
+use crate::number_table::{NumberTable, hash};
+use crate::planar_map::PlanarMap;
+use crate::summary::{BuildSummary, IrregularityKind, Position};
+use twinedge::dcel::RecordKind;
+use twinedge_geometry::crossing::{Clash, clashes};
+use twinedge_geometry::noding::NodingSummary;
+use twinedge_geometry::predicates::in_range;
+use twinedge_geometry::{Point, threads};
+
+/// The number of points of a chain that are looked up together.
+const LOOKED_UP: usize = 64;
+
+/// A step along a chain, to a vertex.
+struct Step {
+    to: u32,
+    /// True if the vertex is there since this step.
+    is_new: bool,
+}
+
+/// Gathers rings, lines and points, and builds the map of them.
+///
+/// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
+/// are dropped; all of it is counted ([`BuildSummary`]). Segments should meet at shared endpoints only. Where they do not,
+/// [`build_with`](Self::build_with) can cut them. [`build`](Self::build) leaves them as they are, and
+/// [`PlanarMap::not_plane`] says where. Queries and edits refuse such a map.
+///
+/// ```
+/// use twinedge_map::{Builder, Shape};
+///
+/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+/// let island = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0], [1.0, 1.0]];
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::polygon(square).hole(island))?;
+/// let map = builder.build()?;
+/// assert_eq!((map.dcel().vertex_count(), map.dcel().face_count()), (7, 3));
+/// assert!(map.validate().is_valid());
+/// # Ok::<(), twinedge_map::BuildError>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Builder {
+    pub(super) points: Vec<Point>,
+    places: NumberTable,
+    /// Distinct segments, by their ends in order of vertex numbers.
+    pub(super) segments: Vec<[u32; 2]>,
+    segment_numbers: NumberTable,
+    pub(super) features: GatheredFeatures,
+    summary: BuildSummary,
+    /// The number of cuts allowed, if one was set.
+    cuts: Option<usize>,
+}
+
+impl Builder {
+    /// A builder with nothing in it.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes a feature. O(its points), expected.
+    ///
+    /// ```
+    /// use twinedge_geometry::Point;
+    /// use twinedge_map::{BuildError, Builder, Feature, Shape};
+    ///
+    /// let peak = |x: f64, y: f64| Feature {
+    ///     name: Some("peak".into()),
+    ///     shapes: vec![Shape::Point(Point::new(x, y))],
+    ///     ..Feature::default()
+    /// };
+    /// let mut builder = Builder::new();
+    /// let first = builder.feature(&peak(7.0, 46.0))?;
+    /// assert!(matches!(builder.feature(&peak(f64::NAN, 46.0)), Err(BuildError::NotFinite { .. })));
+    /// let second = builder.feature(&peak(8.0, 46.5))?;
+    /// assert_eq!((first.index(), second.index()), (0, 1));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
+    pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
+        let id = FeatureId::new(self.features.names.len() as u32);
+        for (shape, what) in feature.shapes.iter().enumerate() {
+            let at = Position { feature: id.index(), shape, ..Position::default() };
+            Self::check(what, at)?;
+        }
+        // A builder that came back has no tables.
+        self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
+        self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
+        let [darts, parts] = [self.features.darts.len(), self.features.parts.len()];
+        let taken = feature.shapes.iter().enumerate().try_for_each(|(shape, what)| {
+            self.take(what, Position { feature: id.index(), shape, ..Position::default() })
+        });
+        if let Err(full) = taken {
+            self.features.darts.truncate(darts);
+            self.features.parts.truncate(parts);
+            return Err(full);
+        }
+        self.features.names.push(feature.name.clone());
+        self.summary.features += 1;
+        Ok(id)
+    }
+
+    /// Takes a shape, as a feature without name.
+    ///
+    /// # Errors
+    /// As for [`Builder::feature`].
+    pub fn shape(&mut self, shape: &Shape) -> Result<FeatureId, BuildError> {
+        self.feature(&Feature { shapes: vec![shape.clone()], ..Feature::default() })
+    }
+
+    /// Takes a single segment, as a feature without name.
+    ///
+    /// # Errors
+    /// As for [`Builder::feature`].
+    pub fn segment(&mut self, from: impl Into<Point>, to: impl Into<Point>) -> Result<FeatureId, BuildError> {
+        self.shape(&Shape::Line(vec![from.into(), to.into()]))
+    }
+
+    /// Returns the counts and irregularities of the input so far.
+    ///
+    /// ```
+    /// use twinedge_map::Builder;
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [1.0, 0.0])?;
+    /// builder.segment([1.0, 0.0], [0.0, 0.0])?;
+    /// builder.segment([1.0, 0.0], [1.0, 0.0])?;
+    /// let summary = builder.summary();
+    /// assert_eq!((summary.segments, summary.duplicate_segments, summary.zero_length_segments), (3, 1, 1));
+    /// # Ok::<(), twinedge_map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub const fn summary(&self) -> &BuildSummary {
+        &self.summary
+    }
+
+    /// Says how often [`Noding::Snap`] may cut segments, each once at each vertex between its ends. Otherwise it is 2^20
+    /// times, and 16 times for each distinct segment: most drawings are cut far less often, and memory grows with every cut.
+    /// O(1).
+    ///
+    /// ```
+    /// use twinedge_geometry::noding::Snap;
+    /// use twinedge_map::{BuildError, Builder, Noding};
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// // The crossing cuts both.
+    /// builder.limit_cuts(1);
+    /// let refused = builder.build_with(Noding::Snap(Snap::Auto));
+    /// assert!(matches!(refused, Err(BuildError::TooManyCuts { allowed: 1 })));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    pub const fn limit_cuts(&mut self, cuts: usize) {
+        self.cuts = Some(cuts);
+    }
+
+    fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
+        let point = |p: &Point, position: Position| {
+            let (x, y) = (p.x, p.y);
+            if !x.is_finite() || !y.is_finite() {
+                Err(BuildError::NotFinite { position, x, y })
+            } else if in_range(*p) {
+                Ok(())
+            } else {
+                Err(BuildError::OutOfRange { position, x, y })
+            }
+        };
+        let chain = |points: &[Point], at: Position| {
+            points.iter().enumerate().try_for_each(|(i, p)| point(p, Position { point: i, ..at }))
+        };
+        match shape {
+            Shape::Polygon(rings) => {
+                rings.iter().enumerate().try_for_each(|(ring, points)| chain(points, Position { ring, ..at }))
+            }
+            Shape::Line(points) => chain(points, at),
+            Shape::Point(p) => point(p, at),
+        }
+    }
+
+    fn take(&mut self, shape: &Shape, at: Position) -> Result<(), BuildError> {
+        match shape {
+            Shape::Polygon(rings) => {
+                for (ring, points) in rings.iter().enumerate() {
+                    self.ring(points, Position { ring, ..at })?;
+                }
+                self.features.put_part(true);
+            }
+            Shape::Line(points) => {
+                self.chain(points, at, &mut Vec::new())?;
+                self.features.put_part(false);
+            }
+            Shape::Point(p) => {
+                self.vertex(*p, 0)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the segments of a ring, closes it, and looks at it.
+    fn ring(&mut self, ring: &[Point], at: Position) -> Result<(), BuildError> {
+        let (Some(first), Some(last)) = (ring.first(), ring.last()) else {
+            self.summary.degenerate_rings += 1;
+            return Ok(());
+        };
+        let before = self.features.darts.len();
+        let mut starts = Vec::with_capacity(ring.len());
+        self.chain(ring, at, &mut starts)?;
+        if first != last {
+            let end = Position { point: ring.len() - 1, ..at };
+            self.summary.open_rings += 1;
+            self.summary.list(self.summary.open_rings, IrregularityKind::OpenRing, end, *last);
+            self.chain(&[*last, *first], end, &mut starts)?;
+        }
+        let darts = &self.features.darts[before..];
+        let shape = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.shape();
+        let summary = &mut self.summary;
+        if darts.len() < 3 {
+            summary.degenerate_rings += 1;
+            summary.list(summary.degenerate_rings, IrregularityKind::DegenerateRing, at, *first);
+        }
+        if shape.counter_clockwise == Some(at.ring > 0) {
+            summary.rings_wound_wrongly += 1;
+            summary.list(summary.rings_wound_wrongly, IrregularityKind::WoundWrongly, at, *first);
+        }
+        let place = |point: u32| (Position { point: point as usize, ..at }, ring[point as usize]);
+        if let Some((position, point)) = shape.touches.map(place) {
+            summary.self_touching_rings += 1;
+            summary.list(summary.self_touching_rings, IrregularityKind::SelfTouching, position, point);
+        }
+        for (position, point) in shape.spikes.into_iter().map(place) {
+            summary.spikes += 1;
+            summary.list(summary.spikes, IrregularityKind::Spike, position, point);
+        }
+        Ok(())
+    }
+
+    /// Takes the segments of a chain of points, with the place where each starts; one point alone is an isolated vertex.
+    fn chain(&mut self, points: &[Point], at: Position, starts: &mut Vec<u32>) -> Result<(), BuildError> {
+        let Some((first, rest)) = points.split_first() else { return Ok(()) };
+        let (mut from, mut last) = (self.vertex(*first, 0)?, 0);
+        let mut steps = Vec::with_capacity(rest.len().min(LOOKED_UP));
+        for (points, place) in rest.chunks(LOOKED_UP).zip((at.point..).step_by(LOOKED_UP)) {
+            self.walk(from, points, &mut steps)?;
+            for ((p, &Step { to, is_new }), point) in points.iter().zip(&steps).zip(place..) {
+                self.summary.segments += 1;
+                if from == to {
+                    self.summary.zero_length_segments += 1;
+                    let position = Position { point: point + 1, ..at };
+                    self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
+                    continue;
+                }
+                let ends = ends(from, to);
+                // No segment leads to a point that is new.
+                let known = if is_new { None } else { self.known_segment(ends, last) };
+                self.summary.duplicate_segments += usize::from(known.is_some());
+                let number = known.map_or_else(|| self.new_segment(ends), Ok)?;
+                self.features.darts.push(number << 1 | u32::from(from > to));
+                last = number;
+                starts.push(point as u32);
+                from = to;
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds the vertices of points, or adds them: the steps along a chain that comes from `from`. Tables are read ahead, since waiting for memory
+    /// at each of them takes most of the time of large maps.
+    fn walk(&mut self, from: u32, points: &[Point], steps: &mut Vec<Step>) -> Result<(), BuildError> {
+        self.places.read_ahead(points.iter().map(|p| hash_of_point(without_sign_of_zero(*p))));
+        steps.clear();
+        let mut beside = from;
+        for p in points {
+            let before = self.points.len();
+            beside = self.vertex(*p, beside)?;
+            steps.push(Step { to: beside, is_new: self.points.len() > before });
+        }
+        let tails = core::iter::once(from).chain(steps.iter().map(|step| step.to));
+        self.segment_numbers.read_ahead(tails.zip(&*steps).map(|(tail, step)| hash_of_segment(ends(tail, step.to))));
+        Ok(())
+    }
+
+    /// The number of a segment, which is mostly beside another one: borders are followed from both sides.
+    fn known_segment(&self, ends: [u32; 2], beside: u32) -> Option<u32> {
+        let is = |number: u32| self.segments.get(number as usize) == Some(&ends);
+        let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
+        near.or_else(|| self.segment_numbers.find(hash_of_segment(ends), is))
+    }
+
+    fn new_segment(&mut self, ends: [u32; 2]) -> Result<u32, BuildError> {
+        let number = self.segments.len() as u32;
+        if number >= 1 << 30 {
+            return Err(BuildError::Full(RecordKind::Edge));
+        }
+        self.segments.push(ends);
+        self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
+        Ok(number)
+    }
+
+    /// The number of a point, which is mostly beside that of another one.
+    fn vertex(&mut self, p: Point, beside: u32) -> Result<u32, BuildError> {
+        let p = without_sign_of_zero(p);
+        let is = |number: u32| self.points.get(number as usize) == Some(&p);
+        let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
+        if let Some(known) = near.or_else(|| self.places.find(hash_of_point(p), is)) {
+            return Ok(known);
+        }
+        let number = self.points.len() as u32;
+        if number >= 1 << 30 {
+            return Err(BuildError::Full(RecordKind::Vertex));
+        }
+        self.points.push(p);
+        self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
+        Ok(number)
+    }
+
+    /// Builds the map of the segments as they are, [`Noding::None`]. O(n log n).
+    ///
+    /// # Errors
+    /// [`BuildError::Full`].
+    pub fn build(self) -> Result<PlanarMap, BuildError> {
+        self.build_with(Noding::None)
+    }
+
+    /// Cuts the segments where they meet, as [`Noding`] says, and builds the map. [`PlanarMap::noding`] counts what cutting
+    /// did.
+    ///
+    /// O(n log n) without noding; see [`noding`](twinedge_geometry::noding#cost) for what that adds.
+    /// With the feature `rayon`, the work is divided among the threads of its current pool; the map is the same.
+    ///
+    /// ```
+    /// use twinedge_geometry::noding::Snap;
+    /// use twinedge_map::{BuildError, Builder, Noding};
+    ///
+    /// let cross = || {
+    ///     let mut builder = Builder::new();
+    ///     builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    ///     builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    ///     Ok::<_, BuildError>(builder)
+    /// };
+    /// let map = cross()?.build_with(Noding::Snap(Snap::Auto))?;
+    /// assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (5, 4));
+    /// assert_eq!(map.noding().map(|summary| summary.crossings), Some(1));
+    /// assert!(matches!(cross()?.build_with(Noding::Exact), Err(BuildError::Crossing { count: 1, .. })));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::Full`]; with [`Noding::Exact`], [`BuildError::Crossing`]; with [`Noding::Snap`],
+    /// [`BuildError::CellSize`], [`BuildError::OutOfReach`] and [`BuildError::TooManyCuts`].
+    pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
+        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
+        drop((places, segment_numbers));
+        // A plane drawing is not cut.
+        let plane = if noding == Noding::Exact { Some(Placement::new(&points, &segments)?) } else { None };
+        let plane = plane.filter(|swept| swept.clash.is_none());
+        let (points, segments, noded) = match noding {
+            Noding::None => (points, segments, None),
+            Noding::Exact if plane.is_some() => (points, segments, Some(NodingSummary::default())),
+            Noding::Exact => {
+                let CutSegments { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
+                (points, segments, Some(summary))
+            }
+            Noding::Snap(snap) => {
+                let cuts = cuts.unwrap_or(usual_cuts(segments.len()));
+                let CutSegments { points, segments, summary } =
+                    cut::snapped(points, segments, &mut features, snap, cuts)?;
+                (points, segments, Some(summary))
+            }
+        };
+        let map = assembled(&points, &segments, &mut features, plane, |clash| match clash {
+            Clash::Cross { a, b } if noding == Noding::Exact => {
+                let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
+                let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
+                Err(BuildError::Crossing { one, other, count })
+            }
+            _ => Ok(()),
+        })?;
+        Ok(PlanarMap { summary, noding: noded, points: points_by_vertex(points), ..map })
+    }
+
+    /// Builds the map of the segments as they are. If it is not plane, the builder comes back, so that they can be cut without
+    /// being gathered again. Nothing is copied of a plane map. O(n log n).
+    ///
+    /// ```
+    /// use twinedge_map::{Builder, Noding};
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// let (map, kept) = builder.build_keeping()?;
+    /// assert!(!map.is_plane());
+    /// let cut = kept.unwrap().build_with(Noding::Snap(Default::default()))?;
+    /// assert_eq!(cut.dcel().vertex_count(), 5);
+    /// # Ok::<(), twinedge_map::BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::Full`].
+    pub fn build_keeping(self) -> Result<(PlanarMap, Option<Self>), BuildError> {
+        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
+        drop((places, segment_numbers));
+        let map = assembled(&points, &segments, &mut features, None, |_| Ok(()))?;
+        if map.is_plane() {
+            return Ok((PlanarMap { summary, points: points_by_vertex(points), ..map }, None));
+        }
+        let map = PlanarMap { summary: summary.clone(), points: points_by_vertex(points.clone()), ..map };
+        features.names.clone_from(&map.names);
+        let kept = Self { points, segments, features, summary, cuts, ..Self::default() };
+        Ok((map, Some(kept)))
+    }
+}
+
+/// −0 as 0.
+fn without_sign_of_zero(p: Point) -> Point {
+    Point::new(p.x + 0.0, p.y + 0.0)
+}
+
+/// The ends of a segment, in order.
+fn ends(from: u32, to: u32) -> [u32; 2] {
+    [from.min(to), from.max(to)]
+}
+
+fn hash_of_point(p: Point) -> u64 {
+    hash([p.x.to_bits(), p.y.to_bits()])
+}
+
+fn hash_of_segment([a, b]: [u32; 2]) -> u64 {
+    hash([a.into(), b.into()])
+}
+
+/// The map of segments, but for its points. Takes the names of the features. `refuse` is asked about segments that meet elsewhere than at their ends.
+fn assembled(
+    points: &[Point],
+    segments: &[[u32; 2]],
+    features: &mut GatheredFeatures,
+    swept: Option<Placement>,
+    refuse: impl FnOnce(Clash) -> Result<(), BuildError>,
+) -> Result<PlanarMap, BuildError> {
+    // Neither needs the other.
+    let (swept, turned) = threads::join(
+        || swept.map_or_else(|| Placement::new(points, segments), Ok),
+        || CombinatorialMap::new(points, segments),
+    );
+    let swept = swept?;
+    swept.clash.map_or(Ok(()), refuse)?;
+    let dcel = arrange(points, segments, &swept, turned)?;
+    let of_map = cover(&dcel, segments.len(), features);
+    Ok(PlanarMap {
+        points: Vec::new(),
+        not_plane: swept.clash.map(|clash| NotPlane::at(clash, points, segments)),
+        dcel,
+        names: core::mem::take(&mut features.names),
+        features: of_map,
+        summary: BuildSummary::default(),
+        noding: None,
+        index: KeptIndex::default(),
+        notes: Notes::default(),
+    })
+}

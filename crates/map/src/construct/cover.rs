@@ -1,0 +1,154 @@
+//! The features that cover each face, and those that run along each edge.
+//!
+//! A point belongs to a polygon if a ray from it crosses the rings an odd number of times. So from face to face, across an
+//! edge, the polygons that the point belongs to change by those that use the edge an odd number of times. One walk over all
+//! faces, from the unbounded one, which nothing covers, tells all of them.
+//!
+//! ```text
+//!   ┌─────────────┐     outside            nothing
+//!   │ a  ┌────────┼──┐  across a           a
+//!   │    │ ab   b │  │  across b           a, b
+//!   └────┼────────┘  │  across a again     b
+//!        └───────────┘
+//! ```
+//!
+//! The walk goes back as it came, so that there is one state to keep: for each polygon whether the place belongs to it, and
+//! for each feature how many of its polygons that are. O(segments of all features · log features), expected.
+
+use super::arrange::half_edge;
+use super::gathered::{GatheredFeatures, Part};
+use crate::FeatureId;
+use crate::feature_sets::FeatureSets;
+use crate::feature_tries::SetId;
+use twinedge::dcel::Dcel;
+
+/// The parts that use each segment, in order, once for each use.
+struct Uses {
+    first: Vec<usize>,
+    parts: Vec<u32>,
+}
+
+impl Uses {
+    fn of(&self, segment: usize) -> &[u32] {
+        &self.parts[self.first[segment]..self.first[segment + 1]]
+    }
+}
+
+/// A step of the walk.
+enum Step {
+    /// Into the face of the half-edge with this index, unless it is known.
+    Enter(usize),
+    /// Back across this segment.
+    Leave(usize),
+}
+
+/// The position of the walk: the polygons that it is in, and their number for each feature.
+struct State {
+    inside: Vec<bool>,
+    polygons: Vec<u32>,
+}
+
+/// The features of the faces and edges of a map that was made of `segments` segments.
+pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -> FeatureSets {
+    let GatheredFeatures { names, parts, .. } = gathered;
+    let uses = uses(segments, gathered);
+    let mut sets = FeatureSets::default();
+    let singles: Vec<SetId> = (0..names.len() as u32).map(|feature| sets.single(FeatureId::new(feature))).collect();
+    // Neighbours mostly have the same features.
+    let (mut features, mut last) = (Vec::new(), (Vec::new(), SetId::default()));
+    for segment in 0..segments {
+        features.clear();
+        features.extend(uses.of(segment).iter().map(|part| parts[*part as usize].feature));
+        features.dedup();
+        if features.is_empty() {
+            continue;
+        }
+        if features != last.0 {
+            last.0.clone_from(&features);
+            let either = |set, feature: &u32| sets.either(set, singles[*feature as usize]);
+            last.1 = features.iter().fold(SetId::default(), either);
+        }
+        sets.put_along(first_half_edge(segment), last.1);
+    }
+    walk(dcel, &uses, parts, &mut sets, &singles);
+    sets
+}
+
+fn uses(segments: usize, gathered: &GatheredFeatures) -> Uses {
+    // Summed up, `first[s + 1]` is where those of segment s begin, and filing them moves it to where they end.
+    let mut first = vec![0; segments + 2];
+    for dart in &gathered.darts {
+        first[(dart >> 1) as usize + 2] += 1;
+    }
+    for i in 1..first.len() {
+        first[i] += first[i - 1];
+    }
+    let mut filed = vec![0; first[segments + 1]];
+    for ((_, darts), part) in gathered.all().zip(0..) {
+        for dart in darts {
+            let place = &mut first[(dart >> 1) as usize + 1];
+            filed[*place] = part;
+            *place += 1;
+        }
+    }
+    Uses { first, parts: filed }
+}
+
+const fn first_half_edge(segment: usize) -> usize {
+    half_edge((segment << 1) as u32) as usize
+}
+
+fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, singles: &[SetId]) {
+    let mut state = State { inside: vec![false; parts.len()], polygons: vec![0; singles.len()] };
+    let mut known = vec![false; dcel.faces().last().map_or(0, |face| face.index() + 1)];
+    let unbounded = dcel.unbounded_face();
+    known[unbounded.index()] = true;
+    let mut steps: Vec<Step> = unbounded.half_edges().map(|h| Step::Enter(h.twin().index())).collect();
+    while let Some(step) = steps.pop() {
+        let entered = match step {
+            Step::Leave(segment) => {
+                state.cross(uses.of(segment), parts, |_, _| {});
+                continue;
+            }
+            Step::Enter(h) => dcel.half_edge_at(h),
+        };
+        let Some(h) = entered else { continue };
+        let face = h.face();
+        if std::mem::replace(&mut known[face.index()], true) {
+            continue;
+        }
+        let segment = (h.index() - first_half_edge(0)) / 2;
+        // Those that begin come last: most faces have one feature, and no set of two is looked up between.
+        let (mut set, mut begun) = (sets.of_face(h.twin().face().index()), SetId::default());
+        state.cross(uses.of(segment), parts, |feature, begins| {
+            let changed = if begins { &mut begun } else { &mut set };
+            *changed = sets.differing(*changed, singles[feature as usize]);
+        });
+        let set = sets.differing(set, begun);
+        sets.put_face(face.index(), set);
+        steps.push(Step::Leave(segment));
+        steps.extend(
+            face.half_edges().map(|h| h.twin()).filter(|h| !known[h.face().index()]).map(|h| Step::Enter(h.index())),
+        );
+    }
+}
+
+impl State {
+    /// Crosses a segment, and gives the features that begin (true) or end there; one that does both is given twice.
+    fn cross(&mut self, uses: &[u32], parts: &[Part], mut changes: impl FnMut(u32, bool)) {
+        for same in uses.chunk_by(|a, b| a == b) {
+            let part = parts[same[0] as usize];
+            if !part.is_polygon || same.len() % 2 == 0 {
+                continue;
+            }
+            let inside = &mut self.inside[same[0] as usize];
+            *inside = !*inside;
+            let polygons = &mut self.polygons[part.feature as usize];
+            let before = *polygons;
+            *polygons = if *inside { before + 1 } else { before - 1 };
+            if before == 0 || *polygons == 0 {
+                changes(part.feature, before == 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! G3 winding: outer cycles turn counter-clockwise, inner ones clockwise.
+
+use crate::drawing::columns::Columns;
+use crate::drawing::lists::{Listed, Lists};
+use core::cmp::Ordering;
+use twinedge::validate::{Findings, Flow, Rule, Start, Violation};
+use twinedge_geometry::Point;
+use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
+
+/// Runs G3.
+pub(crate) fn check(findings: &mut Findings, columns: &Columns, lists: &Lists) -> Flow {
+    let mut checked = 0;
+    let mut seen = vec![false; columns.origin.len()];
+    for Listed { boundary, start, is_outer, .. } in &lists.all {
+        // By B1, no two start on one cycle.
+        let Start::HalfEdge(h) = *start else { continue };
+        if seen[h] {
+            continue;
+        }
+        checked += 1;
+        match (is_outer, turns_clockwise(columns, h, &mut seen)) {
+            (true, true) => findings.add(Violation::OuterClockwise { boundary: *boundary })?,
+            (false, false) => findings.add(Violation::InnerCounterClockwise { boundary: *boundary })?,
+            _ => {}
+        }
+    }
+    findings.checked(Rule::G3, checked);
+    Ok(())
+}
+
+/// True if the face lies around the cycle, not inside it: at the lexicographically smallest point, a vertex or a bend, it lies to
+/// the left. A cycle may pass there more than once.
+fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
+    let mut low = columns.tail(start);
+    let mut around = false;
+    let (mut before, mut at) = (low, columns.towards(start));
+    let mut pass = |after: Point| {
+        match compare_lexicographic(at, low) {
+            Ordering::Less => {
+                low = at;
+                around = corner_opens_left(before, at, after);
+            }
+            Ordering::Equal => around |= corner_opens_left(before, at, after),
+            Ordering::Greater => {}
+        }
+        (before, at) = (at, after);
+    };
+    let mut h = start;
+    // The first point of the cycle's line is where the walk is at the beginning.
+    let mut skip = 1;
+    loop {
+        seen[h] = true;
+        columns.line(h).skip(skip).for_each(&mut pass);
+        skip = 0;
+        h = columns.next(h);
+        if h == start {
+            pass(columns.towards(start));
+            return around;
+        }
+    }
+}
+
+/// True if the corner to the left of the way `before`, `at`, `after` holds the direction straight to the left, where `at` is the
+/// smallest of the three.
+fn corner_opens_left(before: Point, at: Point, after: Point) -> bool {
+    before == after || orientation(at, before, after) == Orientation::CounterClockwise
+}

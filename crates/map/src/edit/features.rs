@@ -1,0 +1,174 @@
+//! Saying which features there are, what they cover, and where they run.
+
+use super::error::EditError;
+use crate::FeatureId;
+use crate::feature_sets::FeatureSets;
+use crate::feature_tries::SetId;
+use crate::notes::MapEntry;
+use crate::planar_map::PlanarMap;
+use slotmap::Key;
+use twinedge::dcel::extend::Step;
+use twinedge::dcel::{FaceKey, HalfEdgeKey};
+
+impl PlanarMap {
+    /// Adds a feature that covers nothing yet. O(1), amortised.
+    ///
+    /// ```
+    /// use twinedge_map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+    /// let (_, inside) = ring.faces_split[0];
+    /// let garden = map.add_feature(Some("garden".into()));
+    /// map.set_features_of(inside, [garden])?;
+    /// for edge in ring.way {
+    ///     map.set_features_along(edge, [garden])?;
+    /// }
+    /// assert!(map.features_of(inside)?.eq([garden]));
+    /// assert_eq!(twinedge_algorithm::area::feature_area(&map, garden), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
+        self.notes.write(|| MapEntry::Feature(None));
+        let feature = FeatureId::new(self.names.len() as u32);
+        self.names.push(name);
+        self.give_made_feature(feature);
+        feature
+    }
+
+    /// Takes a feature off all faces and edges, and its name away. Returns the name.
+    ///
+    /// Its number is not given to another one: it stays that of a feature without name, which covers nothing and cannot cover anything any more.
+    ///
+    /// O((faces + edges) · log features).
+    ///
+    /// ```
+    /// use twinedge_map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let inside = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?.faces_split[0].1;
+    /// let garden = map.add_feature(Some("garden".into()));
+    /// map.set_features_of(inside, [garden])?;
+    /// assert_eq!(map.remove_feature(garden)?.as_deref(), Some("garden"));
+    /// assert_eq!(map.features_of(inside)?.count(), 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EditError::NoSuchFeature`], also if it was removed before; [`EditError::Operator`] if the policy of an attribute refuses. Nothing
+    /// changes then.
+    pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
+        self.checked([feature])?;
+        self.announce_feature(Step::Drop(feature.data()))?;
+        Ok(self.replace_feature(feature, SetId::default()))
+    }
+
+    /// Merges two features: `dropped` is [removed](Self::remove_feature), and `kept` covers and runs along what it did.
+    ///
+    /// O((faces + edges) · log features).
+    ///
+    /// ```
+    /// use twinedge_map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let inside = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?.faces_split[0].1;
+    /// let [town, village] = ["town", "village"].map(|name| map.add_feature(Some(name.into())));
+    /// map.set_features_of(inside, [village])?;
+    /// map.merge_features(town, village)?;
+    /// assert!(map.features_of(inside)?.eq([town]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`remove_feature`](Self::remove_feature).
+    pub fn merge_features(&mut self, kept: FeatureId, dropped: FeatureId) -> Result<(), EditError> {
+        self.checked([kept, dropped])?;
+        if kept != dropped {
+            self.announce_feature(Step::Merge(kept.data(), dropped.data()))?;
+            let kept = self.features.single(kept);
+            self.replace_feature(dropped, kept);
+        }
+        Ok(())
+    }
+
+    /// Puts the features of a set wherever another one was, and takes its name.
+    fn replace_feature(&mut self, feature: FeatureId, others: SetId) -> Option<String> {
+        let single = self.features.single(feature);
+        let faces: Vec<usize> = self.dcel.faces().map(|f| f.index()).collect();
+        for face in faces {
+            let set = self.features.of_face(face);
+            if self.features.common(set, single) == single {
+                let rest = self.features.differing(set, single);
+                let set = self.features.either(rest, others);
+                self.cover_face(face, set);
+            }
+        }
+        let edges: Vec<usize> = self.dcel.edges().map(|h| h.index()).collect();
+        for edge in edges {
+            let set = self.features.along(edge);
+            if self.features.common(set, single) == single {
+                let rest = self.features.differing(set, single);
+                let set = self.features.either(rest, others);
+                self.cover_edge(edge, set);
+            }
+        }
+        self.features.removed.insert(feature);
+        let name = self.names[feature.index()].take();
+        self.notes.write(|| MapEntry::Name(feature.number(), name.clone().map(String::into_boxed_str)));
+        name
+    }
+
+    /// Says which features cover a face, in place of those that did. O(k log k) for k features. For an example see
+    /// [`add_feature`](Self::add_feature).
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_of(
+        &mut self,
+        face: FaceKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.face(face)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(set);
+        self.cover_face(index, set);
+        Ok(())
+    }
+
+    /// Says which features run along an edge, in place of those that did. O(k log k) for k features. For an example see
+    /// [`add_feature`](Self::add_feature).
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_along(
+        &mut self,
+        half_edge: HalfEdgeKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.half_edge(half_edge)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(set);
+        self.cover_edge(index, set);
+        Ok(())
+    }
+
+    /// Takes all features away, and the numbers that were given to them. No log has that. O(features).
+    pub fn forget_features(&mut self) {
+        self.names.clear();
+        self.features = FeatureSets::default();
+    }
+
+    /// The features in order, each once.
+    fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
+        let mut set = features.into_iter().map(|feature| self.present(feature)).collect::<Result<Vec<_>, _>>()?;
+        set.sort_unstable();
+        set.dedup();
+        Ok(set)
+    }
+
+    /// The feature, unless it is none of the map, or was removed.
+    pub(crate) fn present(&self, feature: FeatureId) -> Result<FeatureId, EditError> {
+        let is_present = feature.index() < self.names.len() && !self.features.removed.contains(&feature);
+        is_present.then_some(feature).ok_or(EditError::NoSuchFeature(feature))
+    }
+}

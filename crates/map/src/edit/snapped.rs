@@ -1,0 +1,201 @@
+//! Drawing a segment that crosses edges, with the crossings rounded to a grid.
+
+use super::at::At;
+use super::error::EditError;
+use super::outcome::Edited;
+use super::plan::{EdgeChange, SnapPlan};
+use super::trace::Towards;
+use crate::feature_tries::SetId;
+use crate::locate::located::Located;
+use crate::planar_map::PlanarMap;
+use rustc_hash::FxHashMap;
+use twinedge::dcel::{HalfEdgeKey, VertexKey};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Snap, node};
+use twinedge_geometry::predicates::MIN_COORDINATE;
+
+impl PlanarMap {
+    /// Inserts a segment, cutting what it crosses, with all new vertices rounded to a grid.
+    ///
+    /// ```text
+    ///          │                      │
+    ///          │    ╱                 │  ╱·
+    ///   ·──────┼──╱───·        ·──────┼·────·        The crossings are rounded; so the segment
+    ///          │╱             ──►    ╱│              and the edges that it crosses are bent a little.
+    ///        ╱ │                  ·╱  │
+    /// ```
+    ///
+    /// The outcome is that of [noding](twinedge_geometry::noding) the segment together with all edges and vertices of the map: its
+    /// ends go to the nearest grid points; each crossing becomes a vertex on the grid; the segment, and any edge, is bent
+    /// through each vertex whose pixel it visits; a segment that ends up as one point leaves a vertex. What that
+    /// guarantees is said there. No vertex of the map moves, none changes sides, and [`Edited::way`] runs within about a
+    /// cell of the segment. Rounding may do what the segment alone does not: edges that come to lie on each other become
+    /// one, and slivers of faces between them are gone.
+    ///
+    /// All vertices of the map must be on the grid, and are where the map was built from what noding gave, with
+    /// [`Snap::Size`] of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or was drawn on by this edit alone.
+    /// (Only those near enough to be looked at are held against it.) [`Snap::Auto`] is the grid for the largest coordinate of
+    /// the map and the segment, so it is the same as before only as long as that is.
+    ///
+    /// Features follow their area: each face is covered by what covered the face that it was part of, also where edges
+    /// come to lie on each other. An edge that lies where several were has the features of all. Edges that are bent
+    /// through new vertices only are [split](Edited::edges_split), and keep their key and their faces. Others are
+    /// [dropped](Edited::edges_dropped) and [made](Edited::edges_made) anew along their way, so that faces beside them are
+    /// merged and split for a moment; see [`Edited::faces_relabelled`] then.
+    ///
+    /// O(s log s) for s edges around the faces that the segment passes and beside the edges that are bent, once its first
+    /// point is found (see [`At`]), and what it costs to split each face. Only those that come near the segment or a bent
+    /// edge are noded. With [`Snap::Auto`], O(vertices) besides.
+    ///
+    /// ```
+    /// use twinedge_geometry::Point;
+    /// use twinedge_geometry::noding::Snap;
+    /// use twinedge_map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let grid = Snap::Size(1.0);
+    /// map.insert_segment_snapped([0.0, 0.0], [9.0, 3.0], grid)?;
+    /// let second = map.insert_segment_snapped([0.0, 4.0], [8.0, 0.0], grid)?;
+    /// // They cross at (4.8, 1.6).
+    /// assert_eq!((second.edges_split.len(), second.way.len()), (1, 2));
+    /// assert_eq!(map.position(second.vertices_made[0])?, Point::new(5.0, 2.0));
+    /// assert!(map.validate().is_valid());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`], also of a grid point;
+    /// [`EditError::NoLength`]; [`EditError::NotOnGrid`]; [`EditError::CellSize`]; [`EditError::OutOfReach`];
+    /// [`EditError::Operator`] for a stale key or a map that is full.
+    pub fn insert_segment_snapped(
+        &mut self,
+        from: impl Into<At>,
+        to: impl Into<At>,
+        snap: Snap,
+    ) -> Result<Edited, EditError> {
+        self.editable()?;
+        let (from, to) = (from.into(), to.into());
+        let ends = [self.point_of(from)?, self.point_of(to)?];
+        if ends[0] == ends[1] {
+            return Err(EditError::NoLength { x: ends[0].x, y: ends[0].y });
+        }
+        let start = self.place_of(from)?;
+        let (region, noded) = self.region(start, ends, self.cell(snap, ends)?)?;
+        let mut plan = SnapPlan::new(region, noded)?;
+        let through = plan.changes.iter().map(|change| change.chain.len()).sum::<usize>() + plan.way.len();
+        self.room_for_drawing(through)?;
+        self.atomically(|map| map.apply(&mut plan, start))
+    }
+
+    /// The width of a cell, whatever part of the map is noded. One that is asked for is only rounded down, if it is one.
+    fn cell(&self, snap: Snap, ends: [Point; 2]) -> Result<f64, EditError> {
+        if let Snap::Size(size) = snap {
+            return Ok(size);
+        }
+        let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
+        let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
+        // The predicates must be exact on grid points, too.
+        let corner = [Point::new(largest, 0.0)];
+        let noded = node(&[], &corner, snap).map_err(|error| EditError::of_noding(error, &[], &corner))?;
+        Ok(noded.summary.cell.max(MIN_COORDINATE))
+    }
+
+    fn apply(&mut self, plan: &mut SnapPlan, start: Located) -> Result<Edited, EditError> {
+        let mut edited = Edited::default();
+        let outside = self.features.of_face(self.dcel.unbounded_face().index());
+        for change in plan.changes.iter().filter(|change| change.bends) {
+            let mut part = plan.region.edges[change.edge].key;
+            for number in &change.chain[1..change.chain.len() - 1] {
+                let v = self.split(part, plan.points[*number as usize], &mut edited)?;
+                plan.vertices.insert(*number, v);
+                part = self.dcel.half_edge(part)?.next().key();
+            }
+        }
+        let rerouted: Vec<&EdgeChange> = plan.changes.iter().filter(|change| !change.bends).collect();
+        for change in &rerouted {
+            self.erase(plan.region.edges[change.edge].key, &mut edited)?;
+        }
+        let vertices = &mut plan.vertices;
+        for change in &rerouted {
+            let way = self.draw_noded(&change.chain, &plan.points, vertices, start, &mut edited)?;
+            for h in way {
+                self.add_along(h, plan.region.edges[change.edge].along, &mut edited)?;
+            }
+        }
+        edited.way = self.draw_noded(&plan.way, &plan.points, vertices, start, &mut edited)?;
+        edited.vertices = [plan.way.first(), plan.way.last()].into_iter().flatten().map(|n| vertices[n]).collect();
+        if !rerouted.is_empty() {
+            self.relabel(plan, outside, &mut edited)?;
+        }
+        Ok(edited)
+    }
+
+    /// Draws a chain of the noded drawing, and gives the half-edges along it.
+    fn draw_noded(
+        &mut self,
+        chain: &[u32],
+        points: &[Point],
+        vertices: &mut FxHashMap<u32, VertexKey>,
+        start: Located,
+        edited: &mut Edited,
+    ) -> Result<Vec<HalfEdgeKey>, EditError> {
+        let point = |number: u32| points[number as usize];
+        let first = if let Some(first) = chain.iter().position(|number| vertices.contains_key(number)) {
+            first
+        } else {
+            // Nothing of the map is met, so all of it lies in the face where the segment starts.
+            let v = self.make_in_the_open(point(chain[0]), start, edited)?;
+            vertices.insert(chain[0], v);
+            0
+        };
+        // From what is there in both directions: each vertex lies in the corner towards it of the one before.
+        let outwards = (0..first).rev().map(|i| [i + 1, i]).chain((first + 1..chain.len()).map(|i| [i - 1, i]));
+        let mut way = vec![None; chain.len() - 1];
+        for [i, j] in outwards {
+            let from = vertices[&chain[i]];
+            let to = if let Some(v) = vertices.get(&chain[j]) {
+                *v
+            } else {
+                let v = self.make_beside(from, point(chain[j]), edited)?;
+                vertices.insert(chain[j], v);
+                v
+            };
+            let h = self.join(from, to, edited)?;
+            way[i.min(j)] = Some(if i < j { h } else { self.dcel.half_edge(h)?.twin().key() });
+        }
+        Ok(way.into_iter().flatten().collect())
+    }
+
+    /// Makes an isolated vertex at a point that a segment from a vertex reaches without meeting anything.
+    fn make_beside(&mut self, from: VertexKey, p: Point, edited: &mut Edited) -> Result<VertexKey, EditError> {
+        let v = self.dcel.vertex(from)?;
+        let face = match self.towards(v, p) {
+            Towards::Along(h) | Towards::Corner(h) => Some(h.face()),
+            Towards::Isolated => v.isolated().map(|b| b.face()),
+        };
+        let face = face.unwrap_or(self.dcel.unbounded_face()).key();
+        self.make_isolated(p, face, edited)
+    }
+
+    /// Makes an isolated vertex at a point in the interior of a face, that of `start` unless this is gone by now.
+    fn make_in_the_open(&mut self, p: Point, start: Located, edited: &mut Edited) -> Result<VertexKey, EditError> {
+        let likely = match start {
+            Located::Face(face) => Some(face).filter(|face| self.dcel.face(*face).is_ok()),
+            Located::Vertex(_) | Located::Edge(_) => None,
+        };
+        let place = self.place(p, likely)?;
+        self.realise(p, place, edited)
+    }
+
+    /// Adds features to those along an edge.
+    fn add_along(&mut self, h: HalfEdgeKey, more: SetId, edited: &mut Edited) -> Result<(), EditError> {
+        let index = self.dcel.half_edge(h)?.index();
+        let had = self.features.along(index);
+        let all = self.features.either(had, more);
+        if all != had {
+            self.cover_edge(index, all);
+            edited.edges_relabelled.push(h);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,240 @@
+//! Sets of features, each kept once, that share what they have in common.
+//!
+//! A set is a binary trie over the numbers of its features, with 64 of them in a leaf. Equal parts of sets are one node
+//! (hash-consing), so sets are equal if their nodes are, and a set that differs from another in one feature costs
+//! O(log features) nodes, however large both are. With ten thousand polygons inside each other, each face has its set.
+//!
+//! Source: Okasaki and Gill, "Fast mergeable integer maps", 1998.
+
+use super::number_table::{NumberTable, hash};
+use crate::FeatureId;
+
+/// The number of a set of features.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub struct SetId(u32);
+
+const EMPTY: SetId = SetId(0);
+
+/// The bits of a feature's number that choose one of the 64 of a leaf.
+const LEAF_BITS: u32 = 6;
+
+/// As many nodes lie side by side on the way to a leaf, one for each bit left, and the leaf.
+const DEPTH: usize = (u32::BITS - LEAF_BITS) as usize + 1;
+
+/// Part of a set. The upper bits of all its features are those of `prefix`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Node {
+    Leaf {
+        prefix: u32,
+        /// A bit for each of the 64 features that is in the set; 0 in the empty set only.
+        bits: u64,
+    },
+    /// Neither side is empty.
+    Branch {
+        prefix: u32,
+        /// The bit in which the features of both sides differ.
+        bit: u32,
+        sides: [SetId; 2],
+    },
+}
+
+impl Node {
+    const fn prefix(self) -> u32 {
+        match self {
+            Self::Leaf { prefix, .. } | Self::Branch { prefix, .. } => prefix,
+        }
+    }
+
+    fn hash(self) -> u64 {
+        let both = |a: u32, b: u32| u64::from(a) << 32 | u64::from(b);
+        match self {
+            Self::Leaf { prefix, bits } => hash([prefix.into(), bits]),
+            Self::Branch { prefix, bit, sides: [low, high] } => hash([both(prefix, bit), both(low.0, high.0)]),
+        }
+    }
+
+    /// Returns the number of lower bits in which its features may differ.
+    const fn width(self) -> u32 {
+        match self {
+            Self::Leaf { .. } => LEAF_BITS,
+            Self::Branch { bit, .. } => bit + 1,
+        }
+    }
+}
+
+/// An operation on two sets.
+#[derive(Clone, Copy)]
+pub(super) enum SetOperation {
+    Common,
+    Either,
+    Differing,
+}
+
+/// All sets that have occurred.
+#[derive(Clone, Debug)]
+pub(super) struct FeatureTries {
+    /// By number of set.
+    nodes: Vec<Node>,
+    numbers: NumberTable,
+}
+
+impl Default for FeatureTries {
+    fn default() -> Self {
+        Self { nodes: vec![Node::Leaf { prefix: 0, bits: 0 }], numbers: NumberTable::default() }
+    }
+}
+
+/// The bits of a number from this one upwards.
+const fn above(number: u32, width: u32) -> u32 {
+    if width >= u32::BITS { 0 } else { number >> width << width }
+}
+
+impl FeatureTries {
+    /// The set of one feature. O(1), expected.
+    pub(super) fn single(&mut self, feature: FeatureId) -> SetId {
+        let number = feature.number();
+        let prefix = above(number, LEAF_BITS);
+        self.leaf(prefix, 1 << (number - prefix))
+    }
+
+    /// The set of these features. O(features · log), expected.
+    pub(super) fn number(&mut self, features: impl IntoIterator<Item = FeatureId>) -> SetId {
+        features.into_iter().fold(EMPTY, |set, feature| {
+            let single = self.single(feature);
+            self.combined(SetOperation::Either, set, single)
+        })
+    }
+
+    /// The features of a set, in order. O(log features) for the first, O(1) for each other on average.
+    pub(super) fn members(&self, set: SetId) -> Members<'_> {
+        let mut rest = [EMPTY; DEPTH];
+        rest[0] = set;
+        Members { nodes: &self.nodes, rest, left: 1, prefix: 0, bits: 0 }
+    }
+
+    /// The set of those in both, in either, or in one only. O(log features) for each feature in one set only.
+    pub(super) fn combined(&mut self, operation: SetOperation, a: SetId, b: SetId) -> SetId {
+        let all = !matches!(operation, SetOperation::Common);
+        if a == b {
+            return if matches!(operation, SetOperation::Differing) { EMPTY } else { a };
+        }
+        if a == EMPTY || b == EMPTY {
+            return match (all, a == EMPTY) {
+                (false, _) => EMPTY,
+                (true, true) => b,
+                (true, false) => a,
+            };
+        }
+        let (one, other) = (self.nodes[a.0 as usize], self.nodes[b.0 as usize]);
+        let width = one.width().max(other.width());
+        if above(one.prefix(), width) != above(other.prefix(), width) {
+            return if all { self.side_by_side(a, b) } else { EMPTY };
+        }
+        // The recursion ends, as the widths fall with each step.
+        match (one, other) {
+            (Node::Leaf { prefix, bits }, Node::Leaf { bits: others, .. }) => {
+                let bits = match operation {
+                    SetOperation::Common => bits & others,
+                    SetOperation::Either => bits | others,
+                    SetOperation::Differing => bits ^ others,
+                };
+                self.leaf(prefix, bits)
+            }
+            (Node::Branch { prefix, bit, sides }, Node::Branch { bit: other_bit, sides: others, .. })
+                if bit == other_bit =>
+            {
+                let sides = [0, 1].map(|side| self.combined(operation, sides[side], others[side]));
+                self.branch(prefix, bit, sides)
+            }
+            (Node::Branch { prefix, bit, sides }, inside) if bit + 1 > inside.width() => {
+                self.inside(operation, (prefix, bit, sides), b, inside)
+            }
+            (inside, Node::Branch { prefix, bit, sides }) => self.inside(operation, (prefix, bit, sides), a, inside),
+            // A leaf is the narrowest of all, so a branch on the left is the wider one.
+            (Node::Branch { .. }, Node::Leaf { .. }) => EMPTY,
+        }
+    }
+
+    /// Applies the operation to a branch and a set that lies on one side of it.
+    fn inside(
+        &mut self,
+        operation: SetOperation,
+        (prefix, bit, mut sides): (u32, u32, [SetId; 2]),
+        set: SetId,
+        node: Node,
+    ) -> SetId {
+        let side = (node.prefix() >> bit & 1) as usize;
+        let combined = self.combined(operation, sides[side], set);
+        if matches!(operation, SetOperation::Common) {
+            return combined;
+        }
+        sides[side] = combined;
+        self.branch(prefix, bit, sides)
+    }
+
+    /// All of two sets whose prefixes differ.
+    fn side_by_side(&mut self, a: SetId, b: SetId) -> SetId {
+        let [one, other] = [a, b].map(|set| self.nodes[set.0 as usize].prefix());
+        let bit = (one ^ other).ilog2();
+        let sides = if one < other { [a, b] } else { [b, a] };
+        self.branch(above(one, bit + 1), bit, sides)
+    }
+
+    fn leaf(&mut self, prefix: u32, bits: u64) -> SetId {
+        if bits == 0 { EMPTY } else { self.intern(Node::Leaf { prefix, bits }) }
+    }
+
+    fn branch(&mut self, prefix: u32, bit: u32, sides: [SetId; 2]) -> SetId {
+        match sides {
+            [EMPTY, set] | [set, EMPTY] => set,
+            _ => self.intern(Node::Branch { prefix, bit, sides }),
+        }
+    }
+
+    fn intern(&mut self, node: Node) -> SetId {
+        let Self { nodes, numbers } = self;
+        if let Some(known) = numbers.find(node.hash(), |number| nodes[number as usize] == node) {
+            return SetId(known);
+        }
+        nodes.push(node);
+        numbers.extend(nodes.len(), |number| nodes[number as usize].hash());
+        SetId(nodes.len() as u32 - 1)
+    }
+}
+
+/// The features of a set, in order.
+#[derive(Clone)]
+pub(super) struct Members<'a> {
+    nodes: &'a [Node],
+    /// The nodes after the current leaf, the next one last.
+    rest: [SetId; DEPTH],
+    /// The number of entries of `rest` in use.
+    left: usize,
+    /// The upper bits of the features of the current leaf.
+    prefix: u32,
+    bits: u64,
+}
+
+impl Iterator for Members<'_> {
+    type Item = FeatureId;
+
+    fn next(&mut self) -> Option<FeatureId> {
+        while self.bits == 0 {
+            self.left = self.left.checked_sub(1)?;
+            match self.nodes[self.rest[self.left].0 as usize] {
+                Node::Leaf { prefix, bits } => (self.prefix, self.bits) = (prefix, bits),
+                Node::Branch { sides: [low, high], .. } => {
+                    self.rest[self.left] = high;
+                    self.rest[self.left + 1] = low;
+                    self.left += 2;
+                }
+            }
+        }
+        let lowest = self.bits.trailing_zeros();
+        self.bits &= self.bits - 1;
+        Some(FeatureId::new(self.prefix + lowest))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,286 @@
+//! Maps as serde saves and loads them.
+
+use super::certificate::{DrawingError, draw};
+use super::feature_sets::FeatureSets;
+use super::feature_tries::SetId;
+use super::planar_map::PlanarMap;
+use super::summary::BuildSummary;
+use crate::FeatureId;
+use rustc_hash::FxHashMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
+use thiserror::Error;
+use twinedge::dcel::Dcel;
+use twinedge::validate::Report;
+use twinedge_certificate::{Drawing, Failure, Labels, LabelsError, check_drawing};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::NodingSummary;
+use twinedge_geometry::predicates::in_range;
+
+/// The number of the form that is written here.
+const FORM: u8 = 1;
+
+/// The saved form of a map: its live records in order of their indices.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SavedMap<D, C> {
+    form: u8,
+    dcel: D,
+    /// By vertex.
+    points: Vec<Point>,
+    /// By number of feature.
+    names: Vec<Option<String>>,
+    /// Each set of features that occurs, in ascending order.
+    sets: Vec<Vec<u32>>,
+    /// By face: the set that covers it.
+    faces: Vec<usize>,
+    /// By edge: the set that runs along it.
+    edges: Vec<usize>,
+    summary: BuildSummary,
+    noding: Option<NodingSummary>,
+    /// The features that were removed, in ascending order.
+    #[serde(default)]
+    removed: Vec<u32>,
+    /// The certificate of the drawing, if it was saved with one.
+    #[serde(default = "Option::default")]
+    drawing: Option<C>,
+}
+
+/// A map and the certificate of its drawing, to be saved together: see [`PlanarMap::certified`].
+#[derive(Clone, Debug)]
+pub struct Certified<'m> {
+    map: &'m PlanarMap,
+    drawing: Drawing,
+}
+
+/// An error in the saved form of a map.
+#[derive(Debug, Error)]
+enum LoadError {
+    #[error("form {0} of a map is not known")]
+    Form(u8),
+    #[error("there are {found} entries for {count} {what}")]
+    Count { what: &'static str, found: usize, count: usize },
+    #[error("set {0} of features is not sorted, or has a feature that the map does not have")]
+    BadSet(usize),
+    #[error("feature {0} cannot have been removed: it has a name, or is none of the map")]
+    Removed(u32),
+    #[error("there is no set {0} of features")]
+    NoSuchSet(usize),
+    #[error("the map is not valid:\n{0}")]
+    Invalid(Box<Report>),
+    #[error("the certificate of the map is wrong: {0}")]
+    Certificate(Failure),
+    #[error("the certificate of the map is one of another drawing: vertex {0} lies elsewhere there")]
+    OtherDrawing(usize),
+    #[error("vertex {0} lies where predicates are not exact")]
+    OutOfRange(usize),
+    #[error(transparent)]
+    Labels(#[from] LabelsError),
+}
+
+/// Saves the keys, so that data that is saved beside the map by key finds its records again; edges of no feature
+/// and isolated vertices; names and features; the summaries. O(n).
+///
+/// Values of [attributes](PlanarMap#attributes) are saved beside it: see the second example.
+///
+/// Only plane maps can be saved ([`PlanarMap::is_plane`]). The index of [`locate`](PlanarMap::locate) is not: in JSON, reading one takes as long as
+/// building it.
+///
+/// ```
+/// use twinedge_map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+/// let garden = map.add_feature(Some("garden".into()));
+/// map.set_features_of(ring.faces_split[0].1, [garden])?;
+///
+/// let text = serde_json::to_string(&map)?;
+/// let again: PlanarMap = serde_json::from_str(&text)?;
+/// assert_eq!(again.position(ring.vertices[1])?, [4.0, 0.0].into());
+/// assert!(again.features_of(ring.faces_split[0].1)?.eq([garden]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Ids and owners are saved as maps of keys, and ids go on where they were:
+///
+/// ```
+/// use twinedge::dcel::{FaceKey, Faces, Policy, SecondaryMap};
+/// use twinedge_map::PlanarMap;
+///
+/// let owners = || Policy::<Faces, String>::of_faces().split_copy().merge_equal();
+/// let mut map = PlanarMap::new();
+/// let (id, owner) = (map.add_attribute(Policy::of_faces().ids(1)), map.add_attribute(owners()));
+/// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+/// map.set_value(owner, ring.faces_split[0].1, "Ada")?;
+/// let saved = serde_json::to_string(&(&map, map.next_id(id), map.values(id), map.values(owner)))?;
+///
+/// type Values<T> = SecondaryMap<FaceKey, T>;
+/// let (mut map, next, ids, names): (PlanarMap, u64, Values<u64>, Values<String>) = serde_json::from_str(&saved)?;
+/// let id = map.add_attribute_with(Policy::of_faces().ids(next), ids);
+/// let owner = map.add_attribute_with(owners(), names);
+/// let parcel = map.find(id, &1).unwrap();
+/// assert_eq!((map.value(owner, parcel).map(String::as_str), map.next_id(id)), (Some("Ada"), Some(2)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+impl Serialize for PlanarMap {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.save(None, serializer)
+    }
+}
+
+/// Saves the map as without the certificate, and that, which takes some more place. O(n).
+impl Serialize for Certified<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.map.save(Some(&self.drawing), serializer)
+    }
+}
+
+impl PlanarMap {
+    /// Adds a certificate of the drawing to the map, to be saved with it: whoever loads the map then checks the certificate, O(n), and
+    /// does not validate it, O(n log n). It is loaded as a map without one is, and what is wrong is an error all the same.
+    ///
+    /// Checking takes half the time of validating, but there are two and a half times as many bytes to be read: that pays in binary formats.
+    ///
+    /// O(n log n), as [`draw`](super::certificate::draw).
+    ///
+    /// ```
+    /// use twinedge_map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+    /// let mut saved = serde_json::to_value(map.certified()?)?;
+    /// assert_eq!(serde_json::from_value::<PlanarMap>(saved.clone())?, map);
+    ///
+    /// saved["points"][0] = [1.0, 0.0].into();
+    /// let refused = serde_json::from_value::<PlanarMap>(saved).unwrap_err();
+    /// assert!(refused.to_string().starts_with("the certificate of the map is one of another drawing"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`DrawingError`].
+    pub fn certified(&self) -> Result<Certified<'_>, DrawingError> {
+        Ok(Certified { map: self, drawing: draw(self)? })
+    }
+
+    fn save<S: Serializer>(&self, drawing: Option<&Drawing>, serializer: S) -> Result<S::Ok, S::Error> {
+        if !self.is_plane() {
+            return Err(ser::Error::custom("a map that is not plane cannot be saved"));
+        }
+        let mut sets = Vec::new();
+        let mut numbers: FxHashMap<SetId, usize> = FxHashMap::default();
+        let mut number = |set: SetId| {
+            *numbers.entry(set).or_insert_with(|| {
+                sets.push(self.features.set(set).map(FeatureId::number).collect());
+                sets.len() - 1
+            })
+        };
+        let faces = self.dcel.faces().map(|f| number(self.features.of_face(f.index()))).collect();
+        let edges = self.dcel.edges().map(|h| number(self.features.along(h.index()))).collect();
+        let saved = SavedMap {
+            form: FORM,
+            dcel: &self.dcel,
+            points: self.dcel.vertices().map(|v| self.points[v.index()]).collect(),
+            names: self.names.clone(),
+            sets,
+            faces,
+            edges,
+            summary: self.summary.clone(),
+            noding: self.noding,
+            removed: self.features.removed.iter().map(|feature| feature.number()).collect(),
+            drawing,
+        };
+        saved.serialize(serializer)
+    }
+}
+
+/// Validated, R1 … G5: what is not a plane map is an error that contains the report. O(n log n). O(n) if it was saved
+/// with a [certificate](PlanarMap::certified), which is checked instead.
+impl<'de> Deserialize<'de> for PlanarMap {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        SavedMap::<Dcel, Drawing>::deserialize(deserializer)?.load().map_err(de::Error::custom)
+    }
+}
+
+impl SavedMap<Dcel, Drawing> {
+    fn load(self) -> Result<PlanarMap, LoadError> {
+        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding, removed, drawing } =
+            self;
+        if form != FORM {
+            return Err(LoadError::Form(form));
+        }
+        let counts = [
+            ("vertices", saved_points.len(), dcel.vertex_count()),
+            ("faces", faces.len(), dcel.face_count()),
+            ("edges", edges.len(), dcel.edge_count()),
+        ];
+        if let Some((what, found, count)) = counts.into_iter().find(|(_, found, count)| found != count) {
+            return Err(LoadError::Count { what, found, count });
+        }
+        let mut points = vec![Point::default(); dcel.vertices().last().map_or(0, |v| v.index() + 1)];
+        for (vertex, Point { x, y }) in dcel.vertices().zip(saved_points) {
+            // Adding zero turns −0 into 0.
+            points[vertex.index()] = Point::new(x + 0.0, y + 0.0);
+        }
+        let mut features = FeatureSets::default();
+        let mut numbers = Vec::with_capacity(sets.len());
+        for (i, set) in sets.iter().enumerate() {
+            let sorted = set.is_sorted_by(|a, b| a < b);
+            let known = set.last().is_none_or(|last| (*last as usize) < names.len());
+            if !(sorted && known) {
+                return Err(LoadError::BadSet(i));
+            }
+            numbers.push(features.number(set.iter().copied().map(FeatureId::new)));
+        }
+        let has_no_name = |removed: &u32| names.get(*removed as usize).is_some_and(Option::is_none);
+        if let Some(wrong) = removed.iter().find(|removed| !has_no_name(removed)) {
+            return Err(LoadError::Removed(*wrong));
+        }
+        if let Some(i) = sets.iter().position(|set| set.iter().any(|feature| removed.contains(feature))) {
+            return Err(LoadError::BadSet(i));
+        }
+        features.removed = removed.into_iter().map(FeatureId::new).collect();
+        let set = |number: usize| numbers.get(number).copied().ok_or(LoadError::NoSuchSet(number));
+        for (face, number) in dcel.faces().zip(faces) {
+            features.put_face(face.index(), set(number)?);
+        }
+        for (edge, number) in dcel.edges().zip(edges) {
+            features.put_along(edge.index(), set(number)?);
+        }
+        let map = PlanarMap { dcel, points, names, features, summary, noding, ..PlanarMap::default() };
+        if let Some(drawing) = drawing {
+            map.check(&drawing)?;
+            return Ok(map);
+        }
+        let report = map.validate();
+        if report.is_valid() { Ok(map) } else { Err(LoadError::Invalid(Box::new(report))) }
+    }
+}
+
+impl PlanarMap {
+    /// Checks a certificate of the drawing, and that it is that of these points.
+    fn check(&self, drawing: &Drawing) -> Result<(), LoadError> {
+        let failures = check_drawing(self, &Labels::new(self)?, drawing).err();
+        if let Some(first) = failures.iter().flatten().next() {
+            return Err(LoadError::Certificate(*first));
+        }
+        for v in self.dcel.vertices().map(|v| v.index()) {
+            let at = drawing.points.get(v).map(|at| at.map(|steps| scaled(steps, drawing.exponent)));
+            if at.map(Point::from) != Some(self.points[v]) {
+                return Err(LoadError::OtherDrawing(v));
+            }
+            if !in_range(self.points[v]) {
+                return Err(LoadError::OutOfRange(v));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// So many steps of two to this exponent, exactly. No number if these are not steps of coordinates in range.
+fn scaled(steps: i64, exponent: i32) -> f64 {
+    // Up to 2^53 of them, so nothing is rounded.
+    match u64::try_from(1023_i64 + i64::from(exponent)) {
+        Ok(power) if (-453..=500).contains(&exponent) => steps as f64 * f64::from_bits(power << 52),
+        _ => f64::NAN,
+    }
+}

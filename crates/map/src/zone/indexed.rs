@@ -1,0 +1,134 @@
+//! The zone of a line, by the index that a map keeps.
+
+use super::follow::{ZoneStart, follow};
+use super::line::{Line, LinePiece, LinePlace};
+use super::query::{QueryLine, ZoneElement};
+use super::selection::each_event;
+use crate::Embedding;
+use crate::locate::located::{LocateError, Located, check_range};
+use crate::locate::locator::Locator;
+use crate::planar_map::PlanarMap;
+use twinedge_geometry::Point;
+
+impl Locator<'_> {
+    /// The elements that a line meets, in order. A face is listed again whenever it is entered again.
+    ///
+    /// The edges that it meets come from the R-tree of the index that the map keeps, so edges elsewhere cost nothing, even a
+    /// thousand islands in the same face. For m boxes of the tree that the query meets, and k edges and vertices that it meets, this takes
+    /// O(m + k log k), and O(degree) for each vertex. The first call builds the index, O(n log n). On maps, m is a few times the
+    /// square root of the number of edges; but where boxes hardly fit their edges, as with long slanted parallels, m may be
+    /// as large as the map.
+    ///
+    /// # Errors
+    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are the same; use [`Locator::locate`] then.
+    ///
+    /// ```
+    /// use twinedge_geometry::Point;
+    /// use twinedge_map::{Builder, Locator, ZoneElement, Shape, QueryLine};
+    ///
+    /// let mut builder = Builder::new();
+    /// let square = [[1.0, 0.0], [5.0, 0.0], [5.0, 4.0], [1.0, 4.0]];
+    /// builder.shape(&Shape::polygon(square))?;
+    /// builder.shape(&Shape::Point(Point::new(3.0, 2.0)))?;
+    /// let map = builder.build()?;
+    ///
+    /// let zone = Locator::new(&map)?.zone(&QueryLine::Segment(Point::new(0.0, 2.0), Point::new(5.0, 2.0)))?;
+    /// assert!(matches!(
+    ///     zone[..],
+    ///     [ZoneElement::Face(sea), ZoneElement::Edge(coast), ZoneElement::Face(land), ZoneElement::Vertex(_), ZoneElement::Face(still_land), ZoneElement::Edge(_)]
+    ///         if land == still_land && map.dcel().face(sea)?.is_unbounded() && map.dcel().half_edge(coast)?.face().key() == land
+    /// ));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn zone(&self, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
+        zone(self.map, query, |p| self.locate(p))
+    }
+}
+
+impl PlanarMap {
+    /// The elements that a line meets, in order, as [`Locator::zone`] lists them, for a map that changes between questions: where
+    /// it begins is found by [`PlanarMap::locate`].
+    ///
+    /// ```
+    /// use twinedge_geometry::Point;
+    /// use twinedge_map::{PlanarMap, QueryLine, ZoneElement};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let line = QueryLine::Segment(Point::new(-1.0, 1.0), Point::new(1.0, 1.0));
+    /// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?;
+    /// assert!(matches!(map.zone(&line)?[..], [ZoneElement::Face(_), ZoneElement::Edge(_), ZoneElement::Face(_)]));
+    /// map.insert_point([0.0, 1.0])?;
+    /// assert!(matches!(map.zone(&line)?[..], [ZoneElement::Face(_), ZoneElement::Vertex(_), ZoneElement::Face(_)]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Locator::zone`], and [`LocateError::NotPlane`].
+    pub fn zone(&self, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
+        self.plane()?;
+        zone(self, query, |p| self.locate(p))
+    }
+}
+
+fn zone(
+    map: &PlanarMap,
+    query: &QueryLine,
+    locate: impl FnOnce(Point) -> Result<Located, LocateError>,
+) -> Result<Vec<ZoneElement>, LocateError> {
+    let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) = *query;
+    check_range(from)?;
+    check_range(through)?;
+    if from == through {
+        return Err(LocateError::NoDirection(from));
+    }
+    let line = Line { from, through };
+    let first = match query {
+        QueryLine::Line(..) => None,
+        QueryLine::Segment(..) | QueryLine::Ray(..) => Some(LinePlace::At(from)),
+    };
+    let to = if let QueryLine::Segment(..) = query { Some(through) } else { None };
+
+    let mut events = Vec::new();
+    each_event(map, &line, query, [None; 2], |event| {
+        if first.is_none_or(|first| line.order(first, event.place).is_lt())
+            && to.is_none_or(|to| line.order(event.place, LinePlace::At(to)).is_le())
+        {
+            events.push(event);
+        }
+    });
+    events.sort_by(|a, b| line.order(a.place, b.place));
+    events.dedup_by(|a, b| line.order(a.place, b.place).is_eq());
+
+    let start = match first {
+        None => ZoneStart::Piece(LinePiece::Face(map.dcel().unbounded_face()), None),
+        Some(_) => begin(map, &line, locate(from)?)?,
+    };
+    let mut zone = Vec::with_capacity(2 * events.len() + 2);
+    let mut events = events.into_iter();
+    follow(map, &line, to, start, |_, _| events.next(), |element| zone.push(element))?;
+    Ok(zone)
+}
+
+/// Returns the event or piece in which a line begins.
+fn begin<'m>(map: &'m PlanarMap, line: &Line, located: Located) -> Result<ZoneStart<'m>, LocateError> {
+    let dcel = map.dcel();
+    let at = LinePlace::At(line.from);
+    Ok(match located {
+        Located::Face(face) => ZoneStart::Piece(LinePiece::Face(dcel.face(face)?), Some(at)),
+        Located::Vertex(vertex) => ZoneStart::Event(Line::at(map, dcel.vertex(vertex)?)),
+        Located::Edge(half_edge) => {
+            let h = dcel.half_edge(half_edge)?;
+            let [origin, target] = [h.origin(), h.target()].map(|v| {
+                let p = map.point(v.index());
+                (p, line.side(p))
+            });
+            match Line::crossing(h, origin, target) {
+                Some(event) => ZoneStart::Event(event),
+                None if line.order(at, LinePlace::At(target.0)).is_lt() => {
+                    ZoneStart::Piece(LinePiece::Along(h), Some(at))
+                }
+                None => ZoneStart::Piece(LinePiece::Along(h.twin()), Some(at)),
+            }
+        }
+    })
+}

@@ -1,0 +1,20 @@
+//! The zone of a line: the faces, edges and vertices that it meets, in order.
+//!
+//! ```text
+//!        ____________
+//!       |      b     |           from a to d, the segment meets
+//!   a---|------o-----|---c===d   face, edge, face, vertex, face, edge, face, vertex, along an edge, vertex
+//!       |____________|
+//! ```
+//!
+//! [`Locator::zone`](crate::Locator::zone) and [`PlanarMap::zone`](crate::PlanarMap::zone) find the edges by the R-tree of an
+//! index, and sort the k that are met in O(k log k). Both are exact, also through vertices and along edges: no intersection is ever
+//! computed, and there is no tolerance.
+
+mod follow;
+mod indexed;
+pub(crate) mod line;
+pub(crate) mod query;
+pub(crate) mod selection;
+
+pub use query::{QueryLine, ZoneElement};

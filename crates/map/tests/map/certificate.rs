@@ -1,0 +1,576 @@
+//! Certificates of drawings: what is drawn without crossings has one that passes, and nothing else has.
+
+use crate::support::embeddings::validate_embedding;
+use std::cell::Cell;
+use twinedge::validate::{BoundaryPlace, Collect, Expectation, HalfEdgeRow, Link, Parts, Table, View};
+use twinedge_certificate::{Column, Columns, Drawing, Labels, Test, check_drawing};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
+use twinedge_map::certificate::{DrawingError, draw};
+use twinedge_map::{Builder, Embedding, Noding, PlanarMap};
+
+const PLANE: Expectation = Expectation::plane();
+
+/// A table with coordinates.
+#[derive(Clone)]
+struct Drawn {
+    table: Table,
+    points: Vec<Point>,
+}
+
+impl View for Drawn {
+    twinedge::delegate_view!(|this| &this.table);
+}
+
+impl Embedding for Drawn {
+    fn point(&self, vertex: usize) -> Point {
+        self.points.get(vertex).copied().unwrap_or_default()
+    }
+}
+
+impl Drawn {
+    fn new(map: &PlanarMap) -> Self {
+        let points = (0..map.vertex_slots()).map(|v| Embedding::point(map, v)).collect();
+        Self { table: Table::copy_of(map).unwrap(), points }
+    }
+
+    fn is_valid(&self) -> bool {
+        validate_embedding(self, &PLANE, Collect::First).is_valid()
+    }
+
+    /// True if it has a certificate, made for it.
+    fn is_certified(&self) -> bool {
+        draw(self).is_ok_and(|drawing| self.passes(&drawing))
+    }
+
+    fn passes(&self, drawing: &Drawing) -> bool {
+        check_drawing(&self.table, &Labels::new(&self.table).unwrap(), drawing).is_ok()
+    }
+}
+
+/// Numbers that look random.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % end.max(1)
+    }
+
+    fn point(&mut self, side: usize) -> [f64; 2] {
+        [self.below(side) as f64, self.below(side) as f64]
+    }
+}
+
+/// A plane map of segments, rings and points on a grid of so many lines.
+fn random_map(numbers: &mut Numbers, side: usize, segments: usize) -> PlanarMap {
+    let mut builder = Builder::new();
+    for _ in 0..segments {
+        let (from, to) = (numbers.point(side), numbers.point(side));
+        if Point::from(from) != Point::from(to) {
+            builder.segment(from, to).unwrap();
+        }
+    }
+    let mut map = builder.build_with(Noding::Snap(Snap::Size(1.0))).unwrap();
+    for _ in 0..numbers.below(3) {
+        let _ = map.insert_point(numbers.point(side));
+    }
+    map
+}
+
+#[test]
+fn moved_vertices_are_judged_as_by_the_rules() {
+    let (mut valid, mut broken) = (0, 0);
+    let mut numbers = Numbers(1);
+    for _ in 0..150 {
+        let segments = numbers.below(5);
+        let map = Drawn::new(&random_map(&mut numbers, 4, segments));
+        assert!(map.is_valid());
+        let drawing = draw(&map).unwrap();
+        assert!(map.passes(&drawing), "{}", map.table);
+        for v in (0..map.points.len()).filter(|v| map.is_vertex(*v)) {
+            for (x, y) in (0..16).map(|i| (i % 4, i / 4)) {
+                let mut moved = map.clone();
+                moved.points[v] = Point::new(f64::from(x), f64::from(y));
+                let is_valid = moved.is_valid();
+                assert_eq!(moved.is_certified(), is_valid, "vertex {v} to {x} {y}: {}", map.table);
+                // The drawing as it was, with the point moved: what passes is right.
+                let mut old = drawing.clone();
+                let unit = 1_i64 << (-old.exponent).max(0);
+                old.points[v] = [i64::from(x) * unit, i64::from(y) * unit];
+                assert!(!(old.exponent <= 0 && moved.passes(&old)) || is_valid, "vertex {v} to {x} {y}: {}", map.table);
+                *if is_valid { &mut valid } else { &mut broken } += 1;
+            }
+        }
+    }
+    assert!(valid > 4_000 && broken > 4_000, "{valid} {broken}");
+}
+
+/// The faults that break a rule of coordinates and none of topology: a mirror image, an isolated vertex in another face, a component in
+/// another face.
+#[test]
+fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
+    let (mut valid, mut broken) = (0, 0);
+    let mut numbers = Numbers(2);
+    for _ in 0..150 {
+        let map = Drawn::new(&random_map(&mut numbers, 5, 4));
+        let drawing = draw(&map).unwrap();
+        let mut judge = |other: &Drawn| {
+            let is_valid = other.is_valid();
+            assert_eq!(other.is_certified(), is_valid, "{}", other.table);
+            *if is_valid { &mut valid } else { &mut broken } += 1;
+            is_valid
+        };
+        let mut mirrored = map.clone();
+        mirrored.points.iter_mut().for_each(|point| point.x = -point.x);
+        judge(&mirrored);
+        for b in 0..map.table.boundaries.len() {
+            for f in 0..map.table.faces.len() {
+                if let Some(moved) = moved_inner(&map.table, b, f) {
+                    let moved = Drawn { table: moved, points: map.points.clone() };
+                    assert_eq!(moved.passes(&drawing), judge(&moved), "{}", moved.table);
+                }
+            }
+        }
+    }
+    assert!(valid > 300 && broken > 150, "{valid} {broken}");
+}
+
+/// The table with an inner boundary component in another face.
+fn moved_inner(table: &Table, b: usize, to: usize) -> Option<Table> {
+    let mut table = table.clone();
+    let Some(BoundaryPlace::Inner(_)) = table.boundary_place(b) else { return None };
+    let from = table.boundary_face(b)?;
+    table.faces[from].as_mut()?.inner.retain(|listed| *listed != Some(b));
+    table.faces[to].as_mut()?.inner.push(Some(b));
+    for f in [from, to] {
+        for i in 0..table.inner_count(f) {
+            let listed = table.inner(f, i)?;
+            *table.boundaries[listed].as_mut()? = twinedge::validate::BoundaryRow {
+                face: Some(f),
+                place: Some(BoundaryPlace::Inner(i)),
+                ..table.boundaries[listed]?
+            };
+        }
+    }
+    Some(table)
+}
+
+/// Every entry of a drawing set to every other value: found, or as good. No point of a vertex is changed, so nothing wrong can be certified;
+/// what the tests do find is the number of values that say something else.
+#[test]
+fn a_changed_entry_is_found_or_as_good() {
+    let mut builder = Builder::new();
+    for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
+        builder.shape(&twinedge_map::Shape::polygon(corners)).unwrap();
+    }
+    let mut map = builder.build().unwrap();
+    map.insert_point([7.0, 7.0]).unwrap();
+    let labels = Labels::new(&map).unwrap();
+    let drawing = draw(&map).unwrap();
+    let mut found = Vec::new();
+    for column in Column::of_drawing() {
+        let (mut caught, mut as_good) = (0, 0);
+        for i in 0..drawing.columns.column(*column).len() {
+            for value in (0..40).chain([u32::MAX - 1, u32::MAX]) {
+                let mut changed = drawing.clone();
+                let entry = &mut changed.columns.column_mut(*column)[i];
+                if *entry != value {
+                    *entry = value;
+                    *if check_drawing(&map, &labels, &changed).is_ok() { &mut as_good } else { &mut caught } += 1;
+                }
+            }
+        }
+        found.push((column.name(), caught, as_good));
+    }
+    // Ranks are any numbers that grow. A dart of a vertex may be any that starts there, and what vacant slots hold is not looked at.
+    let as_good: Vec<_> = found.iter().filter(|(_, _, as_good)| *as_good > 0).map(|(name, ..)| *name).collect();
+    assert_eq!(as_good, ["dart_rank", "half_edge_dart", "vertex_dart", "face_dart"], "{found:?}");
+    assert!(found.iter().all(|(_, caught, _)| *caught > 0), "{found:?}");
+}
+
+#[test]
+fn coordinates_are_integers_on_the_finest_grid_that_they_need() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.25, -3.0], [1e6, 0.0]).unwrap();
+    let drawing = draw(&map).unwrap();
+    // Slot 0 is vacant, and three corners are added.
+    assert_eq!((drawing.exponent, &drawing.points[1..3]), (-2, &[[1, -12], [4_000_000, 0]][..]));
+    assert_eq!(drawing.points.len(), 6);
+    assert!(draw(&PlanarMap::new()).is_ok_and(|drawing| drawing.columns.column(Column::DartTwin).len() == 6));
+}
+
+/// An edge with a bend.
+struct Bent;
+impl View for Bent {
+    fn parts(&self) -> Parts {
+        Parts::NONE
+    }
+    fn vertex_slots(&self) -> usize {
+        2
+    }
+    fn half_edge_slots(&self) -> usize {
+        2
+    }
+    fn origin(&self, h: usize) -> Link {
+        Some(h)
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(1 - h)
+    }
+    fn next(&self, h: usize) -> Link {
+        Some(1 - h)
+    }
+}
+impl Embedding for Bent {
+    fn point(&self, v: usize) -> Point {
+        Point::new(v as f64, 0.0)
+    }
+    fn bends(&self, _: usize) -> usize {
+        1
+    }
+}
+
+#[test]
+fn what_has_no_certificate_is_an_error() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.0, 0.0], [1.0, 1.0]).unwrap();
+    let edge = Drawn::new(&map);
+    let drawn = |from: [f64; 2], to: [f64; 2]| {
+        draw(&Drawn { points: vec![Point::default(), from.into(), to.into()], ..edge.clone() }).map(drop)
+    };
+    assert_eq!(drawn([0.1, 0.0], [1e-9, 1.0]), Err(DrawingError::NoGrid));
+    assert_eq!(drawn([1e300, 0.0], [1.0, 1.0]), Err(DrawingError::NoGrid));
+    let largest = (1_u64 << 51) as f64;
+    assert_eq!(drawn([-largest, largest], [largest, 1.0]), Ok(()));
+    assert_eq!(drawn([-largest - 1.0, 0.0], [largest, 1.0]), Err(DrawingError::NoGrid));
+    let mut map = Drawn::new(&random_map(&mut Numbers(3), 4, 3));
+    map.points.iter_mut().for_each(|point| *point = Point::new(1.0, 1.0));
+    assert_eq!(draw(&map), Err(DrawingError::NotPlane));
+    map.points[1].x = f64::NAN;
+    assert_eq!(draw(&map), Err(DrawingError::NoGrid));
+    // Links that lead nowhere.
+    map.points.iter_mut().for_each(|point| *point = Point::default());
+    map.table.half_edges.iter_mut().flatten().for_each(|row| *row = HalfEdgeRow::default());
+    assert_eq!(draw(&map), Err(DrawingError::NotPlane));
+    assert_eq!(draw(&Bent), Err(DrawingError::Bends { half_edge: 0 }));
+}
+
+/// Columns of other lengths, points that are not there, and coordinates out of range are unreadable.
+#[test]
+fn what_is_unreadable_is_not_tested() {
+    let map = random_map(&mut Numbers(4), 5, 4);
+    let labels = Labels::new(&map).unwrap();
+    let drawing = draw(&map).unwrap();
+    let is_unreadable = |changed: &Drawing| {
+        let failures = check_drawing(&map, &labels, changed).unwrap_err();
+        failures.len() == 1 && failures[0].test() == Test::Readable
+    };
+    for column in Column::of_drawing() {
+        let mut changed = drawing.clone();
+        changed.columns.column_mut(*column).pop();
+        assert!(is_unreadable(&changed), "{}", column.name());
+    }
+    let mut changed = drawing.clone();
+    changed.columns.column_mut(Column::DartPoint)[0] = drawing.points.len() as u32;
+    assert!(is_unreadable(&changed));
+    for x in [-(1 << 53) - 1, 1 << 53] {
+        let mut changed = drawing.clone();
+        changed.points[0][1] = x;
+        assert!(is_unreadable(&changed));
+    }
+}
+
+/// A map that is changed in the structure or in the drawing so that one test finds it.
+fn failing(map: &Drawn, labels: &Labels, drawing: &Drawing) -> Vec<Test> {
+    let failures = check_drawing(&map.table, labels, drawing).err().unwrap_or_default();
+    failures.iter().map(|failure| failure.test()).collect()
+}
+
+fn set(drawing: &mut Drawing, column: Column, i: usize, value: u32) {
+    drawing.columns.column_mut(column)[i] = value;
+}
+
+/// Two triangles, one in the other.
+fn nested() -> (Drawn, Labels, Drawing) {
+    let mut builder = Builder::new();
+    for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
+        builder.shape(&twinedge_map::Shape::polygon(corners)).unwrap();
+    }
+    let map = Drawn::new(&builder.build().unwrap());
+    let (labels, drawing) = (Labels::new(&map.table).unwrap(), draw(&map).unwrap());
+    (map, labels, drawing)
+}
+
+#[test]
+fn a_vertex_has_a_dart_that_starts_there() {
+    let (map, labels, drawing) = nested();
+    for v in (0..map.points.len()).filter(|v| map.is_vertex(*v)) {
+        for (dart, point) in drawing.columns.column(Column::DartPoint).iter().enumerate() {
+            let mut changed = drawing.clone();
+            set(&mut changed, Column::VertexDart, v, dart as u32);
+            let expected = if *point as usize == v { vec![] } else { vec![Test::VertexDartOk] };
+            assert_eq!(failing(&map, &labels, &changed), expected, "vertex {v}, dart {dart}");
+        }
+    }
+}
+
+#[test]
+fn a_triangle_between_added_edges_is_in_the_face_around_it() {
+    let (map, labels, drawing) = nested();
+    let half_edge = drawing.columns.column(Column::DartHalfEdge);
+    let is_added = |triangle: &usize| (0..3).all(|i| half_edge[3 * triangle + i] == u32::MAX);
+    let mut seen = 0;
+    for triangle in (1..half_edge.len() / 3).filter(is_added) {
+        let mut changed = drawing.clone();
+        for dart in 3 * triangle..3 * triangle + 3 {
+            let face = drawing.columns.column(Column::DartFace)[dart];
+            set(&mut changed, Column::DartFace, dart, (0..3).find(|f| *f != face).unwrap());
+        }
+        assert_eq!(failing(&map, &labels, &changed), [Test::DartFaceOk], "triangle {triangle}");
+        seen += 1;
+    }
+    assert!(seen > 0);
+}
+
+/// In a face of one triangle the ranks lead down to the next face.
+#[test]
+fn ranks_lead_down_inside_a_face() {
+    let (map, labels, mut drawing) = nested();
+    let half_edge = drawing.columns.column(Column::DartHalfEdge);
+    let triangle = (0..half_edge.len() / 3).find(|triangle| (0..3).all(|i| half_edge[3 * triangle + i] != u32::MAX));
+    let darts = [0, 1, 2].map(|i| 3 * triangle.unwrap() + i);
+    let kept =
+        darts.iter().position(|dart| drawing.columns.column(Column::FaceDart).contains(&(*dart as u32))).unwrap();
+    for (i, rank) in [(0, 3000), (1, 2000), (2, 1000)] {
+        set(&mut drawing, Column::DartRank, darts[(kept + i) % 3], rank);
+    }
+    assert_eq!(failing(&map, &labels, &drawing), [Test::DartRankOk]);
+}
+
+/// On one side of the big triangle, where no vertex of the map is, a half-edge that lies elsewhere.
+#[test]
+fn a_half_edge_lies_on_one_dart() {
+    let (map, labels, drawing) = nested();
+    let points = drawing.columns.column(Column::DartPoint);
+    let unbounded = drawing.columns.column(Column::DartFace)[0];
+    let half_edges = drawing.columns.column(Column::DartHalfEdge).iter().zip(drawing.columns.column(Column::DartFace));
+    let half_edge =
+        *half_edges.filter(|(h, face)| **h != u32::MAX && **face == unbounded).map(|(h, _)| h).next().unwrap();
+    let found = [0, 1, 2].map(|dart| {
+        let twin = drawing.columns.column(Column::DartTwin)[dart] as usize;
+        let mut changed = drawing.clone();
+        for at in [dart, twin] {
+            set(&mut changed, Column::DartHalfEdge, at, half_edge);
+        }
+        for other in (0..points.len()).filter(|other| [points[dart], points[twin]].contains(&points[*other])) {
+            set(&mut changed, Column::DartAhead, other, half_edge);
+        }
+        failing(&map, &labels, &changed)
+    });
+    assert!(found.contains(&vec![Test::DartHalfEdgeOk]), "{found:?}");
+}
+
+/// Two corners of a triangle have each other's names in the structure.
+#[test]
+fn a_half_edge_starts_where_its_dart_starts() {
+    let (mut map, labels, drawing) = nested();
+    let live: Vec<usize> = (0..map.points.len()).filter(|v| map.is_vertex(*v)).collect();
+    let corner = |i: usize| live[i];
+    let inner: Vec<usize> =
+        (0..live.len()).map(corner).filter(|v| map.points[*v].x.max(map.points[*v].y) < 3.0).collect();
+    let [u, v] = [inner[1], inner[2]];
+    for row in map.table.half_edges.iter_mut().flatten() {
+        row.origin = row.origin.map(|origin| {
+            if origin == u {
+                v
+            } else if origin == v {
+                u
+            } else {
+                origin
+            }
+        });
+    }
+    map.table.vertices.swap(u, v);
+    assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);
+}
+
+/// At the middle of a path the half-edges lie on each other's darts.
+#[test]
+fn a_half_edge_lies_on_the_other_side_of_its_twin() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.0, 0.0], [2.0, 1.0]).unwrap();
+    map.insert_segment([2.0, 1.0], [4.0, 0.0]).unwrap();
+    let map = Drawn::new(&map);
+    let (labels, mut drawing) = (Labels::new(&map.table).unwrap(), draw(&map).unwrap());
+    assert_eq!(failing(&map, &labels, &drawing), []);
+    let middle = map.points.iter().position(|point| *point == Point::new(2.0, 1.0)).unwrap();
+    let around: Vec<u32> =
+        (0..map.table.half_edges.len()).filter(|h| map.origin(*h) == Some(middle)).map(|h| h as u32).collect();
+    let other = |h: u32| if around.contains(&h) { around[0] + around[1] - h } else { h };
+    for column in [Column::DartHalfEdge, Column::DartAhead] {
+        drawing.columns.column_mut(column).iter_mut().filter(|h| **h != u32::MAX).for_each(|h| *h = other(*h));
+    }
+    drawing.columns.column_mut(Column::HalfEdgeDart).swap(around[0] as usize, around[1] as usize);
+    assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);
+}
+
+/// One triangle on both sides of nothing, for a map without vertices.
+#[test]
+fn the_outer_triangle_is_not_flat() {
+    let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
+    let map = Drawn { table, points: Vec::new() };
+    let mut drawing = Drawing { points: vec![[0, 0]], ..Drawing::default() };
+    let columns = [
+        (Column::DartTwin, vec![0, 1, 2]),
+        (Column::DartPoint, vec![0; 3]),
+        (Column::DartHalfEdge, vec![u32::MAX; 3]),
+        (Column::DartAhead, vec![0; 3]),
+        (Column::DartFace, vec![0; 3]),
+        (Column::DartRank, vec![0, 2, 1]),
+        (Column::FaceDart, vec![0]),
+    ];
+    for (column, numbers) in columns {
+        *drawing.columns.column_mut(column) = numbers;
+    }
+    assert_eq!(failing(&map, &Labels::new(&map.table).unwrap(), &drawing), [Test::TriangleOk]);
+}
+
+/// The half-edge of the other side has no dart then, which is said, too.
+#[test]
+fn an_edge_is_added_on_both_sides() {
+    let (map, labels, drawing) = nested();
+    let half_edge = drawing.columns.column(Column::DartHalfEdge);
+    for dart in (0..half_edge.len()).filter(|dart| half_edge[*dart] != u32::MAX) {
+        let mut changed = drawing.clone();
+        set(&mut changed, Column::DartHalfEdge, dart, u32::MAX);
+        let failures = failing(&map, &labels, &changed);
+        assert!(failures.contains(&Test::DartHalfEdgeOk), "dart {dart}: {failures:?}");
+    }
+}
+
+/// A triangle of which the last `next` leads past the last slot, and which says that a half-edge is there.
+struct Liar(PlanarMap);
+
+impl View for Liar {
+    twinedge::delegate_view!(|this| &this.0; except next, is_half_edge);
+
+    fn next(&self, half_edge: usize) -> Link {
+        if half_edge + 1 == self.0.half_edge_slots() { Some(half_edge + 1) } else { self.0.next(half_edge) }
+    }
+
+    fn is_half_edge(&self, half_edge: usize) -> bool {
+        half_edge == self.0.half_edge_slots() || self.0.is_half_edge(half_edge)
+    }
+}
+
+impl Embedding for Liar {
+    fn point(&self, vertex: usize) -> Point {
+        Embedding::point(&self.0, vertex)
+    }
+}
+
+#[test]
+fn a_structure_that_lies_about_its_slots_is_not_drawn() {
+    let mut map = PlanarMap::new();
+    map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]).unwrap();
+    assert_eq!(draw(&Liar(map)).err(), Some(DrawingError::NotPlane));
+}
+
+/// A drawing whose points go far away after so many questions.
+struct Restless<'a> {
+    drawing: &'a Drawing,
+    asked: Cell<usize>,
+    patience: usize,
+}
+
+impl Columns for Restless<'_> {
+    type Numbers<'a>
+        = &'a [u32]
+    where
+        Self: 'a;
+
+    fn column(&self, column: Column) -> &[u32] {
+        self.drawing.columns.column(column)
+    }
+    fn points(&self) -> usize {
+        self.drawing.points.len()
+    }
+    fn point(&self, point: usize) -> Option<[i64; 2]> {
+        self.asked.set(self.asked.get() + 1);
+        let far = [[i64::MIN, i64::MIN], [i64::MAX, i64::MIN], [i64::MIN, i64::MAX]];
+        if self.asked.get() > self.patience { Some(far[point % 3]) } else { self.drawing.points.get(point).copied() }
+    }
+}
+
+#[test]
+fn points_that_move_while_they_are_checked_do_not_pass() {
+    let mut map = PlanarMap::new();
+    map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]).unwrap();
+    map.insert_point([1.0, 2.0]).unwrap();
+    let (labels, drawing) = (Labels::new(&map).unwrap(), draw(&map).unwrap());
+    let failed = |patience| {
+        let restless = Restless { drawing: &drawing, asked: Cell::new(0), patience };
+        let failures = check_drawing(&map, &labels, &restless).err().unwrap_or_default();
+        (failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), restless.asked.get())
+    };
+    let (failures, questions) = failed(usize::MAX);
+    assert!(failures.is_empty());
+    let points = drawing.points.len();
+    assert!((0..points).all(|patience| failed(patience).0 == [Test::Readable]));
+    // Once all were in range.
+    assert_eq!(failed(points).0, [Test::TriangleOk]);
+    assert!((points..questions).all(|patience| failed(patience).1 == questions));
+}
+
+/// So many zeros.
+#[derive(Clone, Copy)]
+struct Zeros(usize);
+
+impl twinedge_certificate::Numbers for Zeros {
+    fn count(self) -> usize {
+        self.0
+    }
+    fn at(self, _i: usize) -> Option<u32> {
+        Some(0)
+    }
+}
+
+/// A drawing of a map that says that it has so many darts and points.
+struct Endless {
+    map: PlanarMap,
+    darts: usize,
+    points: usize,
+}
+
+impl Columns for Endless {
+    type Numbers<'a> = Zeros;
+
+    fn column(&self, column: Column) -> Zeros {
+        Zeros(match column {
+            Column::HalfEdgeDart => self.map.half_edge_slots(),
+            Column::VertexDart => self.map.vertex_slots(),
+            Column::FaceDart => self.map.face_slots(),
+            _ => self.darts,
+        })
+    }
+    fn points(&self) -> usize {
+        self.points
+    }
+    fn point(&self, _point: usize) -> Option<[i64; 2]> {
+        Some([0, 0])
+    }
+}
+
+#[test]
+fn more_darts_or_points_than_can_be_numbered_are_not_looked_at() {
+    let failed = |darts, points| {
+        let drawing = Endless { map: PlanarMap::new(), darts, points };
+        let labels = Labels::new(&drawing.map).unwrap();
+        let failures = check_drawing(&drawing.map, &labels, &drawing).err().unwrap_or_default();
+        failures.iter().map(|failure| failure.test()).collect::<Vec<_>>()
+    };
+    assert!(!failed(0, 3).contains(&Test::Readable));
+    assert_eq!(failed(usize::MAX, 3), [Test::Readable]);
+    assert_eq!(failed(0, usize::MAX), [Test::Readable]);
+}

@@ -1,0 +1,60 @@
+//! Maps with coordinates: building, editing, location.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+/// Code that tests share.
+#[allow(dead_code, unused_macros, unused_imports, reason = "each test uses a part of it")]
+mod support {
+    #[path = "../../../../../tests/support/changes.rs"]
+    pub(crate) mod changes;
+    pub(crate) mod edits;
+    pub(crate) mod embeddings;
+    #[path = "../../../../../tests/support/erased.rs"]
+    pub(crate) mod erased;
+    #[path = "../../../../geometry/tests/geometry/exact.rs"]
+    pub(crate) mod exact;
+    #[path = "../../../../../tests/support/inconsistent.rs"]
+    pub(crate) mod inconsistent;
+    #[path = "../../../../../tests/support/nested.rs"]
+    pub(crate) mod nested;
+    #[path = "../../../../../tests/support/only_live.rs"]
+    pub(crate) mod only_live;
+    #[path = "../../../../../tests/support/opinions.rs"]
+    pub(crate) mod opinions;
+    pub(crate) mod oracle;
+    #[path = "../../../../../tests/support/saved.rs"]
+    pub(crate) mod saved;
+    #[path = "../../../../../tests/support/tables.rs"]
+    pub(crate) mod tables;
+    #[path = "../../../../../tests/support/tokens.rs"]
+    pub(crate) mod tokens;
+    #[path = "../../../../../tests/support/tracked.rs"]
+    pub(crate) mod tracked;
+    #[path = "../../../../../tests/support/triangles.rs"]
+    pub(crate) mod triangles;
+    #[path = "../../../../../tests/support/watched.rs"]
+    pub(crate) mod watched;
+}
+
+mod attributes;
+mod audited;
+mod certificate;
+mod diff;
+mod drawing;
+mod edit;
+mod edit_numbers;
+mod edit_programs;
+mod edited_maps;
+mod equality;
+mod history;
+mod import;
+mod location;
+mod noding;
+mod not_plane;
+mod pinned;
+mod planar_map;
+mod rewound;
+mod saved;
+#[cfg(debug_assertions)]
+mod sorting;
+mod threads;

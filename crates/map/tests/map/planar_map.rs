@@ -1,0 +1,293 @@
+//! Building maps: what is merged, dropped and refused, what lies where, and which faces each feature covers.
+
+use quickcheck::{QuickCheck, TestResult};
+use std::collections::BTreeSet;
+use twinedge::dcel::{Boundary, Face};
+use twinedge_formats::io::{ReadError, geojson};
+use twinedge_geometry::Point;
+use twinedge_map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
+
+/// A rectangle with a vertex at every whole number, so that rectangles on whole numbers meet at vertices only.
+fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {
+    let at = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
+    let mut ring = Vec::new();
+    ring.extend((x0..x1).map(|x| at(x, y0)));
+    ring.extend((y0..y1).map(|y| at(x1, y)));
+    ring.extend((x0 + 1..=x1).rev().map(|x| at(x, y1)));
+    ring.extend((y0 + 1..=y1).rev().map(|y| at(x0, y)));
+    ring.push(at(x0, y0));
+    ring
+}
+
+/// The area to the left of a boundary component: negative for holes.
+fn area_left(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
+    let at = |vertex: twinedge::dcel::Vertex<'_>| map.position(vertex.key()).expect("it is of this map");
+    boundary
+        .half_edges()
+        .map(|h| {
+            let (p, q) = (at(h.origin()), at(h.target()));
+            (p.x * q.y - q.x * p.y) / 2.0
+        })
+        .sum()
+}
+
+fn area(map: &PlanarMap, face: Face<'_>) -> f64 {
+    face.boundaries().map(|b| area_left(map, b)).sum()
+}
+
+/// The area of all faces that a feature covers.
+fn covered_area(map: &PlanarMap, feature: FeatureId) -> f64 {
+    let covers = |f: &Face<'_>| map.features_of(f.key()).expect("it is of this map").any(|g| g == feature);
+    map.dcel().faces().filter(covers).map(|f| area(map, f)).sum()
+}
+
+#[test]
+fn repeated_points_and_segments_become_one() {
+    let mut builder = Builder::new();
+    builder.shape(&Shape::line([[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 1.0]])).expect("in range");
+    builder.shape(&Shape::line([[1.0, 0.0], [-0.0, -0.0]])).expect("in range");
+    builder.shape(&Shape::Point(Point::new(1.0, 1.0))).expect("in range");
+    builder.shape(&Shape::Point(Point::new(5.0, 5.0))).expect("in range");
+    let map = builder.build().expect("fits");
+    assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count(), map.dcel().face_count()), (4, 2, 1));
+    let summary = map.summary();
+    assert_eq!((summary.segments, summary.duplicate_segments, summary.zero_length_segments), (4, 1, 1));
+    assert!(map.validate().is_valid());
+    assert_eq!(map.validate().counts().isolated_vertices, 1);
+}
+
+#[test]
+fn nothing_at_all_is_the_empty_map() {
+    let map = Builder::new().build().expect("fits");
+    assert_eq!(map.dcel().face_count(), 1);
+    assert!(map.validate().is_valid());
+}
+
+#[test]
+fn a_ring_left_open_is_closed_and_a_flat_one_encloses_nothing() {
+    let mut builder = Builder::new();
+    let open = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(Point::from).to_vec();
+    builder.shape(&Shape::Polygon(vec![open])).expect("in range");
+    let flat = builder.shape(&Shape::polygon([[5.0, 0.0], [6.0, 0.0], [5.0, 0.0]])).expect("in range");
+    let map = builder.build().expect("fits");
+    assert_eq!((map.summary().open_rings, map.summary().degenerate_rings), (1, 1));
+    assert_eq!(map.dcel().face_count(), 2);
+    assert!(map.dcel().faces().all(|f| map.features_of(f.key()).expect("of this map").all(|g| g != flat)));
+}
+
+#[test]
+fn bad_coordinates_are_refused_with_their_position_and_nothing_is_taken() {
+    let mut builder = Builder::new();
+    builder.segment([0.0, 0.0], [1.0, 1.0]).expect("in range");
+    let good = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let bad = |x, y| {
+        let bad = [good[0], good[1], [x, y]];
+        Feature { shapes: vec![Shape::line(good), Shape::polygon(good).hole(bad)], ..Feature::default() }
+    };
+    let position = Position { feature: 1, shape: 1, ring: 1, point: 2 };
+    assert!(
+        matches!(builder.feature(&bad(f64::NAN, 0.0)), Err(BuildError::NotFinite { position: p, .. }) if p == position)
+    );
+    let infinite = builder.feature(&bad(0.0, f64::NEG_INFINITY));
+    assert_eq!(infinite, Err(BuildError::NotFinite { position, x: 0.0, y: f64::NEG_INFINITY }));
+    let large = builder.feature(&bad(1e200, 0.0));
+    assert_eq!(large, Err(BuildError::OutOfRange { position, x: 1e200, y: 0.0 }));
+    let tiny = builder.feature(&bad(0.0, 1e-200));
+    assert_eq!(
+        tiny.map_err(|error| error.to_string()),
+        Err(format!(
+            "{position}: the coordinates (0.0, 1e-200) are out of range: magnitudes must be zero or from 2^-400 to 2^500"
+        ))
+    );
+    let map = builder.build().expect("fits");
+    assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (2, 1));
+}
+
+#[test]
+fn islands_lie_in_the_lake_that_lies_in_the_island() {
+    let mut builder = Builder::new();
+    for (low, high) in [(0, 20), (2, 18), (4, 16), (6, 14)] {
+        builder.shape(&Shape::polygon(rectangle([low, low], [high, high]))).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    assert!(map.validate().is_valid());
+    let areas: BTreeSet<i64> = map
+        .dcel()
+        .faces()
+        .filter(|f| !f.is_unbounded())
+        .map(|f| {
+            #[allow(clippy::cast_possible_truncation, reason = "areas of small squares are whole numbers")]
+            let area = area(&map, f) as i64;
+            area
+        })
+        .collect();
+    assert_eq!(areas, BTreeSet::from([400 - 256, 256 - 144, 144 - 64, 64]));
+    // Each is covered by itself and by all around it.
+    let mut covers: Vec<usize> =
+        map.dcel().faces().map(|f| map.features_of(f.key()).expect("of this map").count()).collect();
+    covers.sort_unstable();
+    assert_eq!(covers, [0, 1, 2, 3, 4]);
+}
+
+#[test]
+fn a_feature_of_many_polygons_covers_what_any_of_them_covers() {
+    // Side by side, one inside the other, and one twice, which is as good as once.
+    let parts = [([0, 0], [4, 4]), ([4, 0], [8, 4]), ([1, 1], [3, 3]), ([20, 0], [24, 4]), ([20, 0], [24, 4])];
+    let shapes = parts.map(|(low, high)| Shape::polygon(rectangle(low, high)));
+    let mut builder = Builder::new();
+    let feature = builder.feature(&Feature { shapes: shapes.to_vec(), ..Feature::default() }).expect("in range");
+    let other = builder.shape(&Shape::polygon(rectangle([5, 1], [6, 2]))).expect("in range");
+    let map = builder.build().expect("fits");
+    assert!((covered_area(&map, feature) - 48.0).abs() < 1e-12);
+    assert!((covered_area(&map, other) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn ten_thousand_polygons_inside_each_other_cover_each_other() {
+    const DEPTH: i32 = 10_000;
+    let mut builder = Builder::new();
+    for i in 0..DEPTH {
+        let (low, high) = (f64::from(i), f64::from(4 * DEPTH - i));
+        builder.shape(&Shape::polygon([[low, low], [high, low], [high, high], [low, high]])).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    for face in map.dcel().faces().step_by(999) {
+        let covers: Vec<usize> = map.features_of(face.key()).expect("of this map").map(|f| f.index()).collect();
+        // The corner of its outer cycle that is closest to the origin is that of the smallest polygon around it.
+        let corners = face.outer().into_iter().flat_map(|b| b.half_edges());
+        let low = corners.map(|h| map.position(h.origin().key()).expect("of this map").x).fold(f64::NAN, f64::min);
+        let around = if low.is_nan() { 0.0 } else { low + 1.0 };
+        assert!((covers.len() as f64 - around).abs() < 0.5);
+        assert!(covers.iter().copied().eq(0..covers.len()));
+    }
+}
+
+#[test]
+fn a_hole_that_touches_its_shell_at_a_vertex_is_no_hole_of_the_map() {
+    let shell = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+    let hole = [[0.0, 0.0], [1.0, 2.0], [2.0, 1.0], [0.0, 0.0]];
+    let mut builder = Builder::new();
+    let feature = builder.shape(&Shape::polygon(shell).hole(hole)).expect("in range");
+    let map = builder.build().expect("fits");
+    let report = map.validate();
+    assert!(report.is_valid());
+    assert_eq!((report.counts().components, report.counts().faces), (Some(1), 3));
+    assert!((covered_area(&map, feature) - (16.0 - 1.5)).abs() < 1e-12);
+}
+
+/// Rectangles on a small grid, any way they lie.
+fn a_feature_covers_its_rectangles(rectangles: Vec<(u8, u8, u8, u8)>, hole: bool) -> TestResult {
+    let mut builder = Builder::new();
+    let mut expected = Vec::new();
+    for (x, y, w, h) in rectangles.into_iter().take(6) {
+        let (x, y, w, h) = (i32::from(x % 8), i32::from(y % 8), i32::from(w % 5) + 1, i32::from(h % 5) + 1);
+        let mut shape = Shape::polygon(rectangle([x, y], [x + w, y + h]));
+        let mut area = w * h;
+        if hole && w > 2 && h > 2 {
+            shape = shape.hole(rectangle([x + 1, y + 1], [x + w - 1, y + h - 1]));
+            area -= (w - 2) * (h - 2);
+        }
+        let feature = builder.shape(&shape).expect("in range");
+        expected.push((feature, area));
+    }
+    let map = builder.build().expect("fits");
+    if !map.validate().is_valid() {
+        return TestResult::error(map.validate().to_string());
+    }
+    for (feature, area) in expected {
+        let covered = covered_area(&map, feature);
+        if (covered - f64::from(area)).abs() > 1e-9 {
+            return TestResult::error(format!("feature {} covers {covered} of {area}", feature.index()));
+        }
+    }
+    TestResult::passed()
+}
+
+#[test]
+fn features_cover_their_area_and_no_more() {
+    QuickCheck::new()
+        .tests(400)
+        .quickcheck(a_feature_covers_its_rectangles as fn(Vec<(u8, u8, u8, u8)>, bool) -> TestResult);
+}
+
+/// Returns true if two segments on whole numbers meet otherwise than at shared endpoints.
+fn clash(a: [[i64; 2]; 2], b: [[i64; 2]; 2]) -> bool {
+    let turn = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
+        ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])).signum()
+    };
+    let between = |p: [i64; 2], s: [[i64; 2]; 2]| {
+        turn(s[0], s[1], p) == 0
+            && (s[0][0].min(s[1][0])..=s[0][0].max(s[1][0])).contains(&p[0])
+            && (s[0][1].min(s[1][1])..=s[0][1].max(s[1][1])).contains(&p[1])
+    };
+    let inside = |p, s: [[i64; 2]; 2]| between(p, s) && p != s[0] && p != s[1];
+    let crosses =
+        turn(a[0], a[1], b[0]) * turn(a[0], a[1], b[1]) < 0 && turn(b[0], b[1], a[0]) * turn(b[0], b[1], a[1]) < 0;
+    crosses || a.iter().any(|p| inside(*p, b)) || b.iter().any(|p| inside(*p, a))
+}
+
+/// Any segments on a small grid: built, and found valid if and only if no two of them clash.
+fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool {
+    let whole = |(x, y): (u8, u8)| [i64::from(x % 7), i64::from(y % 7)];
+    let mut kept: Vec<[[i64; 2]; 2]> = Vec::new();
+    let mut clashes = false;
+    for (from, to) in segments {
+        let mut segment = [whole(from), whole(to)];
+        segment.sort_unstable();
+        if segment[0] == segment[1] || kept.contains(&segment) {
+            continue;
+        }
+        let bad = kept.iter().any(|other| clash(*other, segment));
+        if !(bad && thin_out) {
+            clashes |= bad;
+            kept.push(segment);
+        }
+    }
+    let mut builder = Builder::new();
+    for [from, to] in &kept {
+        #[allow(clippy::cast_precision_loss, reason = "single digits")]
+        let point = |p: [i64; 2]| Point::new(p[0] as f64, p[1] as f64);
+        builder.segment(point(*from), point(*to)).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    let vertices: BTreeSet<[i64; 2]> = kept.iter().flatten().copied().collect();
+    let counted = map.dcel().vertex_count() == vertices.len() && map.dcel().edge_count() == kept.len();
+    let whole_plane: f64 = map.dcel().faces().map(|f| area(&map, f)).sum();
+    // The unbounded face has minus the area of the bounded ones.
+    let tiled = clashes || whole_plane.abs() < 1e-9;
+    counted && tiled && map.validate().is_valid() != clashes && map.is_plane() != clashes
+}
+
+#[test]
+fn any_segments_are_built_and_judged_rightly() {
+    QuickCheck::new().tests(2000).quickcheck(built_and_judged as fn(Vec<((u8, u8), (u8, u8))>, bool) -> bool);
+}
+
+fn world() -> PlanarMap {
+    let mut builder = Builder::new();
+    geojson::read(include_bytes!("../../../../cli/data/world-110m.geojson").as_slice(), |feature| {
+        builder.feature(&feature).expect("longitudes and latitudes are in range");
+        Ok::<(), ReadError>(())
+    })
+    .expect("the file is GeoJSON");
+    builder.build().expect("the world fits")
+}
+
+#[test]
+fn the_world_is_covered_by_its_countries() {
+    let map = world();
+    let named = |name: &str| map.features().find(|f| map.name(*f) == Some(name)).expect("it is on the map");
+    let (lesotho, south_africa) = (named("Lesotho"), named("South Africa"));
+    let mut contested = 0;
+    for face in map.dcel().faces() {
+        let features: Vec<FeatureId> = map.features_of(face.key()).expect("of this map").collect();
+        contested += usize::from(features.len() > 1);
+        assert!(!face.is_unbounded() || features.is_empty());
+        if features.contains(&lesotho) {
+            assert_eq!(features, [lesotho]);
+            assert!(face.neighbours().all(|f| map.features_of(f.key()).expect("of this map").eq([south_africa])));
+        }
+    }
+    // Two slivers, by the provenance of the data. (Ray casting with plain floats finds three countries on each.)
+    assert_eq!(contested, 2);
+}

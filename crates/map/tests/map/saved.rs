@@ -1,0 +1,210 @@
+//! Saved maps: loading gives the same map with the same keys, and nothing that is not a plane map.
+
+use quickcheck::{Gen, QuickCheck};
+use serde_json::{Value, json};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::Snap;
+use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
+
+/// Says if all of one map is in the other, the summaries included.
+fn is_same(map: &PlanarMap, again: &PlanarMap) -> bool {
+    map == again && map.summary() == again.summary() && map.noding() == again.noding()
+}
+
+fn saved(map: &PlanarMap) -> Value {
+    serde_json::to_value(map).unwrap()
+}
+
+fn loaded(saved: Value) -> Result<PlanarMap, String> {
+    serde_json::from_value(saved).map_err(|error: serde_json::Error| error.to_string())
+}
+
+/// A map with features, edges of none, isolated vertices, and slots that were vacated and used again.
+fn edited(segments: &[(i8, i8, i8, i8)], rings: &[(i8, i8, u8)], edits: &[(i8, i8, bool)]) -> PlanarMap {
+    let mut builder = Builder::new();
+    for (a, b, c, d) in segments {
+        builder.segment([f64::from(*a), f64::from(*b)], [f64::from(*c), f64::from(*d)]).unwrap();
+    }
+    for (i, (x, y, size)) in rings.iter().enumerate() {
+        let (x, y, size) = (f64::from(*x), f64::from(*y), f64::from(*size));
+        let ring = [[x, y], [x + size, y], [x, y + size]];
+        let name = (i % 2 == 0).then(|| format!("ring {i} \u{1F600}"));
+        builder.feature(&Feature { name, shapes: vec![Shape::polygon(ring)], ..Feature::default() }).unwrap();
+    }
+    let mut map = builder.build_with(Noding::Snap(Snap::Size(1.0))).unwrap();
+    for (x, y, removes) in edits {
+        let at = [f64::from(*x), f64::from(*y)];
+        let outcome = map.insert_segment_snapped([0.0, 0.0], at, Snap::Size(1.0));
+        let edge = outcome.ok().and_then(|edited| edited.way.first().copied());
+        match edge.filter(|_| *removes) {
+            Some(edge) => drop(map.remove_edge(edge).unwrap()),
+            None => drop(map.insert_point(at).unwrap()),
+        }
+    }
+    map
+}
+
+type Edits = (Vec<(i8, i8, i8, i8)>, Vec<(i8, i8, u8)>, Vec<(i8, i8, bool)>);
+
+#[test]
+fn what_is_loaded_is_what_was_saved() {
+    fn law((segments, rings, edits): Edits) -> bool {
+        let mut map = edited(&segments, &rings, &edits);
+        let text = serde_json::to_string(&map).unwrap();
+        let mut again: PlanarMap = serde_json::from_str(&text).unwrap();
+        let same = is_same(&map, &again) && serde_json::to_string(&again).unwrap() == text;
+        // Both can be edited further. Which vacant slots come first is not saved, so new keys may differ.
+        let [ours, theirs] = [&mut map, &mut again].map(|map| {
+            let made = map.insert_ring([[1000.0, 0.0], [1001.0, 0.0], [1000.0, 1.0]]).unwrap();
+            (made.way.len(), made.faces_split.len(), map.dcel().face_count())
+        });
+        same && ours == theirs && again.validate().is_valid()
+    }
+    QuickCheck::new().rng(Gen::from_size_and_seed(12, 2026)).tests(200).quickcheck(law as fn(Edits) -> bool);
+}
+
+fn certified(map: &PlanarMap) -> Value {
+    serde_json::to_value(map.certified().unwrap()).unwrap()
+}
+
+#[test]
+fn what_is_loaded_by_its_certificate_is_what_was_saved() {
+    fn law((segments, rings, edits): Edits) -> bool {
+        let map = edited(&segments, &rings, &edits);
+        is_same(&map, &loaded(certified(&map)).unwrap())
+    }
+    QuickCheck::new().rng(Gen::from_size_and_seed(10, 2026)).tests(60).quickcheck(law as fn(Edits) -> bool);
+    // On the finest grid of all, and on the coarsest.
+    for size in [2.0_f64.powi(-400), 2.0_f64.powi(498)] {
+        let mut map = PlanarMap::new();
+        for x in [1.0, 3.0] {
+            map.insert_point([x * size * (1.0 + 2.0_f64.powi(-30)), -size]).unwrap();
+        }
+        assert!(is_same(&map, &loaded(certified(&map)).unwrap()), "{size}");
+    }
+}
+
+#[test]
+fn a_certificate_is_checked_and_not_believed() {
+    let map = edited(&[(0, 9, 3, 9)], &[(0, 0, 4)], &[]);
+    let good = certified(&map);
+    let another = certified(&edited(&[(0, 9, 3, 9)], &[(0, 0, 5)], &[]));
+    let wrong = "the certificate of the map is wrong: ";
+    let cases: [(&str, Value, &str); 6] = [
+        ("/points/0", json!([0.5, 0.0]), "the certificate of the map is one of another drawing: vertex "),
+        ("/drawing/exponent", json!(1), "the certificate of the map is one of another drawing: vertex "),
+        ("/drawing/exponent", json!(-1075), "the certificate of the map is one of another drawing: vertex "),
+        ("/drawing/points/1", json!([90, 90]), wrong),
+        ("/drawing/points", json!([]), wrong),
+        ("/drawing", another["drawing"].clone(), "the certificate of the map is one of another drawing: vertex "),
+    ];
+    for (place, value, says) in cases {
+        let mut bad = good.clone();
+        *bad.pointer_mut(place).unwrap() = value;
+        let error = loaded(bad).unwrap_err();
+        assert!(error.starts_with(says), "{place}: {error}");
+    }
+    // Alone, and too far away for exact predicates.
+    let mut alone = PlanarMap::new();
+    alone.insert_point([1.0, 0.0]).unwrap();
+    let mut far = certified(&alone);
+    far["drawing"]["exponent"] = json!(500);
+    far["points"][0] = json!([2.0_f64.powi(500), 0.0]);
+    assert!(loaded(far.clone()).is_ok());
+    far["drawing"]["points"][1] = json!([2, -1]);
+    far["points"][0] = json!([2.0_f64.powi(501), -2.0_f64.powi(500)]);
+    assert!(loaded(far).unwrap_err().ends_with("lies where predicates are not exact"));
+    // A vertex that is moved across an edge, in the map and in its certificate: no triangle allows that.
+    let mut both = good.clone();
+    both["points"][0] = json!([3.0, 3.0]);
+    both["drawing"]["points"][1] = json!([3, 3]);
+    assert!(loaded(both).unwrap_err().starts_with(wrong));
+    // Without one, the map is validated.
+    let mut none = good.clone();
+    none["drawing"] = Value::Null;
+    assert!(is_same(&map, &loaded(none.clone()).unwrap()));
+    none.as_object_mut().unwrap().remove("drawing");
+    assert!(is_same(&map, &loaded(none).unwrap()));
+}
+
+#[test]
+fn whatever_number_of_a_certificate_is_changed_no_other_map_is_loaded() {
+    let map = edited(&[(0, 9, 3, 9)], &[(0, 0, 4), (1, 1, 1)], &[]);
+    let good = certified(&map);
+    let columns = good["drawing"]["columns"]["columns"].as_array().unwrap();
+    let (mut refused, mut loads) = (0, 0);
+    for (i, column) in columns.iter().enumerate() {
+        for (j, number) in column.as_array().unwrap().iter().enumerate() {
+            let mut bad = good.clone();
+            bad["drawing"]["columns"]["columns"][i][j] = json!(number.as_u64().unwrap() ^ 1);
+            match loaded(bad) {
+                Err(error) => {
+                    assert!(error.starts_with("the certificate of the map is wrong: "), "{error}");
+                    refused += 1;
+                }
+                // Numbers of vacant slots mean nothing.
+                Ok(again) => {
+                    assert!(is_same(&map, &again));
+                    loads += 1;
+                }
+            }
+        }
+    }
+    assert!(refused > 10 * loads, "{refused} and {loads}");
+}
+
+#[test]
+fn the_empty_map_and_points_alone() {
+    let mut map = PlanarMap::new();
+    assert!(is_same(&map, &loaded(saved(&map)).unwrap()));
+    let gone = map.insert_point([1.0, 1.0]).unwrap().vertices[0];
+    let kept = map.insert_point([-0.0, 1e-100]).unwrap().vertices[0];
+    map.remove_vertex(gone).unwrap();
+    let again = loaded(saved(&map)).unwrap();
+    assert_eq!(again.position(kept), Ok(Point::new(0.0, 1e-100)));
+    assert!(again.position(gone).is_err(), "a stale key stays stale");
+}
+
+fn square() -> PlanarMap {
+    edited(&[(9, 9, 12, 9)], &[(0, 0, 4), (6, 0, 2)], &[])
+}
+
+#[test]
+fn garbage_is_an_error() {
+    let good = saved(&square());
+    assert!(loaded(good.clone()).is_ok());
+    let cases: [(&str, Value, &str); 10] = [
+        ("/form", json!(2), "form 2 of a map is not known"),
+        ("/points", json!([[0.0, 0.0]]), "there are 1 entries for 8 vertices"),
+        ("/faces", json!([]), "there are 0 entries for 3 faces"),
+        ("/edges", json!([0]), "there are 1 entries for 7 edges"),
+        ("/faces/1", json!(99), "there is no set 99 of features"),
+        ("/edges/0", json!(99), "there is no set 99 of features"),
+        ("/sets/1", json!([7]), "set 1 of features is not sorted, or has a feature that the map does not have"),
+        ("/sets/1", json!([1, 0]), "set 1 of features is not sorted"),
+        ("/removed", json!([7]), "feature 7 cannot have been removed"),
+        ("/points/0", json!([100.0, 100.0]), "the map is not valid:"),
+    ];
+    for (place, value, says) in cases {
+        let mut bad = good.clone();
+        *bad.pointer_mut(place).unwrap() = value;
+        let error = loaded(bad).unwrap_err();
+        assert!(error.starts_with(says), "{place}: {error}");
+    }
+    let mut more = good.clone();
+    more["more"] = json!(1);
+    assert!(loaded(more).unwrap_err().contains("unknown field"));
+    let mut links = good;
+    let next = links.pointer_mut("/dcel/next").unwrap();
+    next[0] = next[2].clone();
+    assert!(loaded(links).is_err());
+}
+
+#[test]
+fn a_map_that_is_not_plane_is_not_saved() {
+    let mut builder = Builder::new();
+    builder.segment([0.0, 0.0], [2.0, 2.0]).unwrap();
+    builder.segment([0.0, 2.0], [2.0, 0.0]).unwrap();
+    let error = serde_json::to_string(&builder.build().unwrap()).unwrap_err();
+    assert_eq!(error.to_string(), "a map that is not plane cannot be saved");
+}

@@ -1,0 +1,129 @@
+//! Maps built by several threads, and what several threads say of them, against one thread: the same, bit for bit.
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use twinedge_coverage::{Limits, check};
+use twinedge_formats::io::{ReadError, geojson};
+use twinedge_geometry::Point;
+use twinedge_geometry::noding::{Noded, Snap, node, node_within};
+use twinedge_map::{Builder, Feature, Locator, Noding, PlanarMap, Shape};
+
+fn threads(number: usize) -> ThreadPool {
+    ThreadPoolBuilder::new().num_threads(number).build().expect("threads can be had")
+}
+
+/// Says it by one thread and by three, and that both say the same.
+#[track_caller]
+fn same<T: PartialEq + core::fmt::Debug + Send>(say: impl Fn() -> T + Sync) -> T {
+    let (one, three) = (threads(1).install(&say), threads(3).install(&say));
+    assert!(one == three, "one thread and three must agree");
+    one
+}
+
+fn world() -> Vec<Feature> {
+    let mut features = Vec::new();
+    let file = include_bytes!("../../../../tests/data/world-50m.geojson");
+    geojson::read(file.as_slice(), |feature| {
+        features.push(feature);
+        Ok::<(), ReadError>(())
+    })
+    .expect("the file is GeoJSON");
+    features
+}
+
+fn build(features: &[Feature], noding: Noding) -> PlanarMap {
+    let mut builder = Builder::new();
+    for feature in features {
+        builder.feature(feature).expect("in range");
+    }
+    builder.build_with(noding).expect("it fits")
+}
+
+/// Numbers from 0 to 1 that look random, always the same ones.
+fn random() -> impl FnMut() -> f64 {
+    let mut state = 12_u64;
+    move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from((state >> 33) as u32) / f64::from(1_u32 << 31)
+    }
+}
+
+/// Many short segments, and some from one side to the other, which cross each other and the short ones.
+fn tangle() -> Vec<[Point; 2]> {
+    let mut random = random();
+    let mut segments: Vec<[Point; 2]> = (0..30_000)
+        .map(|_| {
+            let (x, y) = (random(), random());
+            [Point::new(x, y), Point::new(x + 0.01 * (random() - 0.5), y + 0.01 * (random() - 0.5))]
+        })
+        .collect();
+    segments.extend((0..50).map(|_| [Point::new(0.0, random()), Point::new(1.0, random())]));
+    segments
+}
+
+/// The answers of noding.
+fn told(noded: &Noded, segments: usize) -> String {
+    let chains: Vec<Vec<u32>> = (0..segments).map(|s| noded.chain(s).into_iter().flatten().collect()).collect();
+    format!("{:?} {:?} {:?} {chains:?}", noded.points, noded.segments, noded.summary)
+}
+
+#[test]
+fn several_threads_build_the_map_that_one_builds() {
+    let features = world();
+    for noding in [Noding::None, Noding::Exact, Noding::Snap(Snap::Auto), Noding::Snap(Snap::Size(1.0 / 32.0))] {
+        same(|| {
+            let map = build(&features, noding);
+            let mut saved = serde_json::to_value(&map).expect("a plane map can be saved");
+            // Those of two maps differ, so that a key of one is not taken for one of the other.
+            assert!(saved["dcel"]["generations"].take().is_object());
+            (saved.to_string(), format!("{:?}", map.noding()))
+        });
+    }
+}
+
+#[test]
+fn several_threads_cut_as_one_does_and_stop_where_one_does() {
+    let segments = tangle();
+    let cuts = |noded: &Noded| noded.summary.crossings;
+    for snap in [Snap::Auto, Snap::Size(1.0 / 1024.0)] {
+        let (_, crossings) = same(|| {
+            let noded = node(&segments, &[], snap).expect("they are finite");
+            (told(&noded, segments.len()), cuts(&noded))
+        });
+        assert!(crossings > 1_000, "{crossings}");
+    }
+    let visits = |noded: &Noded| (0..segments.len()).map(|s| noded.chain(s).map_or(0, |c| c.len() - 2)).sum::<usize>();
+    let all = visits(&node(&segments, &[], Snap::Auto).expect("they are finite"));
+    for (allowed, is_enough) in [(all, true), (all - 1, false), (all / 2, false)] {
+        let done = same(|| node_within(&segments, &[], Snap::Auto, allowed).map(|noded| cuts(&noded)));
+        assert_eq!(done.is_ok(), is_enough, "{done:?}");
+    }
+}
+
+#[test]
+fn several_threads_find_in_a_coverage_what_one_finds() {
+    // Parcels in rows, which overlap the next one, leave a gap, repeat one, or fit.
+    let parcel = |i: u32| {
+        let (x, y) = (f64::from(i % 20) * 10.0, f64::from(i / 20) * 10.0);
+        let wide = [10.5, 9.5, 10.0][i as usize % 3];
+        let ring = [[x, y], [x + wide, y], [x + wide, y + 10.0], [x, y + 10.0]];
+        Feature { shapes: vec![Shape::polygon(ring)], ..Feature::default() }
+    };
+    let features: Vec<Feature> = (0..400).map(|i| parcel(i - u32::from(i % 50 == 49))).collect();
+    let map = build(&features, Noding::Snap(Snap::Auto));
+    let found = same(|| check(&map, &Limits::default()).expect("it is plane").findings);
+    assert!(found.len() > 100, "{}", found.len());
+}
+
+#[test]
+fn several_threads_index_and_locate_as_one_does() {
+    let map = build(&world(), Noding::None);
+    let locator = Locator::new(&map).expect("it is plane");
+    let mut random = random();
+    let mut points: Vec<Point> =
+        (0..20_000).map(|_| Point::new(360.0 * random() - 180.0, 180.0 * random() - 90.0)).collect();
+    points.extend(map.dcel().vertices().step_by(100).map(|v| map.position(v.key()).expect("of this map")));
+    points.push(Point::new(1e300, 0.0));
+    let places = same(|| Locator::new(&map).expect("it is plane").locate_all(&points));
+    assert!(places.iter().copied().eq(points.iter().map(|p| locator.locate(*p))));
+    assert!(places.last().is_some_and(Result::is_err));
+}

@@ -1,0 +1,527 @@
+//! Reading features, one at a time.
+
+use core::cell::Cell;
+use core::fmt;
+use std::io::Read;
+
+use ::geojson::feature::Id;
+use ::geojson::{Feature as Parsed, FeatureCollection, GeoJson, GeometryValue, JsonValue, Position};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{
+    Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny, IntoDeserializer, MapAccess, SeqAccess, Visitor,
+};
+use serde_json::error::Category;
+
+use super::crs;
+use super::input::{self, Progress};
+use crate::io::error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
+use crate::io::properties::Properties;
+use crate::io::summary::ReadSummary;
+use twinedge_geometry::Point;
+use twinedge_map::{Feature, Shape};
+
+/// The number of GeoJSON objects in a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Documents {
+    /// One.
+    One,
+    /// Any number, one after the other.
+    Many,
+}
+
+/// A part of a file, as the crate `geojson` has it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Part {
+    /// A feature, with all that the file says of it; a geometry without a feature around it counts as one.
+    Feature(Box<Parsed>),
+    /// A member of a collection of features, by name: `crs`, `name`, `bbox` and foreign ones.
+    Member(String, JsonValue),
+}
+
+/// Reads a map, handing its features to `each` in the order of the file.
+///
+/// The reader is buffered inside. Faults may show only after some features have been handed over; `each` can stop the
+/// reading by an error of its own, which is then returned. Time O(bytes); memory O(largest feature).
+///
+/// # Errors
+/// [`ReadError`], turned into `E`, and whatever `each` returns. Something other than white space after the end of the object
+/// is [`ReadCause::Trailing`].
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_with_properties(reader, |feature, _| each(feature))
+}
+
+/// [`read`], with the properties of each feature.
+pub(in crate::io) fn read_with_properties<R, E>(
+    reader: R,
+    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_features(reader, Documents::One, each)
+}
+
+/// Reads a map of any number of GeoJSON objects, one after the other: newline-delimited GeoJSON, where each line is an
+/// object, and text sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), where each follows a record separator.
+/// Line breaks and record separators count as white space, and none is needed between two objects.
+///
+/// The features of all objects are handed to `each` in the order of the file. Otherwise as [`read`]; an empty file is a map
+/// without features.
+///
+/// ```
+/// use twinedge_formats::io::{ReadError, geojson};
+///
+/// let text = "{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}\n";
+/// let summary = geojson::read_sequence(text.as_bytes(), |_| Ok::<_, ReadError>(()))?;
+/// assert_eq!((summary.features, summary.points), (2, 2));
+/// # Ok::<_, ReadError>(())
+/// ```
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_sequence<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_sequence_with_properties(reader, |feature, _| each(feature))
+}
+
+/// [`read_sequence`], with the properties of each feature.
+pub(in crate::io) fn read_sequence_with_properties<R, E>(
+    reader: R,
+    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_features(reader, Documents::Many, each)
+}
+
+/// Reads a file without dropping anything: features as the crate `geojson` has them, with their properties, foreign members and
+/// all dimensions, and the members of the outermost object. Otherwise as [`read`] and [`read_sequence`].
+///
+/// ```
+/// use twinedge_formats::io::ReadError;
+/// use twinedge_formats::io::geojson::{Documents, Part, read_parts};
+///
+/// let text = r#"{"type":"FeatureCollection","name":"peaks","features":[
+///     {"type":"Feature","geometry":{"type":"Point","coordinates":[7.66,45.98,4478]},"properties":{"first":1865}}]}"#;
+/// let mut names = Vec::new();
+/// read_parts(text.as_bytes(), Documents::One, |part| {
+///     match part {
+///         Part::Member(name, _) => names.push(name),
+///         Part::Feature(feature) => assert_eq!(feature.property("first"), Some(&1865.into())),
+///         _ => {}
+///     }
+///     Ok::<_, ReadError>(())
+/// })?;
+/// assert_eq!(names, ["name"]);
+/// # Ok::<_, ReadError>(())
+/// ```
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_parts<R, E>(reader: R, documents: Documents, mut each: impl FnMut(Part) -> Result<(), E>) -> Result<(), E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut failure = None;
+    let mut take = |part| {
+        if let Part::Feature(feature) = &part {
+            let checked = feature.geometry.as_ref().map_or(Ok(()), |geometry| check(&geometry.value, 0));
+            checked.map_err(|cause| (None, cause))?;
+        }
+        Ok(each(part).map_err(|error| failure = Some(error)).is_ok())
+    };
+    let outcome = read_all(reader, documents, true, &mut take);
+    match (failure, outcome) {
+        (Some(failure), _) => Err(failure),
+        (None, Err(error)) => Err(error.into()),
+        (None, Ok(_)) => Ok(()),
+    }
+}
+
+/// Checks what the crate does not: that positions have two numbers, and how deep collections are nested.
+fn check(value: &GeometryValue, depth: usize) -> Result<(), ReadCause> {
+    fn positions<'a>(all: impl IntoIterator<Item = &'a Position>) -> Result<(), ReadCause> {
+        match all.into_iter().map(|position| position.len()).find(|numbers| *numbers < 2) {
+            Some(numbers) => Err(ReadCause::ShortPosition { numbers }),
+            None => Ok(()),
+        }
+    }
+    match value {
+        GeometryValue::Point { coordinates } => positions([coordinates]),
+        GeometryValue::MultiPoint { coordinates } | GeometryValue::LineString { coordinates } => positions(coordinates),
+        GeometryValue::MultiLineString { coordinates } | GeometryValue::Polygon { coordinates } => {
+            positions(coordinates.iter().flatten())
+        }
+        GeometryValue::MultiPolygon { coordinates } => positions(coordinates.iter().flatten().flatten()),
+        GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => Err(ReadCause::TooDeep),
+        GeometryValue::GeometryCollection { geometries } => {
+            geometries.iter().try_for_each(|geometry| check(&geometry.value, depth + 1))
+        }
+    }
+}
+
+/// Reads features for a map.
+fn read_features<R, E>(
+    reader: R,
+    documents: Documents,
+    mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut failure = None;
+    let mut summary = ReadSummary::default();
+    let mut take = |part| {
+        let Part::Feature(parsed) = part else { return Ok(true) };
+        let (feature, properties) = converted(*parsed, &mut summary)?;
+        Ok(each(feature, &properties).map_err(|error| failure = Some(error)).is_ok())
+    };
+    let outcome = read_all(reader, documents, false, &mut take);
+    match (failure, outcome) {
+        (Some(failure), _) => Err(failure),
+        (None, Err(error)) => Err(error.into()),
+        (None, Ok(other_crs)) => Ok(ReadSummary { other_crs, ..summary }),
+    }
+}
+
+/// A fault of a feature that the crate took, and the feature's name.
+type Fault = (Option<String>, ReadCause);
+
+/// Hands over all parts, and returns how many objects name a reference system that means something else. `take` says whether
+/// to go on.
+fn read_all(
+    reader: impl Read,
+    documents: Documents,
+    keep_members: bool,
+    take: &mut dyn FnMut(Part) -> Result<bool, Fault>,
+) -> Result<usize, ReadError> {
+    let progress = Cell::new(Progress::START);
+    let text = input::open(reader, &progress, documents == Documents::Many)
+        .map_err(|error| ReadError::new(progress.get().at, ReadCause::Io(error)))?;
+    let mut input = serde_json::Deserializer::from_reader(text);
+    let mut sink = Sink { take, keep_members, features: 0, other_crs: 0, in_features: false, fault: None };
+    if documents == Documents::One {
+        read_document(&mut input, &mut sink, &progress)?;
+    }
+    while let Err(error) = input.end() {
+        let error = classify(error, progress.get());
+        match (documents, error.cause) {
+            (Documents::Many, ReadCause::Syntax { .. }) => read_document(&mut input, &mut sink, &progress)?,
+            (Documents::One, ReadCause::Syntax { .. }) => {
+                return Err(ReadError::new(error.place, ReadCause::Trailing { what: "GeoJSON object" }));
+            }
+            (_, cause) => return Err(ReadError::new(error.place, cause)),
+        }
+    }
+    Ok(sink.other_crs)
+}
+
+/// Reads one object. If `each` stopped the reading, there is an error too.
+fn read_document<'de>(
+    input: &mut serde_json::Deserializer<impl serde_json::de::Read<'de>>,
+    sink: &mut Sink<'_>,
+    progress: &Cell<Progress>,
+) -> Result<(), ReadError> {
+    Walk { part: DocumentPart::Document, sink }.deserialize(input).map_err(|error| {
+        let error = classify(error, progress.get());
+        let index = sink.features;
+        match (&error.cause, sink.fault.take()) {
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, Some((name, cause))) => {
+                ReadError::new(error.place, cause).in_feature(FeatureLabel { index, name })
+            }
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, None) if sink.in_features => {
+                error.in_feature(FeatureLabel { index, name: None })
+            }
+            _ => error,
+        }
+    })
+}
+
+/// Gives an error of `serde_json` a type. What its category does not tell, it tells in words only.
+fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
+    let at = TextPlace { line: error.line(), column: Some(error.column()) };
+    // The message repeats the place.
+    let mut message = error.to_string();
+    message.truncate(message.rfind(" at line ").unwrap_or(message.len()));
+    // A number cut short counts as a bad number there, not as an early end.
+    let is_cut_number = progress.stopped && at == progress.at && message == "invalid number";
+    match (error.classify(), &*message) {
+        (Category::Io, _) => ReadError::new(progress.at, ReadCause::Io(error.into())),
+        (Category::Eof, _) if progress.blank => ReadError::new(at, ReadCause::Empty),
+        (Category::Eof, _) => ReadError::new(at, ReadCause::Truncated),
+        (Category::Syntax, _) if is_cut_number => ReadError::new(at, ReadCause::Truncated),
+        (Category::Syntax, "number out of range") => ReadError::new(at, ReadCause::OutOfRange),
+        (Category::Syntax, "recursion limit exceeded") => ReadError::new(at, ReadCause::TooDeep),
+        (Category::Syntax, _) => ReadError::new(at, ReadCause::Syntax { message }),
+        (Category::Data, _) => {
+            ReadError::new(at, ReadCause::Malformed { message: message.chars().take(200).collect() })
+        }
+    }
+}
+
+/// The receiver of features.
+struct Sink<'f> {
+    /// Takes a part, and says whether to go on.
+    take: &'f mut dyn FnMut(Part) -> Result<bool, Fault>,
+    /// True if the members of the outermost object are handed over as well.
+    keep_members: bool,
+    features: usize,
+    other_crs: usize,
+    /// True if an element of `"features"` is being read.
+    in_features: bool,
+    /// Serde only gets to know that there is a fault, and adds the place.
+    fault: Option<Fault>,
+}
+
+impl Sink<'_> {
+    fn take<S: Error>(&mut self, part: Part) -> Result<(), S> {
+        let is_feature = matches!(part, Part::Feature(_));
+        match (self.take)(part) {
+            Ok(goes_on) => {
+                self.features += usize::from(is_feature);
+                if goes_on { Ok(()) } else { Err(S::custom("stopped")) }
+            }
+            Err(fault) => {
+                self.fault = Some(fault);
+                Err(S::custom("faulty"))
+            }
+        }
+    }
+}
+
+/// The columns from which the name of a feature is taken, unless it is said otherwise: the first that there is.
+pub const NAME_COLUMNS: [&str; 7] = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
+
+/// A feature of the crate as one for a map, with its properties.
+fn converted(parsed: Parsed, summary: &mut ReadSummary) -> Result<(Feature, Properties), Fault> {
+    let label = |value: &JsonValue| match value {
+        JsonValue::String(text) => Some(text.clone()),
+        JsonValue::Number(number) => Some(number.to_string()),
+        _ => None,
+    };
+    let name = NAME_COLUMNS.into_iter().find_map(|key| parsed.property(key).and_then(label));
+    let properties = parsed.properties.as_ref().map_or(0, |properties| properties.len());
+    summary.dropped_properties += properties - usize::from(name.is_some());
+    let id = parsed.id.map(|id| match id {
+        Id::String(text) => text,
+        Id::Number(number) => number.to_string(),
+    });
+    let mut shapes = FeatureShapes::default();
+    let added = parsed.geometry.map_or(Ok(()), |geometry| shapes.add(geometry.value, 0));
+    if let Err(cause) = added {
+        return Err((name, cause));
+    }
+    let feature = Feature { name, id, shapes: shapes.shapes };
+    summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
+    Ok((feature, Properties { object: parsed.properties.unwrap_or_default() }))
+}
+
+/// The shapes of one feature.
+#[derive(Default)]
+struct FeatureShapes {
+    shapes: Vec<Shape>,
+    with_extra_dimensions: usize,
+    /// Lines and polygons without positions, which are not among the shapes.
+    empty: usize,
+}
+
+impl FeatureShapes {
+    /// Adds a geometry that lies inside this many collections, a number that bounds the recursion.
+    fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), ReadCause> {
+        match value {
+            GeometryValue::Point { coordinates } => {
+                let point = self.point(&coordinates)?;
+                self.shapes.push(Shape::Point(point));
+            }
+            GeometryValue::MultiPoint { coordinates } => {
+                let points = self.line(coordinates)?;
+                self.shapes.extend(points.into_iter().map(Shape::Point));
+            }
+            GeometryValue::LineString { coordinates } => self.add_line(coordinates)?,
+            GeometryValue::MultiLineString { coordinates } => {
+                coordinates.into_iter().try_for_each(|line| self.add_line(line))?;
+            }
+            GeometryValue::Polygon { coordinates } => self.add_polygon(coordinates)?,
+            GeometryValue::MultiPolygon { coordinates } => {
+                coordinates.into_iter().try_for_each(|rings| self.add_polygon(rings))?;
+            }
+            GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => {
+                return Err(ReadCause::TooDeep);
+            }
+            GeometryValue::GeometryCollection { geometries } => {
+                geometries.into_iter().try_for_each(|geometry| self.add(geometry.value, depth + 1))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn add_line(&mut self, line: Vec<Position>) -> Result<(), ReadCause> {
+        let points = self.line(line)?;
+        if points.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Line(points));
+        }
+        Ok(())
+    }
+
+    fn add_polygon(&mut self, rings: Vec<Vec<Position>>) -> Result<(), ReadCause> {
+        let rings = rings.into_iter().map(|ring| self.line(ring)).collect::<Result<Vec<_>, _>>()?;
+        if rings.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Polygon(rings));
+        }
+        Ok(())
+    }
+
+    fn line(&mut self, positions: Vec<Position>) -> Result<Vec<Point>, ReadCause> {
+        // Collecting results would not reserve the memory at once.
+        let mut points = Vec::with_capacity(positions.len());
+        for position in positions {
+            points.push(self.point(&position)?);
+        }
+        Ok(points)
+    }
+
+    fn point(&mut self, position: &Position) -> Result<Point, ReadCause> {
+        let &[x, y, ref extra @ ..] = position.as_slice() else {
+            return Err(ReadCause::ShortPosition { numbers: position.len() });
+        };
+        self.with_extra_dimensions += usize::from(!extra.is_empty());
+        Ok(Point { x, y })
+    }
+}
+
+/// The parts of a document that this module looks at itself.
+#[derive(Clone, Copy)]
+enum DocumentPart {
+    /// The outermost object.
+    Document,
+    /// The array `"features"`.
+    Features,
+    /// One element of that array.
+    Element,
+}
+
+/// Walks through one part of a document.
+struct Walk<'s, 'f> {
+    part: DocumentPart,
+    sink: &'s mut Sink<'f>,
+}
+
+impl<'de> DeserializeSeed<'de> for Walk<'_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        match self.part {
+            DocumentPart::Document | DocumentPart::Element => deserializer.deserialize_map(self),
+            DocumentPart::Features => deserializer.deserialize_seq(self),
+        }
+    }
+}
+
+impl<'de> Visitor<'de> for Walk<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.part {
+            DocumentPart::Document => "a GeoJSON object",
+            DocumentPart::Features => "an array of features",
+            DocumentPart::Element => "a feature",
+        })
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<(), A::Error> {
+        self.sink.in_features = true;
+        while array.next_element_seed(Walk { part: DocumentPart::Element, sink: &mut *self.sink })?.is_some() {}
+        self.sink.in_features = false;
+        Ok(())
+    }
+
+    /// Errors raised in here get the place of the closing brace, so features are converted in here too.
+    fn visit_map<A: MapAccess<'de>>(self, inner: A) -> Result<(), A::Error> {
+        let Self { part, sink } = self;
+        if let DocumentPart::Element = part {
+            let feature = Parsed::deserialize(MapAccessDeserializer::new(inner))?;
+            return sink.take(Part::Feature(feature.into()));
+        }
+        let mut members = Members { inner, sink, at_features: false, has_features: false, kept: Vec::new() };
+        let document = GeoJson::deserialize(MapAccessDeserializer::new(&mut members))?;
+        let kept = core::mem::take(&mut members.kept);
+        match document {
+            GeoJson::FeatureCollection(_) => {
+                kept.into_iter().try_for_each(|(name, value)| members.sink.take(Part::Member(name, value)))
+            }
+            // The features of an object of another type, which have been handed over already.
+            other if members.has_features => FeatureCollection::try_from(other).map(drop).map_err(A::Error::custom),
+            GeoJson::Feature(feature) => members.sink.take(Part::Feature(with_members(feature, kept).into())),
+            GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(with_members(geometry.into(), kept).into())),
+        }
+    }
+}
+
+/// A feature that is the outermost object, with the members that the crate did not get to see.
+fn with_members(mut feature: Parsed, kept: Vec<(String, JsonValue)>) -> Parsed {
+    if !kept.is_empty() {
+        feature.foreign_members.get_or_insert_default().extend(kept);
+    }
+    feature
+}
+
+/// The members of the outermost object as the crate gets to see them: without those that mean nothing here, which it
+/// would keep in memory, and with an empty array for `"features"`, whose elements go to the sink.
+struct Members<'s, 'f, A> {
+    inner: A,
+    sink: &'s mut Sink<'f>,
+    at_features: bool,
+    has_features: bool,
+    /// Those that mean nothing here, if they are kept.
+    kept: Vec<(String, JsonValue)>,
+}
+
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
+    type Error = A::Error;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, A::Error> {
+        const KNOWN: [&str; 7] = ["type", "features", "geometry", "properties", "id", "coordinates", "geometries"];
+        while let Some(key) = self.inner.next_key::<String>()? {
+            if let Some(known) = KNOWN.into_iter().find(|&known| known == key) {
+                self.at_features = known == "features";
+                return seed.deserialize(known.into_deserializer()).map(Some);
+            }
+            if self.sink.keep_members {
+                let value = self.inner.next_value()?;
+                self.kept.push((key, value));
+            } else if key == "crs" {
+                let name = self.inner.next_value_seed(crs::NAME)?;
+                self.sink.other_crs += usize::from(name.is_some_and(|name| crs::is_other(&name)));
+            } else {
+                self.inner.next_value::<IgnoredAny>()?;
+            }
+        }
+        Ok(None)
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, A::Error> {
+        if !self.at_features {
+            return self.inner.next_value_seed(seed);
+        }
+        self.has_features = true;
+        self.inner.next_value_seed(Walk { part: DocumentPart::Features, sink: self.sink })?;
+        seed.deserialize(JsonValue::Array(Vec::new())).map_err(A::Error::custom)
+    }
+}

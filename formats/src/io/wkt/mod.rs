@@ -1,0 +1,317 @@
+//! Reading and writing well-known text, one geometry per line.
+//!
+//! The grammar is that of the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
+//! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not. Three numbers of a position without one of these
+//! are x, y and z, and four x, y, z and m. `SRID=2056;` may stand before a geometry, as PostGIS writes it.
+//!
+//! ```
+//! use twinedge_formats::io::{ReadError, wkt};
+//!
+//! let text = "# two parcels\nPOLYGON((0 0, 1 0, 1 1, 0 0))\nPOLYGON((0 0, 1 1, 0 1, 0 0))\n";
+//! let summary = wkt::read(text.as_bytes(), |feature| {
+//!     assert_eq!(feature.shapes.len(), 1);
+//!     Ok::<_, ReadError>(())
+//! })?;
+//! assert_eq!((summary.polygons, summary.positions), (2, 8));
+//! # Ok::<_, ReadError>(())
+//! ```
+
+mod dialect;
+
+use core::str;
+use std::io::{BufRead, BufReader, Read, Write};
+
+use ::wkt::Wkt;
+use ::wkt::types::{
+    Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Polygon,
+};
+
+use self::dialect::{plain, split_srid, with_nothing};
+use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
+use super::summary::ReadSummary;
+use super::unread::{unread_geometry, unread_in};
+use super::write::{self, GeometryPiece, WriteError};
+use twinedge_geometry::Point;
+use twinedge_map::{Feature, Shape};
+
+/// Reads a map, handing the geometry of each line to `each` as a feature without a name.
+///
+/// Blank lines and lines that start with `#` are skipped, and so is a byte order mark. Collections are flattened, empty
+/// geometries draw nothing, numbers beyond x and y are dropped and counted, and rings may be open. The reader is
+/// buffered inside. Time O(bytes); memory O(longest line).
+///
+/// # Errors
+///
+/// [`ReadError`] with the line, turned into `E`, and whatever `each` returns. Lines before the faulty one have been handed
+/// over by then.
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut summary = ReadSummary::default();
+    read_geometries(reader, |GeometryLine { number, srid, geometry }| {
+        let mut shapes = LineShapes { line: number, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
+        shapes.add(geometry, 0)?;
+        let feature = Feature { shapes: shapes.shapes, ..Feature::default() };
+        summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
+        summary.other_crs += usize::from(srid.is_some_and(|srid| srid != WGS_84));
+        each(feature)
+    })?;
+    Ok(summary)
+}
+
+/// The number of the reference system of longitudes and latitudes on WGS 84.
+const WGS_84: i64 = 4326;
+
+/// A line with a geometry.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct GeometryLine {
+    /// Its number, counted from 1.
+    pub number: usize,
+    /// The number of the reference system, if the line says one.
+    pub srid: Option<i64>,
+    /// The geometry as the crate `wkt` has it.
+    pub geometry: Wkt<f64>,
+}
+
+/// Reads a file without dropping anything. Otherwise as [`read`]; what numbers there are is not checked. A point whose coordinates are no
+/// numbers is empty.
+///
+/// # Errors
+/// As for [`read`].
+///
+/// ```
+/// use twinedge_formats::io::{ReadError, wkt};
+///
+/// wkt::read_geometries("SRID=2056;POINT(1 2 3)".as_bytes(), |line| {
+///     assert_eq!((line.srid, line.geometry.to_string().as_str()), (Some(2056), "POINT Z(1 2 3)"));
+///     Ok::<_, ReadError>(())
+/// })?;
+/// # Ok::<_, ReadError>(())
+/// ```
+pub fn read_geometries<R, E>(reader: R, mut each: impl FnMut(GeometryLine) -> Result<(), E>) -> Result<(), E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut input = BufReader::new(reader);
+    let mut bytes = Vec::new();
+    for number in 1.. {
+        bytes.clear();
+        if input.read_until(b'\n', &mut bytes).map_err(|error| error_in(number, ReadCause::Io(error)))? == 0 {
+            break;
+        }
+        let text = str::from_utf8(&bytes).map_err(|_| error_in(number, ReadCause::NotUtf8))?;
+        let text = if number == 1 { text.strip_prefix('\u{FEFF}').unwrap_or(text) } else { text };
+        let text = text.trim();
+        if text.is_empty() || text.starts_with('#') {
+            continue;
+        }
+        let after_srid = || error_in(number, syntax("expected SRID=, a number and a semicolon"));
+        let (srid, text) = split_srid(text).ok_or_else(after_srid)?;
+        check_frame(text, number)?;
+        let geometry = plain(&with_nothing(text)).parse().map_err(|message| {
+            let unread = unread_in(text).map(unread_geometry);
+            error_in(number, unread.map_or_else(|| syntax(message), |message| ReadCause::Unread { message }))
+        })?;
+        each(GeometryLine { number, srid, geometry: emptied(geometry) })?;
+    }
+    Ok(())
+}
+
+/// The geometry, with points without numbers as empty ones. The recursion is as deep as collections are nested, which the brackets bound.
+fn emptied(geometry: Wkt<f64>) -> Wkt<f64> {
+    let point = |point: ::wkt::types::Point<f64>| match point.coord() {
+        Some(coord) if coord.x.is_nan() && coord.y.is_nan() => ::wkt::types::Point::empty(point.dimension()),
+        _ => point,
+    };
+    match geometry {
+        Wkt::Point(one) => point(one).into(),
+        Wkt::MultiPoint(points) => {
+            let (points, dimension) = points.into_inner();
+            MultiPoint::new(points.into_iter().map(point).collect(), dimension).into()
+        }
+        Wkt::GeometryCollection(all) => {
+            let (geometries, dimension) = all.into_inner();
+            GeometryCollection::new(geometries.into_iter().map(emptied).collect(), dimension).into()
+        }
+        other => other,
+    }
+}
+
+fn error_in(line: usize, cause: ReadCause) -> ReadError {
+    ReadError::new(TextPlace::line(line), cause)
+}
+
+fn syntax(message: &str) -> ReadCause {
+    ReadCause::Syntax { message: message.to_owned() }
+}
+
+/// Checks what the `wkt` crate does not: that nothing follows the geometry, and that its brackets are not nested so
+/// deep that a recursive parser runs out of stack. The text is taken as words, then one pair of brackets unless the
+/// last word is `EMPTY`.
+fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
+    let is_empty_mark = |word: &str| word.eq_ignore_ascii_case("EMPTY");
+    let (head, body) = text.split_at(text.find('(').unwrap_or(text.len()));
+    if !head.chars().all(|c| c.is_ascii_alphabetic() || c.is_ascii_whitespace()) {
+        return Err(error_in(line, syntax("expected the type of a geometry")));
+    }
+    if let Some(mark) = head.split_ascii_whitespace().position(is_empty_mark) {
+        let is_last = head.split_ascii_whitespace().count() == mark + 1 && body.is_empty();
+        return if is_last { Ok(()) } else { Err(error_in(line, ReadCause::Trailing { what: "geometry" })) };
+    }
+    let mut depth = 0_usize;
+    for (at, byte) in body.bytes().enumerate() {
+        match byte {
+            b'(' => depth += 1,
+            b')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        // A multi-polygon has three pairs of brackets of its own.
+        if depth > MAX_NESTED_COLLECTIONS + 3 {
+            return Err(error_in(line, ReadCause::TooDeep));
+        }
+        if depth == 0 {
+            return if at + 1 == body.len() {
+                Ok(())
+            } else {
+                Err(error_in(line, ReadCause::Trailing { what: "geometry" }))
+            };
+        }
+    }
+    Err(error_in(line, syntax("expected ( or EMPTY, and a ) for every (")))
+}
+
+/// The shapes of one line.
+struct LineShapes {
+    line: usize,
+    shapes: Vec<Shape>,
+    with_extra_dimensions: usize,
+    /// Points, lines and polygons without positions, which are not among the shapes.
+    empty: usize,
+}
+
+impl LineShapes {
+    /// Adds what a geometry inside `depth` collections draws. The recursion is as deep as they are nested.
+    fn add(&mut self, geometry: Wkt<f64>, depth: usize) -> Result<(), ReadError> {
+        if depth > MAX_NESTED_COLLECTIONS {
+            return Err(error_in(self.line, ReadCause::TooDeep));
+        }
+        match geometry {
+            Wkt::Point(point) => self.add_point(&point),
+            Wkt::MultiPoint(points) => points.points().iter().try_for_each(|point| self.add_point(point)),
+            Wkt::LineString(line) => self.add_line(&line),
+            Wkt::MultiLineString(lines) => lines.line_strings().iter().try_for_each(|line| self.add_line(line)),
+            Wkt::Polygon(polygon) => self.add_polygon(&polygon),
+            Wkt::MultiPolygon(polygons) => polygons.polygons().iter().try_for_each(|polygon| self.add_polygon(polygon)),
+            Wkt::GeometryCollection(all) => {
+                let (geometries, _) = all.into_inner();
+                geometries.into_iter().try_for_each(|geometry| self.add(geometry, depth + 1))
+            }
+        }
+    }
+
+    fn add_point(&mut self, point: &::wkt::types::Point<f64>) -> Result<(), ReadError> {
+        if let Some(coord) = point.coord() {
+            let point = self.position(coord)?;
+            self.shapes.push(Shape::Point(point));
+        } else {
+            self.empty += 1;
+        }
+        Ok(())
+    }
+
+    fn add_line(&mut self, line: &LineString<f64>) -> Result<(), ReadError> {
+        let points = self.positions(line)?;
+        if points.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Line(points));
+        }
+        Ok(())
+    }
+
+    fn add_polygon(&mut self, polygon: &Polygon<f64>) -> Result<(), ReadError> {
+        let rings: Vec<_> = polygon.rings().iter().map(|ring| self.positions(ring)).collect::<Result<_, _>>()?;
+        if rings.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Polygon(rings));
+        }
+        Ok(())
+    }
+
+    fn positions(&mut self, line: &LineString<f64>) -> Result<Vec<Point>, ReadError> {
+        line.coords().iter().map(|coord| self.position(coord)).collect()
+    }
+
+    fn position(&mut self, &Coord { x, y, z, m }: &Coord<f64>) -> Result<Point, ReadError> {
+        if !(x.is_finite() && y.is_finite()) {
+            return Err(error_in(self.line, ReadCause::OutOfRange));
+        }
+        self.with_extra_dimensions += usize::from(z.is_some() || m.is_some());
+        Ok(Point { x, y })
+    }
+}
+
+/// Writes features, the geometry of each on a line of its own; names are not written.
+///
+/// One shape is written as what it is, several of a kind as a multi-geometry, other mixtures and features without shapes as a
+/// collection. Numbers have as many digits as it takes to read the same ones again. Points, lines and rings are written as
+/// they are, so rings should be closed, as those of a [contour](twinedge_algorithm::contour) are. The writer is not buffered
+/// inside. O(points).
+///
+/// # Errors
+///
+/// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
+///
+/// ```
+/// use twinedge_map::{Feature, Shape};
+/// use twinedge_formats::io::wkt;
+///
+/// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]];
+/// let parcel = Feature { shapes: vec![Shape::polygon(corners)], ..Feature::default() };
+/// let mut text = Vec::new();
+/// wkt::write(&mut text, &[parcel])?;
+/// assert_eq!(text, b"POLYGON((0 0,1 0,0 0.5,0 0))\n");
+/// # Ok::<_, twinedge_formats::io::WriteError>(())
+/// ```
+pub fn write(mut writer: impl Write, features: &[Feature]) -> Result<(), WriteError> {
+    write::check(features)?;
+    for feature in features {
+        let mut geometries: Vec<Wkt<f64>> = write::pieces(feature).into_iter().map(written).collect();
+        let geometry = match geometries.pop() {
+            Some(only) if geometries.is_empty() => only,
+            last => {
+                geometries.extend(last);
+                GeometryCollection::new(geometries, Dimension::XY).into()
+            }
+        };
+        writeln!(writer, "{geometry}")?;
+    }
+    Ok(())
+}
+
+fn written(piece: GeometryPiece) -> Wkt<f64> {
+    const XY: Dimension = Dimension::XY;
+    let coord = |p: Point| Coord { x: p.x, y: p.y, z: None, m: None };
+    let line = |points: Vec<Point>| LineString::new(points.into_iter().map(coord).collect(), XY);
+    let polygon = |rings: Vec<Vec<Point>>| Polygon::new(rings.into_iter().map(line).collect(), XY);
+    let point = |p: Point| ::wkt::types::Point::from_coord(coord(p));
+    match piece {
+        GeometryPiece::Points(points) => match points[..] {
+            [only] => point(only).into(),
+            _ => MultiPoint::new(points.into_iter().map(point).collect(), XY).into(),
+        },
+        GeometryPiece::Lines(mut lines) => match lines.pop() {
+            Some(only) if lines.is_empty() => line(only).into(),
+            last => MultiLineString::new(lines.into_iter().chain(last).map(line).collect(), XY).into(),
+        },
+        GeometryPiece::Polygons(mut polygons) => match polygons.pop() {
+            Some(only) if polygons.is_empty() => polygon(only).into(),
+            last => MultiPolygon::new(polygons.into_iter().chain(last).map(polygon).collect(), XY).into(),
+        },
+    }
+}

@@ -1,0 +1,89 @@
+//! Memory that `io::geojson` needs, counted by the allocator.
+
+use crate::counting::{LIVE_BYTES, PEAK_BYTES};
+use std::io::{self, Read};
+use twinedge_formats::io::{ReadError, ReadSummary, geojson};
+
+/// A text made while it is read: a head, a part many times over, a tail.
+struct Repeated<'a> {
+    head: &'a [u8],
+    part: &'a [u8],
+    /// The number of times that the part is still to come.
+    left: usize,
+    tail: &'a [u8],
+}
+
+impl Read for Repeated<'_> {
+    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
+        if self.head.is_empty() {
+            if self.left > 0 {
+                self.left -= 1;
+                self.head = self.part;
+            } else {
+                self.head = std::mem::take(&mut self.tail);
+            }
+        }
+        self.head.read(out)
+    }
+}
+
+const SIZE: usize = 25_000_000;
+
+/// Reads a text of at least 25 MB; gives what was read, the size of the text and the most memory out at any time.
+fn measure(head: &str, part: &str, tail: &str) -> (ReadSummary, usize, usize) {
+    let left = SIZE / part.len() + 1;
+    let size = head.len() + left * part.len() + tail.len();
+    let text = Repeated { head: head.as_bytes(), part: part.as_bytes(), left, tail: tail.as_bytes() };
+    let before = LIVE_BYTES.get();
+    PEAK_BYTES.set(before);
+    let summary = geojson::read(text, |_| Ok::<_, ReadError>(())).unwrap();
+    (summary, size, (PEAK_BYTES.get() - before).cast_unsigned())
+}
+
+/// Features are not kept: many of them need no more than one.
+#[test]
+fn many_small_features() {
+    let parcel = r#"{"type":"Feature","properties":{"name":"a parcel","area":12.5},"geometry":{"type":"Polygon",
+        "coordinates":[[[0.25,0.25],[1.25,0.25],[1.25,1.25],[0.25,1.25],[0.25,0.25]]]}},"#;
+    let (summary, size, peak) =
+        measure(r#"{"type":"FeatureCollection","features":["#, parcel, r#"{"type":"Feature","geometry":null}]}"#);
+    assert_eq!((summary.features, summary.polygons), (SIZE / parcel.len() + 2, SIZE / parcel.len() + 1));
+    assert!(peak < 100_000, "{peak} bytes at the peak for {size} bytes of text");
+}
+
+/// The worst case of memory is one feature that is the whole file. Its coordinates are as long as those of the maps in
+/// `cli/data` after rounding to five digits.
+#[test]
+fn one_large_feature() {
+    let head = r#"{"type":"Feature","properties":{"name":"a coast"},"geometry":{"type":"Polygon","coordinates":[["#;
+    let (summary, size, peak) = measure(head, "[105.12345,-33.98765],", "[0,0]]]}}");
+    assert_eq!((summary.polygons, summary.positions), (1, SIZE / 22 + 2));
+    assert!(peak < 5 * size, "{peak} bytes at the peak for {size} bytes of text");
+}
+
+/// A third number takes the position out of its list.
+#[test]
+fn one_large_feature_with_heights() {
+    let head = r#"{"type":"Feature","properties":{"name":"a coast"},"geometry":{"type":"Polygon","coordinates":[["#;
+    let (summary, size, peak) = measure(head, "[105.12345,-33.98765,12.5],", "[0,0]]]}}");
+    assert_eq!((summary.polygons, summary.with_extra_dimensions), (1, SIZE / 27 + 1));
+    assert!(peak < 10 * size, "{peak} bytes at the peak for {size} bytes of text");
+}
+
+/// Even with the shortest coordinates that there are.
+#[test]
+fn one_large_feature_of_single_digits() {
+    let head = r#"{"geometry":{"coordinates":["#;
+    let (summary, size, peak) = measure(head, "[0,0],", r#"[0,0]],"type":"LineString"},"type":"Feature"}"#);
+    assert_eq!((summary.lines, summary.positions), (1, SIZE / 6 + 2));
+    assert!(peak < 10 * size, "{peak} bytes at the peak for {size} bytes of text");
+}
+
+/// Members that are of no interest take no memory at all, however large they are.
+#[test]
+fn large_foreign_members() {
+    let (summary, size, peak) =
+        measure(r#"{"crs":["#, r#"{"a":["b",1,null]},"#, r#"0],"type":"Point","coordinates":[1,2]}"#);
+    assert_eq!(summary.points, 1);
+    assert!(peak < 100_000, "{peak} bytes at the peak for {size} bytes of text");
+}
