@@ -10,7 +10,7 @@ use crate::delegate_view;
 use crate::geometry::Point;
 use crate::geometry::noding::NodingSummary;
 use crate::store::FeatureId;
-use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_embedding};
+use crate::validate::{Collect, Embedding, Expectation, HalfEdgeColumns, Report, View, validate_embedding};
 use std::fmt;
 use std::ops::Index;
 
@@ -347,4 +347,8 @@ impl Embedding for PlanarMap {
 /// Indices are those of the [`Dcel`].
 impl View for PlanarMap {
     delegate_view!(|this| &this.dcel);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        self.dcel.half_edge_columns()
+    }
 }

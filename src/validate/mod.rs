@@ -100,7 +100,6 @@
 //! of that structure can tell.
 
 pub mod adapt;
-mod catalogue;
 pub mod certificate;
 mod columns;
 mod expectation;
@@ -110,7 +109,6 @@ mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
 pub mod near;
-mod passes;
 pub mod reference;
 mod report;
 mod rule;
@@ -132,6 +130,6 @@ pub use report::{Described, REPORT_SCHEMA};
 pub use rule::Rule;
 #[cfg(feature = "geometry")]
 pub use structure::Embedding;
-pub use structure::{BoundaryPlace, Link, Only, Part, Parts, Start, View};
+pub use structure::{BoundaryPlace, HalfEdgeColumns, Link, Only, Part, Parts, Start, View};
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, ParseTableError, Table, VertexRow};
 pub use validator::{accepts, validate};

@@ -100,7 +100,7 @@ impl Slots {
 
     /// A link as a number in range, or [`NIL`].
     #[inline]
-    fn number(self, link: Link) -> u32 {
+    pub(crate) fn number(self, link: Link) -> u32 {
         self.existing(link).map_or(NIL, |slot| slot as u32)
     }
 
@@ -259,13 +259,13 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         components.all.get_mut(c as usize)
     }
 
-    /// The number of the component in which a boundary component starts.
-    pub(crate) fn component_of_start(&self, components: &Components, start: Option<Start>) -> Option<usize> {
+    /// The number of the component in which a boundary component starts. `of` has the number of the component of each vertex.
+    pub(crate) fn component_of_start(&self, of: &[u32], start: Option<Start>) -> Option<usize> {
         let vertex = match start? {
             Start::HalfEdge(h) if self.extent.half_edges.has(h) => self.origin(h as u32) as usize,
             Start::HalfEdge(_) => return None,
             Start::Vertex(v) => v,
         };
-        components.of.get(vertex).filter(|c| **c != NIL).map(|c| *c as usize)
+        of.get(vertex).filter(|c| **c != NIL).map(|c| *c as usize)
     }
 }

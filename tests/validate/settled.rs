@@ -1,9 +1,8 @@
-//! The fast path changes nothing in a report, and settles what is right.
+//! The fast path changes nothing in a report, and accepts what is right.
 
 use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
-use crate::support::watched::Watched;
 use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::reference::rule_by_rule;
@@ -221,7 +220,6 @@ fn loops(count: usize) -> Table {
     }
 }
 
-/// Both with few wrong half-edges, and with too many to look at one by one.
 #[test]
 fn any_number_of_wrong_half_edges() {
     for wrong in [0, 1, 2, 500, 1023, 1024, 1025, 3000] {
@@ -235,29 +233,6 @@ fn any_number_of_wrong_half_edges() {
             assert_same(&table, &PLANE, wrong);
         }
     }
-}
-
-/// One wrong link is not searched for from the start: the links of right half-edges are read as often as in a right structure, and
-/// once or twice more.
-#[test]
-fn one_wrong_link_is_not_searched_for_from_the_start() {
-    let count = 1000;
-    let asked = |table: &Table| {
-        let view = Watched::new(table);
-        let _ = validate(&view, &PLANE, Collect::All);
-        [view.twin.get(), view.next.get(), view.prev.get()]
-    };
-    let right = asked(&loops(count));
-    // By index, around the vertex, and two more steps from each half-edge to find out that its cycle is short.
-    assert_eq!(right, [3 * 2 * count, 4 * 2 * count, 2 * count]);
-    let mut table = loops(count);
-    table.half_edges[count].as_mut().unwrap().twin = None;
-    let [twin, next, prev] = asked(&table);
-    assert!(twin < right[0] && next < right[1] && prev < right[2] + 20, "{twin} {next} {prev}");
-    let mut table = loops(count);
-    table.half_edges[count].as_mut().unwrap().prev = None;
-    let [twin, next, prev] = asked(&table);
-    assert!(twin < right[0] && next < right[1] && prev <= 2 * right[2] + 20, "{twin} {next} {prev}");
 }
 
 /// Numbers that look random, each less than what is asked for. Always the same for a seed.

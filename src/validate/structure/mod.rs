@@ -1,6 +1,7 @@
 //! The structure that is validated: the trait that it implements, and the parts that it stores.
 
 mod answers;
+mod columns;
 mod delegate;
 #[cfg(feature = "geometry")]
 mod embedding;
@@ -8,6 +9,7 @@ mod only;
 mod parts;
 mod view;
 
+pub use columns::HalfEdgeColumns;
 #[cfg(feature = "geometry")]
 pub use embedding::Embedding;
 pub use only::Only;

@@ -1,0 +1,544 @@
+//! B1 … F2: boundary components and the faces that list them.
+
+use super::live::{Census, Fan, list_too_long};
+use crate::validate::columns::{NIL, column};
+use crate::validate::findings::{Findings, Flow, Halt};
+use crate::validate::report::{Record, Unchecked, Violation};
+use crate::validate::rule::Rule;
+use crate::validate::structure::{BoundaryPlace, Part, Start};
+use crate::validate::subject::Subject;
+use alloc::vec::Vec;
+
+macro_rules! faces_rules {
+    ($define:ident $($before:tt)*) => {
+        $crate::validate::rules::whole::whole_rules! {
+            $define
+            $($before)*
+            /// Without records for boundary components: the face is constant along `next`, and a face keeps half-edges of its own.
+            ///
+            /// ```text
+            /// ┌──► 4 ──► 4 ──► 4 ──┐ start of 4
+            /// └────────────────────┘
+            /// ```
+            B1 "cycle" counts "half-edge" "half-edges"
+                "the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle"
+                in "faces" broken by "violations" "b1_a_boundary_component_has_a_second_cycle"
+            {
+                BoundaryChanges { half_edge: half_edge, next: half_edge, boundary: boundary_link, found: boundary_link } "boundary_changes"
+                    says "half-edge {half_edge} belongs to boundary component {boundary}, its next {next} to {found}: one cycle belongs to two boundary components"
+                    cause "a cycle was split or joined, and its half-edges were not all relabelled"
+                    remedy "after `next` has changed, walk the new cycle and label each half-edge of it";
+                StartElsewhere { boundary: boundary, half_edge: half_edge, found: boundary_link } "start_elsewhere"
+                    says "boundary component {boundary} starts at half-edge {half_edge}, which belongs to {found}: a walk along it is a walk along another one"
+                    cause "the half-edge at which it started went to another cycle"
+                    remedy "when a half-edge leaves a cycle, let the boundary component start at one that stays";
+                SecondCycle { boundary: boundary, cycle: number, half_edges: number } "second_cycle"
+                    says "boundary component {boundary} has {named}, but the cycle of its start has {cycle}: the others lie on a cycle at which no boundary component starts"
+                    with |names| { named = Number(half_edges as u64, "half-edge", "half-edges") }
+                    cause "a cycle was split in two, and the second one got no boundary component of its own"
+                    remedy "create a boundary component for the second cycle, label its half-edges, and list it in a face";
+                FaceChanges { half_edge: half_edge, next: half_edge, face: face_link, found: face_link } "face_changes"
+                    says "half-edge {half_edge} bounds face {face}, its next {next} bounds {found}: the face changes along one cycle"
+                    cause "a face was split or merged, and its half-edges were not all relabelled"
+                    remedy "after `next` has changed, walk the new cycle and label each half-edge of it";
+                ListedElsewhere { face: face, half_edge: half_edge, found: face_link } "listed_elsewhere"
+                    says "face {face} lists half-edge {half_edge}, which bounds face {found}: a walk around the one is a walk around the other"
+                    cause "the half-edge that the face kept went to another face"
+                    remedy "let each face keep a half-edge that names it";
+            }
+            /// Without records for boundary components, entries of the lists of the faces stand for them.
+            ///
+            /// ```text
+            /// ·v    isolated(v) = 7 ◄──► start(7) = v
+            /// ```
+            B2 "isolated" counts "vertex" "vertices"
+                "a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each other"
+                in "faces" broken by "violations" "b2_nothing_starts_at_an_isolated_vertex"
+            {
+                IsolatedUnclaimed { vertex: vertex } "isolated_unclaimed"
+                    says "no half-edge leaves vertex {vertex} and no boundary component starts at it: no walk over the faces reaches it"
+                    cause "the last edge at the vertex was removed and the vertex was kept, or the input has points that no edge uses"
+                    remedy "list the vertex as an inner boundary component of the face in which it lies, or remove it";
+                IsolatedTwice { vertex: vertex, second: record, first: record } "isolated_twice"
+                    says "{first} and {second} both start at isolated vertex {vertex}, so the vertex lies in two places at once"
+                    cause "an isolated vertex was added to a second face and not taken out of the first"
+                    remedy "move the one boundary component instead of creating another";
+                StartsAtConnected { record: record, vertex: vertex } "starts_at_connected"
+                    says "{record} starts at vertex {vertex} as if it were isolated, but half-edges leave it"
+                    cause "an edge was added at an isolated vertex, and the boundary component that the vertex was is still there"
+                    remedy "retire that boundary component when the vertex gets its first edge";
+                IsolatedMismatch { vertex: vertex, boundary: boundary, found: boundary_link } "isolated_mismatch"
+                    says "boundary component {boundary} starts at isolated vertex {vertex}, which names {found} instead: its face is not determined"
+                    cause "the boundary component was replaced and the link of the vertex was not"
+                    remedy "write both links in one place";
+                ConnectedNamesBoundary { vertex: vertex, boundary: boundary } "connected_names_boundary"
+                    says "vertex {vertex} names boundary component {boundary} as if it were isolated, but half-edges leave it"
+                    cause "the link was not cleared when the vertex got its first edge"
+                    remedy "set it to nil as soon as a half-edge leaves the vertex";
+            }
+            /// ```text
+            /// face 2 ── outer ──► component 5, a cycle
+            /// face 0 ── outer ──► nil: the unbounded face, and no other
+            /// ```
+            F1 "outer" counts "face" "faces"
+                "a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none"
+                in "faces" broken by "violations" "f1_no_face_is_unbounded_or_two_are"
+            {
+                NoUnboundedFace "no_unbounded_face"
+                    says "every face has an outer boundary component, but one face of a plane is unbounded and has none"
+                    cause "a closed mesh was expected to lie in the plane, or the outside has no face record"
+                    remedy "use `Expectation::surface` for a mesh, or leave `Part::UnboundedFace` out of `View::parts` where the outside has no record";
+                SecondUnboundedFace { second: face, first: face } "second_unbounded_face"
+                    says "faces {first} and {second} both have no outer boundary component, but only one face of a plane is unbounded"
+                    cause "a face was created and its outer boundary component was not set, or two maps were put together with the unbounded face of each"
+                    remedy "set the outer boundary component (`outer`, or `outer_half_edge` without boundary component records), or merge the unbounded faces";
+                NoOuter { face: face } "no_outer"
+                    says "face {face} has no outer boundary component, but every face of this structure needs one: `outer` (or, without boundary component records, `outer_half_edge`) is nil"
+                    cause "a face was created and its outer boundary component was not set, or a face that is gone was not retired"
+                    remedy "set the outer boundary component (`outer`, or `outer_half_edge` without boundary component records), or retire the face";
+                OuterIsVertex { face: face, boundary: boundary } "outer_is_vertex"
+                    says "the outer boundary component {boundary} of face {face} is an isolated vertex, which encloses nothing"
+                    cause "an isolated vertex was entered as outer instead of inner"
+                    remedy "list it as an inner boundary component of the face in which it lies";
+            }
+            /// Without records for boundary components: each cycle with a face is listed exactly once.
+            ///
+            /// ```text
+            /// face 2 ── outer ───► component 5 ── face ──► 2, place: outer
+            ///        └─ inner[0] ► component 8 ── face ──► 2, place: inner 0
+            /// ```
+            F2 "listed" counts "boundary component" "boundary components"
+                "every boundary component is listed exactly once, by the face it names, at the place it says"
+                in "faces" broken by "violations" "f2_a_boundary_component_is_not_listed"
+            {
+                NotListed { boundary: boundary, face: face_link } "not_listed"
+                    says "boundary component {boundary} names face {face}, but no face lists it: a walk over the faces never reaches it"
+                    cause "it was created, or moved, and not entered in the list of its face"
+                    remedy "enter it in the list of the face that it names";
+                CycleNotListed { half_edge: half_edge } "cycle_not_listed"
+                    says "no face lists the cycle of half-edge {half_edge}: a walk over the faces never reaches it"
+                    cause "a face has a hole that it does not list, or keeps no half-edge of its outer cycle"
+                    remedy "list a half-edge of each cycle in its face";
+                ListedTwice { record: record, face: face } "listed_twice"
+                    says "face {face} lists {record}, which was listed before: a walk over the faces reaches it twice"
+                    cause "it was moved to another face, and the entry in the first one was left behind"
+                    remedy "take the old entry out when the new one is made";
+                ListedByOther { boundary: boundary, face: face, found: face_link } "listed_by_other"
+                    says "face {face} lists boundary component {boundary}, which names face {found}: the two directions disagree"
+                    cause "it was moved to another face, and only one of the two links was written"
+                    remedy "write the link to the face and the entry of the list in one place";
+                WrongPlace { boundary: boundary, place: place, listed: list_place } "wrong_place"
+                    says "boundary component {boundary} says that it is {place}, but its face lists it as {listed}: to remove it would remove another one"
+                    cause "an entry was removed by moving the last one into its place, and the one moved was not told its new place"
+                    remedy "update the place of the entry that is moved; if there are no places, leave `Part::Places` out of `View::parts`";
+            }
+        }
+    };
+}
+
+pub(in crate::validate) use faces_rules;
+
+/// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.
+///
+/// Without records for boundary components: the face is constant along `next`, and a face keeps half-edges of its own.
+pub(crate) fn cycle(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    if !subject.has(Part::Faces) {
+        findings.not_checked(Rule::B1, Unchecked::Lacks(Part::Faces));
+        return Ok(());
+    }
+    if subject.has(Part::BoundaryComponents) {
+        boundary_constant(subject, findings)?;
+        one_cycle_each(subject, census, findings)
+    } else {
+        face_constant(subject, census.list_budget, findings)
+    }
+}
+
+/// For each boundary component the number of half-edges that name it.
+fn sizes(subject: Subject<'_>) -> Result<Vec<u32>, Halt> {
+    let mut sizes = column(subject.extent.boundaries.0, 0)?;
+    for h in subject.half_edges() {
+        if let Some(size) = sizes.get_mut(subject.boundary(h) as usize) {
+            *size += 1;
+        }
+    }
+    Ok(sizes)
+}
+
+fn boundary_constant(subject: Subject<'_>, findings: &mut Findings) -> Flow {
+    let mut checked = 0;
+    for h in subject.half_edges() {
+        let n = subject.next(h);
+        if !subject.is_live_half_edge(n) {
+            continue;
+        }
+        checked += 1;
+        let (half_edge, next) = (h as usize, n as usize);
+        let (boundary, found) = (subject.view.boundary(half_edge), subject.view.boundary(next));
+        if boundary == found {
+            continue;
+        }
+        // A dangling link breaks R1, not this rule. Nil meets something else only at an open boundary.
+        let dangles = |link: &Option<usize>| link.is_some_and(|b| !subject.extent.boundaries.has(b));
+        let is_needed = !subject.is_open() && (boundary.is_none() || found.is_none());
+        if ![boundary, found].iter().any(dangles) && !is_needed {
+            findings.add(Violation::BoundaryChanges { half_edge, next, boundary, found })?;
+        }
+    }
+    findings.checked(Rule::B1, checked);
+    Ok(())
+}
+
+fn one_cycle_each(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    let is_constant = findings.holds(Rule::B1);
+    starts_and_sizes(subject, census.map_is_live && findings.holds(Rule::L2) && is_constant, findings)?;
+    // Without these rules no cycle can be walked along.
+    let broken = census.links_broken().or_else(|| findings.broken(&[Rule::L2]));
+    if let Some(rule) = broken.filter(|_| is_constant) {
+        findings.not_checked(Rule::B1, Unchecked::Broken(rule));
+    }
+    Ok(())
+}
+
+/// Checks that each start names its own boundary component, and where `walkable`, that its cycle has all half-edges that do.
+fn starts_and_sizes(subject: Subject<'_>, walkable: bool, findings: &mut Findings) -> Flow {
+    let sizes = sizes(subject)?;
+    for b in subject.boundaries() {
+        let Some(Start::HalfEdge(start)) = subject.view.boundary_start(b) else { continue };
+        let Some(half_edge) = subject.live_half_edge(Some(start)) else { continue };
+        let found = subject.view.boundary(half_edge);
+        if found != Some(b) {
+            findings.add(Violation::StartElsewhere { boundary: b, half_edge, found })?;
+        } else if walkable {
+            let half_edges = sizes[b];
+            let cycle = cycle_length(subject, half_edge as u32, half_edges);
+            if cycle < half_edges {
+                second_cycle(b, cycle, half_edges, findings)?;
+            }
+        }
+    }
+    // A component that starts at a vertex has no half-edges of its own.
+    for b in subject.boundaries().filter(|b| sizes[*b] > 0) {
+        if let Some(Start::Vertex(_)) = subject.view.boundary_start(b) {
+            second_cycle(b, 0, sizes[b], findings)?;
+        }
+    }
+    Ok(())
+}
+
+fn second_cycle(boundary: usize, cycle: u32, half_edges: u32, findings: &mut Findings) -> Flow {
+    findings.add(Violation::SecondCycle { boundary, cycle: cycle as usize, half_edges: half_edges as usize })
+}
+
+/// The length of the cycle through `start`, walking no further than `limit`.
+fn cycle_length(subject: Subject<'_>, start: u32, limit: u32) -> u32 {
+    let mut length = 0;
+    let mut h = start;
+    while h != NIL && length < limit {
+        length += 1;
+        h = subject.next(h);
+        if h == start {
+            break;
+        }
+    }
+    length
+}
+
+fn face_constant(subject: Subject<'_>, list_budget: usize, findings: &mut Findings) -> Flow {
+    let mut checked = 0;
+    for h in subject.half_edges() {
+        let (half_edge, next) = (h as usize, subject.next(h));
+        if !subject.is_live_half_edge(next) {
+            continue;
+        }
+        checked += 1;
+        let next = next as usize;
+        let (face, found) = (subject.view.face(half_edge), subject.view.face(next));
+        if face != found && subject.is_sound_face_link(face) && subject.is_sound_face_link(found) {
+            findings.add(Violation::FaceChanges { half_edge, next, face, found })?;
+        }
+    }
+    findings.checked(Rule::B1, checked);
+    for f in subject.faces() {
+        if let Some(h) = subject.view.outer_half_edge(f) {
+            names_its_face(subject, f, h, findings)?;
+        }
+    }
+    subject.for_each_inner_start(list_budget, |f, _, start| match start {
+        Start::HalfEdge(h) => names_its_face(subject, f, h, findings),
+        Start::Vertex(_) => Ok(()),
+    })
+}
+
+/// Checks that a half-edge that a face lists names that face.
+fn names_its_face(subject: Subject<'_>, face: usize, h: usize, findings: &mut Findings) -> Flow {
+    let Some(half_edge) = subject.live_half_edge(Some(h)) else { return Ok(()) };
+    let found = subject.view.face(half_edge);
+    if found == Some(face) || !subject.is_sound_face_link(found) {
+        return Ok(());
+    }
+    findings.add(Violation::ListedElsewhere { face, half_edge, found })
+}
+
+/// B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each other.
+///
+/// Finds the boundary components that start at each vertex, then checks each vertex. Without records for boundary components,
+/// entries of the lists of the faces stand for them.
+pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    for part in [Part::Faces, Part::Holes] {
+        if !subject.has(part) {
+            findings.not_checked(Rule::B2, Unchecked::Lacks(part));
+            return Ok(());
+        }
+    }
+    let by_record = subject.has(Part::BoundaryComponents);
+    let started: Vec<u32> = column(subject.extent.vertices.0, NIL)?;
+    let fans = &census.fans[..];
+    let mut starts = Starts { subject, fans, started, findings: &mut *findings };
+    if by_record {
+        for b in subject.boundaries() {
+            if let Some(Start::Vertex(v)) = subject.view.boundary_start(b) {
+                starts.at(v, b, Record::Boundary)?;
+            }
+        }
+    } else {
+        subject.for_each_inner_start(census.list_budget, |f, _, start| match start {
+            Start::Vertex(v) => starts.at(v, f, Record::Face),
+            Start::HalfEdge(_) => Ok(()),
+        })?;
+    }
+    let started = starts.started;
+    let mut checked = 0;
+    for vertex in subject.vertices() {
+        checked += 1;
+        let start = started[vertex];
+        let names = if by_record { subject.view.isolated(vertex) } else { None };
+        if fans[vertex].degree > 0 {
+            if let Some(boundary) = names {
+                findings.add(Violation::ConnectedNamesBoundary { vertex, boundary })?;
+            }
+        } else if start == NIL {
+            // Nothing can start at a vertex in the unbounded face if that has no record.
+            if names.is_some() || subject.has(Part::UnboundedFace) {
+                findings.add(Violation::IsolatedUnclaimed { vertex })?;
+            }
+        } else if by_record && names != Some(start as usize) {
+            findings.add(Violation::IsolatedMismatch { vertex, boundary: start as usize, found: names })?;
+        }
+    }
+    findings.checked(Rule::B2, checked);
+    Ok(())
+}
+
+/// The boundary components that start at vertices, or the faces that list vertices.
+struct Starts<'a, 'f> {
+    subject: Subject<'a>,
+    fans: &'f [Fan],
+    /// For each vertex the first of them.
+    started: Vec<u32>,
+    findings: &'f mut Findings,
+}
+
+impl Starts<'_, '_> {
+    /// Notes one that starts at this vertex.
+    fn at(&mut self, vertex: usize, by: usize, kind: fn(usize) -> Record) -> Flow {
+        if !(self.subject.extent.vertices.has(vertex) && self.subject.view.is_vertex(vertex)) {
+            return Ok(());
+        }
+        let record = kind(by);
+        if self.fans[vertex].degree > 0 {
+            return self.findings.add(Violation::StartsAtConnected { record, vertex });
+        }
+        let first = &mut self.started[vertex];
+        if *first == NIL {
+            *first = by as u32;
+            return Ok(());
+        }
+        let first = kind(*first as usize);
+        self.findings.add(Violation::IsolatedTwice { vertex, first, second: record })
+    }
+}
+
+/// F1 outer: a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none.
+///
+/// Counts the outer boundary components.
+pub(crate) fn outer(subject: Subject<'_>, findings: &mut Findings) -> Flow {
+    if !subject.has(Part::Faces) {
+        findings.not_checked(Rule::F1, Unchecked::Lacks(Part::Faces));
+        return Ok(());
+    }
+    let has_unbounded = subject.has(Part::UnboundedFace);
+    let (mut unbounded, mut checked) = (None, 0);
+    for face in subject.faces() {
+        checked += 1;
+        match (subject.outer(face), unbounded) {
+            (None, _) if !has_unbounded => findings.add(Violation::NoOuter { face })?,
+            (None, None) => unbounded = Some(face),
+            (None, Some(first)) => findings.add(Violation::SecondUnboundedFace { first, second: face })?,
+            (Some(outer), _) => {
+                findings.counts.outer_boundaries += 1;
+                let boundary = subject.live_boundary(Some(outer));
+                let start = boundary.and_then(|b| subject.view.boundary_start(b));
+                if let (Some(boundary), Some(Start::Vertex(_))) = (boundary, start) {
+                    findings.add(Violation::OuterIsVertex { face, boundary })?;
+                }
+            }
+        }
+    }
+    findings.checked(Rule::F1, checked);
+    if unbounded.is_none() && has_unbounded {
+        findings.add(Violation::NoUnboundedFace)?;
+    }
+    Ok(())
+}
+
+/// F2 listed: every boundary component is listed exactly once, by the face it names, at the place it says.
+///
+/// Counts the inner boundary components. Without records for boundary components, each cycle with a face must be listed exactly
+/// once; B1 checks that its own face lists it.
+pub(crate) fn listed(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    if !subject.has(Part::Faces) {
+        findings.not_checked(Rule::F2, Unchecked::Lacks(Part::Faces));
+        return Ok(());
+    }
+    let by_record = subject.has(Part::BoundaryComponents);
+    let broken = census.links_broken().or_else(|| findings.broken(&[Rule::L2]));
+    if let Some(rule) = broken.filter(|_| !by_record) {
+        findings.not_checked(Rule::F2, Unchecked::Broken(rule));
+        return Ok(());
+    }
+    if by_record {
+        components_listed(subject, census.list_budget, findings)
+    } else {
+        cycles_listed(subject, census.list_budget, findings)
+    }
+}
+
+fn components_listed(subject: Subject<'_>, mut budget: usize, findings: &mut Findings) -> Flow {
+    let mut listed = column(subject.extent.boundaries.0, false)?;
+    let mut is_cut_short = false;
+    for f in subject.faces() {
+        if let Some(b) = subject.view.outer(f) {
+            check_entry(subject, &mut listed, f, (b, BoundaryPlace::Outer), findings)?;
+        }
+        let claimed = if subject.has(Part::Holes) { subject.view.inner_count(f) } else { 0 };
+        let read = claimed.min(budget);
+        budget -= read;
+        findings.counts.inner_boundaries += read;
+        for i in 0..read {
+            if let Some(b) = subject.view.inner(f, i) {
+                check_entry(subject, &mut listed, f, (b, BoundaryPlace::Inner(i)), findings)?;
+            }
+        }
+        if read < claimed {
+            is_cut_short = true;
+            list_not_read(f, claimed, findings)?;
+        }
+    }
+    let mut checked = 0;
+    for boundary in subject.boundaries() {
+        checked += 1;
+        if !listed[boundary] && !is_cut_short {
+            let face = subject.view.boundary_face(boundary);
+            findings.add(Violation::NotListed { boundary, face })?;
+        }
+    }
+    findings.checked(Rule::F2, checked);
+    Ok(())
+}
+
+/// Checks one entry of a list. What dangles is left to R1.
+fn check_entry(
+    subject: Subject<'_>,
+    listed: &mut [bool],
+    face: usize,
+    (entry, place): (usize, BoundaryPlace),
+    findings: &mut Findings,
+) -> Flow {
+    let Some(boundary) = subject.live_boundary(Some(entry)) else { return Ok(()) };
+    if core::mem::replace(&mut listed[boundary], true) {
+        findings.add(Violation::ListedTwice { record: Record::Boundary(boundary), face })?;
+    }
+    let found = subject.view.boundary_face(boundary);
+    let is_live = |f: usize| subject.extent.faces.has(f) && subject.view.is_face(f);
+    if found != Some(face) && found.is_some_and(is_live) {
+        findings.add(Violation::ListedByOther { boundary, face, found })?;
+    }
+    if subject.has(Part::Places) {
+        let says = subject.view.boundary_place(boundary);
+        if says != Some(place) {
+            findings.add(Violation::WrongPlace { boundary, place: says, listed: place })?;
+        }
+    }
+    Ok(())
+}
+
+fn cycles_listed(subject: Subject<'_>, list_budget: usize, findings: &mut Findings) -> Flow {
+    let mut listed = column(subject.extent.half_edges.0, false)?;
+    for f in subject.faces() {
+        if let Some(h) = subject.view.outer_half_edge(f) {
+            list_cycle(subject, &mut listed, f, h, findings)?;
+        }
+    }
+    let mut entries = 0;
+    subject.for_each_inner_start(list_budget, |f, _, start| {
+        entries += 1;
+        match start {
+            Start::HalfEdge(h) => list_cycle(subject, &mut listed, f, h, findings),
+            Start::Vertex(_) => Ok(()),
+        }
+    })?;
+    findings.counts.inner_boundaries = entries;
+    if subject.has(Part::Holes) {
+        find_list_not_read(subject, list_budget, entries, findings)?;
+    }
+    let mut checked = (findings.counts.outer_boundaries + entries) as u64;
+    for h in subject.half_edges() {
+        let half_edge = h as usize;
+        if !listed[half_edge] && subject.view.face(half_edge).is_some() {
+            checked += 1;
+            findings.add(Violation::CycleNotListed { half_edge })?;
+            mark_cycle(subject, &mut listed, h);
+        }
+    }
+    findings.checked(Rule::F2, checked);
+    Ok(())
+}
+
+/// Notes that the rest of a list is not known. R1 has reported it, unless the list has grown since.
+fn list_not_read(face: usize, claimed: usize, findings: &mut Findings) -> Flow {
+    findings.not_checked(Rule::F2, Unchecked::ListTooLong);
+    if findings.unchecked(Rule::R1).is_none() { list_too_long(face, claimed, findings) } else { Ok(()) }
+}
+
+/// Finds the face at which the budget for list entries was spent, if it was.
+fn find_list_not_read(subject: Subject<'_>, budget: usize, entries: usize, findings: &mut Findings) -> Flow {
+    if entries < budget {
+        return Ok(());
+    }
+    let mut read = 0_usize;
+    for f in subject.faces() {
+        let claimed = subject.view.inner_count(f);
+        read = read.saturating_add(claimed);
+        if read > budget {
+            return list_not_read(f, claimed, findings);
+        }
+    }
+    Ok(())
+}
+
+fn list_cycle(subject: Subject<'_>, listed: &mut [bool], face: usize, h: usize, findings: &mut Findings) -> Flow {
+    let Some(h) = subject.live_half_edge(Some(h)) else { return Ok(()) };
+    if listed[h] {
+        return findings.add(Violation::ListedTwice { record: Record::HalfEdge(h), face });
+    }
+    mark_cycle(subject, listed, h as u32);
+    Ok(())
+}
+
+fn mark_cycle(subject: Subject<'_>, listed: &mut [bool], start: u32) {
+    let mut h = start;
+    while h != NIL && !core::mem::replace(&mut listed[h as usize], true) {
+        h = subject.next(h);
+    }
+}
