@@ -14,7 +14,7 @@ use std::convert::Infallible;
 use std::hint::black_box;
 use std::time::Instant;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, History, Side, Split, VertexKey};
-use twinedge::map::{self, PlanarMap};
+use twinedge::map::PlanarMap;
 
 const ROUNDS: usize = 41;
 
@@ -132,7 +132,7 @@ fn edits() {
     let redraw =
         |map: &mut PlanarMap, [from, to]: [VertexKey; 2]| map.insert_segment(from, to).expect("it was there").way[0];
     let mut plain = map.clone();
-    let mut history = map::History::new(map);
+    let mut history = History::new(map);
     let original = walls.clone();
     let round = || {
         let start = Instant::now();

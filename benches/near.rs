@@ -10,7 +10,7 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use std::collections::BTreeMap;
 use std::hint::black_box;
 use twinedge::dcel::{Audited, Dcel, HalfEdgeKey, VertexKey};
-use twinedge::map::{self, PlanarMap};
+use twinedge::map::PlanarMap;
 
 /// Half-edges at places that are far apart.
 fn places(dcel: &Dcel) -> Vec<HalfEdgeKey> {
@@ -104,7 +104,7 @@ fn near_edits(criterion: &mut Criterion) {
                 });
             });
         }
-        let mut audited = map::Audited::new(map).expect("a grid is valid");
+        let mut audited = Audited::new(map).expect("a grid is valid");
         group.bench_function(BenchmarkId::new("validated locally", edges), |bench| {
             bench.iter(|| redraw(&mut drawn, |edit| audited.change(|map| edit(map)).expect("valid")));
         });

@@ -69,7 +69,7 @@ impl Dcel {
     }
 
     /// The empty map, which never has more records than that: an operator that would need more is refused with
-    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits.
+    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits. At least the unbounded face fits.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, RecordKind, Room};

@@ -39,7 +39,7 @@ pub(crate) struct Store {
     pub(super) unbounded: FaceSlot,
 
     /// The most records of each kind.
-    most: Room,
+    pub(crate) most: Room,
     /// The values that follow the records, if there are any. Operators announce to them what they do.
     pub(super) attributes: Option<Box<Attributes>>,
     /// The log of what is overwritten, if one is kept.
@@ -117,7 +117,8 @@ impl Store {
     /// Lets the structure have at most so many records of each kind.
     pub(crate) fn limit(&mut self, most: Room) {
         let [vertices, boundaries, faces] = [most.vertices, most.boundaries, most.faces].map(|most| most.min(MOST));
-        self.most = Room { vertices, edges: most.edges.min(MOST_EDGES), boundaries, faces };
+        // The unbounded face is there.
+        self.most = Room { vertices, edges: most.edges.min(MOST_EDGES), boundaries, faces: faces.max(1) };
     }
 
     /// Checks that so many more records fit; the first kind that does not is named.

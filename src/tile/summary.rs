@@ -264,6 +264,12 @@ impl Summary {
         &self.tiles
     }
 
+    /// The number of places where the border of its tiles cuts an edge.
+    #[must_use]
+    pub fn contact_count(&self) -> usize {
+        self.borders.iter().map(|border| border.contacts.len()).sum()
+    }
+
     /// Numbers what borders name, once it is known what is the same, and counts what none names any more.
     pub(super) fn settled(mut self, joins: &mut Joins) -> Self {
         if !self.is_plane {

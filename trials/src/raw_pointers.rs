@@ -18,6 +18,7 @@
 
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::ops::Deref;
 use std::ptr::NonNull;
 use twinedge::dcel::{Corner, Side, Turn};
@@ -259,6 +260,17 @@ pub struct RawPointers {
 }
 
 const UNBOUNDED: usize = 0;
+
+/// Prints the numbers of records.
+impl fmt::Debug for RawPointers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RawPointers")
+            .field("vertices", &self.vertices.all().count())
+            .field("half_edges", &self.half_edges.all().count())
+            .field("faces", &self.faces.all().count())
+            .finish()
+    }
+}
 
 impl Default for RawPointers {
     fn default() -> Self {

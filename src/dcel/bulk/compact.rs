@@ -149,7 +149,8 @@ impl Dcel {
             boundaries: boundaries.slots.len(),
             faces: faces.slots.len() - 1,
         };
-        let new = assembly.link(Store::with_room(need).filled(need), &InOrder);
+        let mut new = assembly.link(Store::with_room(need).filled(need), &InOrder);
+        new.store.most = old.most;
         let to = &new.store;
         let renamed = Renamed {
             vertices: vertices.renamed(|v| old.vertex_key(v), |n| to.vertex_key(InOrder.vertex(n))),

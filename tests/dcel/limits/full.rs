@@ -90,3 +90,25 @@ fn a_structure_holds_as_many_records_as_its_limits_say() {
     assert_eq!((dcel.edge_count(), dcel.face_count(), dcel.boundary_count()), (127, 128, 128));
     assert!(validate_plane(&dcel).is_valid());
 }
+
+#[test]
+fn compacting_and_cloning_keep_the_limits() {
+    let mut dcel = limited([2, 1, 2, 1]);
+    let h = an_edge(&mut dcel);
+    dcel.contract_edge(h).unwrap();
+    dcel.compact();
+    for mut dcel in [dcel.clone(), dcel] {
+        let outside = dcel.unbounded_face().key();
+        dcel.add_isolated_vertex(outside).unwrap();
+        refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
+    }
+}
+
+/// The unbounded face takes no room that it has not.
+#[test]
+fn a_limit_of_no_faces_is_one_of_one() {
+    let mut dcel = limited([2, 1, 1, 0]);
+    let h = an_edge(&mut dcel);
+    assert_eq!((dcel.edge_count(), dcel.face_count()), (1, 1));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_edge(h));
+}
