@@ -100,6 +100,7 @@
 //! of that structure can tell.
 
 pub mod adapt;
+mod catalogue;
 pub mod certificate;
 mod columns;
 mod expectation;

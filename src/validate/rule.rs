@@ -1,6 +1,6 @@
 //! The rules by name.
 
-use super::rules::catalogue;
+use super::catalogue::catalogue;
 use core::fmt;
 
 macro_rules! rules {
