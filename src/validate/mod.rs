@@ -109,6 +109,7 @@ mod fast_path;
 mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
+mod half_edges;
 pub mod near;
 pub mod reference;
 mod report;

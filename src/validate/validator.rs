@@ -4,6 +4,7 @@ use super::columns::Components;
 use super::expectation::{Expectation, Surface};
 use super::fast_path::{self, Accepted};
 use super::findings::{Findings, Flow, Halt};
+use super::half_edges::{Asked, HalfEdges, Lent};
 use super::report::{Collect, Report, Unchecked};
 use super::rule::Rule;
 use super::rules::live::{self, Census};
@@ -97,7 +98,7 @@ pub fn rule_by_rule<V: View + ?Sized>(view: &V, expectation: &Expectation, colle
     judge(view, expectation, collect, |_| None)
 }
 
-/// Runs the rules, unless `accept` accepts the structure. Only the latter is compiled for each type of view.
+/// Runs the rules, unless `accept` accepts the structure.
 fn judge<V: View + ?Sized>(
     view: &V,
     expectation: &Expectation,
@@ -109,10 +110,9 @@ fn judge<V: View + ?Sized>(
         Ok(extent) => extent,
         Err(why) => return report(expectation, findings, Err(why)),
     };
-    let accepted = accept(Subject { view, extent });
-    let subject: Subject<'_> = Subject { view: &view, extent };
-    let ended = match accepted {
-        Some(accepted) => enter(subject, &accepted, &mut findings),
+    let subject = Subject { view, extent };
+    let ended = match accept(subject) {
+        Some(accepted) => enter(Subject { view: &view, extent }, &accepted, &mut findings),
         None => all_rules(subject, &mut findings),
     };
     let ended = ended.map_err(|halt| match halt {
@@ -200,14 +200,29 @@ fn enter(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> 
     mesh::mesh(subject, &census, accepted.simple, findings)
 }
 
-/// Runs every rule on every record.
-fn all_rules(subject: Subject<'_>, findings: &mut Findings) -> Flow {
-    let mut census = live::live(subject, findings)?;
-    let before = links::half_edges(subject, &census, findings)?;
+/// Runs every rule on every record. Half-edges are read from the columns that the view lends, if all are live from the first on. Otherwise
+/// they are asked for; only the passes that do so are compiled for each type of view.
+fn all_rules<V: View + ?Sized>(subject: Subject<'_, V>, findings: &mut Findings) -> Flow {
+    let Subject { view, extent } = subject.surveyed();
+    let subject: Subject<'_> = Subject { view: &view, extent };
+    match extent.half_edges.live_from().and_then(|first| Lent::of(view, extent, first)) {
+        Some(lent) => rules_of_lent(subject, lent, findings),
+        None => every_rule(subject, Asked { view, extent }, findings),
+    }
+}
+
+/// The rules where columns are lent, compiled once.
+fn rules_of_lent(subject: Subject<'_>, lent: Lent<'_>, findings: &mut Findings) -> Flow {
+    every_rule(subject, lent, findings)
+}
+
+fn every_rule(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &mut Findings) -> Flow {
+    let mut census = live::live(subject, half_edges, findings)?;
+    let before = links::half_edges(subject, half_edges, &census, findings)?;
     links::leaving(subject, findings)?;
-    let components = links::rotation(subject, &census, before.as_deref(), findings)?;
+    let components = links::rotation(subject, half_edges, &census, &before, findings)?;
     drop(before);
-    faces::cycle(subject, &census, findings)?;
+    faces::cycle(subject, half_edges, &census, findings)?;
     if subject.extent.is_plane() {
         faces::isolated(subject, &census, findings)?;
     }
@@ -217,7 +232,7 @@ fn all_rules(subject: Subject<'_>, findings: &mut Findings) -> Flow {
     let components = components.filter(|_| findings.holds(Rule::V2));
     let is_simple = components.as_ref().is_some_and(|components| components.simple);
     if let Some(components) = components {
-        whole_map(subject, components, &census, findings)?;
+        whole_map(subject, half_edges, components, &census, findings)?;
     } else {
         let broken = census.rotations_broken(findings).unwrap_or(Rule::V2);
         for rule in TOPOLOGICAL.iter().filter(|rule| **rule >= Rule::T1) {
@@ -228,8 +243,14 @@ fn all_rules(subject: Subject<'_>, findings: &mut Findings) -> Flow {
 }
 
 /// Runs T1 … T4, after the counts that they need.
-fn whole_map(subject: Subject<'_>, mut components: Components, census: &Census, findings: &mut Findings) -> Flow {
-    whole::count_cycles(subject, &mut components, findings)?;
+fn whole_map(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    mut components: Components,
+    census: &Census,
+    findings: &mut Findings,
+) -> Flow {
+    whole::count_cycles(subject, half_edges, &mut components, findings)?;
     findings.counts.components = Some(components.all.len());
     if subject.extent.is_plane() {
         let lies_in = whole::outside(subject, &components, census.list_budget, findings)?;

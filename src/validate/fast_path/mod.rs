@@ -49,7 +49,6 @@ mod borders;
 mod boundaries;
 mod components;
 mod cycles;
-mod half_edges;
 mod marks;
 mod rotations;
 mod starts;

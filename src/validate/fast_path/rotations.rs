@@ -1,8 +1,8 @@
 //! The walks around the vertices: R1 … V2 of half-edges and vertices, and that names are constant along `next`.
 
-use super::half_edges::{Asked, HalfEdges, Lent};
 use super::starts::Starts;
 use crate::validate::columns::NIL;
+use crate::validate::half_edges::{Asked, HalfEdges, Lent};
 use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
@@ -25,7 +25,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, starts: &Starts) 
     let asked = Asked { view, extent };
     // Decided once, and not at each half-edge.
     match (extent.has(Part::Prev), extent.has(Part::Faces)) {
-        (true, true) => match Lent::of(view, extent, starts) {
+        (true, true) => match starts.first_live(view, extent).and_then(|first| Lent::of(view, extent, first)) {
             Some(lent) => walk_and::<V, _, true, true>(view, extent, starts, lent),
             None => walk_and::<V, _, true, true>(view, extent, starts, asked),
         },

@@ -48,6 +48,12 @@ pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Starts>
 }
 
 impl Starts {
+    /// The first live half-edge, if all from there on are live.
+    pub(super) fn first_live<V: View + ?Sized>(&self, view: &V, extent: Extent) -> Option<u32> {
+        let first = extent.half_edges.count.checked_sub(self.half_edges as u32)?;
+        (0..first).all(|h| !view.is_half_edge(h as usize)).then_some(first)
+    }
+
     /// A half-edge that leaves the vertex.
     #[inline]
     pub(super) fn leaving<V: View + ?Sized>(&self, view: &V, v: usize) -> Option<usize> {

@@ -3,6 +3,7 @@
 use super::live::{Census, Fan, list_too_long};
 use crate::validate::columns::{NIL, column};
 use crate::validate::findings::{Findings, Flow, Halt};
+use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Part, Start};
@@ -12,57 +13,67 @@ use alloc::vec::Vec;
 /// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.
 ///
 /// Without records for boundary components: the face is constant along `next`, and a face keeps half-edges of its own.
-pub(crate) fn cycle(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+pub(crate) fn cycle(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    census: &Census,
+    findings: &mut Findings,
+) -> Flow {
     if !subject.has(Part::Faces) {
         findings.not_checked(Rule::B1, Unchecked::Lacks(Part::Faces));
         return Ok(());
     }
     if subject.has(Part::BoundaryComponents) {
-        boundary_constant(subject, findings)?;
-        one_cycle_each(subject, census, findings)
+        let sizes = boundary_constant(subject, half_edges, findings)?;
+        one_cycle_each(subject, half_edges, &sizes, census, findings)
     } else {
-        face_constant(subject, census.list_budget, findings)
+        face_constant(subject, half_edges, census.list_budget, findings)
     }
 }
 
-/// For each boundary component the number of half-edges that name it.
-fn sizes(subject: Subject<'_>) -> Result<Vec<u32>, Halt> {
-    let mut sizes = column(subject.extent.boundaries.0, 0)?;
-    for h in subject.half_edges() {
-        if let Some(size) = sizes.get_mut(subject.boundary(h) as usize) {
-            *size += 1;
-        }
-    }
-    Ok(sizes)
-}
-
-fn boundary_constant(subject: Subject<'_>, findings: &mut Findings) -> Flow {
+/// Returns for each boundary component the number of half-edges that name it.
+fn boundary_constant(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    findings: &mut Findings,
+) -> Result<Vec<u32>, Halt> {
+    let mut sizes = column(subject.extent.boundaries.count, 0)?;
     let mut checked = 0;
     for h in subject.half_edges() {
-        let n = subject.next(h);
-        if !subject.is_live_half_edge(n) {
+        let (n, name) = (half_edges.next(h), half_edges.name(h));
+        if let Some(size) = sizes.get_mut(name as usize) {
+            *size += 1;
+        }
+        if !half_edges.is_live(n) {
             continue;
         }
         checked += 1;
-        let (half_edge, next) = (h as usize, n as usize);
-        let (boundary, found) = (subject.view.boundary(half_edge), subject.view.boundary(next));
-        if boundary == found {
+        if half_edges.name(n) == name {
             continue;
         }
+        let (half_edge, next) = (h as usize, n as usize);
+        let (boundary, found) = (subject.view.boundary(half_edge), subject.view.boundary(next));
         // A dangling link breaks R1, not this rule. Nil meets something else only at an open boundary.
         let dangles = |link: &Option<usize>| link.is_some_and(|b| !subject.extent.boundaries.has(b));
         let is_needed = !subject.is_open() && (boundary.is_none() || found.is_none());
-        if ![boundary, found].iter().any(dangles) && !is_needed {
+        if boundary != found && ![boundary, found].iter().any(dangles) && !is_needed {
             findings.add(Violation::BoundaryChanges { half_edge, next, boundary, found })?;
         }
     }
     findings.checked(Rule::B1, checked);
-    Ok(())
+    Ok(sizes)
 }
 
-fn one_cycle_each(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+fn one_cycle_each(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    sizes: &[u32],
+    census: &Census,
+    findings: &mut Findings,
+) -> Flow {
     let is_constant = findings.holds(Rule::B1);
-    starts_and_sizes(subject, census.map_is_live && findings.holds(Rule::L2) && is_constant, findings)?;
+    let walkable = census.map_is_live && findings.holds(Rule::L2) && is_constant;
+    starts_and_sizes(subject, half_edges, sizes, walkable, findings)?;
     // Without these rules no cycle can be walked along.
     let broken = census.links_broken().or_else(|| findings.broken(&[Rule::L2]));
     if let Some(rule) = broken.filter(|_| is_constant) {
@@ -72,8 +83,13 @@ fn one_cycle_each(subject: Subject<'_>, census: &Census, findings: &mut Findings
 }
 
 /// Checks that each start names its own boundary component, and where `walkable`, that its cycle has all half-edges that do.
-fn starts_and_sizes(subject: Subject<'_>, walkable: bool, findings: &mut Findings) -> Flow {
-    let sizes = sizes(subject)?;
+fn starts_and_sizes(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    sizes: &[u32],
+    walkable: bool,
+    findings: &mut Findings,
+) -> Flow {
     for b in subject.boundaries() {
         let Some(Start::HalfEdge(start)) = subject.view.boundary_start(b) else { continue };
         let Some(half_edge) = subject.live_half_edge(Some(start)) else { continue };
@@ -81,10 +97,9 @@ fn starts_and_sizes(subject: Subject<'_>, walkable: bool, findings: &mut Finding
         if found != Some(b) {
             findings.add(Violation::StartElsewhere { boundary: b, half_edge, found })?;
         } else if walkable {
-            let half_edges = sizes[b];
-            let cycle = cycle_length(subject, half_edge as u32, half_edges);
-            if cycle < half_edges {
-                second_cycle(b, cycle, half_edges, findings)?;
+            let cycle = cycle_length(half_edges, half_edge as u32, sizes[b]);
+            if cycle < sizes[b] {
+                second_cycle(b, cycle, sizes[b], findings)?;
             }
         }
     }
@@ -102,12 +117,12 @@ fn second_cycle(boundary: usize, cycle: u32, half_edges: u32, findings: &mut Fin
 }
 
 /// The length of the cycle through `start`, walking no further than `limit`.
-fn cycle_length(subject: Subject<'_>, start: u32, limit: u32) -> u32 {
+fn cycle_length(half_edges: impl HalfEdges, start: u32, limit: u32) -> u32 {
     let mut length = 0;
     let mut h = start;
     while h != NIL && length < limit {
         length += 1;
-        h = subject.next(h);
+        h = half_edges.next(h);
         if h == start {
             break;
         }
@@ -115,15 +130,23 @@ fn cycle_length(subject: Subject<'_>, start: u32, limit: u32) -> u32 {
     length
 }
 
-fn face_constant(subject: Subject<'_>, list_budget: usize, findings: &mut Findings) -> Flow {
+fn face_constant(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    list_budget: usize,
+    findings: &mut Findings,
+) -> Flow {
     let mut checked = 0;
     for h in subject.half_edges() {
-        let (half_edge, next) = (h as usize, subject.next(h));
-        if !subject.is_live_half_edge(next) {
+        let n = half_edges.next(h);
+        if !half_edges.is_live(n) {
             continue;
         }
         checked += 1;
-        let next = next as usize;
+        if half_edges.name(n) == half_edges.name(h) {
+            continue;
+        }
+        let (half_edge, next) = (h as usize, n as usize);
         let (face, found) = (subject.view.face(half_edge), subject.view.face(next));
         if face != found && subject.is_sound_face_link(face) && subject.is_sound_face_link(found) {
             findings.add(Violation::FaceChanges { half_edge, next, face, found })?;
@@ -163,7 +186,7 @@ pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Fin
         }
     }
     let by_record = subject.has(Part::BoundaryComponents);
-    let started: Vec<u32> = column(subject.extent.vertices.0, NIL)?;
+    let started: Vec<u32> = column(subject.extent.vertices.count, NIL)?;
     let fans = &census.fans[..];
     let mut starts = Starts { subject, fans, started, findings: &mut *findings };
     if by_record {
@@ -213,7 +236,7 @@ struct Starts<'a, 'f> {
 impl Starts<'_, '_> {
     /// Notes one that starts at this vertex.
     fn at(&mut self, vertex: usize, by: usize, kind: fn(usize) -> Record) -> Flow {
-        if !(self.subject.extent.vertices.has(vertex) && self.subject.view.is_vertex(vertex)) {
+        if !self.subject.is_vertex(vertex) {
             return Ok(());
         }
         let record = kind(by);
@@ -286,7 +309,7 @@ pub(crate) fn listed(subject: Subject<'_>, census: &Census, findings: &mut Findi
 }
 
 fn components_listed(subject: Subject<'_>, mut budget: usize, findings: &mut Findings) -> Flow {
-    let mut listed = column(subject.extent.boundaries.0, false)?;
+    let mut listed = column(subject.extent.boundaries.count, false)?;
     let mut is_cut_short = false;
     for f in subject.faces() {
         if let Some(b) = subject.view.outer(f) {
@@ -331,8 +354,7 @@ fn check_entry(
         findings.add(Violation::ListedTwice { record: Record::Boundary(boundary), face })?;
     }
     let found = subject.view.boundary_face(boundary);
-    let is_live = |f: usize| subject.extent.faces.has(f) && subject.view.is_face(f);
-    if found != Some(face) && found.is_some_and(is_live) {
+    if found != Some(face) && found.is_some_and(|f| subject.is_face(f)) {
         findings.add(Violation::ListedByOther { boundary, face, found })?;
     }
     if subject.has(Part::Places) {
@@ -345,7 +367,7 @@ fn check_entry(
 }
 
 fn cycles_listed(subject: Subject<'_>, list_budget: usize, findings: &mut Findings) -> Flow {
-    let mut listed = column(subject.extent.half_edges.0, false)?;
+    let mut listed = column(subject.extent.half_edges.count, false)?;
     for f in subject.faces() {
         if let Some(h) = subject.view.outer_half_edge(f) {
             list_cycle(subject, &mut listed, f, h, findings)?;

@@ -5,97 +5,132 @@
 use super::live::{Census, Fan};
 use crate::validate::columns::{Component, Components, NIL, column};
 use crate::validate::findings::{Findings, Flow, Halt, Pass};
+use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
 use crate::validate::subject::Subject;
 use alloc::vec::Vec;
 
-/// Runs L1, L2 and L3 on every half-edge whose links are live. Without `prev`, returns the predecessor of each half-edge.
-pub(crate) fn half_edges(
+/// Runs L1, L2 and L3 on every half-edge whose links are live. Returns the predecessor of each half-edge, if V2 needs them: where there is
+/// no `prev`, at an open boundary.
+pub(crate) fn half_edges<H: HalfEdges>(
     subject: Subject<'_>,
+    half_edges: H,
     census: &Census,
     findings: &mut Findings,
-) -> Result<Option<Vec<u32>>, Halt> {
+) -> Result<Vec<u32>, Halt> {
     let has_prev = subject.has(Part::Prev);
     let mut before = Vec::new();
     if !has_prev {
-        before = column(subject.extent.half_edges.0, NIL)?;
+        before = column(subject.extent.half_edges.count, NIL)?;
     }
-    // If R1 found every link live, a slot in range is live.
-    let all_live = census.map_is_live;
-    let [mut twins, mut nexts, mut targets] = [0; 3];
-    let live = |h: u32| (h != NIL && (all_live || subject.is_live_half_edge(h))).then_some(h);
+    let Subject { view, extent } = subject;
+    let vertices = extent.vertices;
+    // The common case, in which all three hold: only other half-edges are looked at closely.
+    let holds = |h: u32| {
+        half_edges.twin_back(h).is_some_and(|t| {
+            let (n, p, target) = (half_edges.next(h), half_edges.prev(h), half_edges.origin(t));
+            half_edges.is_live(n)
+                && half_edges.prev(n) == h
+                && half_edges.is_live(p)
+                && half_edges.next(p) == h
+                && half_edges.origin(n) == target
+                && vertices.is_live(target as usize, |v| view.is_vertex(v))
+        })
+    };
+    let mut checked = [0; 3];
+    let mut held = 0;
     let mut pass = findings.pass(Rule::L1);
     for h in subject.half_edges() {
-        let (twin, next) = (live(subject.twin(h)), live(subject.next(h)));
-        if let Some(t) = twin {
-            twins += 1;
-            mutual(subject, [h, t], all_live, &mut pass)?;
-        }
-        if let Some(n) = next {
-            nexts += 1;
-            if has_prev {
-                prev_of_next(subject, [h, n], all_live, &mut pass)?;
-            } else {
-                distinct([h, n], &mut before, &mut pass)?;
-            }
-        }
-        if let Some(p) = live(if has_prev { subject.prev(h) } else { NIL }) {
-            next_of_prev(subject, [h, p], all_live, &mut pass)?;
-        }
-        if let (Some(t), Some(n)) = (twin, next) {
-            targets += u64::from(target(subject, h, [t, n], all_live, &mut pass)?);
+        if has_prev && holds(h) {
+            held += 1;
+        } else {
+            half_edge(subject, half_edges, h, &mut before, &mut checked, &mut pass)?;
         }
     }
     pass.end()?;
-    for (rule, checked) in [(Rule::L1, twins), (Rule::L2, nexts), (Rule::L3, targets)] {
-        findings.checked(rule, checked);
-        if !all_live {
+    for (rule, checked) in [Rule::L1, Rule::L2, Rule::L3].into_iter().zip(checked) {
+        findings.checked(rule, held + checked);
+        if !census.map_is_live {
             findings.not_checked(rule, Unchecked::Broken(Rule::R1));
         }
     }
-    Ok((!has_prev).then_some(before))
+    Ok(if subject.is_open() { before } else { Vec::new() })
+}
+
+/// Runs L1, L2 and L3 on one half-edge, and counts which of them could be checked.
+#[inline(never)]
+fn half_edge<H: HalfEdges>(
+    subject: Subject<'_>,
+    half_edges: H,
+    h: u32,
+    before: &mut [u32],
+    [twins, nexts, targets]: &mut [u64; 3],
+    pass: &mut Pass<'_>,
+) -> Flow {
+    let live = |h: u32| half_edges.is_live(h).then_some(h);
+    let (twin, next) = (live(half_edges.twin(h)), live(half_edges.next(h)));
+    if let Some(t) = twin {
+        *twins += 1;
+        mutual(subject, half_edges, [h, t], pass)?;
+    }
+    let has_prev = subject.has(Part::Prev);
+    if let Some(n) = next {
+        *nexts += 1;
+        if has_prev {
+            prev_of_next(half_edges, [h, n], pass)?;
+        } else {
+            distinct([h, n], before, pass)?;
+        }
+    }
+    if let Some(p) = if has_prev { live(half_edges.prev(h)) } else { None } {
+        next_of_prev(half_edges, [h, p], pass)?;
+    }
+    if let (Some(t), Some(n)) = (twin, next) {
+        *targets += u64::from(target(subject, half_edges, h, [t, n], pass)?);
+    }
+    Ok(())
 }
 
 /// L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h`.
 ///
-/// Checks one half-edge and its twin. If not every link is live, dangling links are left to R1, here and below.
-fn mutual(subject: Subject<'_>, [h, t]: [u32; 2], all_live: bool, pass: &mut Pass<'_>) -> Flow {
+/// Checks one half-edge and its twin. Dangling links are left to R1, here and below.
+#[inline]
+fn mutual<H: HalfEdges>(subject: Subject<'_>, half_edges: H, [h, t]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
+    if half_edges.twin_back(h) == Some(t) {
+        return Ok(());
+    }
     let (half_edge, twin) = (h as usize, t as usize);
     if t == h {
         return pass.add(Violation::TwinIsSelf { half_edge });
     }
-    let back = subject.twin(t);
-    let found = if back == NIL {
-        // At an open boundary nil is a legal link, but not for a half-edge that is named as a twin.
-        if subject.view.twin(twin).is_some() || !subject.is_open() {
-            return Ok(());
-        }
-        None
-    } else if back == h || !(all_live || subject.is_live_half_edge(back)) {
-        return Ok(());
-    } else {
-        Some(back as usize)
-    };
-    pass.add(Violation::TwinNotMutual { half_edge, twin, found })
+    let back = half_edges.twin(t);
+    // At an open boundary nil is a legal link, but not for a half-edge that is named as a twin.
+    if half_edges.is_live(back) || back == NIL && subject.is_open() {
+        let found = (back != NIL).then_some(back as usize);
+        return pass.add(Violation::TwinNotMutual { half_edge, twin, found });
+    }
+    Ok(())
 }
 
 /// L2 next/prev: `prev(next(h)) = h` and `next(prev(h)) = h`.
 ///
 /// Checks `prev(next(h)) = h`.
-fn prev_of_next(subject: Subject<'_>, [h, n]: [u32; 2], all_live: bool, pass: &mut Pass<'_>) -> Flow {
-    let back = subject.prev(n);
-    if back == h || back == NIL || !(all_live || subject.is_live_half_edge(back)) {
+#[inline]
+fn prev_of_next<H: HalfEdges>(half_edges: H, [h, n]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
+    let back = half_edges.prev(n);
+    if back == h || !half_edges.is_live(back) {
         return Ok(());
     }
     pass.add(Violation::PrevOfNext { half_edge: h as usize, next: n as usize, found: back as usize })
 }
 
 /// Checks `next(prev(h)) = h`.
-fn next_of_prev(subject: Subject<'_>, [h, p]: [u32; 2], all_live: bool, pass: &mut Pass<'_>) -> Flow {
-    let back = subject.next(p);
-    if back == h || back == NIL || !(all_live || subject.is_live_half_edge(back)) {
+#[inline]
+fn next_of_prev<H: HalfEdges>(half_edges: H, [h, p]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
+    let back = half_edges.next(p);
+    if back == h || !half_edges.is_live(back) {
         return Ok(());
     }
     pass.add(Violation::NextOfPrev { half_edge: h as usize, prev: p as usize, found: back as usize })
@@ -113,13 +148,22 @@ fn distinct([h, n]: [u32; 2], before: &mut [u32], pass: &mut Pass<'_>) -> Flow {
 /// L3 target: `origin(next(h)) = origin(twin(h))`.
 ///
 /// Checks one half-edge with its twin and its next, and returns whether both have a live origin.
-fn target(subject: Subject<'_>, h: u32, [t, n]: [u32; 2], all_live: bool, pass: &mut Pass<'_>) -> Result<bool, Halt> {
-    let (target, found) = (subject.origin(t), subject.origin(n));
-    let are_live = || all_live || subject.is_live_vertex(target) && subject.is_live_vertex(found);
-    if target == NIL || found == NIL || !are_live() {
+#[inline]
+fn target<H: HalfEdges>(
+    subject: Subject<'_>,
+    half_edges: H,
+    h: u32,
+    [t, n]: [u32; 2],
+    pass: &mut Pass<'_>,
+) -> Result<bool, Halt> {
+    let (target, found) = (half_edges.origin(t), half_edges.origin(n));
+    if !subject.is_live_vertex(target) {
         return Ok(false);
     }
     if target != found {
+        if !subject.is_live_vertex(found) {
+            return Ok(false);
+        }
         let [half_edge, next, target, found] = [h, n, target, found].map(|i| i as usize);
         pass.add(Violation::Target { half_edge, next, target, found })?;
     }
@@ -151,38 +195,36 @@ pub(crate) fn leaving(subject: Subject<'_>, findings: &mut Findings) -> Flow {
 
 /// V2 rotation: the rotation of a vertex is all half-edges with that origin.
 ///
-/// `before` has the predecessor of each half-edge where there is no `prev`. Returns the components, unless V2 cannot be checked.
-pub(crate) fn rotation(
+/// `before` has the predecessor of each half-edge where it is needed and there is no `prev`. Returns the components, unless V2 cannot be
+/// checked.
+pub(crate) fn rotation<H: HalfEdges>(
     subject: Subject<'_>,
+    half_edges: H,
     census: &Census,
-    before: Option<&[u32]>,
+    before: &[u32],
     findings: &mut Findings,
 ) -> Result<Option<Components>, Halt> {
     if let Some(rule) = census.map_broken(findings) {
         findings.not_checked(Rule::V2, Unchecked::Broken(rule));
         return Ok(None);
     }
-    let found = rotations(subject, census, before, findings)?;
+    let found = rotations(Walk { subject, half_edges, before }, census, findings)?;
     findings.checked(Rule::V2, (census.vertices - census.isolated_vertices) as u64);
     Ok(Some(found))
 }
 
 /// Walks around all vertices. They are visited in the order in which they are found, which causes by far the fewest cache misses
 /// where neighbours have close numbers.
-fn rotations(
-    subject: Subject<'_>,
-    census: &Census,
-    before: Option<&[u32]>,
-    findings: &mut Findings,
-) -> Result<Components, Halt> {
-    let walk = Walk { subject, before };
-    let vertices = subject.extent.vertices.0;
+fn rotations<H: HalfEdges>(walk: Walk<'_, H>, census: &Census, findings: &mut Findings) -> Result<Components, Halt> {
+    let Walk { subject, half_edges, .. } = walk;
+    let vertices = subject.extent.vertices.count;
+    // The number of the component of each vertex that was visited. A vertex that was found and not visited yet has the one found after it, or
+    // itself.
     let mut of = column(vertices, NIL)?;
-    // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
-    let mut seen_from = column(vertices, NIL)?;
-    let mut found: Vec<u32> = Vec::new();
-    let mut visited = 0;
-    found.try_reserve_exact(vertices as usize).map_err(|_| Halt::OutOfMemory)?;
+    // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges. Nobody asks on surfaces, but
+    // for M2.
+    let asks = subject.extent.is_plane() || subject.extent.expect.asks_for(Rule::M2);
+    let mut seen_from = column(if asks { vertices } else { 0 }, NIL)?;
     let mut all: Vec<Component> = Vec::new();
     let mut simple = true;
     for first in 0..vertices {
@@ -191,17 +233,19 @@ fn rotations(
         }
         let number = all.len() as u32;
         let mut component = Component::at(first);
-        of[first as usize] = number;
-        found.push(first);
-        while let Some(v) = found.get(visited).copied() {
-            visited += 1;
+        of[first as usize] = first;
+        let [mut v, mut last] = [first; 2];
+        loop {
             component.vertices += 1;
             let mut neighbour = |u: u32| {
-                let Some(component) = of.get_mut(u as usize) else { return };
-                simple &= u != v && core::mem::replace(&mut seen_from[u as usize], v) != v;
-                if *component == NIL {
-                    *component = number;
-                    found.push(u);
+                let Some(found) = of.get_mut(u as usize) else { return };
+                if let Some(seen) = seen_from.get_mut(u as usize) {
+                    simple &= u != v && core::mem::replace(seen, v) != v;
+                }
+                if *found == NIL {
+                    *found = u;
+                    of[last as usize] = u;
+                    last = u;
                 }
             };
             let fan = census.fans[v as usize];
@@ -211,15 +255,20 @@ fn rotations(
                     neighbour(subject.target_by_next(h));
                 } else {
                     component.paired += 1;
-                    neighbour(subject.origin(t));
+                    neighbour(half_edges.origin(t));
                 }
                 // A half-edge without twin that ends at `v` is reached from `v` only as the one before `h`.
                 let before = if subject.is_open() { walk.before(h) } else { None };
-                if let Some(before) = before.filter(|before| subject.twin(*before) == NIL) {
-                    neighbour(subject.origin(before));
+                if let Some(before) = before.filter(|before| half_edges.twin(*before) == NIL) {
+                    neighbour(half_edges.origin(before));
                 }
             });
             whole_rotation(v, fan, reached, findings)?;
+            let after = core::mem::replace(&mut of[v as usize], number);
+            if after == v {
+                break;
+            }
+            v = after;
         }
         component.open = component.unpaired > 0;
         all.try_reserve(1).map_err(|_| Halt::OutOfMemory)?;
@@ -245,48 +294,52 @@ fn whole_rotation(v: u32, fan: Fan, reached: u32, findings: &mut Findings) -> Fl
 }
 
 /// The links that a walk around a vertex follows.
-struct Walk<'a> {
+#[derive(Clone, Copy)]
+struct Walk<'a, H> {
     subject: Subject<'a>,
+    half_edges: H,
     /// The predecessor of each half-edge, where there is no `prev`.
-    before: Option<&'a [u32]>,
+    before: &'a [u32],
 }
 
-impl Walk<'_> {
+impl<H: HalfEdges> Walk<'_, H> {
     /// The half-edge before `h` on its cycle.
     fn before(&self, h: u32) -> Option<u32> {
-        let before = match self.before {
-            _ if self.subject.has(Part::Prev) => self.subject.prev(h),
-            before => before.and_then(|before| before.get(h as usize)).copied().unwrap_or(NIL),
+        let before = if self.subject.has(Part::Prev) {
+            self.half_edges.prev(h)
+        } else {
+            self.before.get(h as usize).copied().unwrap_or(NIL)
         };
-        (before != NIL).then_some(before)
+        self.half_edges.is_live(before).then_some(before)
     }
 
     /// Calls `visit` for each half-edge of a fan and its twin, in order of rotation. Stops when the walk returns or has
     /// reached as many half-edges as name the vertex as their origin, and returns how many it reached. At an open boundary it goes on
     /// from the start in the other direction.
+    #[inline]
     fn around(&self, Fan { degree, leaving: start }: Fan, mut visit: impl FnMut(u32, u32)) -> u32 {
-        let subject = self.subject;
+        let half_edges = self.half_edges;
         let mut h = start;
         let mut reached = 0;
         while h != NIL && reached < degree {
-            let t = subject.twin(h);
+            let t = half_edges.twin(h);
             visit(h, t);
             reached += 1;
-            h = if t == NIL { NIL } else { subject.next(t) };
+            h = if t == NIL { NIL } else { half_edges.next(t) };
             if h == start {
                 return reached;
             }
         }
-        if !subject.is_open() {
+        if !self.subject.is_open() {
             return reached;
         }
         let mut h = start;
         while reached < degree {
-            h = self.before(h).map_or(NIL, |before| subject.twin(before));
+            h = self.before(h).map_or(NIL, |before| half_edges.twin(before));
             if h == NIL || h == start {
                 break;
             }
-            visit(h, subject.twin(h));
+            visit(h, half_edges.twin(h));
             reached += 1;
         }
         reached

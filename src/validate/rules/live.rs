@@ -9,6 +9,7 @@
 
 use crate::validate::columns::{NIL, column};
 use crate::validate::findings::{Findings, Flow, Halt};
+use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Link, Part, Start};
@@ -54,8 +55,8 @@ pub(crate) struct Fan {
 }
 
 /// Counts a half-edge with this origin.
-fn note(fans: &mut [Fan], origin: Link, h: u32) {
-    if let Some(fan) = origin.and_then(|v| fans.get_mut(v)) {
+fn note(fans: &mut [Fan], origin: u32, h: u32) {
+    if let Some(fan) = fans.get_mut(origin as usize) {
         *fan = Fan { degree: fan.degree + 1, leaving: h };
     }
 }
@@ -72,9 +73,13 @@ enum RecordKind {
 /// R1 live: every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are.
 ///
 /// Counts the records on the way.
-pub(crate) fn live(subject: Subject<'_>, findings: &mut Findings) -> Result<Census, Halt> {
-    let mut fans = column(subject.extent.vertices.0, Fan { degree: 0, leaving: NIL })?;
-    let [half_edges, edges] = half_edges(subject, &mut fans, findings)?;
+pub(crate) fn live(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    findings: &mut Findings,
+) -> Result<Census, Halt> {
+    let mut fans = column(subject.extent.vertices.count, Fan { degree: 0, leaving: NIL })?;
+    let [half_edges, edges] = links_of_half_edges(subject, half_edges, &mut fans, findings)?;
     let map_is_live = findings.holds(Rule::R1);
     let [vertices, isolated_vertices] = vertices(subject, &fans, findings)?;
     let boundaries = boundaries(subject, findings)?;
@@ -88,12 +93,11 @@ pub(crate) fn live(subject: Subject<'_>, findings: &mut Findings) -> Result<Cens
 /// True if the link leads to a live record of that kind.
 #[inline]
 fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
-    let Subject { view, extent } = subject;
     match kind {
-        RecordKind::Vertex => extent.vertices.has(link) && view.is_vertex(link),
-        RecordKind::HalfEdge => extent.half_edges.has(link) && view.is_half_edge(link),
-        RecordKind::Boundary => extent.boundaries.has(link) && view.is_boundary(link),
-        RecordKind::Face => extent.faces.has(link) && view.is_face(link),
+        RecordKind::Vertex => subject.is_vertex(link),
+        RecordKind::HalfEdge => subject.is_half_edge(link),
+        RecordKind::Boundary => subject.is_boundary(link),
+        RecordKind::Face => subject.is_face(link),
     }
 }
 
@@ -127,43 +131,66 @@ impl Links<'_, '_> {
 }
 
 /// Returns the numbers of half-edges and of edges.
-fn half_edges(subject: Subject<'_>, fans: &mut [Fan], findings: &mut Findings) -> Result<[usize; 2], Halt> {
-    let extent = subject.extent;
-    let (name_field, name_kind) = if extent.has(Part::BoundaryComponents) {
-        (Field::Boundary, RecordKind::Boundary)
-    } else {
-        (Field::Face, RecordKind::Face)
-    };
-    let is_closed = !subject.is_open();
-    let mut check = |h: usize| {
-        let mut links = Links { subject, record: Record::HalfEdge(h), findings: &mut *findings };
-        let origin = subject.view.origin(h);
-        links.check(Field::Origin, origin, RecordKind::Vertex, true)?;
-        let twin = subject.view.twin(h);
-        links.check(Field::Twin, twin, RecordKind::HalfEdge, is_closed)?;
-        links.check(Field::Next, subject.view.next(h), RecordKind::HalfEdge, true)?;
-        if extent.has(Part::Prev) {
-            links.check(Field::Prev, subject.view.prev(h), RecordKind::HalfEdge, true)?;
-        }
-        if extent.has(Part::Faces) {
-            // At an open boundary one of the two sides is missing, not both.
-            let is_needed = is_closed || twin.is_none();
-            links.check(name_field, extent.name(subject.view, h), name_kind, is_needed)?;
-        }
-        Ok((origin, twin))
+fn links_of_half_edges(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    fans: &mut [Fan],
+    findings: &mut Findings,
+) -> Result<[usize; 2], Halt> {
+    let Subject { view, extent } = subject;
+    let (has_prev, has_names) = (extent.has(Part::Prev), extent.has(Part::Faces));
+    let by_record = extent.has(Part::BoundaryComponents);
+    let (vertices, names) = (extent.vertices, if by_record { extent.boundaries } else { extent.faces });
+    let are_live = |h: u32| {
+        vertices.is_live(half_edges.origin(h) as usize, |v| view.is_vertex(v))
+            && half_edges.is_live(half_edges.twin(h))
+            && half_edges.is_live(half_edges.next(h))
+            && (!has_prev || half_edges.is_live(half_edges.prev(h)))
+            && (!has_names || {
+                let is_live = |name| if by_record { view.is_boundary(name) } else { view.is_face(name) };
+                names.is_live(half_edges.name(h) as usize, is_live)
+            })
     };
     let (mut live, mut unpaired) = (0, 0);
     for h in subject.half_edges() {
-        let (origin, twin) = check(h as usize)?;
+        if !are_live(h) {
+            half_edge(subject, h as usize, findings)?;
+        }
         live += 1;
-        unpaired += usize::from(twin.is_none());
-        note(fans, origin, h);
+        unpaired += usize::from(half_edges.twin(h) == NIL);
+        note(fans, half_edges.origin(h), h);
     }
     let edges = (live - unpaired) / 2 + unpaired;
     (findings.counts.half_edges, findings.counts.edges) = (live, edges);
     let links = 3 + u64::from(extent.has(Part::Prev)) + u64::from(extent.has(Part::Faces));
     findings.checked(Rule::R1, live as u64 * links);
     Ok([live, edges])
+}
+
+/// Checks the links of one half-edge. They are asked for once more, to say what each is.
+#[cold]
+fn half_edge(subject: Subject<'_>, h: usize, findings: &mut Findings) -> Flow {
+    let Subject { view, extent } = subject;
+    let mut links = Links { subject, record: Record::HalfEdge(h), findings };
+    let is_closed = !subject.is_open();
+    links.check(Field::Origin, view.origin(h), RecordKind::Vertex, true)?;
+    let twin = view.twin(h);
+    links.check(Field::Twin, twin, RecordKind::HalfEdge, is_closed)?;
+    links.check(Field::Next, view.next(h), RecordKind::HalfEdge, true)?;
+    if extent.has(Part::Prev) {
+        links.check(Field::Prev, view.prev(h), RecordKind::HalfEdge, true)?;
+    }
+    if !extent.has(Part::Faces) {
+        return Ok(());
+    }
+    let (field, kind) = if extent.has(Part::BoundaryComponents) {
+        (Field::Boundary, RecordKind::Boundary)
+    } else {
+        (Field::Face, RecordKind::Face)
+    };
+    // At an open boundary one of the two sides is missing, not both.
+    let is_needed = is_closed || twin.is_none();
+    links.check(field, extent.name(view, h), kind, is_needed)
 }
 
 /// Returns the numbers of vertices and of isolated ones.

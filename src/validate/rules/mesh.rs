@@ -44,7 +44,7 @@ fn used(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow 
     if census.isolated_vertices == 0 {
         return Ok(());
     }
-    let mut used = column(subject.extent.vertices.0, false)?;
+    let mut used = column(subject.extent.vertices.count, false)?;
     for h in subject.half_edges() {
         if let Some(used) = used.get_mut(subject.origin(h) as usize) {
             *used = true;
@@ -65,7 +65,7 @@ fn simple(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut
     if is_simple {
         return Ok(());
     }
-    let (vertices, half_edges) = (subject.extent.vertices.0, subject.extent.half_edges.0);
+    let (vertices, half_edges) = (subject.extent.vertices.count, subject.extent.half_edges.count);
     // For each vertex the first edge of which it is the smaller end, and for each half-edge that stands for its edge the next one.
     let mut first = column(vertices, NIL)?;
     let mut next = column(half_edges, NIL)?;
@@ -127,7 +127,7 @@ fn one(subject: Subject<'_>, record: Record, sides: u32, findings: &mut Findings
 
 fn faces(subject: Subject<'_>, findings: &mut Findings) -> Flow {
     let by_record = subject.has(Part::BoundaryComponents);
-    let mut sides = column(subject.extent.faces.0, 0)?;
+    let mut sides = column(subject.extent.faces.count, 0)?;
     for h in subject.half_edges() {
         let name = subject.extent.name(subject.view, h as usize);
         let face = if by_record {
@@ -146,7 +146,7 @@ fn faces(subject: Subject<'_>, findings: &mut Findings) -> Flow {
 }
 
 fn cycles(subject: Subject<'_>, findings: &mut Findings) -> Flow {
-    let mut seen = column(subject.extent.half_edges.0, false)?;
+    let mut seen = column(subject.extent.half_edges.count, false)?;
     for start in subject.half_edges() {
         let (mut h, mut sides) = (start, 0);
         while h != NIL && !core::mem::replace(&mut seen[h as usize], true) {
@@ -258,7 +258,7 @@ fn kept(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow 
     }
     let is_on_border = |h: usize| subject.view.twin(h).is_none() || subject.lacks_face(h);
     // For each vertex the first half-edge of the border that leaves it.
-    let mut border = column(subject.extent.vertices.0, NIL)?;
+    let mut border = column(subject.extent.vertices.count, NIL)?;
     for h in subject.half_edges().filter(|h| is_on_border(*h as usize)) {
         if let Some(border) = border.get_mut(subject.origin(h) as usize) {
             *border = h.min(*border);

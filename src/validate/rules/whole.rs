@@ -2,6 +2,7 @@
 
 use crate::validate::columns::{Components, NIL, column};
 use crate::validate::findings::{Findings, Flow, Halt};
+use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Bounds, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Part, Start, View};
@@ -12,13 +13,18 @@ use alloc::vec::Vec;
 ///
 /// Counted are the cycles of `next`, one cycle for each isolated vertex, and one for each border loop that missing twins would
 /// make. Cycles of `next` without face are border loops, too.
-pub(crate) fn count_cycles(subject: Subject<'_>, components: &mut Components, findings: &mut Findings) -> Flow {
+pub(crate) fn count_cycles(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    components: &mut Components,
+    findings: &mut Findings,
+) -> Flow {
     let by_record = subject.has(Part::BoundaryComponents) && !subject.is_open();
     let [cycles, without_face] = if by_record && findings.broken(&[Rule::R1, Rule::B1]).is_none() {
         // B1 has shown that boundary components and cycles are the same.
         [boundaries_with_cycle(subject, components), 0]
     } else {
-        cycles_of_next(subject, components)?
+        cycles_of_next(subject, half_edges, components)?
     };
     for component in &mut components.all {
         if component.paired + component.unpaired == 0 {
@@ -45,16 +51,20 @@ fn boundaries_with_cycle(subject: Subject<'_>, components: &mut Components) -> u
 }
 
 /// Returns how many cycles of `next` are no border loops, and how many are.
-fn cycles_of_next(subject: Subject<'_>, components: &mut Components) -> Result<[usize; 2], Halt> {
-    let mut seen = column(subject.extent.half_edges.0, false)?;
+fn cycles_of_next(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    components: &mut Components,
+) -> Result<[usize; 2], Halt> {
+    let mut seen = column(subject.extent.half_edges.count, false)?;
     let mut cycles = [0, 0];
     for start in subject.half_edges() {
         if seen[start as usize] {
             continue;
         }
         let mut h = start;
-        while h != NIL && !core::mem::replace(&mut seen[h as usize], true) {
-            h = subject.next(h);
+        while let Some(false) = seen.get_mut(h as usize).map(|seen| core::mem::replace(seen, true)) {
+            h = half_edges.next(h);
         }
         let is_border = subject.is_open() && subject.lacks_face(start as usize);
         cycles[usize::from(is_border)] += 1;
@@ -69,7 +79,7 @@ fn cycles_of_next(subject: Subject<'_>, components: &mut Components) -> Result<[
 /// Half-edges without twin follow one another around each border loop: where V2 holds, one at most leaves a vertex.
 /// Returns how many such loops there are.
 fn borders(subject: Subject<'_>, components: &mut Components) -> Result<usize, Halt> {
-    let mut border_at = column(subject.extent.vertices.0, NIL)?;
+    let mut border_at = column(subject.extent.vertices.count, NIL)?;
     for h in subject.half_edges().filter(|h| subject.twin(*h) == NIL) {
         if let Some(entry) = border_at.get_mut(subject.origin(h) as usize) {
             *entry = h;
