@@ -101,7 +101,14 @@ impl<'a> Lent<'a> {
         let n = extent.half_edges.count();
         (twin.is_none() && n % 2 == 0 && first % 2 == 0).then_some(())?;
         let live = extent.half_edges.count.checked_sub(first)?;
-        Some(Self { origin: origin.get(..n)?, next: next.get(..n)?, prev: prev.get(..n)?, name: name.get(..n)?, first, live })
+        Some(Self {
+            origin: origin.get(..n)?,
+            next: next.get(..n)?,
+            prev: prev.get(..n)?,
+            name: name.get(..n)?,
+            first,
+            live,
+        })
     }
 }
 

@@ -39,7 +39,7 @@ const TOPOLOGICAL: &[Rule] = &[
 /// | | per vertex | per component | per half-edge | per boundary component |
 /// | --- | --- | --- | --- | --- |
 /// | right | 16 | 20 | 1 | 1 |
-/// | elsewhere | 24 | 72 | 5 | 4 |
+/// | elsewhere | 16 | 72 | 4 | 4 |
 ///
 /// A structure without border that is right takes 8 per vertex where neighbours have close numbers and vertices keep a
 /// half-edge. Where the table says 1, it is one bit. A border loop takes 12. Elsewhere a component takes 24 bytes in a list that doubles: 72 while the list is

@@ -6,7 +6,6 @@ use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::tables::Without;
 use twinedge::geometry::Point;
-use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Embedding, Part, places};
 
 /// The coordinates of the vertices of the nested triangles, while answers are consistent.
@@ -28,8 +27,6 @@ fn answers_may_change_from_call_to_call() {
     for table in [nested(), nested_textbook()] {
         let consistent = Inconsistent::new(&table, u64::MAX, 0);
         assert!(validate_embedding(&consistent, &PLANE, Collect::All).is_valid());
-        // The fast path may ask nearly everything before it gives up, and then every rule asks for itself.
-        rule_by_rule(&consistent, &PLANE, Collect::All);
         let questions = consistent.questions.get();
         let without = table.without(Part::UnboundedFace);
         for (table, expectation) in [(&table, PLANE), (&table, PLANE.open()), (&without, PLANE.open())] {
@@ -38,7 +35,8 @@ fn answers_may_change_from_call_to_call() {
                     let view = Inconsistent::new(table, consistent_answers, seed);
                     let report = validate_embedding(&view, &expectation, Collect::All);
                     let asked = view.questions.get();
-                    assert!(asked <= 2 * questions, "{asked} questions, {questions} if consistent\n{report}");
+                    // The fast path may ask nearly everything before it gives up, and then every rule asks for itself.
+                    assert!(asked <= 5 * questions, "{asked} questions, {questions} if consistent\n{report}");
                     for violation in report.violations() {
                         assert!(places(&view, violation).len() <= 4);
                     }

@@ -3,8 +3,8 @@
 use super::names::{Ends, Name, Names, PlaceText};
 use super::record::{Field, Record};
 use super::words::Number;
-use crate::validate::rule::Rule;
 use crate::validate::catalogue::catalogue;
+use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Link};
 use alloc::string::{String, ToString};
 use core::fmt;

@@ -98,14 +98,14 @@ fn half_edge<H: HalfEdges>(
 /// Checks one half-edge and its twin. Dangling links are left to R1, here and below.
 #[inline]
 fn mutual<H: HalfEdges>(subject: Subject<'_>, half_edges: H, [h, t]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
-    if half_edges.twin_back(h) == Some(t) {
-        return Ok(());
-    }
     let (half_edge, twin) = (h as usize, t as usize);
     if t == h {
         return pass.add(Violation::TwinIsSelf { half_edge });
     }
     let back = half_edges.twin(t);
+    if back == h {
+        return Ok(());
+    }
     // At an open boundary nil is a legal link, but not for a half-edge that is named as a twin.
     if half_edges.is_live(back) || back == NIL && subject.is_open() {
         let found = (back != NIL).then_some(back as usize);
@@ -231,6 +231,7 @@ fn rotations<H: HalfEdges>(walk: Walk<'_, H>, census: &Census, findings: &mut Fi
         if of[first as usize] != NIL || !subject.is_live_vertex(first) {
             continue;
         }
+        let is_open = subject.is_open();
         let number = all.len() as u32;
         let mut component = Component::at(first);
         of[first as usize] = first;
@@ -252,13 +253,13 @@ fn rotations<H: HalfEdges>(walk: Walk<'_, H>, census: &Census, findings: &mut Fi
             let reached = walk.around(fan, |h, t| {
                 if t == NIL {
                     component.unpaired += 1;
-                    neighbour(subject.target_by_next(h));
+                    neighbour(half_edges.origin(half_edges.next(h)));
                 } else {
                     component.paired += 1;
                     neighbour(half_edges.origin(t));
                 }
                 // A half-edge without twin that ends at `v` is reached from `v` only as the one before `h`.
-                let before = if subject.is_open() { walk.before(h) } else { None };
+                let before = if is_open { walk.before(h) } else { None };
                 if let Some(before) = before.filter(|before| half_edges.twin(*before) == NIL) {
                     neighbour(half_edges.origin(before));
                 }
@@ -316,7 +317,8 @@ impl<H: HalfEdges> Walk<'_, H> {
     /// Calls `visit` for each half-edge of a fan and its twin, in order of rotation. Stops when the walk returns or has
     /// reached as many half-edges as name the vertex as their origin, and returns how many it reached. At an open boundary it goes on
     /// from the start in the other direction.
-    #[inline]
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "`visit` is called for each half-edge")]
     fn around(&self, Fan { degree, leaving: start }: Fan, mut visit: impl FnMut(u32, u32)) -> u32 {
         let half_edges = self.half_edges;
         let mut h = start;
@@ -330,18 +332,20 @@ impl<H: HalfEdges> Walk<'_, H> {
                 return reached;
             }
         }
-        if !self.subject.is_open() {
-            return reached;
-        }
+        if self.subject.is_open() { reached + self.back(start, degree - reached, &mut visit) } else { reached }
+    }
+
+    /// Goes on from the start in the other direction, to so many half-edges at most, and returns how many it reached.
+    #[inline(never)]
+    fn back(&self, start: u32, most: u32, visit: &mut dyn FnMut(u32, u32)) -> u32 {
         let mut h = start;
-        while reached < degree {
-            h = self.before(h).map_or(NIL, |before| half_edges.twin(before));
+        for reached in 0..most {
+            h = self.before(h).map_or(NIL, |before| self.half_edges.twin(before));
             if h == NIL || h == start {
-                break;
+                return reached;
             }
-            visit(h, half_edges.twin(h));
-            reached += 1;
+            visit(h, self.half_edges.twin(h));
         }
-        reached
+        most
     }
 }

@@ -73,11 +73,7 @@ enum RecordKind {
 /// R1 live: every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are.
 ///
 /// Counts the records on the way.
-pub(crate) fn live(
-    subject: Subject<'_>,
-    half_edges: impl HalfEdges,
-    findings: &mut Findings,
-) -> Result<Census, Halt> {
+pub(crate) fn live(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &mut Findings) -> Result<Census, Halt> {
     let mut fans = column(subject.extent.vertices.count, Fan { degree: 0, leaving: NIL })?;
     let [half_edges, edges] = links_of_half_edges(subject, half_edges, &mut fans, findings)?;
     let map_is_live = findings.holds(Rule::R1);
@@ -141,9 +137,9 @@ fn links_of_half_edges(
     let (has_prev, has_names) = (extent.has(Part::Prev), extent.has(Part::Faces));
     let by_record = extent.has(Part::BoundaryComponents);
     let (vertices, names) = (extent.vertices, if by_record { extent.boundaries } else { extent.faces });
-    let are_live = |h: u32| {
-        vertices.is_live(half_edges.origin(h) as usize, |v| view.is_vertex(v))
-            && half_edges.is_live(half_edges.twin(h))
+    let are_live = |h: u32, origin: u32, twin: u32| {
+        vertices.is_live(origin as usize, |v| view.is_vertex(v))
+            && half_edges.is_live(twin)
             && half_edges.is_live(half_edges.next(h))
             && (!has_prev || half_edges.is_live(half_edges.prev(h)))
             && (!has_names || {
@@ -153,12 +149,13 @@ fn links_of_half_edges(
     };
     let (mut live, mut unpaired) = (0, 0);
     for h in subject.half_edges() {
-        if !are_live(h) {
+        let (origin, twin) = (half_edges.origin(h), half_edges.twin(h));
+        if !are_live(h, origin, twin) {
             half_edge(subject, h as usize, findings)?;
         }
         live += 1;
-        unpaired += usize::from(half_edges.twin(h) == NIL);
-        note(fans, half_edges.origin(h), h);
+        unpaired += usize::from(twin == NIL);
+        note(fans, origin, h);
     }
     let edges = (live - unpaired) / 2 + unpaired;
     (findings.counts.half_edges, findings.counts.edges) = (live, edges);
