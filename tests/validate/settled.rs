@@ -3,6 +3,7 @@
 use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
+use crate::support::watched::Watched;
 use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::reference::rule_by_rule;
@@ -232,6 +233,26 @@ fn any_number_of_wrong_half_edges() {
         for table in [twins, prevs] {
             assert_same(&table, &PLANE, wrong);
         }
+    }
+}
+
+/// A link is read by the fast path, once for each rule that it takes part in, and where the walks follow it.
+#[test]
+fn one_wrong_link_does_not_make_the_rules_ask_on_and_on() {
+    let count = 1000;
+    let n = 2 * count;
+    let asked = |table: &Table| {
+        let view = Watched::new(table);
+        let _ = validate(&view, &PLANE, Collect::All);
+        [view.twin.get(), view.next.get(), view.prev.get()]
+    };
+    assert_eq!(asked(&loops(count)), [2 * n, n, n]);
+    let wrong: [fn(&mut HalfEdgeRow); 3] = [|row| row.twin = None, |row| row.next = None, |row| row.prev = None];
+    for wrong in wrong {
+        let mut table = loops(count);
+        wrong(table.half_edges[count].as_mut().unwrap());
+        let [twin, next, prev] = asked(&table);
+        assert!(twin < 5 * n + 20 && next < 5 * n + 20 && prev < 4 * n + 20, "{twin} {next} {prev}");
     }
 }
 
