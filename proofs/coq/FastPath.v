@@ -1,4 +1,9 @@
-(** * FastPath: a scan and two walks that settle R1 to T1, and T3, at once (fast_path/)
+(** * FastPath: a scan and two walks that settle R1 to T1, and T3, at once
+
+    The fast path of the Rust code took these steps until 2026-11-28. Since then it takes fewer (fast_path/mod.rs): it checks the
+    links at each step around a vertex, without a scan by index, and in the plane it does not walk along the cycles, because where
+    as many components are found as Euler's formula needs for the cycles that are listed, there are no others. That argument is not
+    proved here. Both accept the same tables, as far as [compare --fast-path] runs them.
 
     The fast path reads the links of every half-edge, walks along every boundary component from where a face lists it and
     around every vertex, remembers little, and counts. Then it joins vertices along edges until as few sets of them are
@@ -19,7 +24,7 @@
 
     Like the Rust code it asks first whether a record is live, and never what a vacant slot says, or one that is not there: the
     extracted program would end there. So it need not hear nil of these ([says_twin], and not [twin]). It is about structures
-    that have every part, in the plane. It differs in this:
+    that have every part, in the plane. It differs from that Rust code in this:
 
     - Everything is looked at, where the Rust code stops at the first fault. A walk may take as many steps as there are
       slots, not only as many as are left of the live half-edges, and the lists of the faces are read to their ends,

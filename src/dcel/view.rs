@@ -2,11 +2,16 @@
 
 use super::structure::Dcel;
 use crate::store::{BoundaryStart, OUTER, VertexLink};
-use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Parts, Report, Start, View, validate};
+use crate::validate::{
+    BoundaryPlace, Collect, Expectation, HalfEdgeColumns, Link, Parts, Report, Start, View, validate,
+};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
 /// slots are unspecified.
 impl View for Dcel {
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        Some(self.store.half_edge_columns())
+    }
     fn parts(&self) -> Parts {
         Parts::ALL
     }

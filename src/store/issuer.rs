@@ -52,8 +52,7 @@ impl Issuer {
         unused.then_some(Self { generations, free, offset })
     }
 
-    /// By slot, the generations that [`Issuer::restored`] needs.
-    #[cfg(feature = "serde")]
+    /// By slot, the generations: odd where live.
     pub(super) fn generations(&self) -> &[u32] {
         &self.generations
     }

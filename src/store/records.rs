@@ -94,10 +94,10 @@ impl Store {
     /// Makes the columns as long as there are slots.
     pub(super) fn fill_columns(&mut self) {
         let half_edges = 2 * self.edges.end();
-        self.origin.resize(half_edges, VertexSlot(NIL));
-        self.next.resize(half_edges, HalfEdgeSlot(NIL));
-        self.prev.resize(half_edges, HalfEdgeSlot(NIL));
-        self.boundary.resize(half_edges, BoundarySlot(NIL));
+        self.origin.resize(half_edges, NIL);
+        self.next.resize(half_edges, NIL);
+        self.prev.resize(half_edges, NIL);
+        self.boundary.resize(half_edges, NIL);
         self.vertex_link.resize(self.vertices.end(), NIL);
         let boundaries = self.boundaries.end();
         self.boundary_face.resize(boundaries, FaceSlot(NIL));

@@ -169,10 +169,10 @@ impl Store {
     fn link_mut(&mut self, written: Written, slot: u32) -> Option<&mut u32> {
         let i = slot as usize;
         match written {
-            Written::Origin => self.origin.get_mut(i).map(|v| &mut v.0),
-            Written::Next => self.next.get_mut(i).map(|h| &mut h.0),
-            Written::Prev => self.prev.get_mut(i).map(|h| &mut h.0),
-            Written::Boundary => self.boundary.get_mut(i).map(|b| &mut b.0),
+            Written::Origin => self.origin.get_mut(i),
+            Written::Next => self.next.get_mut(i),
+            Written::Prev => self.prev.get_mut(i),
+            Written::Boundary => self.boundary.get_mut(i),
             Written::VertexLink => self.vertex_link.get_mut(i),
             Written::BoundaryFace => self.boundary_face.get_mut(i).map(|f| &mut f.0),
             Written::Start => self.start.get_mut(i),

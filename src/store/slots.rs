@@ -10,6 +10,7 @@ use super::issuer::{Issuer, structure_offset};
 use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
 use super::log::{KeptLog, Kind, Written};
 use crate::slots::NIL;
+use crate::validate::HalfEdgeColumns;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
@@ -17,10 +18,10 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug)]
 pub(crate) struct Store {
     pub(super) edges: Issuer,
-    pub(super) origin: Vec<VertexSlot>,
-    pub(super) next: Vec<HalfEdgeSlot>,
-    pub(super) prev: Vec<HalfEdgeSlot>,
-    pub(super) boundary: Vec<BoundarySlot>,
+    pub(super) origin: Vec<u32>,
+    pub(super) next: Vec<u32>,
+    pub(super) prev: Vec<u32>,
+    pub(super) boundary: Vec<u32>,
 
     pub(super) vertices: Issuer,
     pub(super) vertex_link: Vec<u32>,
@@ -87,10 +88,10 @@ impl Store {
         let faces = need.faces.saturating_add(1);
         let mut store = Self {
             edges: Issuer::with_room(need.edges, offset),
-            origin: column(half_edges, VertexSlot(NIL), 2),
-            next: column(half_edges, HalfEdgeSlot(NIL), 2),
-            prev: column(half_edges, HalfEdgeSlot(NIL), 2),
-            boundary: column(half_edges, BoundarySlot(NIL), 2),
+            origin: column(half_edges, NIL, 2),
+            next: column(half_edges, NIL, 2),
+            prev: column(half_edges, NIL, 2),
+            boundary: column(half_edges, NIL, 2),
             vertices: Issuer::with_room(need.vertices, offset),
             vertex_link: column(need.vertices, NIL, 1),
             boundaries: Issuer::with_room(need.boundaries, offset),
@@ -230,9 +231,22 @@ impl Store {
         (outer != VACANT).then_some(FaceSlot(index as u32))
     }
 
+    /// The links of all half-edges.
+    pub(crate) fn half_edge_columns(&self) -> HalfEdgeColumns<'_> {
+        HalfEdgeColumns {
+            origin: &self.origin,
+            twin: None,
+            next: &self.next,
+            prev: &self.prev,
+            boundary: &self.boundary,
+            face: &[],
+            live_edges: Some(self.edges.generations()),
+        }
+    }
+
     #[inline]
     pub(crate) fn origin_in(&self, index: usize) -> Option<usize> {
-        self.origin.get(index).map(|v| v.0 as usize)
+        self.origin.get(index).map(|link| *link as usize)
     }
 
     #[inline]
@@ -242,17 +256,17 @@ impl Store {
 
     #[inline]
     pub(crate) fn next_in(&self, index: usize) -> Option<usize> {
-        self.next.get(index).map(|h| h.0 as usize)
+        self.next.get(index).map(|link| *link as usize)
     }
 
     #[inline]
     pub(crate) fn prev_in(&self, index: usize) -> Option<usize> {
-        self.prev.get(index).map(|h| h.0 as usize)
+        self.prev.get(index).map(|link| *link as usize)
     }
 
     #[inline]
     pub(crate) fn boundary_in(&self, index: usize) -> Option<usize> {
-        self.boundary.get(index).map(|b| b.0 as usize)
+        self.boundary.get(index).map(|link| *link as usize)
     }
 
     /// Adds a vertex. The caller has asked for room, here and below.
@@ -287,10 +301,10 @@ impl Store {
         let edge = self.edges.issue();
         let h = edge << 1;
         for (slot, origin) in [(h, from), (h | 1, to)] {
-            put(&mut self.origin, slot, origin);
-            put(&mut self.next, slot, HalfEdgeSlot(slot ^ 1));
-            put(&mut self.prev, slot, HalfEdgeSlot(slot ^ 1));
-            put(&mut self.boundary, slot, b);
+            put(&mut self.origin, slot, origin.0);
+            put(&mut self.next, slot, slot ^ 1);
+            put(&mut self.prev, slot, slot ^ 1);
+            put(&mut self.boundary, slot, b.0);
         }
         self.note_issued(Kind::Edge, edge);
         HalfEdgeSlot(h)
@@ -328,10 +342,10 @@ impl Store {
         for h in [h, self.twin(h)] {
             let i = h.index();
             self.note_all([
-                (Written::Origin, h.0, self.origin[i].0),
-                (Written::Next, h.0, self.next[i].0),
-                (Written::Prev, h.0, self.prev[i].0),
-                (Written::Boundary, h.0, self.boundary[i].0),
+                (Written::Origin, h.0, self.origin[i]),
+                (Written::Next, h.0, self.next[i]),
+                (Written::Prev, h.0, self.prev[i]),
+                (Written::Boundary, h.0, self.boundary[i]),
             ]);
         }
         self.note_retired(Kind::Edge, h.0 >> 1);
@@ -360,7 +374,7 @@ impl Store {
 
     #[inline]
     pub(crate) fn origin(&self, h: HalfEdgeSlot) -> VertexSlot {
-        self.origin[h.index()]
+        VertexSlot(self.origin[h.index()])
     }
 
     #[inline]
@@ -371,17 +385,17 @@ impl Store {
 
     #[inline]
     pub(crate) fn next(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
-        self.next[h.index()]
+        HalfEdgeSlot(self.next[h.index()])
     }
 
     #[inline]
     pub(crate) fn prev(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
-        self.prev[h.index()]
+        HalfEdgeSlot(self.prev[h.index()])
     }
 
     #[inline]
     pub(crate) fn boundary(&self, h: HalfEdgeSlot) -> BoundarySlot {
-        self.boundary[h.index()]
+        BoundarySlot(self.boundary[h.index()])
     }
 
     #[inline]
@@ -437,20 +451,20 @@ impl Store {
     }
 
     pub(crate) fn set_origin(&mut self, h: HalfEdgeSlot, v: VertexSlot) {
-        self.note(Written::Origin, h.0, self.origin[h.index()].0);
-        self.origin[h.index()] = v;
+        self.note(Written::Origin, h.0, self.origin[h.index()]);
+        self.origin[h.index()] = v.0;
     }
 
     /// Makes `n` follow `h` on its cycle: sets `next(h)` and `prev(n)`.
     pub(crate) fn join(&mut self, h: HalfEdgeSlot, n: HalfEdgeSlot) {
-        self.note_all([(Written::Next, h.0, self.next[h.index()].0), (Written::Prev, n.0, self.prev[n.index()].0)]);
-        self.next[h.index()] = n;
-        self.prev[n.index()] = h;
+        self.note_all([(Written::Next, h.0, self.next[h.index()]), (Written::Prev, n.0, self.prev[n.index()])]);
+        self.next[h.index()] = n.0;
+        self.prev[n.index()] = h.0;
     }
 
     pub(crate) fn set_boundary(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
-        self.note(Written::Boundary, h.0, self.boundary[h.index()].0);
-        self.boundary[h.index()] = b;
+        self.note(Written::Boundary, h.0, self.boundary[h.index()]);
+        self.boundary[h.index()] = b.0;
     }
 
     pub(crate) fn set_vertex_link(&mut self, v: VertexSlot, link: VertexLink<HalfEdgeSlot, BoundarySlot>) {

@@ -106,8 +106,8 @@ mod expectation;
 mod expectation_text;
 mod fast_path;
 mod findings;
+mod half_edges;
 pub mod near;
-mod passes;
 pub mod reference;
 mod report;
 mod rule;
@@ -124,6 +124,6 @@ pub use report::{Bounds, Collect, Counts, Field, Figures, Named, Record, Report,
 #[cfg(feature = "serde")]
 pub use report::{Described, REPORT_SCHEMA};
 pub use rule::Rule;
-pub use structure::{BoundaryPlace, Link, Only, Part, Parts, Start, View};
+pub use structure::{BoundaryPlace, HalfEdgeColumns, Link, Only, Part, Parts, Start, View};
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, ParseTableError, Table, VertexRow};
 pub use validator::{accepts, validate};

@@ -41,14 +41,14 @@ impl Extent {
     pub(crate) fn of<V: View + ?Sized>(view: &V, expect: Expectation) -> Result<Self, Unchecked> {
         let parts = expect.looks_at(view.parts());
         let slots = |n: usize| match u32::try_from(n) {
-            Ok(n) if n < NIL => Ok(Slots(n)),
+            Ok(count) if count < NIL => Ok(Slots { count, ..Slots::NONE }),
             _ => Err(Unchecked::TooLarge),
         };
         Ok(Self {
             vertices: slots(view.vertex_slots())?,
             half_edges: slots(view.half_edge_slots())?,
-            boundaries: if parts.has(Part::BoundaryComponents) { slots(view.boundary_slots())? } else { Slots(0) },
-            faces: if parts.has(Part::Faces) { slots(view.face_slots())? } else { Slots(0) },
+            boundaries: if parts.has(Part::BoundaryComponents) { slots(view.boundary_slots())? } else { Slots::NONE },
+            faces: if parts.has(Part::Faces) { slots(view.face_slots())? } else { Slots::NONE },
             expect,
             parts,
         })
@@ -74,12 +74,42 @@ impl Extent {
 /// In 32 bits: where a structure keeps its links in 32 bits too, with all of them set for nil, one comparison tells that a link is not
 /// nil and that its slot exists.
 #[derive(Clone, Copy)]
-pub(crate) struct Slots(pub(crate) u32);
+pub(crate) struct Slots {
+    pub(crate) count: u32,
+    /// No slot before this one is live.
+    first: u32,
+    /// True if all slots from the first one on are known to be live.
+    are_live: bool,
+}
 
 impl Slots {
+    const NONE: Self = Self { count: 0, first: 0, are_live: false };
+
     #[inline]
     pub(crate) const fn count(self) -> usize {
-        self.0 as usize
+        self.count as usize
+    }
+
+    /// Finds the first live slot, and out if all are live from there on.
+    fn surveyed(self, is_live: impl Fn(usize) -> bool) -> Self {
+        let first = self.all().find(|slot| is_live(*slot)).unwrap_or(self.count());
+        Self { first: first as u32, are_live: (first..self.count()).all(is_live), ..self }
+    }
+
+    /// The first live slot, where all from there on are known to be live.
+    pub(crate) fn live_from(self) -> Option<u32> {
+        self.are_live.then_some(self.first)
+    }
+
+    /// True if there is such a slot, and it is live. `ask` is called only where the live slots are not known.
+    #[inline]
+    pub(crate) fn is_live(self, slot: usize, ask: impl FnOnce(usize) -> bool) -> bool {
+        self.has(slot) && slot >= self.first as usize && (self.are_live || ask(slot))
+    }
+
+    /// The live slots, in order.
+    fn live(self, ask: impl Fn(usize) -> bool) -> impl Iterator<Item = usize> {
+        (self.first as usize..self.count()).filter(move |slot| self.are_live || ask(*slot))
     }
 
     #[inline]
@@ -100,35 +130,72 @@ impl Slots {
 
     /// A link as a number in range, or [`NIL`].
     #[inline]
-    fn number(self, link: Link) -> u32 {
+    pub(crate) fn number(self, link: Link) -> u32 {
         self.existing(link).map_or(NIL, |slot| slot as u32)
     }
 
     /// A column with a nil for each slot, if there is memory for it.
     pub(crate) fn nils(self) -> Option<Vec<u32>> {
-        column(self.0, NIL).ok()
+        column(self.count, NIL).ok()
     }
 }
 
 impl<'a, V: View + ?Sized> Subject<'a, V> {
+    /// The same structure, of which it is known where all slots from the first live one on are live, so that the rules need not ask.
+    pub(crate) fn surveyed(self) -> Self {
+        let Self { view, mut extent } = self;
+        extent.vertices = extent.vertices.surveyed(|v| view.is_vertex(v));
+        extent.half_edges = match view.half_edge_columns().and_then(|columns| columns.live_edges) {
+            Some(live) => extent.half_edges.surveyed(|h| live.get(h / 2).is_some_and(|edge| edge % 2 == 1)),
+            None => extent.half_edges.surveyed(|h| view.is_half_edge(h)),
+        };
+        extent.boundaries = extent.boundaries.surveyed(|b| view.is_boundary(b));
+        extent.faces = extent.faces.surveyed(|f| view.is_face(f));
+        Self { view, extent }
+    }
+
+    /// True if there is such a slot, and it holds a vertex.
+    #[inline]
+    pub(crate) fn is_vertex(&self, v: usize) -> bool {
+        self.extent.vertices.is_live(v, |v| self.view.is_vertex(v))
+    }
+
+    /// True if there is such a slot, and it holds a half-edge.
+    #[inline]
+    pub(crate) fn is_half_edge(&self, h: usize) -> bool {
+        self.extent.half_edges.is_live(h, |h| self.view.is_half_edge(h))
+    }
+
+    /// True if there is such a slot, and it holds a boundary component.
+    #[inline]
+    pub(crate) fn is_boundary(&self, b: usize) -> bool {
+        self.extent.boundaries.is_live(b, |b| self.view.is_boundary(b))
+    }
+
+    /// True if there is such a slot, and it holds a face.
+    #[inline]
+    pub(crate) fn is_face(&self, f: usize) -> bool {
+        self.extent.faces.is_live(f, |f| self.view.is_face(f))
+    }
+
     /// Every live vertex, in order.
     pub(crate) fn vertices(self) -> impl Iterator<Item = usize> + 'a {
-        self.extent.vertices.all().filter(move |v| self.view.is_vertex(*v))
+        self.extent.vertices.live(move |v| self.view.is_vertex(v))
     }
 
     /// Every live half-edge, in order.
     pub(crate) fn half_edges(self) -> impl Iterator<Item = u32> + 'a {
-        (0..self.extent.half_edges.0).filter(move |h| self.view.is_half_edge(*h as usize))
+        self.extent.half_edges.live(move |h| self.view.is_half_edge(h)).map(|h| h as u32)
     }
 
     /// Every live boundary component, in order.
     pub(crate) fn boundaries(self) -> impl Iterator<Item = usize> + 'a {
-        self.extent.boundaries.all().filter(move |b| self.view.is_boundary(*b))
+        self.extent.boundaries.live(move |b| self.view.is_boundary(b))
     }
 
     /// Every live face, in order.
     pub(crate) fn faces(self) -> impl Iterator<Item = usize> + 'a {
-        self.extent.faces.all().filter(move |f| self.view.is_face(*f))
+        self.extent.faces.live(move |f| self.view.is_face(f))
     }
 
     pub(crate) fn has(&self, part: Part) -> bool {
@@ -155,33 +222,23 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
     }
 
     #[inline]
-    pub(crate) fn prev(&self, h: u32) -> u32 {
-        self.extent.half_edges.number(self.view.prev(h as usize))
-    }
-
-    #[inline]
-    pub(crate) fn boundary(&self, h: u32) -> u32 {
-        self.extent.boundaries.number(self.view.boundary(h as usize))
-    }
-
-    #[inline]
     pub(crate) fn is_live_vertex(&self, v: u32) -> bool {
-        v != NIL && self.view.is_vertex(v as usize)
+        self.is_vertex(v as usize)
     }
 
     #[inline]
     pub(crate) fn is_live_half_edge(&self, h: u32) -> bool {
-        h != NIL && self.view.is_half_edge(h as usize)
+        self.is_half_edge(h as usize)
     }
 
     /// A link to a half-edge, if it is live.
     pub(crate) fn live_half_edge(&self, link: Link) -> Option<usize> {
-        self.extent.half_edges.existing(link).filter(|h| self.view.is_half_edge(*h))
+        self.extent.half_edges.existing(link).filter(|h| self.is_half_edge(*h))
     }
 
     /// A link to a boundary component, if it is live.
     pub(crate) fn live_boundary(&self, link: Link) -> Option<usize> {
-        self.extent.boundaries.existing(link).filter(|b| self.view.is_boundary(*b))
+        self.extent.boundaries.existing(link).filter(|b| self.is_boundary(*b))
     }
 
     /// The target of a half-edge without twin.
@@ -208,7 +265,7 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
 
     /// True if the face link of a half-edge is live, or legally nil.
     pub(crate) fn is_sound_face_link(&self, link: Link) -> bool {
-        link.map_or(self.is_open(), |f| self.extent.faces.has(f) && self.view.is_face(f))
+        link.map_or(self.is_open(), |f| self.is_face(f))
     }
 
     /// True if the structure has faces and the half-edge has none, or no boundary component to have one. A cycle of such
@@ -259,13 +316,13 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         components.all.get_mut(c as usize)
     }
 
-    /// The number of the component in which a boundary component starts.
-    pub(crate) fn component_of_start(&self, components: &Components, start: Option<Start>) -> Option<usize> {
+    /// The number of the component in which a boundary component starts. `of` has the number of the component of each vertex.
+    pub(crate) fn component_of_start(&self, of: &[u32], start: Option<Start>) -> Option<usize> {
         let vertex = match start? {
             Start::HalfEdge(h) if self.extent.half_edges.has(h) => self.origin(h as u32) as usize,
             Start::HalfEdge(_) => return None,
             Start::Vertex(v) => v,
         };
-        components.of.get(vertex).filter(|c| **c != NIL).map(|c| *c as usize)
+        of.get(vertex).filter(|c| **c != NIL).map(|c| *c as usize)
     }
 }

@@ -2,17 +2,14 @@
 
 use super::columns::Components;
 use super::expectation::{Expectation, Surface};
-use super::fast_path::{self, Facts, Rotations, Stop, Whole};
+use super::fast_path::{self, Accepted};
 use super::findings::{Findings, Flow, Halt};
-use super::passes;
+use super::half_edges::{Asked, HalfEdges, Lent};
 use super::report::{Collect, Report, Unchecked};
 use super::rule::Rule;
 use super::rules::live::{self, Census};
-use super::rules::{
-    borders, bounds, closed, connected, cycle, euler, genus, isolated, kept, leaving, listed, nesting, outer, outside,
-    sides, simple, used,
-};
-use super::structure::View;
+use super::rules::{faces, links, mesh, whole};
+use super::structure::{Part, View};
 use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
@@ -41,8 +38,8 @@ const TOPOLOGICAL: &[Rule] = &[
 ///
 /// | | per vertex | per component | per half-edge | per boundary component |
 /// | --- | --- | --- | --- | --- |
-/// | right | 16 | 40 | 1 | 1 |
-/// | elsewhere | 24 | 72 | 5 | 4 |
+/// | right | 16 | 20 | 1 | 1 |
+/// | elsewhere | 16 | 72 | 4 | 4 |
 ///
 /// A structure without border that is right takes 8 per vertex where neighbours have close numbers and vertices keep a
 /// half-edge. Where the table says 1, it is one bit. A border loop takes 12. Elsewhere a component takes 24 bytes in a list that doubles: 72 while the list is
@@ -59,7 +56,7 @@ const TOPOLOGICAL: &[Rule] = &[
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
-    judge(view, expectation, collect, |subject| fast_path::settle(subject, stop(collect)))
+    judge(view, expectation, collect, fast_path::accept)
 }
 
 /// True if [`validate`] finds nothing wrong: a verdict without a report.
@@ -78,18 +75,15 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
 /// ```
 pub fn accepts<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
     let Ok(extent) = Extent::of(view, *expectation) else { return false };
-    fast_path::settle_all(Subject { view, extent })
-        .is_some_and(|facts| run(Subject { view: &view, extent }, facts, Collect::First).is_valid())
-}
-
-/// The place where the fast path can stop if so much is collected.
-const fn stop(collect: Collect) -> Stop {
-    if matches!(collect, Collect::First) { Stop::AfterRule } else { Stop::Never }
+    fast_path::accept(Subject { view, extent }).is_some_and(|accepted| {
+        let mut findings = findings_of(expectation, Collect::First);
+        enter(Subject { view: &view, extent }, &accepted, &mut findings).is_ok()
+    })
 }
 
 /// The same report without the fast path: every rule asks each record.
 ///
-/// Nobody needs it but to compare the two. O(n), and three to ten times as long.
+/// Only useful for comparing the two. O(n), and seven to twelve times as long.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Table, reference, validate};
@@ -101,22 +95,31 @@ const fn stop(collect: Collect) -> Stop {
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 pub fn rule_by_rule<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
-    judge(view, expectation, collect, |_| Facts::default())
+    judge(view, expectation, collect, |_| None)
 }
 
-/// Settles what `settle` can, and runs the rules on the rest. Only the former is compiled for each type of view.
+/// Runs the rules, unless `accept` accepts the structure.
 fn judge<V: View + ?Sized>(
     view: &V,
     expectation: &Expectation,
     collect: Collect,
-    settle: impl FnOnce(Subject<'_, V>) -> Facts,
+    accept: impl FnOnce(Subject<'_, V>) -> Option<Accepted>,
 ) -> Report {
+    let mut findings = findings_of(expectation, collect);
     let extent = match Extent::of(view, *expectation) {
         Ok(extent) => extent,
-        Err(why) => return report(expectation, findings_of(expectation, collect), Err(why)),
+        Err(why) => return report(expectation, findings, Err(why)),
     };
-    let facts = settle(Subject { view, extent });
-    run(Subject { view: &view, extent }, facts, collect)
+    let subject = Subject { view, extent };
+    let ended = match accept(subject) {
+        Some(accepted) => enter(Subject { view: &view, extent }, &accepted, &mut findings),
+        None => all_rules(subject, &mut findings),
+    };
+    let ended = ended.map_err(|halt| match halt {
+        Halt::Found => Unchecked::Stopped,
+        Halt::OutOfMemory => Unchecked::OutOfMemory,
+    });
+    report(expectation, findings, ended)
 }
 
 /// No findings yet. On surfaces the rules of the plane have their reason, before any other.
@@ -126,16 +129,6 @@ fn findings_of(expectation: &Expectation, collect: Collect) -> Findings {
         findings.not_checked(*rule, Unchecked::PlaneOnly);
     }
     findings
-}
-
-/// Runs the rules.
-fn run(subject: Subject<'_>, facts: Facts, collect: Collect) -> Report {
-    let mut findings = findings_of(&subject.extent.expect, collect);
-    let ended = all_rules(subject, facts, &mut findings).map_err(|halt| match halt {
-        Halt::Found => Unchecked::Stopped,
-        Halt::OutOfMemory => Unchecked::OutOfMemory,
-    });
-    report(&subject.extent.expect, findings, ended)
 }
 
 /// The report of these findings. What was not reached, if the run ended early, has the reason.
@@ -150,67 +143,122 @@ fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), U
     findings.into_report(&rules)
 }
 
-fn all_rules(subject: Subject<'_>, facts: Facts, findings: &mut Findings) -> Flow {
-    let census = live::check(subject, &facts, findings)?;
-    let before = passes::half_edges::check(subject, &facts, &census, findings)?;
-    leaving::check(subject, &facts, findings)?;
-    let walked = passes::rotations::check(subject, &facts, &census, before.as_deref(), findings)?;
-    cycle::check(subject, &facts, &census, findings)?;
-    if subject.extent.is_plane() {
-        isolated::check(subject, &facts, &census, findings)?;
-    }
-    outer::check(subject, &facts, findings)?;
-    listed::check(subject, &facts, &census, findings)?;
-    let is_simple = if let Some(rule) = census.rotations_broken(findings) {
-        for waiting in TOPOLOGICAL.iter().filter(|waiting| **waiting >= Rule::T1) {
-            findings.not_checked_yet(*waiting, Unchecked::Broken(rule));
+/// Enters what the rules R1 … T4 count where they hold, and runs M1 … M8.
+fn enter(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> Flow {
+    let Accepted { vertices, isolated, half_edges, unpaired, faces, outer, inner, components, .. } = *accepted;
+    let edges = (half_edges - unpaired) / 2 + unpaired;
+    let counts = &mut findings.counts;
+    (counts.vertices, counts.isolated_vertices) = (vertices, isolated);
+    (counts.half_edges, counts.edges) = (half_edges, edges);
+    (counts.faces, counts.outer_boundaries, counts.inner_boundaries) = (faces, outer, inner);
+    (counts.components, counts.genus) = (Some(components), Some(accepted.genus));
+    (counts.cycles, counts.borders) = (Some(accepted.cycles), Some(accepted.borders));
+
+    let has = |part| subject.has(part);
+    let listed = outer + inner;
+    let links = half_edges * (3 + usize::from(has(Part::Prev)) + usize::from(has(Part::Faces)))
+        + vertices * usize::from(has(Part::Leaving) || has(Part::BoundaryComponents) && has(Part::Holes))
+        + 2 * listed * usize::from(has(Part::BoundaryComponents))
+        + (faces + inner);
+    let connected = vertices - isolated;
+    let (leaving, of_faces, holes) = (&[Part::Leaving][..], &[Part::Faces][..], &[Part::Holes][..]);
+    for (rule, needs, checked) in [
+        (Rule::R1, &[][..], links),
+        (Rule::L1, &[], half_edges - unpaired),
+        (Rule::L2, &[], half_edges),
+        (Rule::L3, &[], half_edges - unpaired),
+        (Rule::V1, leaving, connected),
+        (Rule::V2, &[], connected),
+        (Rule::B1, of_faces, half_edges),
+        (Rule::B2, &[Part::Faces, Part::Holes], vertices),
+        (Rule::F1, of_faces, faces),
+        (Rule::F2, of_faces, listed),
+        (Rule::T1, holes, components),
+        (Rule::T2, holes, components),
+        (Rule::T3, &[], components),
+    ] {
+        if rule.is_planar() && !subject.extent.is_plane() {
+            continue;
         }
-        false
-    } else {
-        let whole = match (facts.rotations, walked) {
-            (Rotations::Whole(whole), _) => Ok(whole),
-            (_, Some(components)) => Err(components),
-            _ => Err(passes::rotations::find(subject, &census, before.as_deref(), findings)?),
-        };
-        drop(before);
-        whole_map(subject, whole, &census, findings)?
+        match needs.iter().find(|part| !has(**part)) {
+            Some(part) => findings.not_checked(rule, Unchecked::Lacks(*part)),
+            None => findings.checked(rule, checked as u64),
+        }
+    }
+    if subject.extent.is_plane() {
+        whole::bounds(accepted.simple, findings)?;
+    }
+    let census = Census {
+        half_edges,
+        edges,
+        vertices,
+        isolated_vertices: isolated,
+        map_is_live: true,
+        list_budget: 0,
+        fans: Vec::new(),
     };
-    used::check(subject, &census, findings)?;
-    simple::check(subject, &census, is_simple, findings)?;
-    sides::check(subject, &census, findings)?;
-    closed::check(subject, &census, findings)?;
-    connected::check(subject, &census, findings)?;
-    borders::check(subject, &census, findings)?;
-    genus::check(subject, &census, findings)?;
-    kept::check(subject, &census, findings)
+    mesh::mesh(subject, &census, accepted.simple, findings)
 }
 
-/// T1 … T4, and the counts that they need: from the whole as it is settled, or from the components. Returns whether there is neither a
-/// loop nor a pair of parallel edges.
+/// Runs every rule on every record. Half-edges are read from the columns that the view lends, if all are live from the first on. Otherwise
+/// they are asked for; only the passes that do so are compiled for each type of view.
+fn all_rules<V: View + ?Sized>(subject: Subject<'_, V>, findings: &mut Findings) -> Flow {
+    let Subject { view, extent } = subject.surveyed();
+    let subject: Subject<'_> = Subject { view: &view, extent };
+    match extent.half_edges.live_from().and_then(|first| Lent::of(view, extent, first)) {
+        Some(lent) => rules_of_lent(subject, lent, findings),
+        None => every_rule(subject, Asked { view, extent }, findings),
+    }
+}
+
+/// The rules where columns are lent, compiled once.
+fn rules_of_lent(subject: Subject<'_>, lent: Lent<'_>, findings: &mut Findings) -> Flow {
+    every_rule(subject, lent, findings)
+}
+
+fn every_rule(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &mut Findings) -> Flow {
+    let mut census = live::live(subject, half_edges, findings)?;
+    let before = links::half_edges(subject, half_edges, &census, findings)?;
+    links::leaving(subject, findings)?;
+    let components = links::rotation(subject, half_edges, &census, &before, findings)?;
+    drop(before);
+    faces::cycle(subject, half_edges, &census, findings)?;
+    if subject.extent.is_plane() {
+        faces::isolated(subject, &census, findings)?;
+    }
+    census.fans = Vec::new();
+    faces::outer(subject, findings)?;
+    faces::listed(subject, &census, findings)?;
+    let components = components.filter(|_| findings.holds(Rule::V2));
+    let is_simple = components.as_ref().is_some_and(|components| components.simple);
+    if let Some(components) = components {
+        whole_map(subject, half_edges, components, &census, findings)?;
+    } else {
+        let broken = census.rotations_broken(findings).unwrap_or(Rule::V2);
+        for rule in TOPOLOGICAL.iter().filter(|rule| **rule >= Rule::T1) {
+            findings.not_checked_yet(*rule, Unchecked::Broken(broken));
+        }
+    }
+    mesh::mesh(subject, &census, is_simple, findings)
+}
+
+/// Runs T1 … T4, after the counts that they need.
 fn whole_map(
     subject: Subject<'_>,
-    whole: Result<Whole, Components>,
+    half_edges: impl HalfEdges,
+    mut components: Components,
     census: &Census,
     findings: &mut Findings,
-) -> Result<bool, Halt> {
-    let (components, lies_in, genus) = match whole {
-        Ok(Whole { components, lies_in, genus, cycles, borders }) => {
-            passes::cycles::enter(subject, [cycles, borders], findings);
-            (components, lies_in, Some(genus))
-        }
-        Err(mut components) => {
-            passes::cycles::count(subject, &mut components, findings)?;
-            (components, None, None)
-        }
-    };
+) -> Flow {
+    whole::count_cycles(subject, half_edges, &mut components, findings)?;
     findings.counts.components = Some(components.all.len());
     if subject.extent.is_plane() {
-        let lies_in = outside::check(subject, &components, lies_in, census.list_budget, findings)?;
-        nesting::check(subject, &components, &lies_in, findings)?;
+        let lies_in = whole::outside(subject, &components, census.list_budget, findings)?;
+        whole::nesting(subject, &components, &lies_in, findings)?;
     }
-    euler::check(subject, &components, genus, findings)?;
+    whole::euler(subject, &components, findings)?;
     if subject.extent.is_plane() {
-        bounds::check(components.simple, findings)?;
+        whole::bounds(components.simple, findings)?;
     }
-    Ok(components.simple)
+    Ok(())
 }

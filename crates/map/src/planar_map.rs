@@ -10,7 +10,7 @@ use std::fmt;
 use std::ops::Index;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use twinedge::delegate_view;
-use twinedge::validate::{Collect, Expectation, Report, View};
+use twinedge::validate::{Collect, Expectation, HalfEdgeColumns, Report, View};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::NodingSummary;
 
@@ -359,4 +359,8 @@ impl Embedding for PlanarMap {
 /// Indices are those of the [`Dcel`].
 impl View for PlanarMap {
     delegate_view!(|this| &this.dcel);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        self.dcel.half_edge_columns()
+    }
 }

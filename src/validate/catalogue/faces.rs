@@ -13,7 +13,7 @@ macro_rules! faces_rules {
             /// ```
             B1 "cycle" counts "half-edge" "half-edges"
                 "the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle"
-                in "src/validate/rules/cycle" broken by "tests/validate/violations" "b1_a_boundary_component_has_a_second_cycle"
+                in "src/validate/rules/faces" broken by "tests/validate/violations" "b1_a_boundary_component_has_a_second_cycle"
             {
                 BoundaryChanges { half_edge: half_edge, next: half_edge, boundary: boundary_link, found: boundary_link } "boundary_changes"
                     says "half-edge {half_edge} belongs to boundary component {boundary}, its next {next} to {found}: one cycle belongs to two boundary components"
@@ -44,7 +44,7 @@ macro_rules! faces_rules {
             /// ```
             B2 "isolated" counts "vertex" "vertices"
                 "a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each other"
-                in "src/validate/rules/isolated" broken by "tests/validate/violations" "b2_nothing_starts_at_an_isolated_vertex"
+                in "src/validate/rules/faces" broken by "tests/validate/violations" "b2_nothing_starts_at_an_isolated_vertex"
             {
                 IsolatedUnclaimed { vertex: vertex } "isolated_unclaimed"
                     says "no half-edge leaves vertex {vertex} and no boundary component starts at it: no walk over the faces reaches it"
@@ -73,7 +73,7 @@ macro_rules! faces_rules {
             /// ```
             F1 "outer" counts "face" "faces"
                 "a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none"
-                in "src/validate/rules/outer" broken by "tests/validate/violations" "f1_no_face_is_unbounded_or_two_are"
+                in "src/validate/rules/faces" broken by "tests/validate/violations" "f1_no_face_is_unbounded_or_two_are"
             {
                 NoUnboundedFace "no_unbounded_face"
                     says "every face has an outer boundary component, but one face of a plane is unbounded and has none"
@@ -100,7 +100,7 @@ macro_rules! faces_rules {
             /// ```
             F2 "listed" counts "boundary component" "boundary components"
                 "every boundary component is listed exactly once, by the face it names, at the place it says"
-                in "src/validate/rules/listed" broken by "tests/validate/violations" "f2_a_boundary_component_is_not_listed"
+                in "src/validate/rules/faces" broken by "tests/validate/violations" "f2_a_boundary_component_is_not_listed"
             {
                 NotListed { boundary: boundary, face: face_link } "not_listed"
                     says "boundary component {boundary} names face {face}, but no face lists it: a walk over the faces never reaches it"

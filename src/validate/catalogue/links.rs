@@ -38,7 +38,7 @@ macro_rules! links_rules {
             /// ```
             L1 "twin" counts "half-edge" "half-edges"
                 "`twin(twin(h)) = h` and `twin(h) ≠ h`"
-                in "src/validate/rules/twin" broken by "tests/validate/violations" "l1_the_twins_twin_is_another"
+                in "src/validate/rules/links" broken by "tests/validate/violations" "l1_the_twins_twin_is_another"
             {
                 TwinIsSelf { half_edge: half_edge } "twin_is_self"
                     says "half-edge {half_edge} is its own twin, so its edge has one side only"
@@ -57,7 +57,7 @@ macro_rules! links_rules {
             /// ```
             L2 "next/prev" counts "half-edge" "half-edges"
                 "`prev(next(h)) = h` and `next(prev(h)) = h`"
-                in "src/validate/rules/next_prev" broken by "tests/validate/violations" "l2_next_and_prev_disagree"
+                in "src/validate/rules/links" broken by "tests/validate/violations" "l2_next_and_prev_disagree"
             {
                 PrevOfNext { half_edge: half_edge, next: half_edge, found: half_edge } "prev_of_next"
                     says "half-edge {half_edge} has next {next}, whose prev is {found}: a walk back along the cycle leaves it"
@@ -80,7 +80,7 @@ macro_rules! links_rules {
             /// ```
             L3 "target" counts "half-edge" "half-edges"
                 "`origin(next(h)) = origin(twin(h))`"
-                in "src/validate/rules/target" broken by "tests/validate/violations" "l3_the_next_half_edge_starts_elsewhere"
+                in "src/validate/rules/links" broken by "tests/validate/violations" "l3_the_next_half_edge_starts_elsewhere"
             {
                 Target { half_edge: half_edge, next: half_edge, target: vertex, found: vertex } "target"
                     says "half-edge {half_edge} ends at vertex {target}, but its next {next} starts at vertex {found}: the cycle jumps"
@@ -92,7 +92,7 @@ macro_rules! links_rules {
             /// ```
             V1 "leaving" counts "vertex" "vertices"
                 "the half-edge kept by a vertex leaves that vertex"
-                in "src/validate/rules/leaving" broken by "tests/validate/violations" "v1_the_half_edge_of_a_vertex_leaves_another"
+                in "src/validate/rules/links" broken by "tests/validate/violations" "v1_the_half_edge_of_a_vertex_leaves_another"
             {
                 NotLeaving { vertex: vertex, half_edge: half_edge, origin: vertex } "not_leaving"
                     says "vertex {vertex} keeps half-edge {half_edge}, which leaves vertex {origin}: its rotation is that of another vertex"
@@ -108,7 +108,7 @@ macro_rules! links_rules {
             /// ```
             V2 "rotation" counts "vertex" "vertices"
                 "the rotation of a vertex is all half-edges with that origin"
-                in "src/validate/rules/rotation" broken by "tests/validate/violations" "v2_two_fans_share_a_vertex"
+                in "src/validate/rules/links" broken by "tests/validate/violations" "v2_two_fans_share_a_vertex"
             {
                 SplitRotation { vertex: vertex, half_edge: half_edge, reached: number, degree: number } "split_rotation"
                     says "from half-edge {half_edge} the rotation of vertex {vertex} reaches {reached} of the {degree} half-edges that leave it: several fans share the vertex, and no walk around it reaches them all"

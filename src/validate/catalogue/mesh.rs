@@ -15,7 +15,7 @@ macro_rules! mesh_rules {
             /// ```
             M1 "used" counts "vertex" "vertices"
                 "some half-edge leaves every vertex"
-                in "src/validate/rules/used" broken by "tests/validate/mesh_rules" "m1_a_vertex_is_unused"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m1_a_vertex_is_unused"
             {
                 UnusedVertex { vertex: vertex } "unused_vertex"
                     says "no half-edge leaves vertex {vertex}: no edge and no face uses it"
@@ -33,7 +33,7 @@ macro_rules! mesh_rules {
             /// ```
             M2 "simple" counts "edge" "edges"
                 "no edge is a loop, and no two edges join the same vertices"
-                in "src/validate/rules/simple" broken by "tests/validate/mesh_rules" "m2_an_edge_is_a_loop_or_parallel_to_another"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m2_an_edge_is_a_loop_or_parallel_to_another"
             {
                 LoopEdge { half_edge: half_edge, vertex: vertex } "loop_edge"
                     says "half-edge {half_edge} starts and ends at vertex {vertex}: its edge is a loop"
@@ -55,7 +55,7 @@ macro_rules! mesh_rules {
             /// ```
             M3 "sides" counts "face" "faces"
                 "every bounded face has the expected number of sides"
-                in "src/validate/rules/sides" broken by "tests/validate/mesh_rules" "m3_a_face_has_a_side_too_many"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m3_a_face_has_a_side_too_many"
             {
                 WrongSides { record: sided, sides: number, expected: number } "wrong_sides"
                     says "{record} has {found}, where {expected} are expected"
@@ -74,7 +74,7 @@ macro_rules! mesh_rules {
             /// ```
             M4 "closed" counts "half-edge" "half-edges"
                 "every half-edge has a twin and bounds a face"
-                in "src/validate/rules/closed" broken by "tests/validate/mesh_rules" "m4_a_mesh_has_a_border"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m4_a_mesh_has_a_border"
             {
                 OnBorder { half_edge: half_edge, vertices: ends, lacks: field } "on_border"
                     says "half-edge {half_edge}, from vertex {u} to vertex {v}, {lack}: the surface has a border there"
@@ -91,7 +91,7 @@ macro_rules! mesh_rules {
             /// ```
             M5 "connected" counts "component" "components"
                 "there are as many components with an edge as expected"
-                in "src/validate/rules/connected" broken by "tests/validate/mesh_rules" "m5_there_is_a_second_component"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m5_there_is_a_second_component"
             {
                 WrongComponents { found: number, expected: number } "wrong_components"
                     says "the structure has {count} with an edge, where {expected} are expected"
@@ -111,7 +111,7 @@ macro_rules! mesh_rules {
             /// ```
             M6 "borders" counts "component" "components"
                 "there are as many border loops as expected"
-                in "src/validate/rules/borders" broken by "tests/validate/mesh_rules" "m6_there_is_a_second_border"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m6_there_is_a_second_border"
             {
                 WrongBorders { found: number, expected: number } "wrong_borders"
                     says "the structure has {count}, where {expected} are expected"
@@ -129,7 +129,7 @@ macro_rules! mesh_rules {
             /// ```
             M7 "genus" counts "component" "components"
                 "the genera of the components add up to the genus expected"
-                in "src/validate/rules/genus" broken by "tests/validate/mesh_rules" "m7_a_sphere_is_no_torus"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m7_a_sphere_is_no_torus"
             {
                 WrongGenus { found: number, expected: number } "wrong_genus"
                     says "the components have genus {found} together, where {expected} is expected"
@@ -146,7 +146,7 @@ macro_rules! mesh_rules {
             /// ```
             M8 "kept" counts "vertex" "vertices"
                 "if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face"
-                in "src/validate/rules/kept" broken by "tests/validate/mesh_rules" "m8_a_border_vertex_keeps_an_inner_half_edge"
+                in "src/validate/rules/mesh" broken by "tests/validate/mesh_rules" "m8_a_border_vertex_keeps_an_inner_half_edge"
             {
                 KeptInside { vertex: vertex, half_edge: half_edge, border: half_edge } "kept_inside"
                     says "vertex {vertex} keeps half-edge {half_edge}, which is not on the border, where half-edge {border} leaves it along the border"

@@ -16,7 +16,7 @@ macro_rules! whole_rules {
             /// ```
             T1 "outside" counts "component" "components"
                 "each component has exactly one inner boundary component, its outside"
-                in "src/validate/rules/outside" broken by "tests/validate/violations" "t1_a_component_has_two_outsides"
+                in "src/validate/rules/whole" broken by "tests/validate/violations" "t1_a_component_has_two_outsides"
             {
                 NoOutside { vertex: vertex } "no_outside"
                     says "the component of vertex {vertex} has only outer boundary components, so it lies in no face at all"
@@ -37,7 +37,7 @@ macro_rules! whole_rules {
             /// ```
             T2 "nesting" counts "component" "components"
                 "containment is a tree rooted at the unbounded face"
-                in "src/validate/rules/nesting" broken by "tests/validate/violations" "t2_a_component_lies_inside_itself"
+                in "src/validate/rules/whole" broken by "tests/validate/violations" "t2_a_component_lies_inside_itself"
             {
                 NestedInItself { vertex: vertex, face: face } "nested_in_itself"
                     says "the component of vertex {vertex} lies in face {face}, which lies, through others, inside that component: no path leads from it out to the unbounded face"
@@ -52,7 +52,7 @@ macro_rules! whole_rules {
             /// ```
             T3 "Euler" counts "component" "components"
                 "per component `V − E + cycles = 2 − 2g`, with `g = 0` in the plane"
-                in "src/validate/rules/euler" broken by "tests/validate/violations" "t3_a_component_has_a_handle"
+                in "src/validate/rules/whole" broken by "tests/validate/violations" "t3_a_component_has_a_handle"
             {
                 Genus { vertex: vertex, vertices: number, edges: number, cycles: number, genus: number } "genus"
                     says "the component of vertex {vertex} has V − E + cycles = {vertices} − {edges} + {cycles}, genus {genus}: it can only be drawn on a surface with {handles}, not in the plane"
@@ -67,7 +67,7 @@ macro_rules! whole_rules {
             /// It follows from the other rules, and checks the counting.
             T4 "bounds" counts "map" "maps"
                 "a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`"
-                in "src/validate/rules/bounds" broken by "tests/validate/violations" "t4_is_broken_with_t1_where_faces_are_counted_wrong"
+                in "src/validate/rules/whole" broken by "tests/validate/violations" "t4_is_broken_with_t1_where_faces_are_counted_wrong"
             {
                 TooManyEdges { vertices: number, edges: number } "too_many_edges"
                     says "the map is simple and has {edges} edges on {vertices} vertices, more than 3V − 6 = {most}: it is not planar"

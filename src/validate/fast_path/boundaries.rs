@@ -1,12 +1,11 @@
-//! The lists of the faces, and the cycles: B1, F1, F2 and the faces' half of B2.
+//! The lists of the faces: F1, F2, the starts of B1, and the faces' half of B2.
 
-use super::cycles::{Cycles, along};
-use super::links::Links;
+use super::cycles::along;
 use super::marks::Marks;
+use super::starts::Starts;
 use crate::validate::structure::{BoundaryPlace, Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
-use core::ops::Range;
 
 /// The lists of the faces, read.
 #[derive(Default)]
@@ -17,9 +16,6 @@ pub(super) struct Boundaries {
     pub(super) inner: Vec<Inner>,
     /// The number of inner boundary components that are isolated vertices.
     pub(super) at_vertex: usize,
-    /// True if one of these is connected, or listed twice. Known only where there are no records for boundary components.
-    pub(super) is_vertex_wrong: bool,
-    pub(super) cycles: Cycles,
 }
 
 /// An inner boundary component: where it starts, and the face that lists it.
@@ -29,186 +25,139 @@ pub(super) struct Inner {
     pub(super) face: u32,
 }
 
+impl Boundaries {
+    /// The number of cycles listed. No two are the same.
+    pub(super) fn cycles(&self) -> usize {
+        self.outer + self.inner.len() - self.at_vertex
+    }
+}
+
 /// The lists so far.
-pub(super) struct Lists<'a, V: ?Sized, const WALKS: bool> {
+struct Lists<'a, V: ?Sized> {
     view: &'a V,
     extent: Extent,
-    links: &'a Links,
-    /// The number of boundary components listed so far, where these have records.
-    pub(super) listed: usize,
-    /// The number of half-edges visited so far.
-    pub(super) visited: usize,
-    pub(super) found: Boundaries,
+    starts: &'a Starts,
+    found: Boundaries,
 }
 
-/// Reads the lists of all faces, and walks along every cycle: from where it is listed, or if it names nothing, from its first half-edge.
-/// Where some `next` is wrong there are no walks, and only the start of each cycle is looked at.
-pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
-    // Decided once, and not at each cycle.
-    if links.next_holds { read_and::<V, true>(view, extent, links) } else { read_and::<V, false>(view, extent, links) }
-}
-
-fn read_and<V: View + ?Sized, const WALKS: bool>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
-    let mut lists = Lists::<V, WALKS>::new(view, extent, links);
+/// Reads the lists of all faces, and the half-edges and vertices where boundary components start. `next` must be a permutation along which
+/// the names of half-edges are constant.
+#[inline(never)]
+pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, starts: &Starts) -> Option<Boundaries> {
+    let mut lists = Lists { view, extent, starts, found: Boundaries::default() };
     if extent.has(Part::BoundaryComponents) {
-        let boundaries = extent.boundaries.all().filter(|b| view.is_boundary(*b)).count();
-        lists.by_record(extent.faces.all(), boundaries)?;
-        (lists.listed == boundaries).then_some(())?;
+        lists.by_record()?;
     } else {
         lists.by_label()?;
     }
-    if WALKS && extent.expect.is_open() && lists.visited < links.half_edges {
-        lists.unnamed()?;
-    }
-    let all_visited = lists.visited == links.half_edges || !WALKS;
-    (all_visited && lists.found.has_unbounded(extent)).then_some(lists.found)
+    let without_outer = lists.found.faces - lists.found.outer;
+    (without_outer == usize::from(extent.has(Part::UnboundedFace))).then_some(lists.found)
 }
 
-impl Boundaries {
-    /// True if the number of faces without outer boundary component is as it should be.
-    pub(super) fn has_unbounded(&self, extent: Extent) -> bool {
-        self.faces - self.outer == usize::from(extent.has(Part::UnboundedFace))
-    }
-}
-
-impl<'a, V: View + ?Sized, const WALKS: bool> Lists<'a, V, WALKS> {
-    pub(super) fn new(view: &'a V, extent: Extent, links: &'a Links) -> Self {
-        Self { view, extent, links, listed: 0, visited: 0, found: Boundaries::default() }
-    }
-
-    /// With records: each boundary component that these faces list, of so many in all, is listed once, by the face it names, at the
-    /// place it says. Those that say places are not marked: what is listed at two places are two.
-    #[inline(never)]
-    pub(super) fn by_record(&mut self, faces: Range<usize>, boundaries: usize) -> Option<()> {
+impl<V: View + ?Sized> Lists<'_, V> {
+    /// With records: checks that every boundary component is listed once, by the face that it names, at the place that it says. With
+    /// stored places no marks are needed: two places mean two boundary components.
+    fn by_record(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
+        let boundaries = extent.boundaries.all().filter(|b| view.is_boundary(*b)).count();
+        let mut unlisted = boundaries;
         let mut listed = Marks::default();
         if !extent.has(Part::Places) {
             listed.make_room(extent.boundaries)?;
         }
-        for f in faces.filter(|f| view.is_face(*f)) {
+        for f in extent.faces.all().filter(|f| view.is_face(*f)) {
             self.found.faces += 1;
             let outer = view.outer(f);
             let inner = if extent.has(Part::Holes) { view.inner_count(f) } else { 0 };
-            self.listed = self.listed.checked_add(inner)?.checked_add(usize::from(outer.is_some()))?;
-            if self.listed > boundaries {
-                return None;
-            }
+            unlisted = unlisted.checked_sub(inner)?.checked_sub(usize::from(outer.is_some()))?;
             if let Some(b) = outer {
-                self.record(f, b, BoundaryPlace::Outer, &mut listed)?;
+                self.list(f, b, BoundaryPlace::Outer, &mut listed)?;
+                self.outer(view.boundary_start(b)?, |h| view.boundary(h) == Some(b))?;
             }
             for i in 0..inner {
-                self.record(f, view.inner(f, i)?, BoundaryPlace::Inner(i), &mut listed)?;
+                let b = view.inner(f, i)?;
+                self.list(f, b, BoundaryPlace::Inner(i), &mut listed)?;
+                self.inner(f, view.boundary_start(b)?, |h| view.boundary(h) == Some(b))?;
             }
         }
-        Some(())
+        (unlisted == 0).then_some(())
     }
 
-    /// Reads a boundary component that this face lists.
+    /// Checks that a boundary component is listed by the face that it names, at the place that it says.
     #[inline]
-    fn record(&mut self, f: usize, b: usize, place: BoundaryPlace, listed: &mut Marks) -> Option<()> {
+    fn list(&self, f: usize, b: usize, place: BoundaryPlace, listed: &mut Marks) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
         let is_there = extent.boundaries.has(b) && view.is_boundary(b) && view.boundary_face(b) == Some(f);
         is_there.then_some(())?;
         let is_new =
             if extent.has(Part::Places) { view.boundary_place(b) == Some(place) } else { listed.mark(b).is_some() };
-        is_new.then_some(())?;
-        let start = view.boundary_start(b)?;
-        self.enter(f, start, place)?;
-        if let Start::HalfEdge(start) = start {
-            self.cycle(start, |h| (view.boundary(h) == Some(b)).then_some(()))?;
-        }
-        Some(())
+        is_new.then_some(())
     }
 
-    /// Without records: every cycle is listed once, by the face that its half-edges name. Two cycles of different faces do
-    /// not meet, so only those of a face with several are marked.
-    #[inline(never)]
+    /// Without records: checks that each start names the face that lists it, and that no cycle is listed twice. Two cycles of different
+    /// faces are never the same, so only cycles of a face with several are walked along, and marked.
     fn by_label(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
         // Isolated vertices are listed, too.
-        let most = self.links.half_edges.checked_add(extent.vertices.count())?;
-        let mut entries = 0_usize;
+        let mut entries_left = self.starts.half_edges.checked_add(extent.vertices.count())?;
         let mut passed = Marks::default();
         let mut listed = Marks::default();
         for f in extent.faces.all().filter(|f| view.is_face(*f)) {
             self.found.faces += 1;
             let outer = view.outer_half_edge(f);
             let inner = if extent.has(Part::Holes) { view.inner_count(f) } else { 0 };
-            entries = entries.checked_add(inner).filter(|entries| *entries <= most)?;
-            let of_f = |h| (view.face(h) == Some(f)).then_some(());
+            entries_left = entries_left.checked_sub(inner)?;
             let is_alone = inner == usize::from(outer.is_none());
             if !is_alone {
                 passed.make_room(extent.half_edges)?;
             }
-            let outer = outer.map(|start| (Some(Start::HalfEdge(start)), BoundaryPlace::Outer));
-            let inner = (0..inner).map(|i| (view.inner_start(f, i), BoundaryPlace::Inner(i)));
-            for (start, place) in outer.into_iter().chain(inner) {
-                let start = start?;
-                self.enter(f, start, place)?;
+            let is_named = |h| view.face(h) == Some(f);
+            let mut is_new = |h| if is_alone { Some(()) } else { along(view, extent, h, |h| passed.mark(h)) };
+            if let Some(start) = outer {
+                self.outer(Start::HalfEdge(start), is_named)?;
+                is_new(start)?;
+            }
+            for i in 0..inner {
+                let start = view.inner_start(f, i)?;
+                self.inner(f, start, is_named)?;
                 match start {
-                    Start::Vertex(v) => self.isolated(v, &mut listed)?,
-                    Start::HalfEdge(start) if is_alone => self.cycle(start, of_f)?,
-                    Start::HalfEdge(start) => self.cycle(start, |h| of_f(h).and_then(|()| passed.mark(h)))?,
+                    Start::Vertex(v) => {
+                        listed.make_room(extent.vertices)?;
+                        let is_isolated = self.starts.leaving(view, v).is_none();
+                        (is_isolated && listed.mark(v).is_some()).then_some(())?;
+                    }
+                    Start::HalfEdge(start) => is_new(start)?,
                 }
             }
         }
         Some(())
     }
 
-    /// Walks along the cycles that name nothing, which no face lists. Each has twins, which bound something, or it bounds nothing.
-    #[cold]
-    #[inline(never)]
-    fn unnamed(&mut self) -> Option<()> {
+    /// Counts an outer boundary component, if it starts at a live half-edge that `is_named` rightly.
+    #[inline]
+    fn outer(&mut self, start: Start, is_named: impl Fn(usize) -> bool) -> Option<()> {
+        let Start::HalfEdge(h) = start else { return None };
+        let is_right = self.extent.half_edges.has(h) && self.view.is_half_edge(h) && is_named(h);
+        self.found.outer += 1;
+        is_right.then_some(())
+    }
+
+    /// Counts an inner boundary component, if it starts so, or at a live vertex.
+    fn inner(&mut self, f: usize, start: Start, is_named: impl Fn(usize) -> bool) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
-        let mut passed = Marks::new(extent.half_edges)?;
-        for start in extent.half_edges.all().filter(|h| view.is_half_edge(*h)) {
-            if extent.name(view, start).is_some() || passed.has(start) {
-                continue;
-            }
-            let is_border = |h| extent.name(view, h).is_none() && view.twin(h).is_some();
-            let visit = |h| if is_border(h) { passed.mark(h) } else { None };
-            self.visited += along(view, extent, start, self.links.half_edges - self.visited, visit)?;
-            self.found.cycles.note_unnamed(extent.vertices.existing(view.origin(start))?)?;
-        }
-        Some(())
-    }
-
-    /// Walks along a cycle that a face lists, and counts it.
-    #[inline]
-    fn cycle(&mut self, start: usize, mut visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
-        if !WALKS {
-            return visit(start);
-        }
-        self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;
-        self.found.cycles.named += 1;
-        Some(())
-    }
-
-    /// Notes an isolated vertex that a face lists.
-    #[cold]
-    fn isolated(&mut self, v: usize, listed: &mut Marks) -> Option<()> {
-        listed.make_room(self.extent.vertices)?;
-        self.found.is_vertex_wrong |= listed.mark(v).is_none() || self.links.leaving(self.view, v).is_some();
-        Some(())
-    }
-
-    /// Counts a boundary component that a face lists.
-    #[inline]
-    fn enter(&mut self, f: usize, start: Start, place: BoundaryPlace) -> Option<()> {
         let vertex = match start {
-            Start::HalfEdge(h) if self.extent.half_edges.has(h) && self.view.is_half_edge(h) => self.view.origin(h),
-            Start::HalfEdge(_) => None,
-            Start::Vertex(_) if place == BoundaryPlace::Outer => None,
-            Start::Vertex(v) => Some(v).filter(|v| self.extent.vertices.has(*v) && self.view.is_vertex(*v)),
+            Start::HalfEdge(h) => {
+                (extent.half_edges.has(h) && view.is_half_edge(h) && is_named(h)).then_some(())?;
+                view.origin(h)?
+            }
+            Start::Vertex(v) => {
+                (extent.vertices.has(v) && view.is_vertex(v)).then_some(())?;
+                self.found.at_vertex += 1;
+                v
+            }
         };
-        if place == BoundaryPlace::Outer {
-            vertex?;
-            self.found.outer += 1;
-            return Some(());
-        }
-        self.found.at_vertex += usize::from(matches!(start, Start::Vertex(_)));
         self.found.inner.try_reserve(1).ok()?;
-        self.found.inner.push(Inner { vertex: self.extent.vertices.existing(vertex)? as u32, face: f as u32 });
+        self.found.inner.push(Inner { vertex: vertex as u32, face: f as u32 });
         Some(())
     }
 }

@@ -1,15 +1,15 @@
 //! The components, joined edge by edge.
 
-use super::rotations::RotationWalk;
+use super::rotations::Rotations;
 use crate::slots::{NIL, Sets};
 use crate::validate::structure::View;
-use crate::validate::subject::Extent;
+use crate::validate::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
-/// The number of the component of each vertex, and the first vertex of each component.
+/// The number of the component of each vertex; nil if it is not live.
 pub(super) struct ComponentNumbers {
     pub(super) of: Vec<u32>,
-    pub(super) first: Vec<u32>,
+    pub(super) count: usize,
 }
 
 /// Joins vertices until so few components are left, or every edge is used.
@@ -20,49 +20,39 @@ pub(super) struct ComponentNumbers {
 pub(super) fn join<V: View + ?Sized>(
     view: &V,
     extent: Extent,
-    around: RotationWalk,
+    around: Rotations,
     fewest: usize,
 ) -> Option<ComponentNumbers> {
-    let mut of = around.nearest;
-    let mut first = Vec::new();
-    first.try_reserve_exact(around.counted.roots).ok()?;
+    let (mut of, mut count) = (around.nearest, 0);
     for v in 0..of.len() {
         let nearest = of[v] as usize;
         if nearest == v {
-            of[v] = first.len() as u32;
-            first.push(v as u32);
+            of[v] = count as u32;
+            count += 1;
         } else if nearest < v {
             of[v] = of[nearest];
         }
     }
-    if first.len() > fewest {
-        let mut sets = Sets::try_new(first.len())?;
-        for h in extent.half_edges.all() {
-            if sets.count == fewest {
-                break;
-            }
-            if !view.is_half_edge(h) {
-                continue;
-            }
-            // Without twin the edge ends where the next one starts.
-            let t = match view.twin(h) {
-                Some(t) if t < h => continue,
-                Some(t) => extent.half_edges.existing(Some(t))?,
-                None => extent.half_edges.existing(view.next(h))?,
-            };
-            sets.join(*of.get(view.origin(h)?)?, *of.get(view.origin(t)?)?);
-        }
-        // Sets are numbered in the order of their first members.
-        let numbers = sets.numbered()?;
-        let (mut count, mut number) = (0, numbers.iter());
-        first.retain(|_| {
-            let is_first = number.next() == Some(&count);
-            count += u32::from(is_first);
-            is_first
-        });
-        for of in of.iter_mut().filter(|of| **of != NIL) {
-            *of = *numbers.get(*of as usize)?;
-        }
+    if count <= fewest {
+        return Some(ComponentNumbers { of, count });
     }
-    Some(ComponentNumbers { of, first })
+    let mut sets = Sets::try_new(count)?;
+    for h in (Subject { view, extent }).half_edges() {
+        if sets.count == fewest {
+            break;
+        }
+        // Without twin the edge ends where the next one starts.
+        let t = match view.twin(h as usize) {
+            Some(t) if t < h as usize => continue,
+            Some(t) => extent.half_edges.existing(Some(t))?,
+            None => extent.half_edges.existing(view.next(h as usize))?,
+        };
+        sets.join(*of.get(view.origin(h as usize)?)?, *of.get(view.origin(t)?)?);
+    }
+    let count = sets.count;
+    let numbers = sets.numbered()?;
+    for of in of.iter_mut().filter(|of| **of != NIL) {
+        *of = *numbers.get(*of as usize)?;
+    }
+    Some(ComponentNumbers { of, count })
 }

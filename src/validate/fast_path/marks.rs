@@ -8,13 +8,6 @@ use alloc::vec::Vec;
 pub(super) struct Marks(Vec<u64>);
 
 impl Marks {
-    /// The empty set, with room for so many slots; none if there is no memory for it.
-    pub(super) fn new(slots: Slots) -> Option<Self> {
-        let mut marks = Self::default();
-        marks.make_room(slots)?;
-        Some(marks)
-    }
-
     /// Makes room for so many slots, if there was none; none if there is no memory for it.
     pub(super) fn make_room(&mut self, slots: Slots) -> Option<()> {
         if self.0.is_empty() {
@@ -55,15 +48,6 @@ impl Marks {
         let words = self.0.get(slot / 64..)?;
         let (i, word) = words.iter().enumerate().find(|(_, word)| **word != 0)?;
         Some((slot / 64 + i) * 64 + word.trailing_zeros() as usize)
-    }
-
-    /// The slots that are not in the set, of so many.
-    pub(super) fn rest(&self, slots: Slots) -> impl Iterator<Item = usize> {
-        let words = self.0.iter().enumerate().filter(|(_, word)| **word != u64::MAX);
-        words
-            .flat_map(|(i, _)| i * 64..i * 64 + 64)
-            .take_while(move |slot| slots.has(*slot))
-            .filter(|slot| !self.has(*slot))
     }
 }
 

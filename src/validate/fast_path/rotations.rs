@@ -1,186 +1,169 @@
-//! The walks around the vertices: V1, V2 and the vertices' half of B2.
+//! The walks around the vertices: R1 … V2 of half-edges and vertices, and that names are constant along `next`.
 
-use super::cycles::{Cycles, NoCount, Pass, Short};
-use super::links::Links;
+use super::starts::Starts;
+use crate::validate::columns::NIL;
+use crate::validate::half_edges::{Asked, HalfEdges, Lent};
 use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// The result of the walks around the vertices.
-pub(super) struct RotationWalk {
-    pub(super) counted: VertexTally,
-    /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
-    pub(super) nearest: Vec<u32>,
-    /// The cycles, where there are no faces to list them.
-    pub(super) cycles: Option<Cycles>,
-}
-
-/// The counts made at vertices.
-#[derive(Clone, Copy)]
-pub(super) struct VertexTally {
+pub(super) struct Rotations {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
-    /// The number of isolated vertices that name a boundary component that starts at them; none if one names anything else, or a
-    /// connected one does.
-    pub(super) claimed: Option<usize>,
-    /// The number of half-edges visited.
-    pub(super) half_edges: usize,
-    /// The number of cycles counted on the way.
-    pub(super) cycles: usize,
-    /// The number of vertices whose number is smaller than that of each neighbour.
-    pub(super) roots: usize,
+    /// The number of isolated vertices that name a boundary component that starts at them.
+    pub(super) claimed: usize,
     /// True if there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
+    /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
+    pub(super) nearest: Vec<u32>,
 }
 
-impl VertexTally {
-    pub(super) const NOTHING: Self =
-        Self { vertices: 0, isolated: 0, claimed: Some(0), half_edges: 0, cycles: 0, roots: 0, simple: true };
-}
-
-/// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
-pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<RotationWalk> {
-    let mut nearest = extent.vertices.nils()?;
-    let mut short = Short::default();
-    let are_listed = extent.has(Part::Faces);
-    let counted = if are_listed {
-        walk_from(view, extent, links, 0, &mut nearest, &mut NoCount)?
-    } else {
-        walk_from(view, extent, links, 0, &mut nearest, &mut short)?
-    };
-    (counted.half_edges == links.half_edges).then_some(())?;
-    let cycles = if are_listed { None } else { Some(short.all(view, extent, counted.cycles, links.half_edges)?) };
-    Some(RotationWalk { counted, nearest, cycles })
-}
-
-/// Walks around the vertices from `first` on, one for each entry of `nearest`, which it fills in, and counts of the cycles what is
-/// asked for.
+/// Walks around every vertex, in order of their numbers. `None` if a record breaks a rule, or the walks do not visit every half-edge.
 #[inline(never)]
-pub(super) fn walk_from<V: View + ?Sized, P: Pass>(
+pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, starts: &Starts) -> Option<Rotations> {
+    let asked = Asked { view, extent };
+    // Decided once, and not at each half-edge.
+    match (extent.has(Part::Prev), extent.has(Part::Faces)) {
+        (true, true) => match starts.first_live(view, extent).and_then(|first| Lent::of(view, extent, first)) {
+            Some(lent) => walk_and::<V, _, true, true>(view, extent, starts, lent),
+            None => walk_and::<V, _, true, true>(view, extent, starts, asked),
+        },
+        (true, false) => walk_and::<V, _, true, false>(view, extent, starts, asked),
+        (false, true) => walk_and::<V, _, false, true>(view, extent, starts, asked),
+        (false, false) => walk_and::<V, _, false, false>(view, extent, starts, asked),
+    }
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "where the columns are lent, their lengths are known to be the same in here only"
+)]
+fn walk_and<V: View + ?Sized, H: HalfEdges, const PREV: bool, const NAMES: bool>(
     view: &V,
     extent: Extent,
-    links: &Links,
-    first: usize,
-    nearest: &mut [u32],
-    cycles: &mut P,
-) -> Option<VertexTally> {
-    let mut found = VertexTally::NOTHING;
-    let mut steps = Steps { left: links.half_edges, cycles: 0 };
-    // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
+    starts: &Starts,
+    half_edges: H,
+) -> Option<Rotations> {
+    let mut tally = Tally { left: starts.half_edges, simple: true };
+    // Per vertex the last vertex from which it was seen as a neighbour: seen twice from one means parallel edges.
     let mut seen_from = extent.vertices.nils()?;
+    let mut nearest = extent.vertices.nils()?;
+    let [mut vertices, mut isolated, mut claimed] = [0; 3];
     let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
-    for (v, nearest_to) in (first..).zip(nearest).filter(|(v, _)| view.is_vertex(*v)) {
-        found.vertices += 1;
-        let mut nearest = v;
-        match links.leaving(view, v) {
+    for (v, nearest) in nearest.iter_mut().enumerate().filter(|(v, _)| view.is_vertex(*v)) {
+        vertices += 1;
+        *nearest = match starts.leaving(view, v) {
             None => {
-                found.isolated += 1;
+                isolated += 1;
                 if names_boundary {
-                    found.claimed = found.claimed.and_then(|all| Some(all + usize::from(is_claimed(view, extent, v)?)));
+                    claimed += usize::from(is_claimed(view, extent, v)?);
                 }
+                v as u32
             }
             Some(start) => {
-                leaves(view, extent, start, v).then_some(())?;
-                if names_boundary && view.isolated(v).is_some() {
-                    found.claimed = None;
-                }
-                // A loop leads to its own vertex twice.
-                let simple = &mut found.simple;
-                let see = |neighbour| {
-                    let seen = seen_from.get_mut(neighbour)?;
-                    *simple &= core::mem::replace(seen, v as u32) != v as u32;
-                    nearest = nearest.min(neighbour);
-                    Some(())
-                };
-                match links.into(v) {
-                    None => around(view, extent, start, &mut steps, see, cycles)?,
-                    Some(before) => across(view, extent, before, &mut steps, see, cycles)?,
+                let start = extent.half_edges.number(Some(start));
+                let leaves = half_edges.is_live(start) && half_edges.origin(start) == v as u32;
+                let names_nothing = !names_boundary || view.isolated(v).is_none();
+                (leaves && names_nothing).then_some(())?;
+                match starts.into(v) {
+                    None => around::<H, PREV, NAMES>(half_edges, v as u32, start, &mut seen_from, &mut tally)?,
+                    Some(before) => {
+                        across::<H, PREV, NAMES>(half_edges, v as u32, before as u32, &mut seen_from, &mut tally)?
+                    }
                 }
             }
-        }
-        *nearest_to = nearest as u32;
-        found.roots += usize::from(nearest == v);
+        };
     }
-    found.half_edges = links.half_edges - steps.left;
-    found.cycles = steps.cycles;
-    Some(found)
+    let Tally { left, simple } = tally;
+    (left == 0).then_some(Rotations { vertices, isolated, claimed, simple, nearest })
 }
 
-/// True if a half-edge that a vertex keeps is live and leaves it.
-#[inline]
-pub(super) fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
-    extent.half_edges.has(start) && view.is_half_edge(start) && view.origin(start) == Some(v)
-}
-
-/// The counters of the walks.
-struct Steps {
+/// The counts of the walks so far.
+#[derive(Clone, Copy)]
+struct Tally {
     /// The number of half-edges left to visit.
     left: usize,
-    cycles: usize,
+    simple: bool,
 }
 
-impl Steps {
-    /// Visits one more; none if none is left.
-    #[inline]
-    fn visit(&mut self) -> Option<()> {
-        self.left = self.left.checked_sub(1)?;
-        Some(())
-    }
-}
-
-/// Walks around one vertex, from a half-edge that leaves it; none if no half-edge is left to visit before it returns.
-#[inline]
-fn around<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
-    start: usize,
-    steps: &mut Steps,
-    mut see: impl FnMut(usize) -> Option<()>,
-    cycles: &mut impl Pass,
-) -> Option<()> {
+/// Walks around `v`, from a half-edge that leaves it, and returns the smallest number among `v` and its neighbours.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a call for each vertex costs more than the checks of its half-edges")]
+fn around<H: HalfEdges, const PREV: bool, const NAMES: bool>(
+    half_edges: H,
+    v: u32,
+    start: u32,
+    seen_from: &mut [u32],
+    tally: &mut Tally,
+) -> Option<u32> {
+    let mut found = *tally;
+    let mut nearest = v;
     let mut h = start;
     loop {
-        steps.visit()?;
-        let t = extent.half_edges.existing(view.twin(h))?;
-        see(view.origin(t)?)?;
-        h = extent.half_edges.existing(view.next(t))?;
-        steps.cycles += cycles.pass(view, extent, [t, h])?;
+        let t = half_edges.twin_back(h)?;
+        nearest = nearest.min(see(v, half_edges.origin(t), seen_from, &mut found)?);
+        h = step::<H, PREV, NAMES>(half_edges, v, t, &mut found)?;
         if h == start {
-            return Some(());
+            *tally = found;
+            return Some(nearest);
         }
     }
 }
 
-/// Walks across one vertex at an open boundary, from the half-edge after the one without twin that ends there to the one
-/// without twin that leaves it.
-fn across<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
-    before: usize,
-    steps: &mut Steps,
-    mut see: impl FnMut(usize) -> Option<()>,
-    cycles: &mut impl Pass,
-) -> Option<()> {
-    see(view.origin(before)?)?;
-    let mut h = extent.half_edges.existing(view.next(before))?;
-    steps.cycles += cycles.pass(view, extent, [before, h])?;
-    loop {
-        steps.visit()?;
-        let Some(t) = view.twin(h) else {
-            let next = extent.half_edges.existing(view.next(h))?;
-            see(view.origin(next)?)?;
-            return Some(());
-        };
-        let t = extent.half_edges.existing(Some(t))?;
-        see(view.origin(t)?)?;
-        h = extent.half_edges.existing(view.next(t))?;
-        steps.cycles += cycles.pass(view, extent, [t, h])?;
+/// Walks across `v` at an open boundary, from the half-edge without twin that ends there to the half-edge without twin that leaves it.
+#[cold]
+#[inline(never)]
+fn across<H: HalfEdges, const PREV: bool, const NAMES: bool>(
+    half_edges: H,
+    v: u32,
+    before: u32,
+    seen_from: &mut [u32],
+    tally: &mut Tally,
+) -> Option<u32> {
+    let mut nearest = v.min(see(v, half_edges.origin(before), seen_from, tally)?);
+    let mut h = step::<H, PREV, NAMES>(half_edges, v, before, tally)?;
+    while half_edges.twin(h) != NIL {
+        let t = half_edges.twin_back(h)?;
+        nearest = nearest.min(see(v, half_edges.origin(t), seen_from, tally)?);
+        h = step::<H, PREV, NAMES>(half_edges, v, t, tally)?;
     }
+    let next = half_edges.next(h);
+    half_edges.is_live(next).then_some(())?;
+    Some(nearest.min(see(v, half_edges.origin(next), seen_from, tally)?))
+}
+
+/// Steps from `t`, which ends at `v`, to its next half-edge: L2, L3, and that both name the same.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "called for each half-edge")]
+fn step<H: HalfEdges, const PREV: bool, const NAMES: bool>(
+    half_edges: H,
+    v: u32,
+    t: u32,
+    tally: &mut Tally,
+) -> Option<u32> {
+    tally.left = tally.left.checked_sub(1)?;
+    let n = half_edges.next(t);
+    let holds = half_edges.is_live(n)
+        && half_edges.origin(n) == v
+        && (!PREV || half_edges.prev(n) == t)
+        && (!NAMES || half_edges.name(n) == half_edges.name(t));
+    holds.then_some(n)
+}
+
+/// Notes a neighbour of `v`. A loop leads to its own vertex twice.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "called for each half-edge")]
+fn see(v: u32, neighbour: u32, seen_from: &mut [u32], tally: &mut Tally) -> Option<u32> {
+    let seen = seen_from.get_mut(neighbour as usize)?;
+    tally.simple &= core::mem::replace(seen, v) != v;
+    Some(neighbour)
 }
 
 /// Half of B2: whether the isolated vertex names a boundary component, which then starts at it. It need not if it may lie in
 /// an unbounded face that has no record.
-pub(super) fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -> Option<bool> {
+fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -> Option<bool> {
     let Some(b) = view.isolated(v) else {
         return (!extent.has(Part::UnboundedFace)).then_some(false);
     };

@@ -1,4 +1,4 @@
-//! R1 live: every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are.
+//! R1, and the census of the records that it reads.
 //!
 //! At an open boundary the twin or the face of a half-edge may be nil, but not both: such a half-edge bounds nothing, and
 //! no other record is on its other side.
@@ -8,14 +8,13 @@
 //! cannot be said to be live. Without records for boundary components, vertices and half-edges are counted instead.
 
 use crate::validate::columns::{NIL, column};
-use crate::validate::fast_path::Facts;
 use crate::validate::findings::{Findings, Flow, Halt};
+use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Link, Part, Start};
 use crate::validate::subject::Subject;
 use alloc::vec::Vec;
-use core::cell::OnceCell;
 
 /// The numbers of records that R1 counts, and the state of the links that the later rules follow.
 pub(crate) struct Census {
@@ -27,7 +26,8 @@ pub(crate) struct Census {
     pub(crate) map_is_live: bool,
     /// The entries of lists that each rule reads. Lists with more are broken.
     pub(crate) list_budget: usize,
-    pub(crate) fans: Fans,
+    /// The fan of each vertex.
+    pub(crate) fans: Vec<Fan>,
 }
 
 impl Census {
@@ -54,30 +54,9 @@ pub(crate) struct Fan {
     pub(crate) leaving: u32,
 }
 
-/// The fan of each vertex, counted when it is asked for first.
-#[derive(Default)]
-pub(crate) struct Fans(OnceCell<Vec<Fan>>);
-
-impl Fans {
-    pub(crate) fn get(&self, subject: Subject<'_>) -> Result<&[Fan], Halt> {
-        if let Some(fans) = self.0.get() {
-            return Ok(fans);
-        }
-        let mut fans = no_fans(subject)?;
-        for h in subject.half_edges() {
-            note(&mut fans, subject.view.origin(h as usize), h);
-        }
-        Ok(self.0.get_or_init(|| fans))
-    }
-}
-
-fn no_fans(subject: Subject<'_>) -> Result<Vec<Fan>, Halt> {
-    column(subject.extent.vertices.0, Fan { degree: 0, leaving: NIL })
-}
-
 /// Counts a half-edge with this origin.
-fn note(fans: &mut [Fan], origin: Link, h: u32) {
-    if let Some(fan) = origin.and_then(|v| fans.get_mut(v)) {
+fn note(fans: &mut [Fan], origin: u32, h: u32) {
+    if let Some(fan) = fans.get_mut(origin as usize) {
         *fan = Fan { degree: fan.degree + 1, leaving: h };
     }
 }
@@ -91,29 +70,30 @@ enum RecordKind {
     Face,
 }
 
-/// Runs R1, and counts the records on the way.
-pub(crate) fn check(subject: Subject<'_>, facts: &Facts, findings: &mut Findings) -> Result<Census, Halt> {
-    let fans = Fans::default();
-    let [half_edges, edges] = half_edges(subject, facts, &fans, findings)?;
+/// R1 live: every link that a record needs is there and leads to a live record, and no face lists far more boundary components than there are.
+///
+/// Counts the records on the way.
+pub(crate) fn live(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &mut Findings) -> Result<Census, Halt> {
+    let mut fans = column(subject.extent.vertices.count, Fan { degree: 0, leaving: NIL })?;
+    let [half_edges, edges] = links_of_half_edges(subject, half_edges, &mut fans, findings)?;
     let map_is_live = findings.holds(Rule::R1);
-    let [vertices, isolated_vertices] = vertices(subject, facts, &fans, findings)?;
-    let boundaries = boundaries(subject, facts, findings)?;
+    let [vertices, isolated_vertices] = vertices(subject, &fans, findings)?;
+    let boundaries = boundaries(subject, findings)?;
     // Valid lists stay far below this, and corrupt ones are read far enough to find what they list twice.
     let records = if subject.has(Part::BoundaryComponents) { boundaries } else { half_edges + vertices };
     let list_budget = 2 * records + 16;
-    faces(subject, facts, list_budget, findings)?;
+    faces(subject, list_budget, findings)?;
     Ok(Census { half_edges, edges, vertices, isolated_vertices, map_is_live, list_budget, fans })
 }
 
 /// True if the link leads to a live record of that kind.
 #[inline]
 fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
-    let Subject { view, extent } = subject;
     match kind {
-        RecordKind::Vertex => extent.vertices.has(link) && view.is_vertex(link),
-        RecordKind::HalfEdge => extent.half_edges.has(link) && view.is_half_edge(link),
-        RecordKind::Boundary => extent.boundaries.has(link) && view.is_boundary(link),
-        RecordKind::Face => extent.faces.has(link) && view.is_face(link),
+        RecordKind::Vertex => subject.is_vertex(link),
+        RecordKind::HalfEdge => subject.is_half_edge(link),
+        RecordKind::Boundary => subject.is_boundary(link),
+        RecordKind::Face => subject.is_face(link),
     }
 }
 
@@ -147,46 +127,35 @@ impl Links<'_, '_> {
 }
 
 /// Returns the numbers of half-edges and of edges.
-fn half_edges(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut Findings) -> Result<[usize; 2], Halt> {
-    let extent = subject.extent;
-    let (name_field, name_kind) = if extent.has(Part::BoundaryComponents) {
-        (Field::Boundary, RecordKind::Boundary)
-    } else {
-        (Field::Face, RecordKind::Face)
-    };
-    let is_closed = !subject.is_open();
-    let mut check = |h: usize| {
-        let mut links = Links { subject, record: Record::HalfEdge(h), findings: &mut *findings };
-        let origin = subject.view.origin(h);
-        links.check(Field::Origin, origin, RecordKind::Vertex, true)?;
-        let twin = subject.view.twin(h);
-        links.check(Field::Twin, twin, RecordKind::HalfEdge, is_closed)?;
-        links.check(Field::Next, subject.view.next(h), RecordKind::HalfEdge, true)?;
-        if extent.has(Part::Prev) {
-            links.check(Field::Prev, subject.view.prev(h), RecordKind::HalfEdge, true)?;
-        }
-        if extent.has(Part::Faces) {
-            // At an open boundary one of the two sides is missing, not both.
-            let is_needed = is_closed || twin.is_none();
-            links.check(name_field, extent.name(subject.view, h), name_kind, is_needed)?;
-        }
-        Ok((origin, twin))
+fn links_of_half_edges(
+    subject: Subject<'_>,
+    half_edges: impl HalfEdges,
+    fans: &mut [Fan],
+    findings: &mut Findings,
+) -> Result<[usize; 2], Halt> {
+    let Subject { view, extent } = subject;
+    let (has_prev, has_names) = (extent.has(Part::Prev), extent.has(Part::Faces));
+    let by_record = extent.has(Part::BoundaryComponents);
+    let (vertices, names) = (extent.vertices, if by_record { extent.boundaries } else { extent.faces });
+    let are_live = |h: u32, origin: u32, twin: u32| {
+        vertices.is_live(origin as usize, |v| view.is_vertex(v))
+            && half_edges.is_live(twin)
+            && half_edges.is_live(half_edges.next(h))
+            && (!has_prev || half_edges.is_live(half_edges.prev(h)))
+            && (!has_names || {
+                let is_live = |name| if by_record { view.is_boundary(name) } else { view.is_face(name) };
+                names.is_live(half_edges.name(h) as usize, is_live)
+            })
     };
     let (mut live, mut unpaired) = (0, 0);
-    if let Some(doubts) = &facts.half_edges {
-        for h in doubts.half_edges.iter().filter(|h| subject.is_live_half_edge(**h)) {
-            check(*h as usize)?;
+    for h in subject.half_edges() {
+        let (origin, twin) = (half_edges.origin(h), half_edges.twin(h));
+        if !are_live(h, origin, twin) {
+            half_edge(subject, h as usize, findings)?;
         }
-        (live, unpaired) = (doubts.live, doubts.unpaired);
-    } else {
-        let mut counted = no_fans(subject)?;
-        for h in subject.half_edges() {
-            let (origin, twin) = check(h as usize)?;
-            live += 1;
-            unpaired += usize::from(twin.is_none());
-            note(&mut counted, origin, h);
-        }
-        let _ = fans.0.set(counted);
+        live += 1;
+        unpaired += usize::from(twin == NIL);
+        note(fans, origin, h);
     }
     let edges = (live - unpaired) / 2 + unpaired;
     (findings.counts.half_edges, findings.counts.edges) = (live, edges);
@@ -195,29 +164,49 @@ fn half_edges(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut F
     Ok([live, edges])
 }
 
-/// Returns the numbers of vertices and of isolated ones.
-fn vertices(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut Findings) -> Result<[usize; 2], Halt> {
-    let names_boundary = subject.has(Part::BoundaryComponents) && subject.has(Part::Holes);
-    let (live, isolated) = if let Some(known) = facts.vertices {
-        (known.live, known.isolated)
+/// Checks the links of one half-edge. They are asked for once more, to say what each is.
+#[cold]
+fn half_edge(subject: Subject<'_>, h: usize, findings: &mut Findings) -> Flow {
+    let Subject { view, extent } = subject;
+    let mut links = Links { subject, record: Record::HalfEdge(h), findings };
+    let is_closed = !subject.is_open();
+    links.check(Field::Origin, view.origin(h), RecordKind::Vertex, true)?;
+    let twin = view.twin(h);
+    links.check(Field::Twin, twin, RecordKind::HalfEdge, is_closed)?;
+    links.check(Field::Next, view.next(h), RecordKind::HalfEdge, true)?;
+    if extent.has(Part::Prev) {
+        links.check(Field::Prev, view.prev(h), RecordKind::HalfEdge, true)?;
+    }
+    if !extent.has(Part::Faces) {
+        return Ok(());
+    }
+    let (field, kind) = if extent.has(Part::BoundaryComponents) {
+        (Field::Boundary, RecordKind::Boundary)
     } else {
-        let fans = fans.get(subject)?;
-        let (mut live, mut isolated) = (0, 0);
-        for v in subject.vertices() {
-            live += 1;
-            let is_connected = fans[v].degree > 0;
-            isolated += usize::from(!is_connected);
-            let mut links = Links { subject, record: Record::Vertex(v), findings: &mut *findings };
-            if subject.has(Part::Leaving) {
-                links.check(Field::Leaving, subject.view.leaving(v), RecordKind::HalfEdge, is_connected)?;
-            }
-            if names_boundary {
-                // B2 decides if a vertex without half-edges may lack it.
-                links.check(Field::Isolated, subject.view.isolated(v), RecordKind::Boundary, false)?;
-            }
-        }
-        (live, isolated)
+        (Field::Face, RecordKind::Face)
     };
+    // At an open boundary one of the two sides is missing, not both.
+    let is_needed = is_closed || twin.is_none();
+    links.check(field, extent.name(view, h), kind, is_needed)
+}
+
+/// Returns the numbers of vertices and of isolated ones.
+fn vertices(subject: Subject<'_>, fans: &[Fan], findings: &mut Findings) -> Result<[usize; 2], Halt> {
+    let names_boundary = subject.has(Part::BoundaryComponents) && subject.has(Part::Holes);
+    let (mut live, mut isolated) = (0, 0);
+    for v in subject.vertices() {
+        live += 1;
+        let is_connected = fans[v].degree > 0;
+        isolated += usize::from(!is_connected);
+        let mut links = Links { subject, record: Record::Vertex(v), findings: &mut *findings };
+        if subject.has(Part::Leaving) {
+            links.check(Field::Leaving, subject.view.leaving(v), RecordKind::HalfEdge, is_connected)?;
+        }
+        if names_boundary {
+            // B2 decides if a vertex without half-edges may lack it.
+            links.check(Field::Isolated, subject.view.isolated(v), RecordKind::Boundary, false)?;
+        }
+    }
     (findings.counts.vertices, findings.counts.isolated_vertices) = (live, isolated);
     let links = u64::from(subject.has(Part::Leaving) || names_boundary);
     findings.checked(Rule::R1, live as u64 * links);
@@ -225,30 +214,19 @@ fn vertices(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut Fin
 }
 
 /// Returns the number of boundary components.
-fn boundaries(subject: Subject<'_>, facts: &Facts, findings: &mut Findings) -> Result<usize, Halt> {
+fn boundaries(subject: Subject<'_>, findings: &mut Findings) -> Result<usize, Halt> {
     let mut live = 0;
-    match facts.lists {
-        Some(lists) if subject.has(Part::BoundaryComponents) => live = lists.outer + lists.inner,
-        Some(_) => {}
-        None => {
-            for b in subject.boundaries() {
-                live += 1;
-                let mut links = Links { subject, record: Record::Boundary(b), findings: &mut *findings };
-                links.check(Field::Face, subject.view.boundary_face(b), RecordKind::Face, true)?;
-                links.check_start(Field::Start, subject.view.boundary_start(b))?;
-            }
-        }
+    for b in subject.boundaries() {
+        live += 1;
+        let mut links = Links { subject, record: Record::Boundary(b), findings: &mut *findings };
+        links.check(Field::Face, subject.view.boundary_face(b), RecordKind::Face, true)?;
+        links.check_start(Field::Start, subject.view.boundary_start(b))?;
     }
     findings.checked(Rule::R1, live as u64 * 2);
     Ok(live)
 }
 
-fn faces(subject: Subject<'_>, facts: &Facts, mut budget: usize, findings: &mut Findings) -> Flow {
-    if let Some(lists) = facts.lists {
-        findings.counts.faces = lists.faces;
-        findings.checked(Rule::R1, (lists.faces + lists.inner) as u64);
-        return Ok(());
-    }
+fn faces(subject: Subject<'_>, mut budget: usize, findings: &mut Findings) -> Flow {
     let by_record = subject.has(Part::BoundaryComponents);
     let outer_kind = if by_record { RecordKind::Boundary } else { RecordKind::HalfEdge };
     let (mut live, mut entries) = (0, 0);

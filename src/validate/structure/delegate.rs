@@ -1,5 +1,6 @@
 //! Structures that answer as another one does: references, boxes, and views that hand some questions on.
 
+use super::columns::HalfEdgeColumns;
 use super::view::View;
 use alloc::boxed::Box;
 
@@ -158,8 +159,16 @@ macro_rules! delegate_view {
 
 impl<V: View + ?Sized> View for &V {
     delegate_view!(|this| *this);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        (**self).half_edge_columns()
+    }
 }
 
 impl<V: View + ?Sized> View for Box<V> {
     delegate_view!(|this| &**this);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        (**self).half_edge_columns()
+    }
 }

@@ -1,5 +1,6 @@
 //! Structures of which only some parts are looked at.
 
+use super::columns::HalfEdgeColumns;
 use super::parts::Parts;
 use super::view::View;
 
@@ -38,6 +39,10 @@ impl<V> Only<V> {
 
 impl<V: View> View for Only<V> {
     crate::delegate_view!(|this| &this.view; except parts);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        self.view.half_edge_columns()
+    }
 
     fn parts(&self) -> Parts {
         self.view.parts().intersection(self.parts)

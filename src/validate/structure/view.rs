@@ -1,5 +1,6 @@
 //! The structure as the validator sees it: one trait, whose methods take and return plain indices.
 
+use super::columns::HalfEdgeColumns;
 use super::parts::Parts;
 
 /// A link as a structure stores it: `None` is nil, `Some(i)` leads to the record with index `i`, if there is one.
@@ -72,6 +73,18 @@ pub enum BoundaryPlace {
 /// assert!(validate(&Edge, &Expectation::plane(), Collect::All).is_valid());
 /// ```
 pub trait View {
+    /// The links of half-edges as columns, if the structure keeps them so. They must be the links that the other methods answer: the validator
+    /// then reads half-edges from the columns, in about half the time, and asks the other methods about everything else.
+    ///
+    /// The validator reads the columns only if origin, next, prev, and the boundary component or face are all lent, the twin of `h` is `h ^ 1`,
+    /// and all half-edges from the first live one on are live. If the columns have other links than the answers, the report says nothing about
+    /// either, and nothing else happens.
+    ///
+    /// A view that differs from another one in an answer about half-edges must not lend the other one's columns.
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        None
+    }
+
     /// The parts that the structure stores beside `origin`, `twin` and `next`. Rules about others are not checked, and the report
     /// says so.
     ///

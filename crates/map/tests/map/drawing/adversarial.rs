@@ -37,7 +37,7 @@ fn answers_may_change_from_call_to_call() {
                     let report = validate_embedding(&view, &expectation, Collect::All);
                     let asked = view.questions.get();
                     // The fast path may ask nearly everything before it gives up, and then every rule asks for itself.
-                    assert!(asked <= 4 * questions, "{asked} questions, {questions} if consistent\n{report}");
+                    assert!(asked <= 5 * questions, "{asked} questions, {questions} if consistent\n{report}");
                     for violation in report.violations() {
                         assert!(places(&view, violation).len() <= 4);
                     }
