@@ -2,10 +2,12 @@
 
 use crate::tables::{Fickle, Source};
 use arbitrary::Unstructured;
-use twinedge_certificate::{Certificate, Column, Drawing, Labels, SurfaceCertificate, VACANT, check, check_drawing, check_surface};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Surface, Table,
     VertexRow, View, validate,
+};
+use twinedge_certificate::{
+    Certificate, Column, Drawing, Labels, SurfaceCertificate, VACANT, check, check_drawing, check_surface,
 };
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;

@@ -105,7 +105,7 @@ impl Assembly<'_> {
         let holds = |holds: bool, column: &'static str, row: usize| {
             if holds { Ok(()) } else { Err(AssemblyError::Wrong { column, row }) }
         };
-        holds(half_edges.is_multiple_of(2), "origin", half_edges)?;
+        holds(half_edges & 1 == 0, "origin", half_edges)?;
         holds(self.next.len() == half_edges, "next", self.next.len())?;
         holds(self.boundary.len() == half_edges, "boundary", self.boundary.len())?;
         for h in 0..half_edges {

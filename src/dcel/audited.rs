@@ -12,8 +12,14 @@ pub trait Auditable: Recorder {
     type Baseline: Clone;
 
     /// Validates all, and keeps what is there.
+    ///
+    /// # Errors
+    /// The structure is not valid, or cannot be validated after a change.
     fn baseline(&self) -> Result<Self::Baseline, BaselineError>;
     /// Validates what was written.
+    ///
+    /// # Errors
+    /// The report of a full validation, if a rule is broken.
     fn check_near(&self, baseline: &mut Self::Baseline, written: &WriteSet) -> Result<(), Box<Report>>;
     /// Validates all.
     fn check(&self) -> Report;

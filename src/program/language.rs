@@ -80,15 +80,22 @@ pub trait Argument: Clone {
     fn draw(source: &mut impl Choose, upper: u8) -> Self;
 
     /// Writes its words, with a space before each.
+    ///
+    /// # Errors
+    /// Those of the formatter.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
 
     /// Reads its words.
+    ///
+    /// # Errors
+    /// The words are not those of such an argument.
     fn read(words: &mut Words<'_>) -> Result<Self, ParseError>;
 
     /// The argument in every way in which it is simpler, the simplest first.
     fn simpler(&self) -> Vec<Self>;
 
     /// The argument with other numbers. One without numbers stays as it is.
+    #[must_use]
     fn renumber(&self, context: Self::Context, number: &mut impl FnMut(Self::List, u32) -> u32) -> Self {
         let _ = (context, number);
         self.clone()
@@ -121,6 +128,9 @@ pub trait Numbered: Copy + 'static {
     }
 
     /// Writes the prefix and the number.
+    ///
+    /// # Errors
+    /// Those of the formatter.
     fn write_word(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (variant, k) = self.number();
         write!(f, "{}{k}", Self::VARIANTS[variant].0)
@@ -166,6 +176,9 @@ pub fn smaller(k: u32) -> impl Iterator<Item = u32> {
 }
 
 /// Writes the places of the bits of a mask, with commas between them.
+///
+/// # Errors
+/// Those of the formatter.
 pub fn write_mask(f: &mut fmt::Formatter<'_>, mask: u16) -> fmt::Result {
     let mut before = "";
     for bit in (0..16).filter(|bit| mask >> bit & 1 == 1) {
@@ -266,6 +279,7 @@ macro_rules! language {
             }
 
             /// The operator with other numbers.
+            #[must_use]
             pub fn renumber(&self, number: &mut impl FnMut($list, u32) -> u32) -> Self {
                 use $crate::program::language::Argument;
                 match self.clone() {

@@ -84,22 +84,28 @@ pub struct Words<'a> {
 
 impl<'a> Words<'a> {
     /// A line without its comment.
+    #[must_use]
     pub fn new(line: usize, text: &'a str) -> Self {
         let text = text.split('#').next().unwrap_or_default();
         Self { text, rest: text.trim(), line }
     }
 
     /// Tells whether all words were taken.
+    ///
+    /// # Errors
+    /// There is another word.
     pub fn end(&self) -> Result<(), ParseError> {
         if self.rest.is_empty() { Ok(()) } else { Err(self.error(Expected::End)) }
     }
 
     /// The next word; empty if there is none.
+    #[must_use]
     pub fn peek(&self) -> &'a str {
         self.rest.split_whitespace().next().unwrap_or_default()
     }
 
     /// Says that something else should stand here.
+    #[must_use]
     pub fn error(&self, expected: Expected) -> ParseError {
         let before = self.text.trim_end().len() - self.rest.len();
         let column = self.text.get(..before).map_or(0, |text| text.chars().count()) + 1;
@@ -107,6 +113,9 @@ impl<'a> Words<'a> {
     }
 
     /// Takes the next word if `read` understands it.
+    ///
+    /// # Errors
+    /// The word is missing, or `read` refuses it.
     pub fn take<T>(&mut self, expected: Expected, read: impl FnOnce(&'a str) -> Option<T>) -> Result<T, ParseError> {
         let word = self.peek();
         let value = read(word).ok_or_else(|| self.error(expected))?;
@@ -116,12 +125,14 @@ impl<'a> Words<'a> {
 }
 
 /// The number after a prefix: digits only.
+#[must_use]
 pub fn number(word: &str, prefix: &str) -> Option<u32> {
     let digits = word.strip_prefix(prefix)?;
     digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
 }
 
 /// The number of a bit mask, written as the places of its bits: digits in rising order, with commas between them.
+#[must_use]
 pub fn mask(word: &str) -> Option<u16> {
     word.split(',').try_fold(0_u16, |mask, bit| {
         let bit = number(bit, "").filter(|bit| *bit < 16)?;
@@ -130,6 +141,9 @@ pub fn mask(word: &str) -> Option<u16> {
 }
 
 /// The operators of a text: a header, and one operator in each line that is not empty.
+///
+/// # Errors
+/// The header is missing, or a line is wrong.
 pub fn lines<'a, O>(
     text: &'a str,
     header: &str,

@@ -39,7 +39,7 @@ impl<'a> Inconsistent<'a> {
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         let z = (z ^ (z >> 31)) >> 1;
-        (z % 16 != 0).then_some(z >> 4)
+        (z & 15 != 0).then_some(z >> 4)
     }
 
     fn is(&self, answer: bool) -> bool {

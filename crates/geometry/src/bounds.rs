@@ -13,11 +13,13 @@ pub struct Bounds {
 
 impl Bounds {
     /// The box of one point.
+    #[must_use]
     pub const fn one(p: Point) -> Self {
         Self { low: p, high: p }
     }
 
     /// The smallest box around two.
+    #[must_use]
     pub fn joined(self, other: Self) -> Self {
         Self {
             low: Point::new(self.low.x.min(other.low.x), self.low.y.min(other.low.y)),
@@ -31,11 +33,13 @@ impl Bounds {
     }
 
     /// The box with each side moved outwards.
+    #[must_use]
     pub fn grown(self, by: f64) -> Self {
         Self { low: Point::new(self.low.x - by, self.low.y - by), high: Point::new(self.high.x + by, self.high.y + by) }
     }
 
     /// Returns true if they have a point in common.
+    #[must_use]
     pub fn meets(&self, other: &Self) -> bool {
         self.low.x <= other.high.x
             && other.low.x <= self.high.x
@@ -44,6 +48,7 @@ impl Bounds {
     }
     /// Returns true if all of it comes after a point in lexicographic order, false if all comes before; none if neither.
     #[inline]
+    #[must_use]
     pub fn after(&self, p: Point) -> Option<bool> {
         let (before, after) = (is_before(self.high, p), is_before(p, self.low));
         (before | after).then_some(after)
@@ -55,6 +60,7 @@ impl Bounds {
     /// Only the two corners furthest from the line count. Each difference and product is off by at most one part in 2^53,
     /// so a side of which the rounded value is so clear is the right one.
     #[inline]
+    #[must_use]
     pub fn above(&self, [low, high]: [Point; 2]) -> Option<bool> {
         let (dx, dy) = (high.x - low.x, high.y - low.y);
         let side = |x: f64, y: f64| {

@@ -111,6 +111,7 @@ impl<'a> Boxes<'a> {
     }
 
     /// The numbers of the boxes that meet another one. O(log n + k) for k of them, in practice.
+    #[must_use]
     pub fn meeting(&self, bounds: &Bounds) -> Vec<u32> {
         let mut near = Vec::new();
         self.groups_near(bounds, &mut near, &mut Vec::new());

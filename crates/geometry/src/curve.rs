@@ -24,12 +24,14 @@ pub struct Curve {
 
 impl Curve {
     /// The curve through a box.
+    #[must_use]
     pub fn through(Bounds { low, high }: Bounds) -> Self {
         let per = |width: f64| if width > 0.0 { f64::from((1_u32 << LEVELS) - 1) / width } else { 0.0 };
         Self { low, scale: [per(high.x - low.x), per(high.y - low.y)] }
     }
 
     /// The place on the curve of the cell of a point in the box. O(1).
+    #[must_use]
     pub fn place(&self, p: Point) -> u32 {
         #[expect(clippy::cast_sign_loss, reason = "the box begins at its lowest corner")]
         let [mut x, mut y] = [(p.x - self.low.x) * self.scale[0], (p.y - self.low.y) * self.scale[1]].map(|c| c as u32);

@@ -114,6 +114,9 @@ pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result
 }
 
 /// Finds what is below each point, which is a guess if there is a clash. As [`sweep`].
+///
+/// # Errors
+/// [`InvalidSegments`].
 pub fn sweep_all(points: &[Point], segments: &[[u32; 2]]) -> Result<(Below, Option<Clash>), InvalidSegments> {
     check(points, segments)?;
     let mut line = Line::new(points, segments);
@@ -122,6 +125,9 @@ pub fn sweep_all(points: &[Point], segments: &[[u32; 2]]) -> Result<(Below, Opti
 }
 
 /// Finds what is below each point of a plane drawing; none if there is a clash, and the pass ends there. As [`sweep`].
+///
+/// # Errors
+/// [`InvalidSegments`].
 pub fn sweep_plane(points: &[Point], segments: &[[u32; 2]]) -> Result<Option<Below>, InvalidSegments> {
     check(points, segments)?;
     let mut line = Line::new(points, segments);
@@ -134,6 +140,7 @@ pub struct Below(Vec<u32>);
 
 impl Below {
     /// The segments below these points, which are among those of the drawing.
+    #[must_use]
     pub fn of(&self, points: &[u32]) -> Vec<Option<u32>> {
         points.iter().map(|&point| Some(self.0[point as usize]).filter(|&segment| segment != NIL)).collect()
     }

@@ -115,6 +115,9 @@ impl Attributes {
     }
 
     /// Does the first part of what an operator is about to do. If a policy refuses, everything is as it was.
+    ///
+    /// # Errors
+    /// The reason of the policy that refuses.
     #[cold]
     pub fn announce(&mut self, steps: &[(Kind, Step)]) -> Result<(), &'static str> {
         let start = self.log.len();
@@ -260,6 +263,9 @@ impl Attributes {
 
     /// The same attributes for other faces, into which these were cut: each with its parts, the largest first, and their areas; and for other
     /// records that are not those of a [`Dcel`](crate::dcel::Dcel). Nothing else has a value then.
+    ///
+    /// # Errors
+    /// The reason of the policy that refuses.
     pub fn cut(
         &self,
         faces: &[(KeyData, Vec<(KeyData, f64)>)],

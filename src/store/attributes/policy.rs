@@ -61,6 +61,12 @@ pub struct Policy<K: Attributed, T> {
     of: PhantomData<K>,
 }
 
+impl<K: Attributed, T> Default for Policy<K, T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<K: Attributed, T> Policy<K, T> {
     /// The default policy, for an attribute of records of any kind.
     #[must_use]

@@ -103,26 +103,24 @@ impl<R: Row> Column<R> {
 
     /// Notes that the row may differ.
     #[inline]
-    pub fn note(&mut self, index: usize) {
+    pub(super) fn note(&mut self, index: usize) {
         let _ = self.change(index);
     }
 
     /// The number of rows that may differ.
-    #[must_use]
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.after.len()
     }
 
     /// The index of one of these.
     #[inline]
-    #[must_use]
-    pub fn index(&self, position: usize) -> usize {
+    pub(super) fn index(&self, position: usize) -> usize {
         self.after[position].0 as usize
     }
 
     /// Sets one of these, as it is after the change.
     #[inline]
-    pub fn put(&mut self, position: usize, row: R) {
+    pub(super) fn put(&mut self, position: usize, row: R) {
         self.after[position].1 = row;
     }
 
@@ -132,7 +130,7 @@ impl<R: Row> Column<R> {
     }
 
     /// The growth of a sum over all rows.
-    pub fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
+    pub(super) fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
         self.changes().map(|(_, before, after)| term(after) - term(before)).sum()
     }
 

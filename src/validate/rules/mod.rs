@@ -6,4 +6,3 @@ pub(super) mod links;
 pub(super) mod live;
 pub(super) mod mesh;
 pub(super) mod whole;
-

@@ -274,6 +274,9 @@ pub fn node_within(segments: &[[Point; 2]], points: &[Point], snap: Snap, cuts: 
 }
 
 /// The same for distinct points, each of which is a vertex, and segments between them by number.
+///
+/// # Errors
+/// Those of [`node_within`].
 pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: usize) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(&[], points)?;
     let grid = Grid::new(snap, largest, holder)?;

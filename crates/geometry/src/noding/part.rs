@@ -34,6 +34,9 @@ pub struct PartCuts {
 
 impl PartNoding {
     /// The grid for coordinates up to `largest` in magnitude.
+    ///
+    /// # Errors
+    /// [`NodingError::OutOfRange`], or that the number is not finite.
     pub fn new(largest: f64) -> Result<Self, NodingError> {
         let grid = |snap| Grid::new(snap, largest, Input::Point(0));
         let automatic = grid(Snap::Auto)?;
@@ -43,6 +46,7 @@ impl PartNoding {
     }
 
     /// The width of a cell.
+    #[must_use]
     pub fn cell(&self) -> f64 {
         self.grid.cell()
     }
@@ -52,6 +56,7 @@ impl PartNoding {
     }
 
     /// The centre of the pixel of a point.
+    #[must_use]
     pub fn snapped(&self, p: Point) -> Point {
         self.grid.point(self.pixel(p))
     }
@@ -59,6 +64,9 @@ impl PartNoding {
     /// Finds where segments cross or pass near vertices. Points are vertices, too.
     ///
     /// More than so many cuts are an error.
+    ///
+    /// # Errors
+    /// [`NodingError::TooMany`], [`NodingError::TooManyCuts`].
     pub fn cuts(&self, segments: &[[Point; 2]], points: &[Point], most: usize) -> Result<PartCuts, NodingError> {
         if segments.len().saturating_mul(2).saturating_add(points.len()) >= u32::MAX as usize {
             return Err(NodingError::TooMany);
@@ -92,6 +100,9 @@ impl PartNoding {
     }
 
     /// Finds the hot pixels that edges visit, on their way from centre to centre, and which are not their ends. Edges do not cross.
+    ///
+    /// # Errors
+    /// [`NodingError::TooManyCuts`].
     pub fn bends(
         &self,
         edges: &[[Point; 2]],

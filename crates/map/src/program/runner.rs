@@ -284,7 +284,7 @@ impl EditRunner {
     /// ```
     pub fn check_numbers(&self, op: &EditOp) -> Result<(), PastLast> {
         let mut checked = Ok(());
-        op.renumber(&mut |list, number| {
+        let _ = op.renumber(&mut |list, number| {
             let (prefix, count) = match list {
                 List::Vertices => ("v", self.vertices.len()),
                 List::HalfEdges => ("h", self.half_edges.len()),

@@ -19,8 +19,6 @@ mod support {
     pub(crate) mod nested;
     #[path = "../../../../../tests/support/only_live.rs"]
     pub(crate) mod only_live;
-    #[path = "../../../../../tests/support/opinions.rs"]
-    pub(crate) mod opinions;
     pub(crate) mod oracle;
     #[path = "../../../../../tests/support/saved.rs"]
     pub(crate) mod saved;
@@ -28,12 +26,6 @@ mod support {
     pub(crate) mod tables;
     #[path = "../../../../../tests/support/tokens.rs"]
     pub(crate) mod tokens;
-    #[path = "../../../../../tests/support/tracked.rs"]
-    pub(crate) mod tracked;
-    #[path = "../../../../../tests/support/triangles.rs"]
-    pub(crate) mod triangles;
-    #[path = "../../../../../tests/support/watched.rs"]
-    pub(crate) mod watched;
 }
 
 mod attributes;

@@ -105,7 +105,7 @@ impl Tally {
             *count += usize::from(found.broken_rules().any(|broken| broken == rule));
         }
         // It is the report of a full validation, which is seldom run a second time.
-        let is_same = self.judged % 16 != 0 || *found == full();
+        let is_same = !self.judged.is_multiple_of(16) || *found == full();
         assert!(!found.is_valid() && is_same, "{}\n{:?}\n{written:?}", scene.table, scene.points);
         false
     }
@@ -325,7 +325,7 @@ fn one_in(count: usize) -> impl FnMut() -> bool {
     let mut number = 0_usize;
     move || {
         number += 1;
-        number % count == 0
+        number.is_multiple_of(count)
     }
 }
 
