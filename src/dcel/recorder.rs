@@ -44,6 +44,7 @@ pub trait Recorder: Clone {
 
 /// A part of the log, to be taken back or to be written again.
 #[derive(Debug)]
+#[must_use = "nothing is rewritten until it is applied"]
 pub struct Rewrite {
     part: Range<usize>,
     way: Way,
