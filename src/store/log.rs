@@ -155,6 +155,16 @@ impl Log {
         (edges, vertices)
     }
 
+    /// Notes numbers that are about to be overwritten. Out of line: an operator without a log passes it over.
+    #[cold]
+    pub(super) fn note(&mut self, entries: &[(Written, u32, u32)]) {
+        self.entries.extend(entries.iter().map(|(written, slot, number)| Entry {
+            written: *written,
+            slot: *slot,
+            number: *number,
+        }));
+    }
+
     /// Logs that a slot was issued. Its generation grows if the key must not be issued again.
     pub(super) fn issued(&mut self, issuer: &mut Issuer, kind: Kind, slot: u32) {
         let before = issuer.generation(slot).wrapping_sub(1);

@@ -86,7 +86,7 @@ impl Store {
     #[inline]
     pub(super) fn note(&mut self, written: Written, slot: u32, number: u32) {
         if let Some(log) = &mut self.log.0 {
-            log.entries.push(Entry { written, slot, number });
+            log.note(&[(written, slot, number)]);
         }
     }
 
@@ -94,13 +94,20 @@ impl Store {
     #[inline]
     pub(super) fn note_all<const N: usize>(&mut self, entries: [(Written, u32, u32); N]) {
         if let Some(log) = &mut self.log.0 {
-            log.entries.extend(entries.map(|(written, slot, number)| Entry { written, slot, number }));
+            log.note(&entries);
         }
     }
 
     /// Notes that a slot was issued. Its generation grows if the key must not be issued again.
     #[inline]
     pub(super) fn note_issued(&mut self, kind: Kind, slot: u32) {
+        if self.is_logged() {
+            self.log_issued(kind, slot);
+        }
+    }
+
+    #[cold]
+    fn log_issued(&mut self, kind: Kind, slot: u32) {
         if let Some(mut log) = self.log.0.take() {
             log.issued(self.issuer_mut(kind), kind, slot);
             self.log.0 = Some(log);
@@ -119,6 +126,13 @@ impl Store {
     /// Notes what is in the slot that is issued next, if it has ever been used, and if there are changes that can be done again.
     #[inline]
     pub(super) fn save_vacant(&mut self, kind: Kind) {
+        if self.is_logged() {
+            self.log_vacant(kind);
+        }
+    }
+
+    #[cold]
+    fn log_vacant(&mut self, kind: Kind) {
         if let Some(mut log) = self.log.0.take_if(|log| log.saves_vacant) {
             let edge = 2 * self.edges.next();
             let (columns, slots): (&[Written], _) = match kind {
