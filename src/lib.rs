@@ -25,7 +25,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The crate has two halves that do not need each other.
+//! The crate has two parts. The validator needs nothing of the structure.
 //!
 //! The **validator** ([`mod@validate`]) takes any half-edge structure through the trait [`validate::View`] and says whether it is
 //! the topology of a planar subdivision, or which record breaks which rule. It is *complete*: a structure that stores every part is
@@ -60,7 +60,7 @@
 //!
 //! | feature | what it adds | dependencies |
 //! | --- | --- | --- |
-//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M11 if asked for; [`validate::near`]: validation of what has changed; `no_std` with `alloc` | none |
+//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; [`validate::near`]: validation of what has changed; `no_std` with `alloc` | none |
 //! | `dcel` (default) | [`dcel`], [`program`] | hashbrown, slotmap, thiserror |
 //! | `std` (default) | panics of a structure under test are caught | none |
 //! | `arbitrary`, `quickcheck`, `proptest` | random programs for these three crates, and for `proptest` structures | those of `dcel`; the crate of the name |
@@ -145,7 +145,7 @@ pub mod dcel;
 #[forbid(unsafe_code)]
 pub mod program;
 
-// `rstar` needs Rust 1.90, and so does all that builds on it.
+// The examples of the README are tested with those of the documentation.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -18,7 +18,7 @@ pub(crate) struct Judge {
     #[arg(long)]
     certificates: bool,
 
-    /// Judge by the fast path alone: a table is right if the fast path settles all rules. With --print: `= accepted` or `= refused`
+    /// Judge by the fast path alone: a table is right if the fast path accepts it. With --print: `= accepted` or `= refused`
     /// instead of a rule.
     #[arg(long, conflicts_with = "certificates")]
     fast_path: bool,

@@ -1,8 +1,8 @@
-//! The one place where a whole structure is put together at once, from columns of numbers.
+//! A whole structure, put together at once from columns of numbers.
 //!
 //! ```text
 //!   a view   ─► import ────┐
-//!   segments ─► arrange ───┼─► Assembly ─► Dcel
+//!   segments ─► `map` ─────┼─► Assembly ─► Dcel
 //!   saved    ─► deserialize┘
 //! ```
 

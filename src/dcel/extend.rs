@@ -5,7 +5,7 @@
 //! | --- | --- |
 //! | be undone and redone by a [`History`](super::History) | [`Recorder`] |
 //! | be validated after each change by an [`Audited`](super::Audited) | [`Auditable`] |
-//! | take back an edit of several operators | [`Dcel::begin_log`](super::Dcel::begin_log), [`Dcel::roll_back`](super::Dcel::roll_back) |
+//! | take back an edit of several operators | [`Dcel::begin_log`](super::Dcel::begin_log), [`Dcel::log_place`](super::Dcel::log_place), [`Dcel::roll_back`](super::Dcel::roll_back), [`Rewrite::apply`] |
 //! | be made of columns | [`Assembly`] |
 //! | have attributes of other records | [`Attributed`](super::Attributed) for a type of its own, and the methods of [`Attributes`] |
 

@@ -7,7 +7,7 @@ use crate::validate::near::WriteSet;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// The right to write to the [`Dcel`] of a [`Recorder`], or to its log. Only a [`History`](super::History) and an
+/// The right to write to the [`Dcel`] inside a [`Recorder`]. Only a [`History`](super::History) and an
 /// [`Audited`](super::Audited) have it, so nobody else changes the links behind the back of a structure.
 #[derive(Debug)]
 pub struct Access(());
@@ -23,7 +23,7 @@ pub trait Recorder: Clone {
     /// The structure of links.
     fn dcel(&self) -> &Dcel;
 
-    /// The structure of links, for a history.
+    /// The structure of links, for a history or an audit.
     fn dcel_mut(&mut self, access: Access) -> &mut Dcel;
 
     /// Begins to log others than links, and forgets the others that were logged; or ends that log.
@@ -122,15 +122,6 @@ impl Dcel {
     pub fn roll_back(&mut self, to: LogPlace) -> Rewrite {
         let end = self.store.log.get().map_or(0, |log| log.entries.len());
         Rewrite { part: to.entries.min(end)..end, way: Way::Back, token: to.token, forgets: true }
-    }
-
-    /// True if there is room for so many more records: an operator that needs no more is not refused as
-    /// [`Full`](super::OperatorError::Full). O(1).
-    ///
-    /// # Errors
-    /// [`Full`](super::OperatorError::Full), with the kind of record for which there is no room.
-    pub fn room_for(&self, need: crate::store::Room) -> Result<(), super::error::OperatorError> {
-        self.store.room_for(need).map_err(super::error::OperatorError::Full)
     }
 }
 

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 /// mark of another history, a clone included, leads nowhere either.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mark {
-    /// That of the journal.
+    /// The number of the log.
     token: Option<u32>,
     serial: u64,
 }

@@ -85,7 +85,7 @@ pub(crate) struct Lent<'a> {
     next: &'a [u32],
     prev: &'a [u32],
     name: &'a [u32],
-    /// The first live slot, and the number of live slots: all up to the last. No edge is divided by its ends.
+    /// The first live slot, and how many follow, all live. Both numbers are even.
     first: u32,
     live: u32,
 }

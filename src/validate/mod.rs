@@ -79,8 +79,8 @@
 //!
 //! # After a change
 //!
-//! `near`, with the feature of that name, validates a structure that was right before, in the time that the change took: after each operator of a test, or each
-//! edit of an editor, with coordinates or without.
+//! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each edit of
+//! an editor. `near` of the crate `twinedge-map` validates coordinates, too.
 //!
 //! # Why believe it
 //!

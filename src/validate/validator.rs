@@ -1,4 +1,4 @@
-//! The rules R1 … T4 in order, and M1 … M8 where they are asked for.
+//! The validator: the fast path, or else the rules R1 … T4 in order; then M1 … M8 where they are asked for.
 
 use super::columns::Components;
 use super::expectation::{Expectation, Surface};
@@ -13,7 +13,7 @@ use super::structure::{Part, View};
 use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
-/// The rules of this validator: all but the geometric ones, and those that must be asked for.
+/// The rules that are always checked. `twinedge-map` checks G1 … G5; M1 … M8 are asked for.
 const TOPOLOGICAL: &[Rule] = &[
     Rule::R1,
     Rule::L1,
@@ -83,7 +83,7 @@ pub fn accepts<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
 
 /// The same report without the fast path: every rule asks each record.
 ///
-/// Only useful for comparing the two. O(n), and seven to twelve times as long.
+/// Only useful for comparing the two. O(n).
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Table, reference, validate};

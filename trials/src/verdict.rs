@@ -74,7 +74,7 @@ impl Checker for Validator {
     }
 }
 
-/// The fast path of the library's validator, which settles whatever is right: [`accepts`]. It differs from the reference if it
+/// The fast path of the library's validator, which accepts whatever is right: [`accepts`]. It differs from the reference if it
 /// leaves a right table to the rules, too.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FastPath;

@@ -3,7 +3,7 @@
 /// A point of the plane.
 ///
 /// Equality is that of the coordinates, so `-0.0` equals `0.0` and a point with a NaN equals nothing, itself included. The
-/// builders of this crate refuse coordinates that are not finite and turn `-0.0` into `0.0`.
+/// builder of `twinedge-map` refuses coordinates that are not finite and turns `-0.0` into `0.0`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(from = "[f64; 2]", into = "[f64; 2]"))]

@@ -1,4 +1,4 @@
-//! Numbers of slots in 32 bits, as all layers keep them in columns: nil, disjoint sets, the cycles of a permutation.
+//! Numbers of slots in 32 bits, as this crate keeps them in columns: nil, disjoint sets, the cycles of a permutation.
 
 /// Nil in a column.
 pub(crate) const NIL: u32 = u32::MAX;

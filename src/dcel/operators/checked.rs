@@ -2,7 +2,7 @@
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
-use crate::store::{BoundarySlot, FaceKey, FaceSlot, HalfEdgeKey, HalfEdgeSlot, OUTER, VertexKey, VertexSlot};
+use crate::store::{BoundarySlot, FaceKey, FaceSlot, HalfEdgeKey, HalfEdgeSlot, OUTER, Room, VertexKey, VertexSlot};
 
 impl Dcel {
     pub(super) fn vertex_slot(&self, key: VertexKey) -> Result<VertexSlot, OperatorError> {
@@ -15,6 +15,14 @@ impl Dcel {
 
     pub(super) fn face_slot(&self, key: FaceKey) -> Result<FaceSlot, OperatorError> {
         self.store.find_face(key).ok_or(OperatorError::Stale(StaleKey::Face(key)))
+    }
+
+    /// Checks that there is room for so many more records. O(1).
+    ///
+    /// # Errors
+    /// [`OperatorError::Full`], with the kind of record for which there is no room.
+    pub fn room_for(&self, need: Room) -> Result<(), OperatorError> {
+        self.store.room_for(need).map_err(OperatorError::Full)
     }
 
     /// True if `b` is the outer boundary component of its face.

@@ -149,7 +149,7 @@ impl Dcel {
     }
 
     /// Puts a new edge between two corners, which are not the same unless it is that of an isolated vertex or a loop, and
-    /// gives the half-edge from the first to the second. Its boundary component is not settled.
+    /// gives the half-edge from the first to the second. The caller sets its boundary component.
     fn attach(&mut self, from: CheckedCorner, to: CheckedCorner) -> HalfEdgeSlot {
         let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
         let n = self.store.add_edge(va, vb, from.boundary(&self.store));

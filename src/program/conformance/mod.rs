@@ -56,7 +56,7 @@
 //!
 //! ```toml
 //! [dependencies]
-//! twinedge = { version = "0.1", default-features = false, features = ["program"], optional = true }
+//! twinedge = { version = "0.1", default-features = false, features = ["dcel", "std"], optional = true }
 //! [features]
 //! fuzzing = ["dep:twinedge"]
 //! ```

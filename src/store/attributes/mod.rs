@@ -244,7 +244,7 @@ impl Attributes {
         }
     }
 
-    /// Gives to faces what features have that cover them: each value, and the parts of its feature, the largest first, with their areas. If the
+    /// Gives to faces the values of other records that cover them: each value, and the faces, the largest first, with their areas. If the
     /// policy refuses, everything is as it was. An error if the attribute is one of another structure.
     pub(crate) fn spread<T: Value>(
         &mut self,

@@ -43,7 +43,7 @@
 //! This argument is tested, not proved. Two of its parts are theorems of `proofs/coq`: Euler's formula for each component (`component_euler`),
 //! and that components may be joined until Euler's formula allows no fewer (`few_sets_are_components`). `proofs/coq/FastPath.v` proves an
 //! older fast path, which scanned the half-edges by index and walked along every cycle, for the closed plane with every part.
-//! `proofs/coq/compare --fast-path` shows that it accepts the same tables as this code.
+//! `proofs/coq/compare --fast-path` compares the two on tables.
 
 mod borders;
 mod boundaries;
@@ -96,7 +96,7 @@ pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accept
     };
     is_claimed.then_some(())?;
     let unnamed = if has_faces && extent.expect.is_open() { cycles::unnamed(view, extent)? } else { Vec::new() };
-    let loops = borders::loops(view, extent, &mut starts)?;
+    let loops = if extent.expect.is_open() { borders::loops(view, extent, &mut starts)? } else { Vec::new() };
     let cycles = if has_faces { lists.cycles() } else { cycles::count(view, extent)? };
     let borders = unnamed.len() + loops.len();
 

@@ -16,7 +16,7 @@
 //! | --- | --- |
 //! | R1 … F2 | completely: if they held before, and all records that have changed are named, they hold now |
 //! | T1 and T3 | by their sum: V − E + F = 1 + the number of inner boundary components. Only for maps in the plane with boundary components and an unbounded face |
-//! | T1 of each component, T2, T4, M1 … M11 | not checked |
+//! | T1 of each component, T2, T4, M1 … M8 | not checked |
 //!
 //! # Why it need not walk around a cycle
 //!

@@ -31,8 +31,6 @@ impl WriteSet {
         self.listed.clear();
     }
 
-    /// Adds all of another one.
-    #[cfg(feature = "dcel")]
     /// Adds the records of another. O(records).
     pub fn extend(&mut self, more: Self) {
         self.vertices.extend(more.vertices);

@@ -7,7 +7,8 @@ use alloc::boxed::Box;
 /// Writes the methods of a [`View`](crate::validate::View) that hand their questions on to another view.
 ///
 /// It stands inside `impl View for …`, and takes the form of a closure from the structure to the view that answers. Then
-/// follows which methods are written: all of them, `except` some, or `only` some.
+/// follows which methods are written: all of them but `half_edge_columns`, `except` some, or `only` some. A view that
+/// answers everything as the other one does lends its columns by hand.
 ///
 /// ```
 /// use twinedge::delegate_view;

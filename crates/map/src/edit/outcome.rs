@@ -3,8 +3,7 @@
 use crate::FeatureId;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 
-/// The changes that an edit made, so that data kept beside the map can follow. With the feature `near`, attributes of a `PlanarMap` do so by
-/// themselves.
+/// The changes that an edit made, so that data kept beside the map can follow. Attributes of a `PlanarMap` follow by themselves.
 ///
 /// An edge is named by one of its half-edges. Keys of removed records are stale by now; they say which entries to drop. To
 /// follow, take the lists in the order of these fields, and the entries of each in their order. A face that was split off
