@@ -432,6 +432,7 @@ async function accepting(browser, url) {
 }
 
 const browser = await puppeteer.launch({
+  timeout: 180_000,
   executablePath: process.env.CHROMIUM,
   // The sandbox needs rights that a container may lack; the pages are our own.
   args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"],

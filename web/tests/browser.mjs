@@ -5,7 +5,13 @@ import { createRequire } from "node:module";
 /** Starts Chromium, for a page of the site. */
 export async function open(name) {
   const puppeteer = createRequire(process.env.MODULES + "/")("puppeteer-core");
-  const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM, headless: true, args: ["--no-sandbox"] });
+  // Chromium may start slowly while other lanes build.
+  const browser = await puppeteer.launch({
+    executablePath: process.env.CHROMIUM,
+    headless: true,
+    args: ["--no-sandbox"],
+    timeout: 180_000,
+  });
   const page = await browser.newPage();
   const faults = [];
   page.on("pageerror", (error) => faults.push(error.message));
