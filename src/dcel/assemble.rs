@@ -151,13 +151,13 @@ impl Assembly<'_> {
     /// The index of the vertex with this number. O(1).
     #[must_use]
     pub const fn vertex_index(number: u32) -> u32 {
-        number + 1
+        number.saturating_add(1)
     }
 
     /// The index of the half-edge with this number. O(1).
     #[must_use]
     pub const fn half_edge_index(number: u32) -> u32 {
-        number + 2
+        number.saturating_add(2)
     }
 
     /// Sets the links of all records, of which those with the numbers of this assembly have these slots.

@@ -280,7 +280,9 @@ impl<D: Recorder> History<D> {
     fn end(&mut self, name: Option<Cow<'static, str>>) {
         let start = self.timeline.now();
         let token = self.token;
-        let Some(log) = self.log().filter(|log| log.token() == token) else {
+        // A log that was rolled back to before this change is not that of the steps any more.
+        let goes_on = |log: &&mut Log| log.token() == token && log.entries.len() >= start[0];
+        let Some(log) = self.log().filter(goes_on) else {
             return self.begin();
         };
         let links = log.entries.len();

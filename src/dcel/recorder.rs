@@ -119,6 +119,8 @@ impl Dcel {
     }
 
     /// The rewrite that takes back, for good, what was written since a place in the log. O(1).
+    ///
+    /// The place must be of the present change, and nothing may have been taken back to before it since: else an operator is taken back in part.
     pub fn roll_back(&mut self, to: LogPlace) -> Rewrite {
         let end = self.store.log.get().map_or(0, |log| log.entries.len());
         Rewrite { part: to.entries.min(end)..end, way: Way::Back, token: to.token, forgets: true }

@@ -241,3 +241,22 @@ fn another_structure_begins_another_history() {
     other.change("vertex", |dcel| dcel.add_isolated_vertex(outside)).unwrap();
     assert!(other.undo() && other.redo() && other.get().vertex_count() == 1);
 }
+
+#[test]
+fn a_log_that_is_rolled_back_to_before_a_change_begins_the_history_anew() {
+    let mut history = History::new(Dcel::new());
+    let outside = history.get().unbounded_face().key();
+    let mut place = None;
+    let first = history.change("one", |dcel| {
+        place = dcel.log_place();
+        dcel.add_isolated_vertex(outside)
+    });
+    first.unwrap();
+    let taken_back = history.change("none", |dcel| {
+        dcel.roll_back(place.unwrap()).apply(dcel);
+        Ok::<_, OperatorError>(())
+    });
+    taken_back.unwrap();
+    assert_eq!((history.get().vertex_count(), history.undo_name()), (0, None));
+    assert!(history.get().validate().is_valid() && !history.undo());
+}
