@@ -170,6 +170,9 @@ impl<D: Recorder> History<D> {
         if self.timeline.redo_name().is_some() {
             self.set_aside();
         }
+        if let Some(log) = self.log() {
+            log.begin_change();
+        }
         let mut running = Running { history: self, name: None };
         let outcome = change(&mut running.history.structure);
         if outcome.is_ok() {
@@ -280,9 +283,7 @@ impl<D: Recorder> History<D> {
     fn end(&mut self, name: Option<Cow<'static, str>>) {
         let start = self.timeline.now();
         let token = self.token;
-        // A log that was rolled back to before this change is not that of the steps any more.
-        let goes_on = |log: &&mut Log| log.token() == token && log.entries.len() >= start[0];
-        let Some(log) = self.log().filter(goes_on) else {
+        let Some(log) = self.log().filter(|log| log.token() == token) else {
             return self.begin();
         };
         let links = log.entries.len();

@@ -76,6 +76,7 @@ impl Rewrite {
             if let (true, Some(log)) = (self.forgets, dcel.store.log.get_mut()) {
                 let failed = log.entries.split_off(start);
                 log.keep_from(&failed);
+                log.cut_back(start);
             }
         }
     }
@@ -90,6 +91,7 @@ impl Rewrite {
 #[derive(Clone, Copy, Debug)]
 pub struct LogPlace {
     entries: usize,
+    serial: u64,
     token: Option<u32>,
 }
 
@@ -108,7 +110,11 @@ impl Dcel {
     /// The end of the log, if one is kept. O(1).
     #[must_use]
     pub fn log_place(&self) -> Option<LogPlace> {
-        self.store.log.get().map(|log| LogPlace { entries: log.entries.len(), token: log.token() })
+        self.store.log.get().map(|log| LogPlace {
+            entries: log.entries.len(),
+            serial: log.serial(),
+            token: log.token(),
+        })
     }
 
     /// The records that were written since a place in the log, some of them several times; none if the log is another one. O(entries).
@@ -120,10 +126,11 @@ impl Dcel {
 
     /// The rewrite that takes back, for good, what was written since a place in the log. O(1).
     ///
-    /// The place must be of the present change, and nothing may have been taken back to before it since: else an operator is taken back in part.
+    /// It does nothing if the place is of an earlier change, of another log, or if the log was rolled back to before it since.
     pub fn roll_back(&mut self, to: LogPlace) -> Rewrite {
-        let end = self.store.log.get().map_or(0, |log| log.entries.len());
-        Rewrite { part: to.entries.min(end)..end, way: Way::Back, token: to.token, forgets: true }
+        let log = self.store.log.get().filter(|log| log.has_kept(to.entries, to.serial));
+        let end = log.map_or(to.entries, |log| log.entries.len());
+        Rewrite { part: to.entries..end, way: Way::Back, token: log.and(to.token), forgets: true }
     }
 }
 
@@ -173,6 +180,7 @@ pub(super) trait Logged: Recorder {
         let written = self.written_by(0..links, &others);
         if let Some(log) = self.links().store.log.get_mut() {
             log.entries.clear();
+            log.begin_change();
         }
         written
     }

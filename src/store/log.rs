@@ -95,6 +95,12 @@ pub(crate) struct Log {
     pub(super) saves_vacant: bool,
     /// Tells it from all other logs.
     token: Option<u32>,
+    /// The number of changes and of cuts so far.
+    serial: u64,
+    /// The serial number of the present change.
+    change: u64,
+    /// The places to which it was cut back, each with its serial number; only those that no later cut goes further back than.
+    cuts: Vec<(u64, usize)>,
 }
 
 impl Log {
@@ -102,7 +108,14 @@ impl Log {
     pub(super) fn copied(&self) -> Self {
         let Self { entries, ends, floors, saves_vacant, .. } = self;
         let (entries, floors) = (entries.clone(), floors.clone());
-        Self { entries, ends: *ends, floors, saves_vacant: *saves_vacant, token: Some(structure_offset()) }
+        Self {
+            entries,
+            ends: *ends,
+            floors,
+            saves_vacant: *saves_vacant,
+            token: Some(structure_offset()),
+            ..Self::default()
+        }
     }
 
     /// Returns a number that no other log has.
@@ -116,6 +129,33 @@ impl Log {
         self.saves_vacant = false;
         self.token = Some(structure_offset());
         self.ends = ends;
+    }
+
+    /// Begins a change, in which no place of an earlier one leads back.
+    pub(crate) fn begin_change(&mut self) {
+        self.serial += 1;
+        self.change = self.serial;
+        self.cuts.clear();
+    }
+
+    /// Notes that the log was cut back to so many entries.
+    pub(crate) fn cut_back(&mut self, entries: usize) {
+        self.serial += 1;
+        while self.cuts.last().is_some_and(|(_, cut)| *cut >= entries) {
+            self.cuts.pop();
+        }
+        self.cuts.push((self.serial, entries));
+    }
+
+    /// Returns the serial number of the last change or cut.
+    pub(crate) const fn serial(&self) -> u64 {
+        self.serial
+    }
+
+    /// True if a serial number is of the present change, and the log has had so many entries, the same ones, ever since.
+    pub(crate) fn has_kept(&self, entries: usize, serial: u64) -> bool {
+        let first = self.cuts.iter().find(|(cut, _)| *cut > serial);
+        serial >= self.change && entries <= self.entries.len() && first.is_none_or(|(_, cut)| *cut >= entries)
     }
 
     /// Saves what is in the slots that are issued from now on, or not.

@@ -243,20 +243,39 @@ fn another_structure_begins_another_history() {
 }
 
 #[test]
-fn a_log_that_is_rolled_back_to_before_a_change_begins_the_history_anew() {
+fn a_place_of_the_log_leads_back_within_its_change_alone() {
     let mut history = History::new(Dcel::new());
     let outside = history.get().unbounded_face().key();
-    let mut place = None;
+    let mut places = Vec::new();
     let first = history.change("one", |dcel| {
-        place = dcel.log_place();
+        places.extend(dcel.log_place());
+        dcel.add_isolated_vertex(outside)?;
+        places.extend(dcel.log_place());
         dcel.add_isolated_vertex(outside)
     });
     first.unwrap();
-    let taken_back = history.change("none", |dcel| {
-        dcel.roll_back(place.unwrap()).apply(dcel);
+    let within = history.change("two", |dcel| {
+        // Of an earlier change.
+        for place in places {
+            dcel.roll_back(place).apply(dcel);
+        }
+        assert_eq!(dcel.vertex_count(), 2);
+        let outer = dcel.log_place().unwrap();
+        dcel.add_isolated_vertex(outside)?;
+        let inner = dcel.log_place().unwrap();
+        dcel.add_isolated_vertex(outside)?;
+        dcel.roll_back(inner).apply(dcel);
+        assert_eq!(dcel.vertex_count(), 3);
+        dcel.roll_back(outer).apply(dcel);
+        assert_eq!(dcel.vertex_count(), 2);
+        // The log was cut back to before it, and goes on with others.
+        dcel.add_isolated_vertex(outside)?;
+        dcel.add_isolated_vertex(outside)?;
+        dcel.roll_back(inner).apply(dcel);
+        assert_eq!(dcel.vertex_count(), 4);
         Ok::<_, OperatorError>(())
     });
-    taken_back.unwrap();
-    assert_eq!((history.get().vertex_count(), history.undo_name()), (0, None));
-    assert!(history.get().validate().is_valid() && !history.undo());
+    within.unwrap();
+    assert!(history.undo() && history.get().vertex_count() == 2 && history.get().validate().is_valid());
+    assert!(history.undo() && history.get().vertex_count() == 0);
 }
