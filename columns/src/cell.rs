@@ -3,7 +3,12 @@
 use twinedge::validate::Link;
 
 mod sealed {
-    pub trait Sealed {}
+    pub trait Sealed: Sized {
+        /// These cells, if they hold links as the columns that a [`View`](twinedge::validate::View) lends.
+        fn numbers(_: &[Self]) -> Option<&[u32]> {
+            None
+        }
+    }
 }
 
 /// An integer that holds a link: `i32`, `i64`, `u32` or `u64`, or an atomic one of these.
@@ -24,9 +29,15 @@ pub trait Cell: sealed::Sealed {
 }
 
 macro_rules! cells {
-    ($($type:ty, $value:expr, $nil:expr;)*) => {
+    ($($type:ty, $value:expr, $nil:expr $(, $numbers:expr)?;)*) => {
         $(
-            impl sealed::Sealed for $type {}
+            impl sealed::Sealed for $type {
+                $(
+                    fn numbers(cells: &[Self]) -> Option<&[u32]> {
+                        $numbers(cells)
+                    }
+                )?
+            }
 
             impl Cell for $type {
                 #[inline]
@@ -42,7 +53,7 @@ macro_rules! cells {
 cells! {
     i32, |cell: &Self| *cell, -1;
     i64, |cell: &Self| *cell, -1;
-    u32, |cell: &Self| *cell, u32::MAX;
+    u32, |cell: &Self| *cell, u32::MAX, Some;
     u64, |cell: &Self| *cell, u64::MAX;
 }
 

@@ -9,6 +9,10 @@ pub(crate) trait Links: Copy {
     fn len(&self) -> usize;
     /// The link at this position, which is not past the end.
     fn at(&self, position: usize) -> Link;
+    /// The links as a slice, if they lie in memory as a view lends them.
+    fn numbers(&self) -> Option<&[u32]> {
+        None
+    }
 }
 
 /// A column of links in a slice of integers.
@@ -117,6 +121,10 @@ impl<T: Cell> Links for Column<'_, T> {
         // Within the column nothing wraps: `strided` has looked at both ends.
         self.cells.get(self.first.wrapping_add(position.wrapping_mul(self.step)))?.link()
     }
+
+    fn numbers(&self) -> Option<&[u32]> {
+        T::numbers(self.cells()?)
+    }
 }
 
 impl<T: Cell> Links for &[T] {
@@ -127,6 +135,10 @@ impl<T: Cell> Links for &[T] {
     #[inline]
     fn at(&self, position: usize) -> Link {
         self.get(position)?.link()
+    }
+
+    fn numbers(&self) -> Option<&[u32]> {
+        T::numbers(self)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::form::Form;
 use alloc::boxed::Box;
 use twinedge::delegate_view;
 use twinedge::validate::adapt::{FaceLabels, Targets};
-use twinedge::validate::{Collect, Expectation, Part, Parts, Report, View, validate};
+use twinedge::validate::{Collect, Expectation, HalfEdgeColumns, Part, Parts, Report, View, validate};
 
 /// A computation generic over views: [`Columns::with_view`] takes it, and has an example.
 pub trait OnView {
@@ -329,4 +329,8 @@ impl<'a, T: Cell> Columns<'a, T> {
 
 impl<T: Cell> View for Columns<'_, T> {
     delegate_view!(|this| &this.form);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        self.form.half_edge_columns()
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::boundaries::Lists;
 use crate::column::Links;
-use twinedge::validate::{Link, Parts, Start, View};
+use twinedge::validate::{HalfEdgeColumns, Link, Parts, Start, View};
 
 /// The answers of a structure of columns. `C` is the way in which a column is read. If it is `PLAIN`, all records are live, and there are
 /// no records of boundary components: neither is looked for.
@@ -77,6 +77,28 @@ impl<'a, C: Links, const PLAIN: bool> Form<'a, C, PLAIN> {
 }
 
 impl<C: Links, const PLAIN: bool> View for Form<'_, C, PLAIN> {
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        let paired = match &self.twin {
+            None => true,
+            Some(twin) => twin.numbers()?.iter().zip(0..).all(|(t, h)| *t == h ^ 1),
+        };
+        if !paired || self.live[1].is_some() {
+            return None;
+        }
+        let boundary = match self.lists() {
+            Some(lists) => lists.boundary.numbers()?,
+            None => &[],
+        };
+        Some(HalfEdgeColumns {
+            origin: self.origin.numbers()?,
+            next: self.next.numbers()?,
+            prev: self.prev.numbers()?,
+            boundary,
+            face: self.face.numbers()?,
+            live_edges: None,
+        })
+    }
+
     fn parts(&self) -> Parts {
         self.parts
     }

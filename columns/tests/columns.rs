@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::adapt::{FaceLabels, Targets};
-use twinedge::validate::{Collect, Expectation, Report, Rule, Start, Table, View};
+use twinedge::validate::{Collect, Expectation, Part, Report, Rule, Start, Table, View};
 use twinedge_columns::{Boundaries, Cell, Column, Columns, ColumnsError, OnView, Preset};
 use twinedge_trials::enumerate::for_each_corruption;
 
@@ -256,6 +256,69 @@ fn boundary_components_in_columns_have_the_verdict_of_their_table() {
         broken.extend(of_columns.broken_rules().next());
     });
     assert!(broken.len() >= 9, "{broken:?}");
+}
+
+/// The same structure, which lends no columns.
+struct Asked<'a>(Columns<'a, u32>);
+
+impl View for Asked<'_> {
+    twinedge::delegate_view!(|this| &this.0);
+}
+
+/// The same columns as numbers without a sign.
+fn unsigned(column: &[i64]) -> Vec<u32> {
+    column
+        .iter()
+        .map(|link| if *link == -1 { u32::MAX } else { u32::try_from(*link).unwrap_or(u32::MAX - 1) })
+        .collect()
+}
+
+#[test]
+fn columns_that_are_lent_have_the_verdict_of_columns_that_are_asked() {
+    for (mut table, expectation) in [(pillow(), SURFACE), (nested(), Preset::Arrangement2.expectation())] {
+        let parts = table.parts;
+        let [mut lent, mut broken] = [0; 2];
+        for_each_corruption(&mut table, parts, |changed, _, _| {
+            let slices = slices(&columns(&records(changed)), changed);
+            let [origin, twin, next, prev, face, leaving, outer] = slices.each_ref().map(|column| unsigned(column));
+            let lists = lists(changed);
+            let of = [&lists.boundary, &lists.isolated, &lists.face, &lists.half_edge, &lists.vertex, &lists.outer];
+            let [boundary, isolated, of_boundary, half_edge, vertex, outer_boundary] =
+                of.map(|column| unsigned(column));
+            let [inner_first, inner] = [&lists.inner_first, &lists.inner].map(|column| unsigned(column));
+            let boundaries = Boundaries {
+                boundary: Column::new(&boundary),
+                isolated: Some(Column::new(&isolated)),
+                face: Column::new(&of_boundary),
+                half_edge: Column::new(&half_edge),
+                vertex: Some(Column::new(&vertex)),
+                outer: Column::new(&outer_boundary),
+                inner_first: Column::new(&inner_first),
+                inner: Column::new(&inner),
+            };
+            let numbers = Columns::new(leaving.len(), Column::new(&origin), Column::new(&twin), Column::new(&next))
+                .and_then(|c| c.with_prev(Column::new(&prev)))
+                .and_then(|c| c.with_leaving(Column::new(&leaving)));
+            let numbers = if parts.has(Part::BoundaryComponents) {
+                numbers.and_then(|c| c.with_boundaries(lists.outer.len(), boundaries))
+            } else {
+                numbers
+                    .and_then(|c| c.with_faces(outer.len(), Column::new(&face)))
+                    .and_then(|c| c.with_outer_half_edge(Column::new(&outer)))
+            };
+            let [v, h, b, f] = &lists.live;
+            let numbers = numbers.and_then(|c| c.with_live_vertices(v)).and_then(|c| c.with_live_half_edges(h));
+            let numbers = numbers.and_then(|c| c.with_live_boundaries(b)).and_then(|c| c.with_live_faces(f)).unwrap();
+
+            let paired = (0..changed.half_edge_slots()).all(|h| numbers.twin(h) == Some(h ^ 1));
+            assert_eq!(numbers.half_edge_columns().is_some(), paired && !h.contains(&false));
+            lent += usize::from(numbers.half_edge_columns().is_some());
+            let report = numbers.validate(expectation, Collect::All).unwrap();
+            assert_eq!(report, validate(&Asked(numbers), &expectation, Collect::All));
+            broken += usize::from(!report.is_valid());
+        });
+        assert!(lent > 100 && broken > 100, "{lent} {broken}");
+    }
 }
 
 #[test]

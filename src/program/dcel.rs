@@ -6,7 +6,7 @@ use super::subject::{CallOf, HandleOf, Refusal, Subject};
 use crate::dcel::{
     Audited, Boundary, BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Split, VertexKey,
 };
-use crate::validate::View;
+use crate::validate::{HalfEdgeColumns, View};
 use alloc::vec::Vec;
 
 /// The boundary component on which a corner lies.
@@ -126,6 +126,10 @@ impl Subject for Dcel {
 
 impl View for Audited {
     crate::delegate_view!(|this| this.get());
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        self.get().half_edge_columns()
+    }
 }
 
 /// # Panics

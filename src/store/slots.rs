@@ -235,7 +235,6 @@ impl Store {
     pub(crate) fn half_edge_columns(&self) -> HalfEdgeColumns<'_> {
         HalfEdgeColumns {
             origin: &self.origin,
-            twin: None,
             next: &self.next,
             prev: &self.prev,
             boundary: &self.boundary,

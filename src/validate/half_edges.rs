@@ -91,15 +91,14 @@ pub(crate) struct Lent<'a> {
 }
 
 impl<'a> Lent<'a> {
-    /// The columns of a structure in which the twin of `h` is `h ^ 1`, and all half-edges from `first` on are live. `None` if it lends no
-    /// such columns.
+    /// The columns of a structure in which all half-edges from `first` on are live. `None` if it lends no such columns.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "the lengths of the columns are known to be the same in the caller, too")]
     pub(crate) fn of<V: View + ?Sized>(view: &'a V, extent: Extent, first: u32) -> Option<Self> {
-        let HalfEdgeColumns { origin, twin, next, prev, boundary, face, .. } = view.half_edge_columns()?;
+        let HalfEdgeColumns { origin, next, prev, boundary, face, .. } = view.half_edge_columns()?;
         let name = if extent.has(Part::BoundaryComponents) { boundary } else { face };
         let n = extent.half_edges.count();
-        (twin.is_none() && n % 2 == 0 && first % 2 == 0).then_some(())?;
+        (n % 2 == 0 && first % 2 == 0).then_some(())?;
         let live = extent.half_edges.count.checked_sub(first)?;
         Some(Self {
             origin: origin.get(..n)?,

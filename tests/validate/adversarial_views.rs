@@ -302,7 +302,7 @@ impl View for Lying<'_> {
 
     fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
         let [origin, next, prev, boundary] = &self.columns;
-        Some(HalfEdgeColumns { origin, twin: None, next, prev, boundary, face: &[], live_edges: None })
+        Some(HalfEdgeColumns { origin, next, prev, boundary, face: &[], live_edges: None })
     }
 }
 

@@ -4,7 +4,7 @@ use super::cycles::Cycles;
 use super::inverse::{entry, filled, fits, live, nils};
 use super::nesting::outer_cycles;
 use crate::validate::columns::NIL;
-use crate::validate::structure::{Link, Part, Parts, Start, View};
+use crate::validate::structure::{HalfEdgeColumns, Link, Part, Parts, Start, View};
 use alloc::vec::Vec;
 
 /// A structure whose half-edges name their [face](View::face) and whose faces keep nothing, with the lists of the faces that
@@ -137,6 +137,10 @@ impl<V: View> FaceLabels<V> {
 
 impl<V: View> View for FaceLabels<V> {
     crate::delegate_view!(|this| &this.view; except parts, outer_half_edge, inner_count, inner_start);
+
+    fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
+        self.view.half_edge_columns()
+    }
 
     fn parts(&self) -> Parts {
         self.parts

@@ -2,13 +2,11 @@
 
 /// The links of all half-edges as columns of slots, in the form that [`View::half_edge_columns`](super::View::half_edge_columns) lends.
 ///
-/// Each column has an entry for each half-edge slot, vacant ones included; the columns of links that are not stored are empty. `u32::MAX` is nil.
+/// The twin of half-edge `h` is `h ^ 1`. Each column has an entry for each half-edge slot, vacant ones included; the columns of links that are not stored are empty. `u32::MAX` is nil.
 #[derive(Clone, Copy, Debug)]
 pub struct HalfEdgeColumns<'a> {
     /// The vertex where each half-edge starts.
     pub origin: &'a [u32],
-    /// The twin of each half-edge; `None` if the twin of half-edge `h` is `h ^ 1`.
-    pub twin: Option<&'a [u32]>,
     /// The next half-edge of each.
     pub next: &'a [u32],
     /// The previous half-edge of each.

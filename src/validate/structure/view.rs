@@ -73,12 +73,12 @@ pub enum BoundaryPlace {
 /// assert!(validate(&Edge, &Expectation::plane(), Collect::All).is_valid());
 /// ```
 pub trait View {
-    /// The links of half-edges as columns, if the structure keeps them so. They must be the links that the other methods answer: the validator
-    /// then reads half-edges from the columns, in about half the time, and asks the other methods about everything else.
+    /// Lends the links of half-edges as columns, if the structure keeps them so. The validator then reads half-edges from the columns, in
+    /// about half the time, and asks the other methods about everything else.
     ///
-    /// The validator reads the columns only if origin, next, prev, and the boundary component or face are all lent, the twin of `h` is `h ^ 1`,
-    /// and all half-edges from the first live one on are live. If the columns have other links than the answers, the report says nothing about
-    /// either, and nothing else happens.
+    /// The columns must hold the links that the other methods answer. If they hold others, the report says nothing about either, and
+    /// nothing worse happens. The validator reads them only if the twin of `h` is `h ^ 1`, if `origin`, `next`, `prev` and the boundary component
+    /// or the face are all lent, and if all half-edges from the first live one on are live.
     ///
     /// A view that differs from another one in an answer about half-edges must not lend the other one's columns.
     fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {

@@ -43,18 +43,19 @@ impl From<ColumnsError> for CallError {
     }
 }
 
-/// One more than the greatest index.
-fn slots(column: &[i32]) -> usize {
-    column.iter().max().and_then(|greatest| usize::try_from(*greatest).ok()).map_or(0, |greatest| greatest + 1)
+/// One more than the greatest index. A negative number is no index.
+fn slots(column: &[u32]) -> usize {
+    column.iter().filter(|index| i32::try_from(**index).is_ok()).max().map_or(0, |greatest| *greatest as usize + 1)
 }
 
 pub(crate) fn answer(asked: Request, buffers: &mut Buffers) -> Result<Value, CallError> {
     let Request { columns: given, vertices, faces, expectation, options } = asked;
     let expectation: Expectation =
         expectation.parse().map_err(|error| CallError::option(format!("expectation: {error}")))?;
-    let mut column = |buffer: Option<Buffer>| -> Option<Vec<i32>> {
+    // The columns hold numbers with a sign. Without it −1 is still nil, and other negative numbers still lead nowhere.
+    let mut column = |buffer: Option<Buffer>| -> Option<Vec<u32>> {
         let bytes = buffer?.take(buffers);
-        Some(bytes.as_chunks().0.iter().copied().map(i32::from_le_bytes).collect())
+        Some(bytes.as_chunks().0.iter().copied().map(u32::from_le_bytes).collect())
     };
     let [origin, target, twin, next, prev, face, leaving, outer] = [
         given.origin,
