@@ -190,8 +190,8 @@ impl<'a> Face<'a> {
         self.boundaries().flat_map(Boundary::half_edges)
     }
 
-    /// Returns the faces on the other sides of the face's half-edges. A face is repeated for each shared edge, and the
-    /// face itself is included where both sides of an edge lie in it. O(1) per step.
+    /// Returns the faces on the other sides of the face's half-edges. A face is repeated for each shared edge, and the face
+    /// itself is included where both sides of an edge lie in it. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};

@@ -60,12 +60,12 @@ impl Assembly<'_> {
         }
     }
 
-    /// Builds the structure. O(n). Record `i` of each kind gets the `i`-th slot; [`vertex_index`](Self::vertex_index)
-    /// and [`half_edge_index`](Self::half_edge_index) return its index.
+    /// Builds the structure. O(n). Record `i` of each kind gets the `i`-th slot; [`vertex_index`](Self::vertex_index) and
+    /// [`half_edge_index`](Self::half_edge_index) return its index.
     ///
-    /// Only the conditions that make walks terminate are checked: numbers are in range, successive half-edges meet at
-    /// one vertex and share a boundary component, every half-edge has a predecessor, and every boundary component is
-    /// listed once. [`Dcel::validate`] checks the other rules.
+    /// Only the conditions that make walks terminate are checked: numbers are in range, successive half-edges meet at one
+    /// vertex and share a boundary component, every half-edge has a predecessor, and every boundary component is listed
+    /// once. [`Dcel::validate`] checks the other rules.
     ///
     /// ```
     /// use twinedge::dcel::extend::{Assembly, BoundaryStart, VertexLink};

@@ -11,8 +11,8 @@ use slotmap::{Key, KeyData, SecondaryMap};
 
 /// # Attributes
 ///
-/// Values attached to records. Operators update them by a [`Policy`] per attribute: when faces are split and merged,
-/// edges made and dropped.
+/// Values attached to records. Operators update them by a [`Policy`] per attribute: when faces are split and merged, edges made and
+/// dropped.
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, Faces, OperatorError, Policy, Split};
@@ -38,13 +38,12 @@ use slotmap::{Key, KeyData, SecondaryMap};
 /// # Ok::<(), OperatorError>(())
 /// ```
 ///
-/// All operators carry attributes, and so do [`retain`](Dcel::retain) and [`compact`](Dcel::compact). A
-/// [`History`](super::History) undoes and redoes them with the structure. A clone has the same attributes and values.
-/// They are neither compared nor saved with the structure: save the [`values`](Dcel::values) alongside, and assign them
-/// to the same keys after loading.
+/// All operators carry attributes, and so do [`retain`](Dcel::retain) and [`compact`](Dcel::compact). A [`History`](super::History)
+/// undoes and redoes them with the structure. A clone has the same attributes and values. They are neither compared nor saved with the
+/// structure: save the [`values`](Dcel::values) alongside, and assign them to the same keys after loading.
 ///
-/// A structure without attributes pays nothing for them. For each attribute, an operator takes O(1) per record that it
-/// makes, splits, merges or drops, plus the time of the policy's functions.
+/// A structure without attributes pays nothing for them. For each attribute, an operator takes O(1) per record that it makes, splits,
+/// merges or drops, plus the time of the policy's functions.
 impl Dcel {
     /// Returns the value of a record, if it has one. O(1).
     #[must_use]
@@ -58,8 +57,8 @@ impl Dcel {
         self.store.attributes()?.values(of)
     }
 
-    /// Returns the record with this value, if the policy [indexes](Policy::identified_by) values. O(1), expected. For
-    /// an example see [`Policy::ids`].
+    /// Returns the record with this value, if the policy [indexes](Policy::identified_by) values. O(1), expected. For an example see
+    /// [`Policy::ids`].
     #[must_use]
     pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
         self.store.attributes()?.find(of, value)
@@ -100,17 +99,16 @@ impl Dcel {
 }
 
 impl Dcel {
-    /// Adds an attribute. Records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1),
-    /// amortised; O(n) if the policy assigns [ids](Policy::ids), which all n existing records except the unbounded face
-    /// get at once.
+    /// Adds an attribute. Records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n)
+    /// if the policy assigns [ids](Policy::ids), which all n existing records except the unbounded face get at once.
     ///
     /// Undoing the change of a history that added an attribute removes the ids that it assigned, but not the attribute.
     pub fn add_attribute<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
         self.add_attribute_with(policy, SecondaryMap::new())
     }
 
-    /// Adds an attribute with the [`values`](Self::values) of a saved structure. Values under stale keys are omitted.
-    /// O(values), plus the cost of [`add_attribute`](Self::add_attribute).
+    /// Adds an attribute with the [`values`](Self::values) of a saved structure. Values under stale keys are omitted. O(values), plus
+    /// the cost of [`add_attribute`](Self::add_attribute).
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Policy};
@@ -202,9 +200,8 @@ impl Dcel {
         }
     }
 
-    /// Copies the attributes and values of the structure from which this one was [made](Dcel::from_view). `keys` are
-    /// the keys returned by that call. Records keep the values that they already have for the same attribute.
-    /// O(values).
+    /// Copies the attributes and values of the structure from which this one was [made](Dcel::from_view). `keys` are the keys returned
+    /// by that call. Records keep the values that they already have for the same attribute. O(values).
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Outside, Policy};
@@ -223,8 +220,8 @@ impl Dcel {
         self.carry_all_values(other, keys, |_| None);
     }
 
-    /// Copies attributes as [`carry_values`](Self::carry_values) does, including attributes of [other
-    /// records](Kind::Other): `other_key` returns the key of such a record here, or `None`. O(values).
+    /// Copies attributes as [`carry_values`](Self::carry_values) does, including attributes of [other records](Kind::Other):
+    /// `other_key` returns the key of such a record here, or `None`. O(values).
     pub fn carry_all_values(&mut self, other: &Self, keys: &Keys, other_key: impl Fn(KeyData) -> Option<KeyData>) {
         let Some(mut all) = other.store.attributes().cloned() else { return };
         let half_edge = |old: KeyData| keys.half_edge(other.half_edge(old.into()).ok()?.index());
@@ -244,8 +241,7 @@ impl Dcel {
         self.store.attributes()
     }
 
-    /// Returns the attributes, if there are any, during a change begun by
-    /// [`attributes_to_change`](Self::attributes_to_change). O(1).
+    /// Returns the attributes, if there are any, during a change begun by [`attributes_to_change`](Self::attributes_to_change). O(1).
     pub fn attributes_mut(&mut self) -> Option<&mut Attributes> {
         self.store.attributes_mut()
     }
@@ -257,15 +253,15 @@ impl Dcel {
         had.map(|had| *had)
     }
 
-    /// Adds attributes with their values, for example of a structure that this one was cut out of. Where both have the
-    /// same attribute, records keep their own values. O(values).
+    /// Adds attributes with their values, for example of a structure that this one was cut out of. Where both have the same attribute,
+    /// records keep their own values. O(values).
     pub fn add_attributes(&mut self, more: Attributes) {
         self.store.kept_attributes().extend(more);
         self.attributes_to_change();
     }
 
-    /// Adds an attribute of [other records](Kind::Other), with these values. If the policy assigns ids, the other
-    /// `records` get ids. O(values + records).
+    /// Adds an attribute of [other records](Kind::Other), with these values. If the policy assigns ids, the other `records` get ids.
+    /// O(values + records).
     pub fn add_other_attribute<K: Attributed, T: Value>(
         &mut self,
         policy: Policy<K, T>,
@@ -290,9 +286,8 @@ impl Dcel {
         attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
     }
 
-    /// Distributes the values of other records to the faces that they cover: each value with the faces of its record,
-    /// the largest first, and their areas. The policy splits a value among several faces, and merges several values in
-    /// one face. O(faces).
+    /// Distributes the values of other records to the faces that they cover: each value with the faces of its record, the largest
+    /// first, and their areas. The policy splits a value among several faces, and merges several values in one face. O(faces).
     ///
     /// # Errors
     /// [`OperatorError::Refused`] by the policy; [`OperatorError::NoSuchAttribute`]. On error nothing changes.
@@ -306,8 +301,8 @@ impl Dcel {
         spread.map_err(OperatorError::Refused)
     }
 
-    /// Returns the attributes, if there are any, at the beginning of a change. Unless the change is logged, the log of
-    /// earlier values is cleared. O(1), amortised.
+    /// Returns the attributes, if there are any, at the beginning of a change. Unless the change is logged, the log of earlier values
+    /// is cleared. O(1), amortised.
     pub fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
         let is_logged = self.store.is_logged();
         let attributes = self.store.attributes_mut()?;

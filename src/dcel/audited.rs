@@ -41,13 +41,12 @@ impl Auditable for Dcel {
     }
 }
 
-/// A structure that is validated after each change, in about the time of the change;
-/// [`validate::near`](crate::validate::near) lists the checks. The structure is a [`Dcel`], or a `PlanarMap` of
-/// `twinedge-map`, whose coordinates are also checked (rules G1 … G5).
+/// A structure that is validated after each change, in about the time of the change; [`validate::near`](crate::validate::near) lists
+/// the checks. The structure is a [`Dcel`], or a `PlanarMap` of `twinedge-map`, whose coordinates are also checked (rules G1 … G5).
 ///
-/// No sequence of operators, or of edits of a map, breaks a rule. Use this type to test that, or while changing an
-/// operator or writing an editor, on structures too large for [`Dcel::validate`] after each step. Validation does not
-/// use the index by which edits of a map find their place, so it also detects faults of the index.
+/// No sequence of operators, or of edits of a map, breaks a rule. Use this type to test that, or while changing an operator or writing
+/// an editor, on structures too large for [`Dcel::validate`] after each step. Validation does not use the index by which edits of a map
+/// find their place, so it also detects faults of the index.
 ///
 /// ```
 /// use twinedge::dcel::{Audited, Dcel};
@@ -80,8 +79,7 @@ impl<D: Auditable> Clone for Audited<D> {
 }
 
 impl<D: Auditable> Audited<D> {
-    /// Validates the structure, and copies its links and, for a map, its coordinates. Keys stay valid. O(n); O(n log n)
-    /// for a map.
+    /// Validates the structure, and copies its links and, for a map, its coordinates. Keys stay valid. O(n); O(n log n) for a map.
     ///
     /// # Errors
     /// The structure is not valid.
@@ -99,9 +97,9 @@ impl<D: Auditable> Audited<D> {
 
     /// Changes the structure by any number of operators, and validates the written records.
     ///
-    /// O(k log k) for k written records, plus the change itself. For a map O(k log n), plus the cost of
-    /// `validate_embedding_near` for edges whose boxes meet, and for islands close to a border that has moved. A
-    /// structure put in place of the old one is validated in full.
+    /// O(k log k) for k written records, plus the change itself. For a map O(k log n), plus the cost of `validate_embedding_near` for
+    /// edges whose boxes meet, and for islands close to a border that has moved. A structure put in place of the old one is validated
+    /// in full.
     ///
     /// # Errors
     /// The report of a full validation, if a rule is broken. The broken structure stays in place.
@@ -127,8 +125,7 @@ impl<D: Auditable> Audited<D> {
         Ok(answer)
     }
 
-    /// Returns the records written by the last change, possibly with repetitions; empty if the change replaced the
-    /// structure. O(1).
+    /// Returns the records written by the last change, possibly with repetitions; empty if the change replaced the structure. O(1).
     #[must_use]
     pub const fn written(&self) -> &WriteSet {
         &self.written

@@ -4,8 +4,8 @@ use super::elements::{Boundary, Face, HalfEdge, Vertex};
 use super::structure::Dcel;
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 
-/// Two structures are equal if they have the same records under the same keys, with the same links, and lists in the
-/// same order. Vacant slots do not matter. O(n).
+/// Two structures are equal if they have the same records under the same keys, with the same links, and lists in the same order.
+/// Vacant slots do not matter. O(n).
 ///
 /// ```
 /// use twinedge::dcel::Dcel;

@@ -11,12 +11,10 @@ use alloc::vec::Vec;
 /// Positions in the log of links and in the log of other values.
 type Place = [usize; 2];
 
-/// A structure with undo and redo: the core of an editor. The structure is a [`Dcel`] or another [`Recorder`], such as
-/// a `PlanarMap`.
+/// A structure with undo and redo: the core of an editor. The structure is a [`Dcel`] or another [`Recorder`], such as a `PlanarMap`.
 ///
-/// A change is any number of operators or edits under one name, which users see in a menu. It is atomic: after an error
-/// or a panic nothing has changed. [`undo`](Self::undo) and [`redo`](Self::redo) move between the states before and
-/// after changes.
+/// A change is any number of operators or edits under one name, which users see in a menu. It is atomic: after an error or a panic
+/// nothing has changed. [`undo`](Self::undo) and [`redo`](Self::redo) move between the states before and after changes.
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, History, OperatorError};
@@ -45,9 +43,9 @@ type Place = [usize; 2];
 ///
 /// # Keys
 ///
-/// After `undo` the structure *equals* the structure before the change, including keys. Keys of records that the change
-/// removed are live again and name the same records; keys of records that it made are stale until `redo`. A key issued
-/// by a change never names another record, even after the change was undone or can no longer be redone.
+/// After `undo` the structure *equals* the structure before the change, including keys. Keys of records that the change removed are
+/// live again and name the same records; keys of records that it made are stale until `redo`. A key issued by a change never names
+/// another record, even after the change was undone or can no longer be redone.
 ///
 /// # Other data
 ///
@@ -55,24 +53,22 @@ type Place = [usize; 2];
 /// by key in a `HashMap`, insert an entry for each new record, and keep the entries of removed records. (A
 /// [`SecondaryMap`](super::SecondaryMap) has room for only one entry per slot.)
 ///
-/// In a map, undo covers positions, features and their names, and `PlanarMap::locate`, whose index is updated rather
-/// than rebuilt. A feature id, however, is a plain number: undoing an insertion frees it for reuse.
+/// In a map, undo covers positions, features and their names, and `PlanarMap::locate`, whose index is updated rather than rebuilt. A
+/// feature id, however, is a plain number: undoing an insertion frees it for reuse.
 ///
 /// # Linear history
 ///
-/// A change made after `undo` discards the changes that could be redone, as in nearly all editors: users know this
-/// behaviour, and the position in the line identifies a state. To keep the discarded changes, clone the history first,
-/// O(n); a tree of states would add its bookkeeping to every step. A change that fails or writes nothing is not
-/// recorded and discards nothing.
+/// A change made after `undo` discards the changes that could be redone, as in nearly all editors: users know this behaviour, and the
+/// position in the line identifies a state. To keep the discarded changes, clone the history first, O(n); a tree of states would add
+/// its bookkeeping to every step. A change that fails or writes nothing is not recorded and discards nothing.
 ///
 /// # Costs
 ///
-/// Nothing is copied. The log has 12 bytes for each overwritten link, 48 for each change, and every overwritten value
-/// of an attribute, point or set of features, so time and memory depend on the change, not on the size of the
-/// structure. Writing or exchanging an entry takes about 2 ns. Operators on a large map wait for memory, so the
-/// overhead is small: in a map of a million edges, splitting a face takes 204 ns, 1.03 times as long as a change, and
-/// 0.4 times as long to undo. For an operator on a few cached links it is large: splitting an edge takes 11 ns, 3.5
-/// times as long as a change, and twice as long to undo. [`forget`](Self::forget) limits the memory.
+/// Nothing is copied. The log has 12 bytes for each overwritten link, 48 for each change, and every overwritten value of an attribute,
+/// point or set of features, so time and memory depend on the change, not on the size of the structure. Writing or exchanging an entry
+/// takes about 2 ns. Operators on a large map wait for memory, so the overhead is small: in a map of a million edges, splitting a face
+/// takes 204 ns, 1.03 times as long as a change, and 0.4 times as long to undo. For an operator on a few cached links it is large:
+/// splitting an edge takes 11 ns, 3.5 times as long as a change, and twice as long to undo. [`forget`](Self::forget) limits the memory.
 ///
 /// # Validation
 ///
@@ -155,11 +151,11 @@ impl<D: Recorder> History<D> {
 
     /// Changes the structure by any number of operators, undone and redone together.
     ///
-    /// Takes the time of the operators, plus O(1) for each link or other value that they write. Discards changes that
-    /// could be redone; if the change fails it keeps them, in O(their entries).
+    /// Takes the time of the operators, plus O(1) for each link or other value that they write. Discards changes that could be redone;
+    /// if the change fails it keeps them, in O(their entries).
     ///
-    /// If the closure replaces the structure, by assignment or by [`compact`](Dcel::compact), a new history begins:
-    /// earlier changes cannot be undone, and an error does not restore the old structure.
+    /// If the closure replaces the structure, by assignment or by [`compact`](Dcel::compact), a new history begins: earlier changes
+    /// cannot be undone, and an error does not restore the old structure.
     ///
     /// # Errors
     /// Returns the closure's error. On error or panic the structure and the redo list are unchanged.
@@ -232,8 +228,8 @@ impl<D: Recorder> History<D> {
         self.timeline.redo_name()
     }
 
-    /// Returns the records written by the last change, `undo`, `undo_to` or `redo`, possibly with repetitions, as input
-    /// for [`validate_near`](crate::validate::near::validate_near). O(k) for k links and other values.
+    /// Returns the records written by the last change, `undo`, `undo_to` or `redo`, possibly with repetitions, as input for
+    /// [`validate_near`](crate::validate::near::validate_near). O(k) for k links and other values.
     #[must_use]
     pub fn written(&self) -> WriteSet {
         let [start, end] = self.last;

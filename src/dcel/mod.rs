@@ -23,19 +23,18 @@
 //! # Ok::<(), twinedge::dcel::OperatorError>(())
 //! ```
 //!
-//! A lecture for browsers explains the records step by step, and demonstrates these operators on a picture: see
-//! `web/README.md` in the repository.
+//! A lecture for browsers explains the records step by step, and demonstrates these operators on a picture: see `web/README.md` in
+//! the repository.
 //!
 //! # Reading
 //!
-//! A key is checked once, where it enters ([`Dcel::half_edge`] and its siblings). The result is a reference
-//! ([`HalfEdge`]) that borrows the structure, so nothing can be removed meanwhile. Every further step is one array
-//! access.
+//! A key is checked once, where it enters ([`Dcel::half_edge`] and its siblings). The result is a reference ([`HalfEdge`]) that
+//! borrows the structure, so nothing can be removed meanwhile. Every further step is one array access.
 //!
 //! # Changing
 //!
-//! The operators are Euler operators. Each keeps every rule from R1 to T4. Each is atomic: on error nothing changes.
-//! Each reports the records that it made, kept and dropped, so that data stored by key can follow.
+//! The operators are Euler operators. Each keeps every rule from R1 to T4. Each is atomic: on error nothing changes. Each reports the
+//! records that it made, kept and dropped, so that data stored by key can follow.
 //!
 //! | operator | inverse | in solid modelling |
 //! | --- | --- | --- |
@@ -46,21 +45,19 @@
 //! | [`flip_edge`](Dcel::flip_edge) | [`flip_edge`](Dcel::flip_edge), turned the other way | KEF, then MEF |
 //! | [`move_inner`](Dcel::move_inner) | [`move_inner`](Dcel::move_inner), back | RINGMV |
 //!
-//! The names in the last column, also found by the search of this documentation, are from Mäntylä, *An Introduction to
-//! Solid Modeling*, 1988: make or kill (M, K) a vertex, edge, face, solid or ring. His operators of genus and of
-//! several shells (KFMRH, MFKRH) have no counterpart in the plane.
+//! The names in the last column, also found by the search of this documentation, are from Mäntylä, *An Introduction to Solid
+//! Modeling*, 1988: make or kill (M, K) a vertex, edge, face, solid or ring. His operators of genus and of several shells (KFMRH,
+//! MFKRH) have no counterpart in the plane.
 //!
-//! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes the elements that fail a
-//! condition, with the same result as operators one by one, and [`compact`](Dcel::compact) closes the gaps left by
-//! removed records.
+//! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes the elements that fail a condition, with the
+//! same result as operators one by one, and [`compact`](Dcel::compact) closes the gaps left by removed records.
 //!
 //! [`History`] undoes and redoes changes of one or more operators, including keys.
 //!
 //! # Data of your own
 //!
-//! The records contain only topology. Store coordinates, names and weights by key in a [`SecondaryMap`], which may
-//! accept a key of another structure: see [Keys](Dcel#keys). [Attributes](Dcel#attributes) follow operators by
-//! themselves.
+//! The records contain only topology. Store coordinates, names and weights by key in a [`SecondaryMap`], which may accept a key of
+//! another structure: see [Keys](Dcel#keys). [Attributes](Dcel#attributes) follow operators by themselves.
 //!
 //! ```
 //! use twinedge::dcel::{Dcel, SecondaryMap};

@@ -7,13 +7,13 @@ use crate::validate::near::WriteSet;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// Permission to write to the [`Dcel`] inside a [`Recorder`]. Only a [`History`](super::History) and an
-/// [`Audited`](super::Audited) have it, so no other code can change the links unnoticed.
+/// Permission to write to the [`Dcel`] inside a [`Recorder`]. Only a [`History`](super::History) and an [`Audited`](super::Audited)
+/// have it, so no other code can change the links unnoticed.
 #[derive(Debug)]
 pub struct Access(());
 
-/// A [`Dcel`], or a structure around one with values besides links. While the log of the `Dcel` is on, the structure
-/// also logs its own overwritten values.
+/// A [`Dcel`], or a structure around one with values besides links. While the log of the `Dcel` is on, the structure also logs its own
+/// overwritten values.
 ///
 /// [`History`](super::History) and [`Audited`](super::Audited) accept any such structure.
 pub trait Recorder: Clone {
@@ -60,9 +60,8 @@ impl Rewrite {
         self.way
     }
 
-    /// Returns the even half-edges and the vertices, by index, of edges and vertices that were added or removed, of
-    /// edges with a different end, and of vertices that may have become isolated or ceased to be; possibly with
-    /// repetitions. O(entries).
+    /// Returns the even half-edges and the vertices, by index, of edges and vertices that were added or removed, of edges with a
+    /// different end, and of vertices that may have become isolated or ceased to be; possibly with repetitions. O(entries).
     #[must_use]
     pub fn redrawn(&self, dcel: &Dcel) -> (Vec<usize>, Vec<usize>) {
         let log = dcel.store.log.get().filter(|log| self.is_of(log));
@@ -117,8 +116,8 @@ impl Dcel {
         })
     }
 
-    /// Returns the records written since a position in the log, possibly with repetitions; empty if the log is a
-    /// different one. O(entries).
+    /// Returns the records written since a position in the log, possibly with repetitions; empty if the log is a different one.
+    /// O(entries).
     #[must_use]
     pub fn written_since(&self, place: LogPlace) -> WriteSet {
         let log = self.store.log.get().filter(|log| log.token() == place.token && place.entries <= log.entries.len());
@@ -127,8 +126,8 @@ impl Dcel {
 
     /// Returns the rewrite that permanently undoes the changes since a position in the log. O(1).
     ///
-    /// The rewrite does nothing if the position belongs to an earlier change or to another log, or if the log has since
-    /// been rolled back to before it.
+    /// The rewrite does nothing if the position belongs to an earlier change or to another log, or if the log has since been rolled
+    /// back to before it.
     pub fn roll_back(&mut self, to: LogPlace) -> Rewrite {
         let log = self.store.log.get().filter(|log| log.has_kept(to.entries, to.serial));
         let end = log.map_or(to.entries, |log| log.entries.len());

@@ -7,19 +7,17 @@ use core::fmt;
 ///
 /// # Keys
 ///
-/// A key names one record of one structure. Once the record is removed, the key is [stale](crate::dcel::StaleKey):
-/// every method refuses it, even after the slot has been reused.
+/// A key names one record of one structure. Once the record is removed, the key is [stale](crate::dcel::StaleKey): every method
+/// refuses it, even after the slot has been reused.
 ///
-/// A key of another `Dcel` is also stale, because each structure adds its own number to its generations. This has
-/// limits:
+/// A key of another `Dcel` is also stale, because each structure adds its own number to its generations. This has limits:
 ///
-/// - A clone, or a structure that was saved and loaded, accepts the original's keys. Records that either makes later
-///   may share a key.
-/// - Keys of unrelated structures can coincide after very many of both: in a test, the first accepted key of another
-///   structure came after 5,473 structures and 41,233 uses of one slot.
-/// - A [`SecondaryMap`](crate::dcel::SecondaryMap) compares only slots and generations, so look up only keys of the
-///   structure for which it was filled.
-///   generations only, so look up in it with keys of the structure that it was filled for.
+/// - A clone, or a structure that was saved and loaded, accepts the original's keys. Records that either makes later may share a
+///   key.
+/// - Keys of unrelated structures can coincide after very many of both: in a test, the first accepted key of another structure
+///   came after 5,473 structures and 41,233 uses of one slot.
+/// - A [`SecondaryMap`](crate::dcel::SecondaryMap) compares only slots and generations, so look up only keys of the structure for
+///   which it was filled. generations only, so look up in it with keys of the structure that it was filled for.
 #[derive(Clone)]
 pub struct Dcel {
     pub(super) store: Store,
@@ -52,11 +50,10 @@ impl Dcel {
         Self::default()
     }
 
-    /// Creates the empty map, with capacity for this number of vertices and edges, and for the faces of a connected map
-    /// of these.
+    /// Creates the empty map, with capacity for this number of vertices and edges, and for the faces of a connected map of these.
     ///
-    /// Capacity is best effort: if memory is short, columns grow as they are filled. It does not limit the structure,
-    /// and only affects how often memory is allocated.
+    /// Capacity is best effort: if memory is short, columns grow as they are filled. It does not limit the structure, and only
+    /// affects how often memory is allocated.
     ///
     /// ```
     /// use twinedge::dcel::Dcel;
@@ -71,8 +68,7 @@ impl Dcel {
     }
 
     /// Creates an empty map that never has more records than these: an operator that would exceed them is refused with
-    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits. The unbounded face always
-    /// fits.
+    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits. The unbounded face always fits.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, RecordKind, Room};
@@ -132,8 +128,8 @@ impl Dcel {
         self.store.face_count()
     }
 
-    /// Returns the number of slots for vertices, including vacant ones, an upper bound for every
-    /// [index](super::Vertex::index). O(1).
+    /// Returns the number of slots for vertices, including vacant ones, an upper bound for every [index](super::Vertex::index).
+    /// O(1).
     ///
     /// ```
     /// use twinedge::dcel::Dcel;

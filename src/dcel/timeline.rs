@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 
 /// A state of a history, to which [`undo_to`](super::History::undo_to) returns.
 ///
-/// It identifies the state itself, not a number of changes: a mark is useless once its state can no longer be reached.
-/// A mark of another history, even a clone, is also useless.
+/// It identifies the state itself, not a number of changes: a mark is useless once its state can no longer be reached. A mark of
+/// another history, even a clone, is also useless.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mark {
     /// The number of the log.
@@ -96,8 +96,8 @@ impl<E: Copy> Timeline<E> {
         Some(self.now())
     }
 
-    /// Forgets the undone steps, and all but the last `keep` of the others. Returns the position in the log where the
-    /// kept steps begin, and subtracts it from all other positions.
+    /// Forgets the undone steps, and all but the last `keep` of the others. Returns the position in the log where the kept steps begin,
+    /// and subtracts it from all other positions.
     pub(crate) fn forget(&mut self, keep: usize, less: impl Fn(E, E) -> E) -> E {
         self.steps.truncate(self.done);
         let gone = self.done.saturating_sub(keep);

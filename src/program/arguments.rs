@@ -139,8 +139,8 @@ pub enum FacePick {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InnerPick {
-    /// The face's boundary components, except the one being split, are counted in order of their first corners. The
-    /// `i`-th one goes to the new face if bit `i % 16` is set.
+    /// The face's boundary components, except the one being split, are counted in order of their first corners. The `i`-th
+    /// one goes to the new face if bit `i % 16` is set.
     pub mask: u16,
     /// One more boundary component, whether it may go there or not.
     pub also: Option<CornerPick>,

@@ -35,8 +35,8 @@ pub trait Choose {
     fn choose(&mut self, n: usize) -> usize;
 }
 
-/// Choices from bytes. Each choice takes as few bytes as `n` needs, the lowest first, modulo `n`. When the bytes run
-/// out, every choice is 0.
+/// Choices from bytes. Each choice takes as few bytes as `n` needs, the lowest first, modulo `n`. When the bytes run out, every
+/// choice is 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Bytes<'a> {
     rest: &'a [u8],
@@ -108,8 +108,7 @@ impl Choose for arbitrary::Unstructured<'_> {
 
 #[cfg(feature = "quickcheck")]
 impl Choose for quickcheck::Gen {
-    /// Every number is equally likely. (`usize::arbitrary` prefers the ends of its range, which are nothing special
-    /// here.)
+    /// Every number is equally likely. (`usize::arbitrary` prefers the ends of its range, which are nothing special here.)
     fn choose(&mut self, n: usize) -> usize {
         const ALL: [u8; 256] = {
             let mut all = [0; 256];
@@ -143,15 +142,15 @@ pub struct Odometer {
 }
 
 impl Odometer {
-    /// The answers of this run, omitting forced ones. As bytes they make [`Bytes`] give the same answers, provided that
-    /// no choice was among more than 256.
+    /// The answers of this run, omitting forced ones. As bytes they make [`Bytes`] give the same answers, provided that no choice
+    /// was among more than 256.
     #[must_use]
     pub fn answers(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
         self.wheels[..self.asked].iter().map(|(answer, _)| *answer)
     }
 
-    /// Advances to the next sequence: increments the last answer that can be incremented and drops the answers after
-    /// it. Returns false at the end.
+    /// Advances to the next sequence: increments the last answer that can be incremented and drops the answers after it. Returns
+    /// false at the end.
     fn turn(&mut self) -> bool {
         self.asked = 0;
         while let Some((answer, n)) = self.wheels.pop() {
@@ -183,11 +182,11 @@ impl Choose for Odometer {
 
 /// Runs the body once for every sequence of answers, and returns the number of runs.
 ///
-/// Sequences are not ordered by length: to find a shortest failing one, raise a bound on the number of steps from 1. To
-/// end a run early, the body stops asking.
+/// Sequences are not ordered by length: to find a shortest failing one, raise a bound on the number of steps from 1. To end a run
+/// early, the body stops asking.
 ///
-/// The body must ask the same questions after the same answers, and the number of questions must be bounded; otherwise
-/// this function does not terminate.
+/// The body must ask the same questions after the same answers, and the number of questions must be bounded; otherwise this
+/// function does not terminate.
 pub fn for_each_choice(mut body: impl FnMut(&mut Odometer)) -> u64 {
     let mut odometer = Odometer::default();
     let mut count = 0;

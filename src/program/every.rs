@@ -7,17 +7,17 @@ use super::subject::{StepOutcome, Subject};
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Every operator with every argument, valid or not, on the runner's current map. Operators of meshes are in
-/// [`every_mesh_op`]. The arguments are:
+/// Every operator with every argument, valid or not, on the runner's current map. Operators of meshes are in [`every_mesh_op`].
+/// The arguments are:
 ///
 /// - corners and half-edges: all live ones, the first removed one, and a vertex that is wrongly taken for isolated;
 /// - faces: one corner of each, the unbounded face, and the first removed one;
 /// - boundary components: one corner of each;
-/// - [`Op::Connect`]: both sides, and every set of the inner boundary components that may go to the new face; then,
-///   with the new face to the left, each boundary component that may not.
+/// - [`Op::Connect`]: both sides, and every set of the inner boundary components that may go to the new face; then, with the
+///   new face to the left, each boundary component that may not.
 ///
-/// With n half-edges and k boundary components in the fullest face, there are O(n² · (2ᵏ + n)) operators. Finding them
-/// takes O(n²) more. At most 16 inner boundary components of a face are distinguished.
+/// With n half-edges and k boundary components in the fullest face, there are O(n² · (2ᵏ + n)) operators. Finding them takes
+/// O(n²) more. At most 16 inner boundary components of a face are distinguished.
 pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     let picks = Picks::of(map);
     let mut ops = Vec::new();
@@ -72,8 +72,8 @@ pub fn every_mesh_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
         .collect()
 }
 
-/// Applies [every operator](every_op) to the current map, one at a time, and passes each outcome to `visit`: with the
-/// new map if the operator was applied, otherwise with the map, which should be unchanged.
+/// Applies [every operator](every_op) to the current map, one at a time, and passes each outcome to `visit`: with the new map
+/// if the operator was applied, otherwise with the map, which should be unchanged.
 pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, StepOutcome, &Runner<K>)) {
     let mut attempt = map.clone();
     for op in every_op(map) {
@@ -162,8 +162,8 @@ impl Picks {
             ops.push(Op::Connect { from: from.corner, to: SecondPick::Any(to.corner), new_face, inner });
         };
         let splits = from.boundary == to.boundary;
-        // The components that the interpreter counts, in its order: the rest of the face's boundary. Sets that contain
-        // the outer boundary component are invalid.
+        // The components that the interpreter counts, in its order: the rest of the face's boundary. Sets that contain the
+        // outer boundary component are invalid.
         let others = self.boundaries.iter().filter(|place| place.face == from.face && place.boundary != from.boundary);
         let sets = if splits { 1_u32 << others.count().min(16) } else { 1 };
         for mask in (0..sets).map(|mask| mask as u16) {
@@ -181,8 +181,8 @@ impl Picks {
     }
 }
 
-/// Records the boundary component of all half-edges of a cycle. Stops after the number of half-edges, even if the cycle
-/// does not close.
+/// Records the boundary component of all half-edges of a cycle. Stops after the number of half-edges, even if the cycle does
+/// not close.
 fn mark_cycle<K: Subject>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
     let mut h = start;
     for _ in 0..boundary_of.len() {

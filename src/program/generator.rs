@@ -47,8 +47,8 @@ impl<P: Language> Default for Generator<P> {
 }
 
 impl<P: Language> Generator<P> {
-    /// Restricts programs to these operators. Weights stay; operators with weight 0, such as the operators of meshes by
-    /// default, get weight 1.
+    /// Restricts programs to these operators. Weights stay; operators with weight 0, such as the operators of meshes by default, get
+    /// weight 1.
     #[must_use]
     pub fn only(mut self, kinds: &[P::Kind]) -> Self {
         for (kind, weight) in &mut self.weights {
@@ -96,8 +96,8 @@ impl<P: Language> Generator<P> {
         P::from_ops(self.first().into_iter().chain(drawn).take(count).collect())
     }
 
-    /// Decodes a program: the bytes alone determine the number of operators, regardless of [`length`](Self::length).
-    /// Each choice takes as few bytes as it needs. The first operator is as in [`generate`](Self::generate). O(bytes).
+    /// Decodes a program: the bytes alone determine the number of operators, regardless of [`length`](Self::length). Each choice takes
+    /// as few bytes as it needs. The first operator is as in [`generate`](Self::generate). O(bytes).
     ///
     /// ```
     /// use twinedge::program::{OpKind, Program};
@@ -118,8 +118,7 @@ impl<P: Language> Generator<P> {
         shrink_from(program, &self.start, fails)
     }
 
-    /// Returns slightly smaller programs, as [`candidates`](crate::program::candidates) does, from the start of this
-    /// generator.
+    /// Returns slightly smaller programs, as [`candidates`](crate::program::candidates) does, from the start of this generator.
     pub fn candidates(&self, program: &P) -> impl Iterator<Item = P> + use<P> {
         candidates_from(program, &self.start)
     }
@@ -141,8 +140,8 @@ mod with_proptest {
     use proptest::strategy::{NewTree, Strategy, ValueTree};
     use proptest::test_runner::TestRunner;
 
-    /// A program with its shrinking candidates, those from [`Generator::candidates`]. Operators are dropped and
-    /// simplified, and the rest keep their choices.
+    /// A program with its shrinking candidates, those from [`Generator::candidates`]. Operators are dropped and simplified, and the
+    /// rest keep their choices.
     pub struct ProgramTree<P: Language> {
         start: P::Start,
         current: P,

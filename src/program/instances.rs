@@ -20,8 +20,7 @@ impl Program {
 }
 
 impl Generator {
-    /// Sets the starting structure of programs, so that failing ones shrink as far as programs from the empty map.
-    /// O(n²).
+    /// Sets the starting structure of programs, so that failing ones shrink as far as programs from the empty map. O(n²).
     ///
     /// # Errors
     /// Returns a [`StartError`] if programs cannot begin with the structure.

@@ -1,7 +1,7 @@
 //! Languages of programs for any operators: arguments, text, and the traits that generation and shrinking need.
 //!
-//! The macro [`language`](crate::language) turns a table of operators into a language; `program::operators` has the
-//! table of topological operators.
+//! The macro [`language`](crate::language) turns a table of operators into a language; `program::operators` has the table of
+//! topological operators.
 
 use super::choose::Choose;
 use super::text::{Expected, ParseError, Words, number};
@@ -24,8 +24,7 @@ pub trait Sequence: Clone + PartialEq + fmt::Debug + 'static {
 
 /// A language of programs, such as [`Program`](crate::program::Program) for the operators of a [`Dcel`](crate::dcel::Dcel).
 ///
-/// Programs of a language can be [generated](crate::program::Generator), [shrunk](crate::program::shrink()), written
-/// and read.
+/// Programs of a language can be [generated](crate::program::Generator), [shrunk](crate::program::shrink()), written and read.
 pub trait Language: Sequence {
     /// The kinds of its operators.
     type Kind: Copy + PartialEq + fmt::Debug + 'static;
@@ -194,8 +193,8 @@ pub fn smaller_masks(mask: u16) -> impl Iterator<Item = u16> {
     (mask != 0).then_some(0).into_iter().chain(bits.map(move |bit| mask & !bit))
 }
 
-/// Defines a language from its table: operators and their kinds, programs, text, and simpler operators. A row lists the
-/// variant, the name, the weight, and the arguments, each with the earlier arguments that it depends on in brackets.
+/// Defines a language from its table: operators and their kinds, programs, text, and simpler operators. A row lists the variant, the
+/// name, the weight, and the arguments, each with the earlier arguments that it depends on in brackets.
 #[macro_export]
 macro_rules! language {
     (

@@ -39,9 +39,9 @@
 //!
 //! # In step
 //!
-//! When two faces or vertices are merged, implementations may keep either record. So a [`Runner`] never compares
-//! handles of different structures. It lists the handles of each structure in order of creation, without handles of
-//! removed records. As long as both structures are correct, the same position in both lists is the same element.
+//! When two faces or vertices are merged, implementations may keep either record. So a [`Runner`] never compares handles of
+//! different structures. It lists the handles of each structure in order of creation, without handles of removed records.
+//! As long as both structures are correct, the same position in both lists is the same element.
 
 #![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
 

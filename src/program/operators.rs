@@ -1,7 +1,7 @@
 //! Operators as data: the table, programs, and calls.
 //!
-//! An [`Op`] chooses its arguments by small numbers, so any bytes are a program that runs. A [`Call`] contains handles
-//! instead, and a structure applies it.
+//! An [`Op`] chooses its arguments by small numbers, so any bytes are a program that runs. A [`Call`] contains handles instead, and a
+//! structure applies it.
 
 use super::arguments::{CornerPick, FacePick, Fit, HalfEdgePick, InnerPick, List, SecondPick, VertexPick};
 use super::choose::Choose;
@@ -12,8 +12,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::{self, Display};
 
-// The table of operators; bytes, text, random and simpler programs follow from it. The weights sum to 32. Operators of
-// meshes have weight 0: random programs contain them only on request.
+// The table of operators; bytes, text, random and simpler programs follow from it. The weights sum to 32. Operators of meshes have
+// weight 0: random programs contain them only on request.
 language! {
     header "twinedge program 1" Header,
     /// One operator with its arguments.
@@ -21,15 +21,15 @@ language! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[allow(missing_docs, reason = "the arguments are those of `Call`")]
     op Op over List,
-    /// The kinds of operators, for a [`Generator`](crate::program::Generator). [`SHARES`](Self::SHARES) lists their
-    /// weights, which sum to 32. Operators of meshes are drawn only if given a weight.
+    /// The kinds of operators, for a [`Generator`](crate::program::Generator). [`SHARES`](Self::SHARES) lists their weights, which sum
+    /// to 32. Operators of meshes are drawn only if given a weight.
     kind OpKind,
     /// A sequence of operators. A [`Runner`](crate::program::Runner) runs it from the empty map or any other start.
     ///
     /// # As text
     ///
-    /// [`Display`](core::fmt::Display) writes one operator per line, [`FromStr`](core::str::FromStr) reads it back, and
-    /// `#` begins a comment:
+    /// [`Display`](core::fmt::Display) writes one operator per line, [`FromStr`](core::str::FromStr) reads it back, and `#` begins a
+    /// comment:
     ///
     /// ```text
     /// twinedge program 1
@@ -48,8 +48,8 @@ language! {
     /// | `~3` | a corner that fits the first one |
     /// | `unbounded` | the unbounded face |
     ///
-    /// Numbers count from 0, modulo the length of the list: half-edges in order of creation, the two of an edge
-    /// adjacent, those in the start first; isolated vertices in the order in which they became isolated.
+    /// Numbers count from 0, modulo the length of the list: half-edges in order of creation, the two of an edge adjacent, those in the
+    /// start first; isolated vertices in the order in which they became isolated.
     ///
     /// ```
     /// use twinedge::program::{StepOutcome, Program, Runner};
@@ -130,15 +130,15 @@ impl OpKind {
     }
 }
 
-/// An operator with the handles that it chose, as returned by [`Runner::resolve`](crate::program::Runner::resolve) and
-/// passed to [`Subject::apply`](crate::program::Subject::apply). Handles may be stale.
+/// An operator with the handles that it chose, as returned by [`Runner::resolve`](crate::program::Runner::resolve) and passed to
+/// [`Subject::apply`](crate::program::Subject::apply). Handles may be stale.
 ///
-/// Each operator means the method of the same name of [`Dcel`](crate::dcel::Dcel), whose page has a picture. Operators
-/// of meshes are defined by basic operators, in [`mesh`](crate::program::mesh).
+/// Each operator means the method of the same name of [`Dcel`](crate::dcel::Dcel), whose page has a picture. Operators of meshes are
+/// defined by basic operators, in [`mesh`](crate::program::mesh).
 ///
-/// An operator refuses for the first reason that applies: first for each argument in order
-/// ([`Stale`](super::Refusal::Stale), then [`NotIsolated`](super::Refusal::NotIsolated) for the corner of a vertex that
-/// is not isolated), then for the reasons that its variant lists. [`Full`](super::Refusal::Full) may come anywhere.
+/// An operator refuses for the first reason that applies: first for each argument in order ([`Stale`](super::Refusal::Stale), then
+/// [`NotIsolated`](super::Refusal::NotIsolated) for the corner of a vertex that is not isolated), then for the reasons that its variant
+/// lists. [`Full`](super::Refusal::Full) may come anywhere.
 ///
 /// `Display` writes the handles alone, as in `h0 to h3, inner v1`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -150,9 +150,8 @@ pub enum Call<V, H, F> {
     RemoveIsolatedVertex { vertex: V },
     /// Connects two corners of one face by a new edge, and returns the half-edge from the first to the second.
     ///
-    /// If the edge splits the face, the new face lies to the `new_face` side of that half-edge and gets the inner
-    /// boundary components named in `inner` (repeated names count once). A bridge ignores both, but still refuses a
-    /// stale handle.
+    /// If the edge splits the face, the new face lies to the `new_face` side of that half-edge and gets the inner boundary components
+    /// named in `inner` (repeated names count once). A bridge ignores both, but still refuses a stale handle.
     ///
     /// [`FacesDiffer`](super::Refusal::FacesDiffer); then, if the face is split, [`NotInner`](super::Refusal::NotInner).
     Connect { from: Corner<H, V>, to: Corner<H, V>, new_face: Side, inner: Vec<Corner<H, V>> },
@@ -160,14 +159,13 @@ pub enum Call<V, H, F> {
     RemoveEdge { half_edge: H },
     /// Puts a new vertex on an edge. The given half-edge keeps its origin; returns the new half-edge that follows it.
     SplitEdge { half_edge: H },
-    /// Joins the edge of a half-edge with the following edge. The given half-edge keeps its origin; the following edge
-    /// and the vertex between them are removed.
+    /// Joins the edge of a half-edge with the following edge. The given half-edge keeps its origin; the following edge and the vertex
+    /// between them are removed.
     ///
     /// [`DegreeNotTwo`](super::Refusal::DegreeNotTwo); then [`Loop`](super::Refusal::Loop).
     JoinEdges { half_edge: H },
-    /// Splits a vertex in two, and returns the new half-edge between them. Its target gets the half-edges met when
-    /// turning counter-clockwise from the first corner to the second, or none for equal corners. Either of the two
-    /// vertices may be the new one.
+    /// Splits a vertex in two, and returns the new half-edge between them. Its target gets the half-edges met when turning
+    /// counter-clockwise from the first corner to the second, or none for equal corners. Either of the two vertices may be the new one.
     ///
     /// [`VerticesDiffer`](super::Refusal::VerticesDiffer).
     SplitVertex { from: Corner<H, V>, to: Corner<H, V> },
@@ -179,8 +177,8 @@ pub enum Call<V, H, F> {
     ///
     /// [`NotSeparating`](super::Refusal::NotSeparating).
     FlipEdge { half_edge: H, turn: Turn },
-    /// Moves the inner boundary component of the corner, with everything inside, to another face. Moving it to its own
-    /// face does nothing.
+    /// Moves the inner boundary component of the corner, with everything inside, to another face. Moving it to its own face does
+    /// nothing.
     ///
     /// [`IsOuter`](super::Refusal::IsOuter); then [`InsideItself`](super::Refusal::InsideItself).
     MoveInner { inner: Corner<H, V>, face: F },
@@ -312,8 +310,8 @@ impl<I: Iterator<Item = u8>> Choose for Finite<'_, I> {
 impl Op {
     /// Reads one operator from the beginning of the bytes; `None` if they end too early. Takes at most 14 bytes.
     ///
-    /// In random bytes, operators that add elements are more frequent than operators that remove them, and fitting
-    /// arguments more frequent than refused ones.
+    /// In random bytes, operators that add elements are more frequent than operators that remove them, and fitting arguments more
+    /// frequent than refused ones.
     pub fn from_bytes(bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
         let first = bytes.next()?;
         let mut place = u32::from(first & 31);

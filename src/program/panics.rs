@@ -32,8 +32,8 @@ mod with_std {
         info.location().map_or_else(|| message.clone(), |at| std::format!("{message} ({}:{})", at.file(), at.line()))
     }
 
-    /// Runs `work`. The first call installs a panic hook that forwards all other panics to the previous hook. Caught
-    /// panics print nothing, and never reach a hook that ends the program, such as libFuzzer's.
+    /// Runs `work`. The first call installs a panic hook that forwards all other panics to the previous hook. Caught panics print
+    /// nothing, and never reach a hook that ends the program, such as libFuzzer's.
     ///
     /// # Errors
     /// The message of a panic.

@@ -9,8 +9,8 @@ use alloc::vec::Vec;
 
 /// A subject with all handles it ever returned, in order of creation.
 ///
-/// Choices depend on these lists and on the subject's answers about corners, faces and vertices, but not on the values
-/// of handles. A program therefore does the same to every correct subject.
+/// Choices depend on these lists and on the subject's answers about corners, faces and vertices, but not on the values of handles. A
+/// program therefore does the same to every correct subject.
 #[derive(Clone, Debug)]
 pub struct Runner<K: Subject> {
     pub(in crate::program) subject: K,
@@ -96,8 +96,8 @@ impl<K: Subject> Runner<K> {
 
     /// Runs one operator: chooses its arguments, and applies it.
     ///
-    /// O(live elements), plus the cost of the operator, plus O(length²) of the boundary of the split face if inner
-    /// boundary components are chosen.
+    /// O(live elements), plus the cost of the operator, plus O(length²) of the boundary of the split face if inner boundary components
+    /// are chosen.
     pub fn step(&mut self, op: Op) -> StepOutcome {
         self.resolve(op).and_then(|call| self.apply(call)).err().unwrap_or(StepOutcome::Applied)
     }
@@ -114,8 +114,7 @@ impl<K: Subject> Runner<K> {
     /// Resolves the choices of an operator in the current state. Costs as much as [`Runner::step`].
     ///
     /// # Errors
-    /// [`StepOutcome::Skipped`] if there is nothing to choose from; [`StepOutcome::Refused`] if the subject refuses a
-    /// question.
+    /// [`StepOutcome::Skipped`] if there is nothing to choose from; [`StepOutcome::Refused`] if the subject refuses a question.
     pub fn resolve(&self, op: Op) -> Result<CallOf<K>, StepOutcome> {
         Ok(match op {
             Op::AddIsolatedVertex { face } => Call::AddIsolatedVertex { face: self.face(face)? },
@@ -324,8 +323,7 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
-    /// The ends of an edge, read before it is removed. Refuses a stale handle, but the operator itself must report
-    /// that.
+    /// The ends of an edge, read before it is removed. Refuses a stale handle, but the operator itself must report that.
     fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], Refusal> {
         let target = self.subject.twin_of(h).and_then(|t| self.subject.origin_of(t));
         Ok([self.subject.origin_of(h)?, target?])
@@ -385,8 +383,8 @@ struct Merging<H> {
 ///        d                 d
 /// ```
 ///
-/// The subject chooses the handle of a new edge and the survivor of two merged edges. So new handles are found from the
-/// half-edges of the surrounding boundary, which keep theirs.
+/// The subject chooses the handle of a new edge and the survivor of two merged edges. So new handles are found from the half-edges of
+/// the surrounding boundary, which keep theirs.
 impl<K: Subject> Runner<K> {
     fn mesh_flip_edge(&mut self, h: K::HalfEdge) -> Result<(), Refusal> {
         let anchor = self.subject.twin_of(h).and_then(|t| self.subject.next_of(t));
@@ -466,8 +464,7 @@ impl<K: Subject> Runner<K> {
     /// The edges of the triangle to the left of `h` that merge in a collapse, if there is a triangle.
     fn merging(&self, h: K::HalfEdge) -> Result<Option<Merging<K::HalfEdge>>, Refusal> {
         let Some([dropped, kept]) = self.following(h)? else { return Ok(None) };
-        // If there is no triangle beyond `kept`, from the origin of `h` to the opposite vertex, there is one beyond
-        // `dropped`.
+        // If there is no triangle beyond `kept`, from the origin of `h` to the opposite vertex, there is one beyond `dropped`.
         let beyond = self.subject.twin_of(kept)?;
         Ok(Some(if is_inside(&self.subject, beyond)? {
             Merging { dropped, kept, anchor: self.after(beyond, 1)?, steps: 2, is_twin: true }
@@ -477,8 +474,8 @@ impl<K: Subject> Runner<K> {
         }))
     }
 
-    /// Replaces the handle of `h`, and of its twin. If the new handle belongs to another edge, the operator is faulty,
-    /// and the lists stay unchanged.
+    /// Replaces the handle of `h`, and of its twin. If the new handle belongs to another edge, the operator is faulty, and the lists
+    /// stay unchanged.
     fn rename_edge(&mut self, h: K::HalfEdge, now: K::HalfEdge) -> Result<(), Refusal> {
         let twin = self.subject.twin_of(now)?;
         let place = |h: K::HalfEdge| self.half_edges.iter().position(|other| *other == h);

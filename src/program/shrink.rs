@@ -1,18 +1,18 @@
 //! Shrinks failing programs without changing the choices of the remaining operators.
 //!
-//! Operators choose by numbers in lists, and dropping an earlier operator changes these lists. So every list entry is
-//! named after the operator that added it, and numbers follow the names.
+//! Operators choose by numbers in lists, and dropping an earlier operator changes these lists. So every list entry is named after
+//! the operator that added it, and numbers follow the names.
 
 use super::language::{Language, Name, Stage};
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// Shrinks a program as long as it fails: drops ever smaller runs of operators, then simplifies the rest. If `program`
-/// fails, so does the result, but it passes when any one operator is dropped or simplified.
+/// Shrinks a program as long as it fails: drops ever smaller runs of operators, then simplifies the rest. If `program` fails, so
+/// does the result, but it passes when any one operator is dropped or simplified.
 ///
-/// Implements Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with
-/// one addition: the remaining operators keep choosing the same half-edges and vertices although the lists have
-/// changed. Every step makes the program smaller, so the function terminates.
+/// Implements Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one
+/// addition: the remaining operators keep choosing the same half-edges and vertices although the lists have changed. Every step
+/// makes the program smaller, so the function terminates.
 ///
 /// For programs with a non-empty start, such as a mesh, use [`Generator::shrink`](crate::program::Generator::shrink) or
 /// [`Conformance::run_and_shrink`](crate::program::conformance::Conformance::run_and_shrink).
@@ -35,8 +35,8 @@ pub(in crate::program) fn shrink_from<P: Language>(
 
 /// Returns slightly smaller programs, the smallest first.
 ///
-/// `quickcheck` and `proptest` shrink with these candidates; [`shrink`] repeats the step as often as it helps. Finding
-/// each takes a run of the program, on a [`PointerModel`](crate::program::PointerModel) or, for edits, a planar map.
+/// `quickcheck` and `proptest` shrink with these candidates; [`shrink`] repeats the step as often as it helps. Finding each takes
+/// a run of the program, on a [`PointerModel`](crate::program::PointerModel) or, for edits, a planar map.
 pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> {
     candidates_from(program, &P::Start::default())
 }

@@ -134,23 +134,22 @@ impl From<Refusal> for StepOutcome {
 /// ```
 /// # Partial structures
 ///
-/// A structure that can only turn edges matches [`Call::FlipEdge`], and answers [`Refusal::Unsupported`] to every other
-/// call. Where the indices of its [`View`] are stable handles, [`subject_by_index!`](crate::subject_by_index) writes
-/// the questions. The example `mesh_conformance` is such a structure.
+/// A structure that can only turn edges matches [`Call::FlipEdge`], and answers [`Refusal::Unsupported`] to every other call. Where the
+/// indices of its [`View`] are stable handles, [`subject_by_index!`](crate::subject_by_index) writes the questions. The example
+/// `mesh_conformance` is such a structure.
 ///
-/// A face may be missing: half-edges on the border of a mesh have none. There [`Subject::face_of`] answers
-/// [`Refusal::Border`], and operators that need the face refuse with it. A structure without faces, or without `next`
-/// on the border, answers these questions with [`Refusal::Unsupported`]. For structures with a border, and for
-/// structures whose faces are discs, [`PointerModel::from_view`](crate::program::PointerModel::from_view) lists two
-/// more reasons to refuse, and their order.
+/// A face may be missing: half-edges on the border of a mesh have none. There [`Subject::face_of`] answers [`Refusal::Border`], and
+/// operators that need the face refuse with it. A structure without faces, or without `next` on the border, answers these questions
+/// with [`Refusal::Unsupported`]. For structures with a border, and for structures whose faces are discs,
+/// [`PointerModel::from_view`](crate::program::PointerModel::from_view) lists two more reasons to refuse, and their order.
 ///
 /// # The view
 ///
 /// [`View`] is the same structure as the validator sees it. Its indices may be unrelated to the handles, except that
-/// [`Subject::half_edge_at`] and [`Subject::vertex_at`] convert indices into handles if programs begin with a non-empty
-/// structure. A structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
-/// [extends](crate::validate::adapt::Index::extend) it after each operator, and answers `is_vertex`, `is_half_edge` and
-/// `is_face` by testing whether the key is live.
+/// [`Subject::half_edge_at`] and [`Subject::vertex_at`] convert indices into handles if programs begin with a non-empty structure. A
+/// structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
+/// [extends](crate::validate::adapt::Index::extend) it after each operator, and answers `is_vertex`, `is_half_edge` and `is_face` by
+/// testing whether the key is live.
 pub trait Subject: View {
     /// Names a vertex. Like every handle, it must never name another element after its vertex is removed.
     type Vertex: Copy + Eq + Debug;
@@ -159,8 +158,8 @@ pub trait Subject: View {
     /// Names a face.
     type Face: Copy + Eq + Debug;
 
-    /// True if half-edges are found again after each operator, as by [`mesh::Named`](crate::program::mesh::Named). Only
-    /// changes advice in messages.
+    /// True if half-edges are found again after each operator, as by [`mesh::Named`](crate::program::mesh::Named). Only changes advice
+    /// in messages.
     #[doc(hidden)]
     fn is_named(&self) -> bool {
         false
@@ -171,8 +170,8 @@ pub trait Subject: View {
         None
     }
 
-    /// Returns the handle of the half-edge with this index in the view. Without handles (the default), programs begin
-    /// with the empty map.
+    /// Returns the handle of the half-edge with this index in the view. Without handles (the default), programs begin with the empty
+    /// map.
     fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge> {
         let _ = index;
         None
@@ -208,12 +207,11 @@ pub trait Subject: View {
     /// [`Stale`](Refusal::Stale).
     fn next_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal>;
 
-    /// Applies an operator, and returns the handle documented at the variant of [`Call`]. The default supports no
-    /// operator.
+    /// Applies an operator, and returns the handle documented at the variant of [`Call`]. The default supports no operator.
     ///
     /// # Errors
-    /// The first reason to refuse, in the order of [`Call`]; [`Unsupported`](Refusal::Unsupported) if the structure
-    /// does not have the operator. On error the structure is unchanged.
+    /// The first reason to refuse, in the order of [`Call`]; [`Unsupported`](Refusal::Unsupported) if the structure does not have the
+    /// operator. On error the structure is unchanged.
     fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
         let _ = call;
         Err(Refusal::Unsupported)
@@ -231,8 +229,8 @@ pub trait Subject: View {
     }
 }
 
-/// Writes the types and questions of a [`Subject`](crate::program::Subject) that delegates to another one. Use it
-/// inside `impl Subject for …`, next to `apply`, with the type of the other subject and an expression for it.
+/// Writes the types and questions of a [`Subject`](crate::program::Subject) that delegates to another one. Use it inside `impl Subject
+/// for …`, next to `apply`, with the type of the other subject and an expression for it.
 #[macro_export]
 macro_rules! delegate_subject {
     ($subject:ty, |$this:ident| $get:expr) => {
@@ -278,18 +276,17 @@ macro_rules! delegate_subject {
 /// Writes the types and questions of a [`Subject`](crate::program::Subject) whose handles are the indices of its
 /// [`View`](crate::validate::View). Use it inside `impl Subject for …`, next to `apply`.
 ///
-/// If every operator of the structure takes one half-edge, as the operators of meshes do, the macro also writes `apply`
-/// from the names of operators and methods: `MeshFlipEdge => Self::flip`. The method takes `&mut self` and the index;
-/// its value is dropped, and its error becomes a [`Refusal`](crate::program::Refusal) by `From`.
+/// If every operator of the structure takes one half-edge, as the operators of meshes do, the macro also writes `apply` from the names
+/// of operators and methods: `MeshFlipEdge => Self::flip`. The method takes `&mut self` and the index; its value is dropped, and its
+/// error becomes a [`Refusal`](crate::program::Refusal) by `From`.
 ///
-/// Operators must leave half-edges at their indices; [`mesh::Named`](crate::program::mesh::Named) is for meshes that
-/// move them.
+/// Operators must leave half-edges at their indices; [`mesh::Named`](crate::program::mesh::Named) is for meshes that move them.
 ///
-/// There is no unbounded face (the default). If the structure reuses the indices of removed records, stale handles look
-/// live: see [`Conformance::without_stale_handles`](crate::program::conformance::Conformance::without_stale_handles).
+/// There is no unbounded face (the default). If the structure reuses the indices of removed records, stale handles look live: see
+/// [`Conformance::without_stale_handles`](crate::program::conformance::Conformance::without_stale_handles).
 ///
-/// A half-edge whose slot is vacant is [`Stale`](crate::program::Refusal::Stale). If `next` is nil, or if half-edges
-/// store neither face nor boundary component and the structure has no slots for faces, the answer is
+/// A half-edge whose slot is vacant is [`Stale`](crate::program::Refusal::Stale). If `next` is nil, or if half-edges store neither face
+/// nor boundary component and the structure has no slots for faces, the answer is
 /// [`Unsupported`](crate::program::Refusal::Unsupported); a half-edge without face is on the
 /// [`Border`](crate::program::Refusal::Border).
 ///

@@ -76,12 +76,11 @@ impl Dcel {
     /// Closes the gaps left by removed records, so that memory and the time of walks over all records fit the number of
     /// records. Returns the new key for each old key.
     ///
-    /// Keeps the order of records, of lists and of the two half-edges of an edge, but moves the unbounded face to the
-    /// front. Indices are then without gaps: from 1 for vertices, boundary components and faces, from 2 for half-edges.
+    /// Keeps the order of records, of lists and of the two half-edges of an edge, but moves the unbounded face to the front.
+    /// Indices are then without gaps: from 1 for vertices, boundary components and faces, from 2 for half-edges.
     ///
-    /// All keys change, including the keys of records that did not move. Old keys become stale, with the
-    /// [limits](Dcel#keys) that apply to keys of another structure, because generations start again. Data stored by key
-    /// must be moved:
+    /// All keys change, including the keys of records that did not move. Old keys become stale, with the [limits](Dcel#keys)
+    /// that apply to keys of another structure, because generations start again. Data stored by key must be moved:
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, SecondaryMap};

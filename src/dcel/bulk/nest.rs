@@ -1,8 +1,8 @@
 //! Groups of faces that merge when edges are removed, and the outer boundary component of each group.
 //!
-//! Removing an edge between two faces merges the faces and their cycles. Removing an edge with one face on both sides
-//! splits a cycle. So the numbers of faces and edges determine the number of cycles of each group, without a walk. A
-//! single cycle is the outer one. Of several cycles, the one with the unbounded face beyond it is outer:
+//! Removing an edge between two faces merges the faces and their cycles. Removing an edge with one face on both sides splits a cycle.
+//! So the numbers of faces and edges determine the number of cycles of each group, without a walk. A single cycle is the outer one. Of
+//! several cycles, the one with the unbounded face beyond it is outer:
 //!
 //! ```text
 //!   the group ──► cycle ──► what lies beyond ──► ends: the cycle is inner
@@ -10,9 +10,9 @@
 //!             ──► cycle ──► what lies beyond ──► …     the one that is left is outer
 //! ```
 //!
-//! A search runs beyond each cycle, from group to group across edges, and all searches advance in turn. A group reached
-//! through an inner cycle has as its outer cycle the one through which it was reached, and is not searched again. So
-//! the searches that end take linear time together, and the remaining search takes no longer than the longest of them.
+//! A search runs beyond each cycle, from group to group across edges, and all searches advance in turn. A group reached through an
+//! inner cycle has as its outer cycle the one through which it was reached, and is not searched again. So the searches that end take
+//! linear time together, and the remaining search takes no longer than the longest of them.
 
 use crate::slots::{NIL, Sets};
 use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, Store};
@@ -47,8 +47,8 @@ pub(super) struct Cycle {
 }
 
 impl Groups {
-    /// Groups the faces that merge when these edges, each given by one half-edge, are removed. O(slots α(slots)), where
-    /// α is the inverse of Ackermann's function.
+    /// Groups the faces that merge when these edges, each given by one half-edge, are removed. O(slots α(slots)), where α is the
+    /// inverse of Ackermann's function.
     pub(super) fn without(store: &Store, edges: &[HalfEdgeSlot]) -> Self {
         let index = |h: HalfEdgeSlot| store.face(store.boundary(h)).index() as u32;
         let mut faces = Sets::new(store.face_slots());
@@ -96,8 +96,8 @@ impl Groups {
         self.of_face(store.face(b))
     }
 
-    /// Returns the index of the outer boundary component of each changed group, or nil. `cycles` are all cycles of
-    /// these groups; each has a boundary component that still names a face of its group. O(slots).
+    /// Returns the index of the outer boundary component of each changed group, or nil. `cycles` are all cycles of these groups; each
+    /// has a boundary component that still names a face of its group. O(slots).
     pub(super) fn outer(&self, store: &Store, cycles: &[Cycle]) -> Vec<u32> {
         let index = |cycle: &Cycle| cycle.boundary.index() as u32;
         let mut nest =

@@ -40,19 +40,19 @@ pub struct MergedFace {
 impl Dcel {
     /// Removes all vertices and edges that fail a condition, in one pass. Removing a vertex removes its edges.
     ///
-    /// The condition is evaluated first for the vertices, in order, then for each edge between kept vertices, given by
-    /// the half-edge with the smaller index. Vertices without a remaining edge become isolated. The result is that of
+    /// The condition is evaluated first for the vertices, in order, then for each edge between kept vertices, given by the half-edge
+    /// with the smaller index. Vertices without a remaining edge become isolated. The result is that of
     /// [`remove_edge`](Dcel::remove_edge) and [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) in any order:
     ///
     /// - Kept vertices and half-edges keep their keys.
-    /// - Of merged faces the unbounded face survives. Without it, the face to the left of the half-edge with the
-    ///   smallest index on the new outer boundary component survives; no other merged face surrounds it.
+    /// - Of merged faces the unbounded face survives. Without it, the face to the left of the half-edge with the smallest index on the
+    ///   new outer boundary component survives; no other merged face surrounds it.
     /// - A cycle keeps the boundary component whose start lies on it; of several, the one with the smallest index.
     ///
     /// The order of the inner boundary components changes in faces that lost an edge.
     ///
-    /// O(slots α(slots)) time and O(slots) memory, no matter how many records are removed; α is the inverse of
-    /// Ackermann's function, at most 4. To remove a few edges, remove them one by one.
+    /// O(slots α(slots)) time and O(slots) memory, no matter how many records are removed; α is the inverse of Ackermann's function, at
+    /// most 4. To remove a few edges, remove them one by one.
     ///
     /// # Errors
     /// [`OperatorError::Full`] if there is no room for the additional boundary components.
@@ -111,8 +111,8 @@ impl Dcel {
 }
 
 impl Dcel {
-    /// Returns the faces that would merge. Policies of attributes must be consulted before anything changes, but the
-    /// surviving faces are known only afterwards, so this runs on a copy. O(slots α(slots)).
+    /// Returns the faces that would merge. Policies of attributes must be consulted before anything changes, but the surviving faces
+    /// are known only afterwards, so this runs on a copy. O(slots α(slots)).
     #[cold]
     fn would_merge(&self, vertex_goes: &[bool], goes: &[bool]) -> Result<Vec<MergedFace>, OperatorError> {
         let store = self.store.without_attributes();
@@ -120,8 +120,8 @@ impl Dcel {
     }
 }
 
-/// In place of a cycle number: a group with several cycles, a group whose cycle turned out to contain no component's
-/// start, and an unchanged group.
+/// In place of a cycle number: a group with several cycles, a group whose cycle turned out to contain no component's start, and an
+/// unchanged group.
 const SEVERAL: u32 = NIL - 1;
 const FRESH: u32 = NIL - 2;
 const UNCHANGED: u32 = NIL - 3;
@@ -213,9 +213,8 @@ impl Work {
         isolated
     }
 
-    /// Unlists all boundary components of changed groups. Returns those that remain cycles, and for each group the
-    /// number of its only cycle, nil if unknown, or a special number. Appends remaining isolated vertices to `islands`,
-    /// with their groups.
+    /// Unlists all boundary components of changed groups. Returns those that remain cycles, and for each group the number of its only
+    /// cycle, nil if unknown, or a special number. Appends remaining isolated vertices to `islands`, with their groups.
     fn keep_boundaries(
         &mut self,
         store: &mut Store,
@@ -256,8 +255,7 @@ impl Work {
         (cycles, numbers)
     }
 
-    /// Sets the boundary component of a cycle. Returns the old face to the left of its half-edge with the smallest
-    /// index.
+    /// Sets the boundary component of a cycle. Returns the old face to the left of its half-edge with the smallest index.
     fn relabel(&mut self, store: &mut Store, start: HalfEdgeSlot, boundary: BoundarySlot) -> FaceSlot {
         let mut least = (usize::MAX, boundary);
         let mut h = start;
@@ -277,9 +275,8 @@ impl Work {
         }
     }
 
-    /// Sets the boundary component of the half-edges of each group with one cycle, without a walk. Returns the cycles
-    /// that contain no component's start, each with its half-edge of smallest index, the group, and the old face to the
-    /// left of that half-edge.
+    /// Sets the boundary component of the half-edges of each group with one cycle, without a walk. Returns the cycles that contain no
+    /// component's start, each with its half-edge of smallest index, the group, and the old face to the left of that half-edge.
     fn relabel_others(
         &mut self,
         store: &mut Store,

@@ -4,8 +4,8 @@ use crate::dcel::structure::Dcel;
 use crate::store::{HalfEdgeSlot, VertexLink};
 
 impl Dcel {
-    /// Unlinks an edge from its cycles and rotations. Its record and the labels stay. If a vertex loses its last
-    /// half-edge, appends that half-edge to `last`. O(1).
+    /// Unlinks an edge from its cycles and rotations. Its record and the labels stay. If a vertex loses its last half-edge, appends
+    /// that half-edge to `last`. O(1).
     pub(super) fn splice_out(&mut self, n: HalfEdgeSlot, last: &mut impl Extend<HalfEdgeSlot>) {
         let store = &mut self.store;
         let t = store.twin(n);

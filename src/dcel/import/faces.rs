@@ -40,8 +40,8 @@ pub enum FacesError {
         /// The vertex.
         vertex: u32,
     },
-    /// Two faces, or one face twice, traverse the same two vertices in the same direction: they overlap, one of them is
-    /// clockwise, or three faces share an edge.
+    /// Two faces, or one face twice, traverse the same two vertices in the same direction: they overlap, one of them is clockwise, or
+    /// three faces share an edge.
     #[error("faces {} and {} both go from vertex {} to vertex {}", .faces[0], .faces[1], .vertices[0], .vertices[1])]
     SameSide {
         /// The faces, in the given order.
@@ -84,8 +84,8 @@ pub enum FacesError {
 const MOST_CORNERS: usize = 1 << 30;
 
 impl Dcel {
-    /// Builds the structure with these bounded faces. Each face lists the numbers of its vertices counter-clockwise.
-    /// The rest of the plane becomes the unbounded face.
+    /// Builds the structure with these bounded faces. Each face lists the numbers of its vertices counter-clockwise. The rest of the
+    /// plane becomes the unbounded face.
     ///
     /// ```text
     ///   3───────2
@@ -95,10 +95,9 @@ impl Dcel {
     ///   0───────1
     /// ```
     ///
-    /// The faces may form several components, side by side in the unbounded face. Each component has one border: a
-    /// surrounding face, or a hole's filling, must also be listed. A vertex that no face lists is isolated, in the
-    /// unbounded face. Vertices may repeat in a face, where it contains a dangling edge or a bridge: `[0, 1, 2, 0, 3]`
-    /// is a triangle with an edge from 0 to 3 inside.
+    /// The faces may form several components, side by side in the unbounded face. Each component has one border: a surrounding face,
+    /// or a hole's filling, must also be listed. A vertex that no face lists is isolated, in the unbounded face. Vertices may repeat
+    /// in a face, where it contains a dangling edge or a bridge: `[0, 1, 2, 0, 3]` is a triangle with an edge from 0 to 3 inside.
     ///
     /// Without coordinates, faces that are all clockwise go unnoticed: the result is the mirror image.
     ///
@@ -106,16 +105,16 @@ impl Dcel {
     /// | holes and components inside a face, an unbounded face among the faces, closed surfaces by one of their faces | [`Dcel::from_view`] |
     /// | faces that touch at a vertex only, parallel edges, loops | [`Dcel::from_rotations`] |
     ///
-    /// The returned keys are indexed by number of vertex, by number of face, and for half-edges by *corner*: half-edge
-    /// `i` leaves the `i`-th vertex of the concatenated lists. Records keep this order; the index of an edge is
-    /// determined by its half-edge with the smaller number. The result needs no validation.
+    /// The returned keys are indexed by number of vertex, by number of face, and for half-edges by *corner*: half-edge `i` leaves the
+    /// `i`-th vertex of the concatenated lists. Records keep this order; the index of an edge is determined by its half-edge with the
+    /// smaller number. The result needs no validation.
     ///
     /// O(n) time and memory for n vertices and corners.
     ///
     /// # Errors
-    /// [`FacesError::NoSuchVertex`], [`FacesError::TooShort`] and [`FacesError::Loop`] for the first face that is
-    /// invalid by itself; then [`FacesError::SameSide`] and [`FacesError::SeveralFans`]; then [`FacesError::Closed`],
-    /// [`FacesError::SeveralBorders`] or [`FacesError::Genus`] for the first invalid component; [`FacesError::Full`].
+    /// [`FacesError::NoSuchVertex`], [`FacesError::TooShort`] and [`FacesError::Loop`] for the first face that is invalid by itself;
+    /// then [`FacesError::SameSide`] and [`FacesError::SeveralFans`]; then [`FacesError::Closed`], [`FacesError::SeveralBorders`] or
+    /// [`FacesError::Genus`] for the first invalid component; [`FacesError::Full`].
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, FacesError};
@@ -205,8 +204,8 @@ impl Corners {
 
     /// Finds the other corner of each edge; [`NIL`] on the border.
     ///
-    /// At each vertex, matches corners leading to smaller-numbered neighbours with corners coming from them, using two
-    /// arrays over the vertices. A vertex costs O(degree).
+    /// At each vertex, matches corners leading to smaller-numbered neighbours with corners coming from them, using two arrays over the
+    /// vertices. A vertex costs O(degree).
     fn join(&self, vertices: usize) -> Result<Vec<u32>, FacesError> {
         // The corners that lead to each vertex: linked lists in one array.
         let mut arriving = vec![NIL; vertices];

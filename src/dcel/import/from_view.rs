@@ -24,18 +24,18 @@ impl Dcel {
     ///
     /// Boundary components, their places, `prev` and leaving half-edges are optional.
     ///
-    /// Records and lists keep their order; the index of an edge is determined by its half-edge with the smaller index
-    /// in the view.
+    /// Records and lists keep their order; the index of an edge is determined by its half-edge with the smaller index in
+    /// the view.
     ///
     /// O(n) time and memory for n slots of the view.
     ///
     /// # Errors
-    /// [`ImportError::Invalid`] with the report, if the view breaks a rule. For a valid view: [`ImportError::Lacks`] if
-    /// it has no faces; [`ImportError::NoUnboundedFace`], [`ImportError::SecondUnboundedFace`] and
-    /// [`ImportError::NoSuchFace`] if `outside` does not suit it; [`ImportError::Genus`] and
-    /// [`ImportError::Disconnected`]; [`ImportError::Border`], [`ImportError::NoBorder`] and
-    /// [`ImportError::SeveralBorders`]; [`ImportError::NotPlane`] with the report, if a component then lies in no face
-    /// or in two; [`ImportError::Inconsistent`] if the view changes its answers; [`ImportError::Full`].
+    /// [`ImportError::Invalid`] with the report, if the view breaks a rule. For a valid view: [`ImportError::Lacks`] if it
+    /// has no faces; [`ImportError::NoUnboundedFace`], [`ImportError::SecondUnboundedFace`] and [`ImportError::NoSuchFace`]
+    /// if `outside` does not suit it; [`ImportError::Genus`] and [`ImportError::Disconnected`]; [`ImportError::Border`],
+    /// [`ImportError::NoBorder`] and [`ImportError::SeveralBorders`]; [`ImportError::NotPlane`] with the report, if a
+    /// component then lies in no face or in two; [`ImportError::Inconsistent`] if the view changes its answers;
+    /// [`ImportError::Full`].
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Outside};

@@ -379,8 +379,8 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
 }
 
 impl Columns {
-    /// Returns the number of inner boundary components that are cycles: in a valid structure, the number of components
-    /// with an edge.
+    /// Returns the number of inner boundary components that are cycles: in a valid structure, the number of components with
+    /// an edge.
     pub(super) fn outside_cycles(&self) -> usize {
         let is_cycle = |b: u32| matches!(self.starts[b as usize], BoundaryStart::HalfEdge(_));
         self.inner.iter().filter(|(_, b)| is_cycle(*b)).count()

@@ -16,11 +16,10 @@ use thiserror::Error;
 /// The position of a component of a rotation system in the plane, which [`Dcel::from_rotations`] cannot infer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Placement {
-    /// The corner facing the outside of the component: a dart with the outside to its left, or the component's isolated
-    /// vertex.
+    /// The corner facing the outside of the component: a dart with the outside to its left, or the component's isolated vertex.
     pub outside: Corner<u32, u32>,
-    /// A dart of another component, with this component in the face to its left; `None` for the unbounded face. If that
-    /// face is the outside of the other component, the two lie side by side.
+    /// A dart of another component, with this component in the face to its left; `None` for the unbounded face. If that face is
+    /// the outside of the other component, the two lie side by side.
     pub within: Option<u32>,
 }
 
@@ -88,9 +87,9 @@ pub enum RotationsError {
 impl Dcel {
     /// Builds the structure in which each vertex has this rotation: the darts that leave it, counter-clockwise.
     ///
-    /// A *dart* is the number of a half-edge. The half-edges of an edge have the numbers `2e` and `2e + 1`, and each
-    /// number below the number of half-edges is listed once. A vertex without darts is isolated. Loops and parallel
-    /// edges are accepted. Faces are traced: a dart is followed by the dart clockwise from its twin.
+    /// A *dart* is the number of a half-edge. The half-edges of an edge have the numbers `2e` and `2e + 1`, and each number
+    /// below the number of half-edges is listed once. A vertex without darts is isolated. Loops and parallel edges are
+    /// accepted. Faces are traced: a dart is followed by the dart clockwise from its twin.
     ///
     /// ```text
     ///           2
@@ -101,12 +100,12 @@ impl Dcel {
     ///       0 ─►   ◄─ 1        dart 0 goes from 0 to 1, dart 1 back, …
     /// ```
     ///
-    /// A rotation system does not determine the unbounded face, nor the faces in which its components lie.
-    /// [`Placement`]s do, at most one for each component. A component without a placement lies in the unbounded face,
-    /// and its outside is the face to the left of its smallest dart.
+    /// A rotation system does not determine the unbounded face, nor the faces in which its components lie. [`Placement`]s do,
+    /// at most one for each component. A component without a placement lies in the unbounded face, and its outside is the face
+    /// to the left of its smallest dart.
     ///
-    /// The returned keys are indexed by number of vertex, and for half-edges by dart. A dart has the index of its
-    /// number plus 2. Faces have no numbers: `map.half_edge(key)?.face()` is the face to the left of a dart.
+    /// The returned keys are indexed by number of vertex, and for half-edges by dart. The index of a dart is its number plus 2.
+    /// Faces have no numbers: `map.half_edge(key)?.face()` is the face to the left of a dart.
     ///
     /// O(n) time and memory for n vertices, darts and placements. The result needs no validation.
     ///

@@ -18,8 +18,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// The version of the saved form.
 const FORM: u8 = 1;
 
-/// The saved form of a structure: the generations of all slots, and the links (as slots) of the live records in order
-/// of their slots.
+/// The saved form of a structure: the generations of all slots, and the links (as slots) of the live records in order of
+/// their slots.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Saved {
@@ -45,8 +45,8 @@ enum SavedStart {
     Vertex(u32),
 }
 
-/// Keys survive: data saved alongside by key, for example in a [`SecondaryMap`](crate::dcel::SecondaryMap), still
-/// refers to the same records, and stale keys stay stale.
+/// Keys survive: data saved alongside by key, for example in a [`SecondaryMap`](crate::dcel::SecondaryMap), still refers to
+/// the same records, and stale keys stay stale.
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, SecondaryMap};
@@ -88,8 +88,7 @@ impl Serialize for Dcel {
     }
 }
 
-/// Validates as [`Dcel::from_view`] does: a structure that is not a planar subdivision is an error containing the
-/// report.
+/// Validates as [`Dcel::from_view`] does: a structure that is not a planar subdivision is an error containing the report.
 impl<'de> Deserialize<'de> for Dcel {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let saved = Saved::deserialize(deserializer)?;

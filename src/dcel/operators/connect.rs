@@ -41,8 +41,7 @@ pub enum Connection {
     },
     /// One cycle became two, and one face two.
     Split {
-        /// The split boundary component. It keeps the longer of the two cycles, or the left one if they are equally
-        /// long.
+        /// The split boundary component. It keeps the longer of the two cycles, or the left one if they are equally long.
         kept: BoundaryKey,
         /// The new boundary component, with the other cycle.
         made: BoundaryKey,
@@ -74,22 +73,22 @@ impl Connected {
 impl Dcel {
     /// Connects two corners of one face by a new edge.
     ///
-    /// If the corners lie on different boundary components, the edge is a bridge that joins them. If they lie on the
-    /// same component, the edge splits the face.
+    /// If the corners lie on different boundary components, the edge is a bridge that joins them. If they lie on the same
+    /// component, the edge splits the face.
     ///
     #[doc = include_str!("../pictures/connect.svg")]
     ///
-    /// Equal corners yield a loop. The old cycle continues to the left of the new half-edge, and the loop alone lies to
-    /// the right. [`Split::new_face`] still chooses the side of the new face.
+    /// Equal corners yield a loop. The old cycle continues to the left of the new half-edge, and the loop alone lies to the
+    /// right. [`Split::new_face`] still chooses the side of the new face.
     ///
-    /// O(length of the shorter cycle + boundary components moved to the new face): both sides are walked in step, and
-    /// only the shorter one is relabelled. O(1) to or from an isolated vertex.
+    /// O(length of the shorter cycle + boundary components moved to the new face): both sides are walked in step, and only the
+    /// shorter one is relabelled. O(1) to or from an isolated vertex.
     ///
     /// Inverse: [`Dcel::remove_edge`].
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] if a
-    /// component to be moved is not another inner one of the face; [`OperatorError::Full`].
+    /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] if a component
+    /// to be moved is not another inner one of the face; [`OperatorError::Full`].
     ///
     /// ```
     /// use twinedge::dcel::{Connection, Dcel, Side, Split};
@@ -147,8 +146,8 @@ impl Dcel {
         Ok(self.split_face(from, to, split))
     }
 
-    /// Makes an edge between two corners, which may be equal, and returns the half-edge from the first to the second.
-    /// The caller sets its boundary component.
+    /// Makes an edge between two corners, which may be equal, and returns the half-edge from the first to the second. The
+    /// caller sets its boundary component.
     fn attach(&mut self, from: CheckedCorner, to: CheckedCorner) -> HalfEdgeSlot {
         let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
         let n = self.store.add_edge(va, vb, from.boundary(&self.store));

@@ -1,5 +1,5 @@
-//! Attribute values that follow operators: each operator announces its steps before writing, and settles the new
-//! records afterwards.
+//! Attribute values that follow operators: each operator announces its steps before writing, and settles the new records
+//! afterwards.
 
 use super::corner::CheckedCorner;
 use super::flip::Turn;

@@ -9,8 +9,8 @@ impl Dcel {
     ///
     #[doc = include_str!("../pictures/move_inner.svg")]
     ///
-    /// O(1) for an isolated vertex, and if `face` is the unbounded face. Otherwise O(size of the moved part), to check
-    /// that `face` does not lie inside it.
+    /// O(1) for an isolated vertex, and if `face` is the unbounded face. Otherwise O(size of the moved part), to check that
+    /// `face` does not lie inside it.
     ///
     /// Returns the previous face. Inverse: moving the component back.
     ///

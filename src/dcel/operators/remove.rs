@@ -43,18 +43,18 @@ impl Dcel {
     /// Removes an edge. Its vertices stay; a vertex without another edge becomes isolated.
     ///
     /// If the edge separates two faces, they merge. If it lies on the outer boundary of both, the face to the left of
-    /// `half_edge` survives. Otherwise one face surrounds the other and survives. The inner boundary components of the
-    /// dropped face move to the survivor.
+    /// `half_edge` survives. Otherwise one face surrounds the other and survives. The inner boundary components of the dropped
+    /// face move to the survivor.
     ///
-    /// If both sides of the edge lie on the same cycle, the edge is a bridge, and its component falls into two. If the
-    /// cycle is an outer one, the part with the outside of the component keeps the outer boundary component, and the
-    /// other part becomes an inner one.
+    /// If both sides of the edge lie on the same cycle, the edge is a bridge, and its component falls into two. If the cycle is
+    /// an outer one, the part with the outside of the component keeps the outer boundary component, and the other part becomes
+    /// an inner one.
     ///
     #[doc = include_str!("../pictures/remove_edge.svg")]
     ///
-    /// Merging takes O(length of the shorter cycle + inner boundary components of the dropped face). Parting takes
-    /// O(length of the shorter part of the cycle), plus, on an outer cycle, a search of both parts in step for the
-    /// outside, O(size of the smaller part). The part is not an argument because only one answer keeps rule T1.
+    /// Merging takes O(length of the shorter cycle + inner boundary components of the dropped face). Parting takes O(length of
+    /// the shorter part of the cycle), plus, on an outer cycle, a search of both parts in step for the outside, O(size of the
+    /// smaller part). The part is not an argument because only one answer keeps rule T1.
     ///
     /// Inverse: [`Dcel::connect`].
     ///

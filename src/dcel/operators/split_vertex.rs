@@ -27,14 +27,14 @@ pub struct ContractedEdge {
 impl Dcel {
     /// Splits a vertex in two, joined by a new edge between two of its corners.
     ///
-    /// The half-edges met when turning counter-clockwise from the first corner to the second move to the target of the
-    /// new half-edge, the others to its origin. Equal corners make the target a leaf in that corner. An isolated vertex
-    /// becomes an edge.
+    /// The half-edges met when turning counter-clockwise from the first corner to the second move to the target of the new
+    /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner. An isolated vertex becomes
+    /// an edge.
     ///
     #[doc = include_str!("../pictures/split_vertex.svg")]
     ///
-    /// O(size of the smaller rotation): both rotations are walked in step, and the smaller one, or the target's if they
-    /// are equally large, moves to the new vertex.
+    /// O(size of the smaller rotation): both rotations are walked in step, and the smaller one, or the target's if they are
+    /// equally large, moves to the new vertex.
     ///
     /// Inverse: [`Dcel::contract_edge`].
     ///
@@ -192,8 +192,7 @@ impl Dcel {
             let (before, after) = (self.store.prev(h), self.store.next(h));
             let component = self.store.boundary(h);
             if self.store.start(component) == BoundaryStart::HalfEdge(h) {
-                // If that is `t`, it is removed next; a cycle of only this edge is settled below, at the isolated
-                // vertex.
+                // If that is `t`, it is removed next; a cycle of only this edge is settled below, at the isolated vertex.
                 self.store.set_start(component, BoundaryStart::HalfEdge(after));
             }
             self.store.join(before, after);

@@ -65,8 +65,8 @@ impl Queue {
     }
 }
 
-/// A search through the faces of one part of a component: first along a stretch of the cut cycle, then along every
-/// outer cycle met across it.
+/// A search through the faces of one part of a component: first along a stretch of the cut cycle, then along every outer
+/// cycle met across it.
 struct Search {
     at: Option<HalfEdgeSlot>,
     stop: HalfEdgeSlot,
@@ -104,8 +104,8 @@ impl Search {
 }
 
 impl Dcel {
-    /// Walks along two cycles in step, from each half-edge to the stop of its walk, and returns the shorter walk, the
-    /// second if they are equally long. A walk without a first half-edge is empty.
+    /// Walks along two cycles in step, from each half-edge to the stop of its walk, and returns the shorter walk, the second
+    /// if they are equally long. A walk without a first half-edge is empty.
     ///
     /// O(shorter).
     pub(super) fn shorter_or_second(
@@ -134,12 +134,12 @@ impl Dcel {
         }
     }
 
-    /// Returns the part of a component that keeps the outside when an edge, with both sides `n` and `t` on one outer
-    /// cycle, is removed: the part of the origin of `n` (first) or of its target (second).
+    /// Returns the part of a component that keeps the outside when an edge, with both sides `n` and `t` on one outer cycle,
+    /// is removed: the part of the origin of `n` (first) or of its target (second).
     ///
-    /// The outside belongs to the part from which an inner boundary component can be reached across edges. Both parts
-    /// are searched in step, so the cost is O(size of the smaller part), and less if the outside is near. The queues
-    /// use a field that is free in outer boundary components, so nothing is allocated.
+    /// The outside belongs to the part from which an inner boundary component can be reached across edges. Both parts are
+    /// searched in step, so the cost is O(size of the smaller part), and less if the outside is near. The queues use a field
+    /// that is free in outer boundary components, so nothing is allocated.
     pub(super) fn part_with_outside(&mut self, n: HalfEdgeSlot, t: HalfEdgeSlot) -> OneOfTwo {
         let cut = self.store.boundary(n);
         // Both searches treat the cut cycle as seen.
@@ -164,8 +164,7 @@ impl Dcel {
         which
     }
 
-    /// Tells whether face `f` belongs to the component of the inner boundary component `b`, or to a component inside
-    /// it.
+    /// Tells whether face `f` belongs to the component of the inner boundary component `b`, or to a component inside it.
     ///
     /// O(size of that component and of everything inside it), without allocating.
     pub(super) fn encloses(&mut self, b: BoundarySlot, f: FaceSlot) -> bool {

@@ -1,5 +1,5 @@
-//! A view's half-edges, numbered without gaps, with their cycles and components; and the search for the least code of a
-//! connected map.
+//! A view's half-edges, numbered without gaps, with their cycles and components; and the search for the least code of a connected
+//! map.
 
 use crate::slots::NIL;
 use crate::validate::View;
@@ -162,8 +162,8 @@ impl Search {
         self.ties
     }
 
-    /// Tries another root of the same component. `note` adds words to the code of each cycle, after its length; it must
-    /// be self-delimiting.
+    /// Tries another root of the same component. `note` adds words to the code of each cycle, after its length; it must be
+    /// self-delimiting.
     pub(super) fn offer<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) {
         self.candidate.clear();
         let smaller = self.write(map, root, note);
@@ -180,8 +180,7 @@ impl Search {
         }
     }
 
-    /// Returns whether the code is smaller than the least so far (`false` if equal); `None` as soon as it is known to
-    /// be greater.
+    /// Returns whether the code is smaller than the least so far (`false` if equal); `None` as soon as it is known to be greater.
     fn write<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) -> Option<bool> {
         // The first root has nothing to be compared with.
         let mut smaller = self.least.is_empty();

@@ -1,8 +1,8 @@
 //! Canonical forms: two structures have equal forms if and only if they are isomorphic.
 //!
 //! Two structures are isomorphic if a one-to-one correspondence of their half-edges and isolated vertices keeps `twin`,
-//! `next`, faces and outer boundary components. An isomorphism therefore keeps the orientation of the plane, nesting
-//! and the unbounded face, but not names, the order of lists or the half-edge with which a record starts.
+//! `next`, faces and outer boundary components. An isomorphism therefore keeps the orientation of the plane, nesting and
+//! the unbounded face, but not names, the order of lists or the half-edge with which a record starts.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
@@ -21,10 +21,10 @@
 //!
 //! # How
 //!
-//! A connected map with a *root*, one marked half-edge, has no symmetry. Number its cycles one by one, starting with
-//! the cycle of the root, each consecutively from the half-edge through which it was first reached. Every half-edge
-//! then has a number that depends on the map alone. The code of the rooted map lists, in that order, the length of each
-//! cycle and the number of each half-edge's twin. Computing it takes O(E).
+//! A connected map with a *root*, one marked half-edge, has no symmetry. Number its cycles one by one, starting with the
+//! cycle of the root, each consecutively from the half-edge through which it was first reached. Every half-edge then has
+//! a number that depends on the map alone. The code of the rooted map lists, in that order, the length of each cycle and
+//! the number of each half-edge's twin. Computing it takes O(E).
 //!
 //! The code of a map without a root is the least code of all its roots. If the unbounded or the surrounding face is
 //! marked, only half-edges of the outside cycle are candidates, and the code needs no mark. A root is abandoned where
@@ -33,8 +33,8 @@
 //!
 //! Nesting is a tree, and trees are put in canonical form as by Aho, Hopcroft and Ullman (*The Design and Analysis of
 //! Computer Algorithms*, 1974, section 3.2): from the deepest level upwards, every component gets its rank among the
-//! codes of its level. Its code lists, for each face, the number of isolated vertices and the ranks of the components
-//! in it.
+//! codes of its level. Its code lists, for each face, the number of isolated vertices and the ranks of the components in
+//! it.
 
 mod map;
 mod nesting;
@@ -97,8 +97,8 @@ pub fn isomorphic<V: View + ?Sized, W: View + ?Sized>(one: &V, other: &W) -> boo
 
 /// Computes canonical forms. Reuse one to compute many: it keeps its working memory.
 ///
-/// An invalid structure may have no form; the forms of connected maps only need `twin` to pair the half-edges and
-/// `next` to permute them. These functions return `None` instead of panicking or running on, whatever the structure.
+/// An invalid structure may have no form; the forms of connected maps only need `twin` to pair the half-edges and `next`
+/// to permute them. These functions return `None` instead of panicking or running on, whatever the structure.
 #[derive(Debug, Default)]
 pub struct Canonizer {
     map: Map,

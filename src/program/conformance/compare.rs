@@ -60,8 +60,7 @@ impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
         self.0.get(&reference).copied()
     }
 
-    /// Tells whether two handles name the same element, pairing them if neither is paired yet. Two missing handles
-    /// agree.
+    /// Tells whether two handles name the same element, pairing them if neither is paired yet. Two missing handles agree.
     fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
         let (Some(a), Some(b)) = (reference, subject) else { return reference.is_none() && subject.is_none() };
         if let Some(known) = self.get(a) {
@@ -84,8 +83,8 @@ pub(super) struct Agreement<K: Subject> {
 
 /// Finds the first corner whose answers differ.
 ///
-/// Asks every question about every corner once. Answers are handles of two structures, so handles must be paired:
-/// half-edges by their places, vertices and faces as they are met.
+/// Asks every question about every corner once. Answers are handles of two structures, so handles must be paired: half-edges by their
+/// places, vertices and faces as they are met.
 ///
 /// O(n log n) questions and steps, and O(n²) comparisons of handles, which can only be tested for equality.
 pub(super) fn compare_answers<K: Subject>(
@@ -147,8 +146,8 @@ fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> 
 
 /// Finds the first half-edge whose view differs. A missing `next` on the border is ignored.
 ///
-/// A view with faces, holes and an unbounded face is compared by canonical form, other views link by link: the subject
-/// names the handle of each half-edge of the view, and the handle has a place in the runner's list.
+/// A view with faces, holes and an unbounded face is compared by canonical form, other views link by link: the subject names the
+/// handle of each half-edge of the view, and the handle has a place in the runner's list.
 ///
 /// O(n²) comparisons of handles.
 pub(super) fn compare_view<K: Subject>(
@@ -196,8 +195,8 @@ pub(super) fn compare_view<K: Subject>(
     Ok(())
 }
 
-/// The vertices whose handles an operator may exchange. Data is stored under handles: if a vertex gets another vertex's
-/// handle, the map is unchanged, but the vertex's data is lost.
+/// The vertices whose handles an operator may exchange. Data is stored under handles: if a vertex gets another vertex's handle, the
+/// map is unchanged, but the vertex's data is lost.
 pub(super) enum Exchange {
     Nothing,
     /// Two vertices become one: the ends of the edge, and the ends whose handle may survive.

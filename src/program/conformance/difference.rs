@@ -50,8 +50,8 @@ pub enum Difference {
     /// Programs cannot begin with this structure.
     #[error(transparent)]
     Start(StartError),
-    /// The structure is not empty, and [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) returns no
-    /// handle for this half-edge.
+    /// The structure is not empty, and [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) returns no handle for this
+    /// half-edge.
     #[error("half_edge_at gives no handle for half-edge {half_edge} of the view")]
     NoHandle {
         /// The index of the half-edge in the view.
@@ -110,9 +110,8 @@ pub enum Difference {
     /// The subject keeps every expected rule, but is another map.
     #[error("the map is valid, but another one than it should be")]
     NotIsomorphic,
-    /// The map is the expected one, but a surviving vertex has a different handle, so data stored under its old handle
-    /// is lost. Of two merged vertices either may survive, unless
-    /// [`collapse_keeps`](super::Conformance::collapse_keeps) chooses one.
+    /// The map is the expected one, but a surviving vertex has a different handle, so data stored under its old handle is lost. Of
+    /// two merged vertices either may survive, unless [`collapse_keeps`](super::Conformance::collapse_keeps) chooses one.
     #[error("a vertex that was there before should be {} and is {found}, so what is kept by its handle is lost", .expected.join(" or "))]
     Vertex {
         /// The expected handles.

@@ -95,8 +95,8 @@ impl<K: Subject> InStep<K> {
     /// Runs one operator on both structures and compares them. Costs as much as a step of [`run`](super::run).
     ///
     /// # Errors
-    /// The first difference, including a panic of the subject. After a difference the two structures are no longer in
-    /// step, and further steps are meaningless.
+    /// The first difference, including a panic of the subject. After a difference the two structures are no longer in step, and further
+    /// steps are meaningless.
     pub fn step(&mut self, op: Op) -> Result<StepOutcome, Failure> {
         let before = self.steps;
         let outcome = caught(|| self.run(op)).map_err(|difference| Failure { before, op: Some(op), difference })?;
@@ -225,8 +225,8 @@ impl Conformance {
         Ok(summary)
     }
 
-    /// Runs a program, as [`run`](super::run) does, and shrinks it if it fails: the body of a fuzz target. `make` must
-    /// return the same starting structure each time.
+    /// Runs a program, as [`run`](super::run) does, and shrinks it if it fails: the body of a fuzz target. `make` must return the same
+    /// starting structure each time.
     ///
     /// # Errors
     /// The smallest program found that shows a difference, with the difference.
@@ -257,8 +257,7 @@ impl Conformance {
                 let Some(op) = generator.op(&mut noise) else { break };
                 step(op, &mut pair)?;
             }
-            // Tries operators with all arguments if random arguments seldom suit them. Operators of meshes first need a
-            // mesh.
+            // Tries operators with all arguments if random arguments seldom suit them. Operators of meshes first need a mesh.
             for op in triangle_for(&Self::rest(&pair, &sum), pair.subject()) {
                 step(op, &mut pair)?;
             }
@@ -339,8 +338,8 @@ impl Conformance {
     }
 }
 
-/// Adds a triangle with a vertex inside, if an operator of meshes is left and the structure has a face for it: edges of
-/// random maps seldom have triangles on both sides.
+/// Adds a triangle with a vertex inside, if an operator of meshes is left and the structure has a face for it: edges of random maps
+/// seldom have triangles on both sides.
 fn triangle_for<K: Subject>(left: &[Op], on: &Runner<K>) -> Vec<Op> {
     let is_of_mesh = |op: &Op| OpKind::SHARES.iter().any(|(kind, share)| *kind == op.kind() && *share == 0);
     if on.subject().unbounded_face().is_none() || !left.iter().any(is_of_mesh) {
@@ -368,9 +367,9 @@ const SKIPPED_OFTEN: usize = 20;
 /// An operator answered with [`Refusal::Unsupported`] this often is no longer drawn.
 const SURELY_UNSUPPORTED: usize = 4;
 
-/// Draws operators as often as [`Op::from_bytes`] does, and operators of meshes, which no bytes encode, as often as the
-/// most frequent one. Unsupported operators are no longer drawn. Operators that never found anything to choose from,
-/// such as adding a vertex to a missing unbounded face, are drawn seldom: they may become possible later.
+/// Draws operators as often as [`Op::from_bytes`] does, and operators of meshes, which no bytes encode, as often as the most frequent
+/// one. Unsupported operators are no longer drawn. Operators that never found anything to choose from, such as adding a vertex to a
+/// missing unbounded face, are drawn seldom: they may become possible later.
 fn generator_for(so_far: &ConformanceSummary) -> Generator {
     let most = OpKind::SHARES.iter().map(|(_, share)| *share).max().unwrap_or(1);
     let weight = |kind: OpKind, share| {

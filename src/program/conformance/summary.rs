@@ -12,8 +12,7 @@ pub struct OperatorCounts {
     pub applied: usize,
     /// Refused by both, for the same reason.
     pub refused: usize,
-    /// The subject was not called: there was nothing to choose from, or it refused a question that the choice depends
-    /// on.
+    /// The subject was not called: there was nothing to choose from, or it refused a question that the choice depends on.
     pub skipped: usize,
     /// Refused by the subject for want of room.
     pub no_room: usize,

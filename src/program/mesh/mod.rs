@@ -1,9 +1,9 @@
 //! The operators of triangle meshes, defined as steps of the basic operators.
 //!
-//! Kernels of triangle meshes have no `connect` and no `remove_edge`. They flip an edge, split an edge or a triangle,
-//! and collapse an edge, each in one operation. The functions here define these operations by basic operators, and
-//! define when they are refused. They are the operators `mesh_…` of the models and of [`Dcel`](crate::dcel::Dcel), with
-//! which [`conformance`](super::conformance) compares a kernel.
+//! Kernels of triangle meshes have no `connect` and no `remove_edge`. They flip an edge, split an edge or a triangle, and collapse an
+//! edge, each in one operation. The functions here define these operations by basic operators, and define when they are refused. They
+//! are the operators `mesh_…` of the models and of [`Dcel`](crate::dcel::Dcel), with which [`conformance`](super::conformance)
+//! compares a kernel.
 //!
 //! | operator | steps | refused unless |
 //! | --- | --- | --- |
@@ -16,23 +16,22 @@
 //!
 //! # The link condition
 //!
-//! The link of a vertex is the boundary of its triangles: their other vertices, and the edges opposite. The link of an
-//! edge is the vertices opposite. The border counts as if joined to one extra vertex. Collapsing an edge ab of a simple
-//! triangulation yields a simple triangulation of the same surface if and only if the links of a and b intersect
-//! exactly in the link of ab (Dey, Edelsbrunner, Guha and Nekhayev, *Topology preserving edge contraction*, 1999). The
-//! condition rules out a third vertex adjacent to both, an inner edge between two border vertices, a border of three
-//! edges, and the tetrahedron.
+//! The link of a vertex is the boundary of its triangles: their other vertices, and the edges opposite. The link of an edge is the
+//! vertices opposite. The border counts as if joined to one extra vertex. Collapsing an edge ab of a simple triangulation yields a
+//! simple triangulation of the same surface if and only if the links of a and b intersect exactly in the link of ab (Dey,
+//! Edelsbrunner, Guha and Nekhayev, *Topology preserving edge contraction*, 1999). The condition rules out a third vertex adjacent to
+//! both, an inner edge between two border vertices, a border of three edges, and the tetrahedron.
 //!
 //! # Handles
 //!
-//! Kernels may choose the handles, except that the half-edges of the surrounding boundary keep theirs: the other edges
-//! of the triangles at the edge, or, for a triangle that collapses, the other edges of the triangles beyond. The new
-//! half-edges are found from these by `next` and `twin`. A kernel may therefore turn an edge either way, and keep
-//! either of two merged edges. Vertices keep their handles; a kernel keeps one end of a collapsed edge, and
+//! Kernels may choose the handles, except that the half-edges of the surrounding boundary keep theirs: the other edges of the
+//! triangles at the edge, or, for a triangle that collapses, the other edges of the triangles beyond. The new half-edges are found
+//! from these by `next` and `twin`. A kernel may therefore turn an edge either way, and keep either of two merged edges. Vertices keep
+//! their handles; a kernel keeps one end of a collapsed edge, and
 //! [`collapse_keeps`](crate::program::conformance::Conformance::collapse_keeps) can fix which one.
 //!
-//! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does
-//! not store the half-edges on its border, is tested through [`Named`].
+//! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store the
+//! half-edges on its border, is tested through [`Named`].
 
 mod named;
 
@@ -44,8 +43,7 @@ use crate::dcel::{Corner, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Tells whether a face, not the outside, lies to the left of a half-edge. Without faces, only half-edges without
-/// `next` are outside.
+/// Tells whether a face, not the outside, lies to the left of a half-edge. Without faces, only half-edges without `next` are outside.
 pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool, Refusal> {
     match subject.face_of(Corner::At(h)) {
         Err(Refusal::Border) => Ok(false),
@@ -146,15 +144,14 @@ fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::Half
         && !a.edges.iter().any(|edge| b.edges.iter().any(|other| same(*edge, *other))))
 }
 
-/// Flips an edge inside its two triangles, to join the two other vertices. This implementation turns the half-edge
-/// counter-clockwise, from the vertex opposite on its right to the vertex opposite on its left; a kernel may also turn
-/// it clockwise.
+/// Flips an edge inside its two triangles, to join the two other vertices. This implementation turns the half-edge counter-clockwise,
+/// from the vertex opposite on its right to the vertex opposite on its left; a kernel may also turn it clockwise.
 ///
 /// O(degree²) questions plus `flip_edge`.
 ///
 /// # Errors
-/// [`Refusal::Stale`]; [`Refusal::Border`] if a side is outside; [`Refusal::NotTriangle`] if a side is not a triangle,
-/// or both are the same one; [`Refusal::NotSimple`] if the two other vertices are the same or adjacent.
+/// [`Refusal::Stale`]; [`Refusal::Border`] if a side is outside; [`Refusal::NotTriangle`] if a side is not a triangle, or both are the
+/// same one; [`Refusal::NotSimple`] if the two other vertices are the same or adjacent.
 pub fn flip_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let twin = subject.twin_of(half_edge)?;
     if !is_inside(subject, half_edge)? || !is_inside(subject, twin)? {
@@ -177,13 +174,12 @@ pub fn flip_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<
 /// O(1) questions plus the steps.
 ///
 /// # Errors
-/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if an inside side is not
-/// a triangle, or both are the same one; [`Refusal::Full`].
+/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if an inside side is not a triangle, or
+/// both are the same one; [`Refusal::Full`].
 pub fn split_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let [left, right] = sides(subject, half_edge)?;
     let n = subject.make_edge(Call::SplitEdge { half_edge })?;
-    // The corners of the new vertex: `n` leaves it on the left of the edge, the twin of the given half-edge on the
-    // right.
+    // The corners of the new vertex: `n` leaves it on the left of the edge, the twin of the given half-edge on the right.
     let twin = subject.twin_of(half_edge)?;
     let mut made = Vec::new();
     for (corner, side) in [(n, left), (twin, right)] {
@@ -237,9 +233,8 @@ fn undo<K: Subject>(subject: &mut K, made: Vec<K::HalfEdge>) -> Result<(), Refus
 /// O(degree²) questions plus the steps.
 ///
 /// # Errors
-/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if an inside side is not
-/// a triangle, both are the same one, or a face at either end is not a triangle; [`Refusal::NotSimple`] if the link
-/// condition does not hold.
+/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if an inside side is not a triangle,
+/// both are the same one, or a face at either end is not a triangle; [`Refusal::NotSimple`] if the link condition does not hold.
 pub fn collapse_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let found = sides(subject, half_edge)?;
     if !link_condition(subject, half_edge, &found)? {

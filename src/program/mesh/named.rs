@@ -15,14 +15,13 @@ type Operator<M> = Box<dyn FnMut(&mut M, usize) -> Result<(), Refusal>>;
 type Place = usize;
 const NOWHERE: Place = usize::MAX;
 
-/// A simple triangle mesh as a [`Subject`], even if its operators change the indices of half-edges or it does not store
-/// half-edges on its border. The mesh is any [`View`]: it may have vacant slots, and `prev`, `leaving` and faces are
-/// optional.
+/// A simple triangle mesh as a [`Subject`], even if its operators change the indices of half-edges or it does not store half-edges on
+/// its border. The mesh is any [`View`]: it may have vacant slots, and `prev`, `leaving` and faces are optional.
 ///
-/// Where `next` is arithmetic (`3 ⌊h / 3⌋ + (h + 1) mod 3`, as in corner tables and lists of triangles), an operator
-/// has to move half-edges to other indices, so an index is not a handle. In a simple mesh no two half-edges have the
-/// same origin and target. So every half-edge gets a stable number here, and is found again by its two ends after each
-/// operator. Vertices and faces keep their indices.
+/// Where `next` is arithmetic (`3 ⌊h / 3⌋ + (h + 1) mod 3`, as in corner tables and lists of triangles), an operator has to move
+/// half-edges to other indices, so an index is not a handle. In a simple mesh no two half-edges have the same origin and target. So
+/// every half-edge gets a stable number here, and is found again by its two ends after each operator. Vertices and faces keep their
+/// indices.
 ///
 /// Messages of [`conformance`](crate::program::conformance) contain these numbers (programs count differently: see
 /// [`Program`](crate::program::Program)). To find half-edge 10 of a message in the mesh, run the program again:
@@ -118,15 +117,15 @@ impl<M: View> Named<M> {
         named
     }
 
-    /// Adds the operator [`flip_edge`](super::flip_edge), called with the index of a half-edge of the mesh. Its value
-    /// is dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`flip_edge`](super::flip_edge), called with the index of a half-edge of the mesh. Its value is dropped, and
+    /// its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn flip_edge<T, E: Into<Refusal>>(self, operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static) -> Self {
         self.with(OpKind::MeshFlipEdge, operator)
     }
 
-    /// Adds the operator [`split_edge`](super::split_edge), called with the index of a half-edge of the mesh. Its value
-    /// is dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`split_edge`](super::split_edge), called with the index of a half-edge of the mesh. Its value is dropped, and
+    /// its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn split_edge<T, E: Into<Refusal>>(
         self,
@@ -135,8 +134,8 @@ impl<M: View> Named<M> {
         self.with(OpKind::MeshSplitEdge, operator)
     }
 
-    /// Adds the operator [`split_face`](super::split_face), called with the index of a half-edge of the mesh. Its value
-    /// is dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`split_face`](super::split_face), called with the index of a half-edge of the mesh. Its value is dropped, and
+    /// its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn split_face<T, E: Into<Refusal>>(
         self,
@@ -145,8 +144,8 @@ impl<M: View> Named<M> {
         self.with(OpKind::MeshSplitFace, operator)
     }
 
-    /// Adds the operator [`collapse_edge`](super::collapse_edge), called with the index of a half-edge of the mesh. Its
-    /// value is dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`collapse_edge`](super::collapse_edge), called with the index of a half-edge of the mesh. Its value is
+    /// dropped, and its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn collapse_edge<T, E: Into<Refusal>>(
         self,
@@ -171,8 +170,8 @@ impl<M: View> Named<M> {
         &self.mesh
     }
 
-    /// Returns the index in the mesh of the half-edge with this number, or of its twin if the half-edge is not stored;
-    /// `None` if no live half-edge has this number. O(1).
+    /// Returns the index in the mesh of the half-edge with this number, or of its twin if the half-edge is not stored; `None` if no
+    /// live half-edge has this number. O(1).
     #[must_use]
     pub fn in_mesh(&self, number: usize) -> Option<usize> {
         self.place(number).map(|place| place / 2)
@@ -222,8 +221,7 @@ impl<M: View> Named<M> {
         self.place.get(n).copied().filter(|place| *place != NOWHERE)
     }
 
-    /// The number of a half-edge of the mesh; its former number if it was removed, and an unused one if it never
-    /// existed.
+    /// The number of a half-edge of the mesh; its former number if it was removed, and an unused one if it never existed.
     fn numbered(&self, link: Link) -> Link {
         link.map(|h| h.checked_mul(2).and_then(|place| self.number.get(&place)).copied().unwrap_or(usize::MAX))
     }

@@ -42,21 +42,20 @@ impl PointerModel {
     ///
     /// A structure that is not a planar subdivision is modelled as follows:
     ///
-    /// - **Without lists of inner boundary components** ([`Part::Holes`]), faces are discs. Each cycle is a face with
-    ///   one boundary component, on a surface of any genus. A map on closed surfaces is given by its half-edges, `twin`
-    ///   and `next` alone (Edmonds; see Lando and Zvonkin, *Graphs on Surfaces and Their Applications*, 2004, section
-    ///   1.3). The operators change these as in the plane, since they only look at the faces at the edge. An operator
-    ///   that would make a face other than a disc is refused as [`Refusal::NotDisc`](crate::program::Refusal::NotDisc),
-    ///   after all other reasons: adding an isolated vertex, removing an edge with the same face on both sides,
-    ///   contracting the only edge of a component. Isolated vertices of the view are omitted.
+    /// - **Without lists of inner boundary components** ([`Part::Holes`]), faces are discs. Each cycle is a face with one boundary
+    ///   component, on a surface of any genus. A map on closed surfaces is given by its half-edges, `twin` and `next` alone (Edmonds;
+    ///   see Lando and Zvonkin, *Graphs on Surfaces and Their Applications*, 2004, section 1.3). The operators change these as in the
+    ///   plane, since they only look at the faces at the edge. An operator that would make a face other than a disc is refused as
+    ///   [`Refusal::NotDisc`](crate::program::Refusal::NotDisc), after all other reasons: adding an isolated vertex, removing an edge
+    ///   with the same face on both sides, contracting the only edge of a component. Isolated vertices of the view are omitted.
     /// - **Without faces** ([`Part::Faces`]), each cycle is a face, and half-edges without `next` form a border.
-    /// - **Where a half-edge has no face** (a border), a face marked as outside closes the surface, so genus and
-    ///   neighbours belong to the closed surface. Operators that need that face are refused as
-    ///   [`Refusal::Border`](crate::program::Refusal::Border), after stale handles and before other reasons: connecting
-    ///   or flipping there, removing an edge of the border, splitting a vertex between two corners of the border. A
-    ///   border half-edge without `next` is followed by the half-edge at the next gap around its target.
-    /// - **Without unbounded face** ([`Part::UnboundedFace`]) but with holes, the unbounded face of the model is also
-    ///   marked as outside.
+    /// - **Where a half-edge has no face** (a border), a face marked as outside closes the surface, so genus and neighbours belong to
+    ///   the closed surface. Operators that need that face are refused as [`Refusal::Border`](crate::program::Refusal::Border), after
+    ///   stale handles and before other reasons: connecting or flipping there, removing an edge of the border, splitting a vertex
+    ///   between two corners of the border. A border half-edge without `next` is followed by the half-edge at the next gap around its
+    ///   target.
+    /// - **Without unbounded face** ([`Part::UnboundedFace`]) but with holes, the unbounded face of the model is also marked as
+    ///   outside.
     ///
     /// O(n²).
     ///
@@ -193,8 +192,8 @@ impl PointerModelStart {
     }
 }
 
-/// The half-edge after each half-edge. A border half-edge without `next` is followed by the half-edge before which
-/// there is a gap at its target.
+/// The half-edge after each half-edge. A border half-edge without `next` is followed by the half-edge before which there is a gap at
+/// its target.
 fn successors(view: &dyn View, records: &Records) -> Result<BTreeMap<usize, usize>, StartError> {
     let mut next: BTreeMap<usize, usize> = BTreeMap::new();
     let mut prev: BTreeMap<usize, usize> = BTreeMap::new();

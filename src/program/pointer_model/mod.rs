@@ -14,12 +14,12 @@
 //! The model is the reference with which other structures are compared, step by step. It shares only the meaning of the
 //! operators with [`dcel`](crate::dcel), and is written for clarity rather than speed:
 //!
-//! - Two moves make all changes to `next` and `prev`: one end of an edge is [taken out](operators) of the rotation of
-//!   its vertex, or put into one.
-//! - Each half-edge stores the face to its left and whether it is on the outer cycle of that face; an isolated vertex
-//!   stores its face. Operators change these as their definitions say.
-//! - Everything else (boundary components, the lists of the faces, the half-edge kept by a vertex, indices) is
-//!   discarded after each operator and [rebuilt](PointerModel::rebuild). Every operator is O(n), and some are O(n²).
+//! - Two moves make all changes to `next` and `prev`: one end of an edge is [taken out](operators) of the rotation of its
+//!   vertex, or put into one.
+//! - Each half-edge stores the face to its left and whether it is on the outer cycle of that face; an isolated vertex stores
+//!   its face. Operators change these as their definitions say.
+//! - Everything else (boundary components, the lists of the faces, the half-edge kept by a vertex, indices) is discarded
+//!   after each operator and [rebuilt](PointerModel::rebuild). Every operator is O(n), and some are O(n²).
 
 mod from_view;
 mod operators;
@@ -282,8 +282,8 @@ impl PointerModel {
         f
     }
 
-    /// Rebuilds the derived data: boundary components and their places in the lists of the faces, the links of the
-    /// vertices, and the indices.
+    /// Rebuilds the derived data: boundary components and their places in the lists of the faces, the links of the vertices,
+    /// and the indices.
     fn rebuild(&mut self) {
         for f in &self.faces {
             f.borrow_mut().outer = None;

@@ -10,8 +10,7 @@
 //!     · x ─────       take_out(x)
 //! ```
 //!
-//! There are no special cases: loops, leaves and last edges work because each move reads the result of the move before
-//! it.
+//! There are no special cases: loops, leaves and last edges work because each move reads the result of the move before it.
 
 use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex, Vertex};
 use super::{component, contains, cycle, face, is_outer, label, label_cycle, next, origin, prev, same, to, twin};
@@ -135,8 +134,7 @@ impl PointerModel {
         self.half_edges.iter().any(|h| same(&origin(h), v))
     }
 
-    /// The faces inside a component: the faces it bounds from outside, and the faces inside components that lie in
-    /// these.
+    /// The faces inside a component: the faces it bounds from outside, and the faces inside components that lie in these.
     fn faces_inside(&self, of: &Owned<HalfEdge>) -> Vec<Owned<Face>> {
         let mut inside = Vec::new();
         let mut half_edges = component(of);
