@@ -81,7 +81,6 @@ impl Dcel {
         self.store.attributes()?.next_id(of)
     }
 
-    /// The key under which the value of a record is stored.
     fn record_key<K: Attributed>(&self, key: K::Key) -> Result<K::Key, StaleKey> {
         let data = key.data();
         match K::KIND {

@@ -312,7 +312,6 @@ impl<D: Recorder> History<D> {
         }
     }
 
-    /// Begins a new history with the current structure.
     fn begin(&mut self) {
         self.token = self.structure.begin_logs();
         self.others.clear();

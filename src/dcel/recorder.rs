@@ -135,9 +135,7 @@ impl Dcel {
     }
 }
 
-/// The operations of histories and audits on the logs.
 pub(super) trait Logged: Recorder {
-    /// The links, for writing to their log.
     fn links(&mut self) -> &mut Dcel {
         self.dcel_mut(Access(()))
     }
@@ -150,7 +148,6 @@ pub(super) trait Logged: Recorder {
         store.log.get().and_then(Log::token)
     }
 
-    /// Ends both logs.
     fn end_logs(&mut self) {
         self.log_others(false, Access(()));
         self.links().store.end_log();

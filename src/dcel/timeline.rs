@@ -9,7 +9,6 @@ use alloc::vec::Vec;
 /// another history, even a clone, is also useless.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mark {
-    /// The number of the log.
     token: Option<u32>,
     serial: u64,
 }
@@ -17,7 +16,6 @@ pub struct Mark {
 #[derive(Clone, Debug)]
 struct Step<E> {
     name: Cow<'static, str>,
-    /// The position in the log where it ends.
     end: E,
     /// Greater than all earlier serial numbers; never reused.
     serial: u64,
@@ -34,12 +32,10 @@ pub(crate) struct Timeline<E> {
 }
 
 impl<E: Copy> Timeline<E> {
-    /// Creates a timeline without steps, at a position in the log.
     pub(crate) const fn new(start: E) -> Self {
         Self { start: (start, 0), steps: Vec::new(), done: 0, last_serial: 0 }
     }
 
-    /// The position in the log after `steps` steps.
     fn end_of(&self, steps: usize) -> E {
         steps.checked_sub(1).map_or(self.start.0, |last| self.steps[last].end)
     }
@@ -48,7 +44,6 @@ impl<E: Copy> Timeline<E> {
         steps.checked_sub(1).map_or(self.start.1, |last| self.steps[last].serial)
     }
 
-    /// The position in the log after the steps in effect.
     pub(crate) fn now(&self) -> E {
         self.end_of(self.done)
     }

@@ -26,7 +26,6 @@ pub struct Renamed {
     pub faces: SecondaryMap<FaceKey, FaceKey>,
 }
 
-/// The live slots of one kind.
 struct Live<T> {
     slots: Vec<T>,
     /// The number of each slot, by index; nil if vacant.
@@ -46,7 +45,6 @@ impl<T: Copy> Live<T> {
         Self { slots, numbers }
     }
 
-    /// The new key of each old key.
     fn renamed<K: Key>(&self, old_key: impl Fn(T) -> K, new_key: impl Fn(u32) -> K) -> SecondaryMap<K, K> {
         let mut renamed = SecondaryMap::with_capacity(self.numbers.len());
         for (number, old) in (0..).zip(&self.slots) {
@@ -57,7 +55,6 @@ impl<T: Copy> Live<T> {
 }
 
 impl Dcel {
-    /// Moves the attributes to the structure with the new keys.
     fn renamed_attributes(&mut self, mut new: Self, renamed: &Renamed) -> Self {
         new.store.set_attributes(self.store.take_attributes().map(|mut attributes| {
             attributes.rename(&|kind, old| match kind {

@@ -20,12 +20,10 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::mem;
 
-/// The group of the unbounded face.
 pub(super) const UNBOUNDED: usize = 0;
 
 /// The faces, grouped by the face that they will form.
 pub(super) struct Groups {
-    /// The faces, with a number for each group.
     faces: Sets,
     pub(super) all: Vec<Group>,
 }
@@ -38,7 +36,6 @@ pub(super) struct Group {
     pub(super) changes: bool,
 }
 
-/// A cycle of a group in which something changes.
 pub(super) struct Cycle {
     pub(super) boundary: BoundarySlot,
     pub(super) group: u32,
@@ -82,7 +79,6 @@ impl Groups {
         Self { faces, all }
     }
 
-    /// Marks the group of a boundary component as changed.
     pub(super) fn change(&mut self, store: &Store, b: BoundarySlot) {
         let group = self.of_boundary(store, b);
         self.all[group].changes = true;
@@ -129,7 +125,6 @@ impl Groups {
     }
 }
 
-/// Marks a group that has been searched completely.
 const DONE: u32 = NIL;
 
 /// The cycles of groups with several cycles, and the outer ones found so far.

@@ -321,7 +321,6 @@ impl Work {
         fresh
     }
 
-    /// Removes the faces that became part of other faces.
     fn merge_faces(&mut self, store: &mut Store, kept: &[FaceSlot]) {
         for index in 0..store.face_slots() {
             let Some(f) = store.face_at(index) else { continue };

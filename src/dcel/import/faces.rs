@@ -152,7 +152,6 @@ struct Corners {
     starts: Vec<u32>,
 }
 
-/// An empty column with this capacity, or without capacity if memory runs out.
 fn with_room(room: usize) -> Vec<u32> {
     let mut column = Vec::new();
     let _ = column.try_reserve_exact(room);
@@ -248,7 +247,6 @@ impl Corners {
         Ok(twins)
     }
 
-    /// Assembles the structure, with these numbers for the half-edges of the corners.
     fn assemble(self, vertex_count: usize, numbers: Vec<u32>, half_edges: usize) -> Result<(Dcel, Keys), FacesError> {
         let faces = self.starts.len();
         let mut origin = vec![NIL; half_edges];

@@ -75,7 +75,6 @@ impl Dcel {
     }
 }
 
-/// Validates a view, reads it, assembles it, and validates the result.
 pub(super) fn import<V: View + ?Sized>(
     view: &V,
     expectation: Expectation,
@@ -134,7 +133,6 @@ fn check_borders(report: &Report, borders: usize) -> Result<(), ImportError> {
     }
 }
 
-/// The keys of the records with these numbers.
 pub(super) fn keys(dcel: &Dcel, numbers: &Numbers) -> Keys {
     // Slot 0 of each kind is vacant, and so is the first pair of half-edges.
     fn all<K>(numbers: &[u32], key: impl Fn(usize) -> Option<K>) -> Vec<Option<K>> {

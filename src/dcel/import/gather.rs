@@ -24,7 +24,6 @@ pub(super) struct Numbers {
     pub(super) faces: Vec<u32>,
 }
 
-/// A structure in columns.
 #[derive(Default)]
 pub(super) struct Columns {
     vertices: Vec<VertexLink<u32, u32>>,
@@ -49,7 +48,6 @@ impl Columns {
         }
     }
 
-    /// Adds the cycle of this half-edge as a boundary component.
     fn add_cycle(&mut self, start: u32) -> Result<u32, ImportError> {
         let b = number(self.starts.len(), RecordKind::Boundary)?;
         self.starts.push(BoundaryStart::HalfEdge(start));
@@ -68,7 +66,6 @@ impl Columns {
         }
     }
 
-    /// Adds this isolated vertex as a boundary component.
     fn add_isolated(&mut self, v: u32) -> Result<u32, ImportError> {
         let b = number(self.starts.len(), RecordKind::Boundary)?;
         self.starts.push(BoundaryStart::Vertex(v));
@@ -96,7 +93,6 @@ fn follow(link: Link, numbers: &[u32]) -> Result<u32, ImportError> {
     found.filter(|n| *n != NIL).ok_or(ImportError::Inconsistent)
 }
 
-/// Numbers the live slots.
 fn enumerate(
     slots: usize,
     kind: RecordKind,
@@ -112,11 +108,9 @@ fn enumerate(
     Ok((numbers, count))
 }
 
-/// A view being read.
 pub(super) struct Gather<'a, V: ?Sized> {
     view: &'a V,
     expectation: Expectation,
-    /// The parts considered.
     parts: Parts,
     outside: Outside,
     numbers: Numbers,

@@ -144,7 +144,6 @@ impl Dcel {
     }
 }
 
-/// A rotation system in columns.
 struct System {
     /// By dart.
     origin: Vec<u32>,

@@ -106,7 +106,6 @@ impl<'de> Deserialize<'de> for Dcel {
     }
 }
 
-/// The live slots, by the numbers of their records.
 fn live(numbers: &Numbers) -> Live {
     fn slots(numbers: &[u32]) -> Vec<u32> {
         let count = numbers.iter().filter(|n| **n != NIL).count();

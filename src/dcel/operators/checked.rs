@@ -29,7 +29,6 @@ impl Dcel {
         self.store.place(b) == OUTER
     }
 
-    /// Lists `b` in `f` as the outer or as an inner boundary component.
     pub(super) fn list(&mut self, f: FaceSlot, b: BoundarySlot, outer: bool) {
         if outer {
             self.store.list_outer(f, b);

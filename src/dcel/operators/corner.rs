@@ -37,7 +37,6 @@ impl From<VertexKey> for Corner {
     }
 }
 
-/// A corner whose key has been checked.
 #[derive(Clone, Copy)]
 pub(super) enum CheckedCorner {
     At(HalfEdgeSlot),

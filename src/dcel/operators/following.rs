@@ -13,7 +13,6 @@ use slotmap::{Key, KeyData};
 
 type Steps = Vec<(Kind, Step)>;
 
-/// The keys of an edge and of its half-edges.
 #[derive(Clone, Copy)]
 struct EdgeData {
     edge: KeyData,
@@ -102,7 +101,6 @@ impl Dcel {
         }
     }
 
-    /// An edge, its half-edges, and their corners.
     fn made_edge(&self, n: HalfEdgeSlot) -> Vec<(Kind, KeyData)> {
         let EdgeData { edge, sides: [n, t] } = self.edge_data(n);
         [(Kind::Edge, edge), (Kind::HalfEdge, n), (Kind::HalfEdge, t), (Kind::Corner, n), (Kind::Corner, t)].into()

@@ -29,7 +29,6 @@ pub enum RemovedEdge {
     },
 }
 
-/// An edge to be removed and its neighbours.
 struct Neighbourhood<H> {
     n: H,
     t: H,

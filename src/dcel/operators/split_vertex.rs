@@ -130,7 +130,6 @@ impl Dcel {
         }
     }
 
-    /// Moves all half-edges of a rotation to `v`.
     fn hand_over(&mut self, first: HalfEdgeSlot, v: VertexSlot) {
         let mut h = first;
         loop {

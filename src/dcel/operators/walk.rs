@@ -3,7 +3,6 @@
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, LAST, OUTER, Store};
 
-/// One of two sides walked in step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OneOfTwo {
     First,
@@ -21,7 +20,6 @@ impl Queue {
         Self { ends: None, current: None }
     }
 
-    /// Appends `b` unless it was seen before.
     fn offer(&mut self, store: &mut Store, b: BoundarySlot) {
         if store.place(b) != OUTER {
             return;
@@ -36,7 +34,6 @@ impl Queue {
         }
     }
 
-    /// Returns the next component not yet taken.
     fn take(&mut self, store: &Store) -> Option<BoundarySlot> {
         let next = match self.current {
             None => self.ends.map(|(first, _)| first),
@@ -55,7 +52,6 @@ impl Queue {
         }
     }
 
-    /// Removes all marks.
     fn clear(self, store: &mut Store) {
         let mut at = self.ends.map(|(first, _)| first);
         while let Some(b) = at {
