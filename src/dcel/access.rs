@@ -1,4 +1,4 @@
-//! From keys and indices to elements.
+//! Finds elements by key or index.
 
 use super::elements::{Boundary, Face, HalfEdge, Vertex};
 use super::error::StaleKey;
@@ -9,15 +9,15 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// A key of one of the four kinds of element: vertices, half-edges, boundary components and faces.
+/// A key of a vertex, half-edge, boundary component or face.
 pub trait ElementKey: Copy + sealed::Sealed {
     /// The element that the key names.
     type Element<'a>;
 
-    /// The element with this key. O(1).
+    /// Returns the element with this key. O(1).
     ///
     /// # Errors
-    /// [`StaleKey`], if there is none.
+    /// [`StaleKey`] if there is none.
     fn find(self, dcel: &Dcel) -> Result<Self::Element<'_>, StaleKey>;
 }
 
@@ -43,9 +43,10 @@ element_keys! {
 }
 
 impl Dcel {
-    /// The element with this key, which must be live: for keys that were just made or are otherwise known to be. O(1).
+    /// Returns the element with this key, which must be live. O(1).
     ///
-    /// [`Index`](core::ops::Index) cannot do this: it returns references to what is stored, and elements are not stored.
+    /// [`Index`](core::ops::Index) cannot be implemented: it returns references to stored values, and elements are not
+    /// stored.
     ///
     /// # Panics
     /// Panics if the key is stale. [`vertex`](Self::vertex), [`half_edge`](Self::half_edge), [`boundary`](Self::boundary) and
@@ -69,88 +70,88 @@ impl Dcel {
         }
     }
 
-    /// The vertex with this key. O(1).
+    /// Returns the vertex with this key. O(1).
     ///
     /// # Errors
-    /// [`StaleKey::Vertex`] if there is none (any more).
+    /// [`StaleKey::Vertex`] if the key is stale.
     pub fn vertex(&self, key: VertexKey) -> Result<Vertex<'_>, StaleKey> {
         self.store.find_vertex(key).map(|slot| Vertex::new(self, slot)).ok_or(StaleKey::Vertex(key))
     }
 
-    /// The half-edge with this key. O(1).
+    /// Returns the half-edge with this key. O(1).
     ///
     /// # Errors
-    /// [`StaleKey::HalfEdge`] if there is none (any more).
+    /// [`StaleKey::HalfEdge`] if the key is stale.
     pub fn half_edge(&self, key: HalfEdgeKey) -> Result<HalfEdge<'_>, StaleKey> {
         self.store.find_half_edge(key).map(|slot| HalfEdge::new(self, slot)).ok_or(StaleKey::HalfEdge(key))
     }
 
-    /// The boundary component with this key. O(1).
+    /// Returns the boundary component with this key. O(1).
     ///
     /// # Errors
-    /// [`StaleKey::Boundary`] if there is none (any more).
+    /// [`StaleKey::Boundary`] if the key is stale.
     pub fn boundary(&self, key: BoundaryKey) -> Result<Boundary<'_>, StaleKey> {
         self.store.find_boundary(key).map(|slot| Boundary::new(self, slot)).ok_or(StaleKey::Boundary(key))
     }
 
-    /// The face with this key. O(1).
+    /// Returns the face with this key. O(1).
     ///
     /// # Errors
-    /// [`StaleKey::Face`] if there is none (any more).
+    /// [`StaleKey::Face`] if the key is stale.
     pub fn face(&self, key: FaceKey) -> Result<Face<'_>, StaleKey> {
         self.store.find_face(key).map(|slot| Face::new(self, slot)).ok_or(StaleKey::Face(key))
     }
 
-    /// The unbounded face, which every map has. O(1).
+    /// Returns the unbounded face, which every map has. O(1).
     #[must_use]
     pub fn unbounded_face(&self) -> Face<'_> {
         Face::new(self, self.store.unbounded())
     }
 
-    /// All vertices, in order of their indices. O(slots).
+    /// Returns all vertices, in order of their indices. O(slots).
     pub fn vertices(&self) -> impl Iterator<Item = Vertex<'_>> + '_ {
         (0..self.store.vertex_slots()).filter_map(|i| self.vertex_at(i))
     }
 
-    /// All half-edges, in order of their indices. O(slots).
+    /// Returns all half-edges, in order of their indices. O(slots).
     pub fn half_edges(&self) -> impl Iterator<Item = HalfEdge<'_>> + '_ {
         (0..self.store.half_edge_slots()).filter_map(|i| self.half_edge_at(i))
     }
 
-    /// One half-edge of each edge: of the two, the one with the smaller index. O(slots).
+    /// Returns one half-edge of each edge, the one with the smaller index. O(slots).
     pub fn edges(&self) -> impl Iterator<Item = HalfEdge<'_>> + '_ {
         self.half_edges().filter(|h| h.index() < h.twin().index())
     }
 
-    /// All boundary components, in order of their indices. O(slots).
+    /// Returns all boundary components, in order of their indices. O(slots).
     pub fn boundaries(&self) -> impl Iterator<Item = Boundary<'_>> + '_ {
         (0..self.store.boundary_slots()).filter_map(|i| self.boundary_at(i))
     }
 
-    /// All faces, in order of their indices. O(slots).
+    /// Returns all faces, in order of their indices. O(slots).
     pub fn faces(&self) -> impl Iterator<Item = Face<'_>> + '_ {
         (0..self.store.face_slots()).filter_map(|i| self.face_at(i))
     }
 
-    /// The vertex with this index, which is how reports name it. O(1).
+    /// Returns the vertex with this index, as named in reports. O(1).
     #[must_use]
     pub fn vertex_at(&self, index: usize) -> Option<Vertex<'_>> {
         self.store.vertex_at(index).map(|slot| Vertex::new(self, slot))
     }
 
-    /// The half-edge with this index, which is how reports name it. O(1).
+    /// Returns the half-edge with this index, as named in reports. O(1).
     #[must_use]
     pub fn half_edge_at(&self, index: usize) -> Option<HalfEdge<'_>> {
         self.store.half_edge_at(index).map(|slot| HalfEdge::new(self, slot))
     }
 
-    /// The boundary component with this index, which is how reports name it. O(1).
+    /// Returns the boundary component with this index, as named in reports. O(1).
     #[must_use]
     pub fn boundary_at(&self, index: usize) -> Option<Boundary<'_>> {
         self.store.boundary_at(index).map(|slot| Boundary::new(self, slot))
     }
 
-    /// The face with this index, which is how reports name it. O(1).
+    /// Returns the face with this index, as named in reports. O(1).
     #[must_use]
     pub fn face_at(&self, index: usize) -> Option<Face<'_>> {
         self.store.face_at(index).map(|slot| Face::new(self, slot))

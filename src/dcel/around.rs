@@ -4,7 +4,7 @@ use super::circulators::{Cycle, Rotation};
 use super::elements::{Boundary, Face, HalfEdge, Vertex};
 
 impl<'a> Vertex<'a> {
-    /// The half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
+    /// Returns the half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -28,8 +28,8 @@ impl<'a> Vertex<'a> {
         Rotation::new(self.leaving())
     }
 
-    /// The vertices at the other ends of its edges, counter-clockwise. Parallel edges give the same vertex several times. A
-    /// loop gives the vertex itself, twice. O(1) per step.
+    /// Returns the neighbours of the vertex, counter-clockwise. A neighbour is repeated for each parallel edge; a loop
+    /// yields the vertex itself, twice. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -75,7 +75,7 @@ impl<'a> Vertex<'a> {
 }
 
 impl<'a> HalfEdge<'a> {
-    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
+    /// Returns the half-edges that leave the same vertex, counter-clockwise from this one. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -98,7 +98,7 @@ impl<'a> HalfEdge<'a> {
         Rotation::new(Some(self))
     }
 
-    /// The half-edges of its cycle, from this one on; `rev()` goes the other way. O(1) per step.
+    /// Returns the half-edges of the cycle from this one on; `rev()` goes the other way. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -123,7 +123,7 @@ impl<'a> HalfEdge<'a> {
 }
 
 impl<'a> Boundary<'a> {
-    /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
+    /// Returns the half-edges of the cycle; none for an isolated vertex. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -148,7 +148,7 @@ impl<'a> Boundary<'a> {
 }
 
 impl<'a> Face<'a> {
-    /// All its boundary components, the outer one first. O(1) per step.
+    /// Returns all boundary components of the face, the outer one first. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -170,7 +170,7 @@ impl<'a> Face<'a> {
         self.outer().into_iter().chain(self.inner())
     }
 
-    /// All half-edges that have the face to their left. O(1) per step.
+    /// Returns all half-edges with the face to their left. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -190,8 +190,8 @@ impl<'a> Face<'a> {
         self.boundaries().flat_map(Boundary::half_edges)
     }
 
-    /// The faces on the other sides of its half-edges. A face that shares several edges comes several times, and the face
-    /// itself comes wherever both sides of an edge lie in it. O(1) per step.
+    /// Returns the faces on the other sides of the face's half-edges. A face is repeated for each shared edge, and the face
+    /// itself is included where both sides of an edge lie in it. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};

@@ -1,4 +1,4 @@
-//! A whole structure, put together at once from columns of numbers.
+//! Builds a whole structure at once from columns of numbers.
 //!
 //! ```text
 //!   a view   ─► import ────┐
@@ -11,14 +11,14 @@ use crate::store::{BoundaryStart, InOrder, Numbered, RecordKind, Room, Store, Ve
 use alloc::vec;
 use thiserror::Error;
 
-/// The reason for which columns are not [assembled](Assembly::assemble).
+/// The reason why columns cannot be [assembled](Assembly::assemble).
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum AssemblyError {
-    /// There is no room for so many records.
+    /// There are too many records of this kind.
     #[error("there is no room for so many {0}")]
     Full(RecordKind),
-    /// A row of a column is missing, is out of range, or contradicts another.
+    /// A row of a column is missing, is out of range, or contradicts another row.
     #[error("row {row} of the column `{column}` is wrong")]
     Wrong {
         /// The name of the column.
@@ -30,28 +30,27 @@ pub enum AssemblyError {
 
 /// A planar subdivision as columns. Records are numbered from 0 without gaps, and every number is in range.
 ///
-/// For a structure of which there are such columns already. [`Dcel::from_faces`], [`Dcel::from_rotations`] and [`Dcel::from_view`] take what
-/// is had more easily, and check all rules.
+/// Meant for structures that already have such columns. [`Dcel::from_faces`], [`Dcel::from_rotations`] and
+/// [`Dcel::from_view`] take more common input, and check all rules.
 #[derive(Clone, Copy, Debug)]
 pub struct Assembly<'a> {
-    /// By vertex: a half-edge that leaves it, or the boundary component that it is.
+    /// By vertex: a half-edge that leaves it, or its boundary component if it is isolated.
     pub vertices: &'a [VertexLink<u32, u32>],
     /// By half-edge: its origin. The two half-edges of an edge have the numbers 2e and 2e + 1.
     pub origin: &'a [u32],
-    /// By half-edge: the one that follows. `prev` comes from it.
+    /// By half-edge: the next half-edge. `prev` is derived.
     pub next: &'a [u32],
     /// By half-edge: its boundary component.
     pub boundary: &'a [u32],
     /// By boundary component: where it starts.
     pub starts: &'a [BoundaryStart<u32, u32>],
-    /// By bounded face, which have the numbers 1 .. : the outer boundary component. Face 0 is the unbounded one.
+    /// By bounded face, numbered from 1: the outer boundary component. Face 0 is the unbounded face.
     pub outer: &'a [u32],
-    /// Each inner boundary component after the face that lists it, in the order of the lists.
+    /// The face and number of each inner boundary component, in the order of the lists.
     pub inner: &'a [(u32, u32)],
 }
 
 impl Assembly<'_> {
-    /// Returns the number of records of each kind, without the unbounded face.
     fn need(&self) -> Room {
         Room {
             vertices: self.vertices.len(),
@@ -61,12 +60,12 @@ impl Assembly<'_> {
         }
     }
 
-    /// The structure. O(n). Record `i` of each kind gets the `i`-th slot, so that
-    /// [`vertex_index`](Self::vertex_index) and its kin tell its index.
+    /// Builds the structure. O(n). Record `i` of each kind gets the `i`-th slot; [`vertex_index`](Self::vertex_index) and
+    /// [`half_edge_index`](Self::half_edge_index) return its index.
     ///
-    /// What makes walks end is checked: numbers are in range, half-edges follow one another at one vertex and within one boundary component,
-    /// each has one before it, and each boundary component is listed once. The other rules hold if the columns keep them:
-    /// [`Dcel::validate`] says whether they do.
+    /// Only the conditions that make walks terminate are checked: numbers are in range, successive half-edges meet at one
+    /// vertex and share a boundary component, every half-edge has a predecessor, and every boundary component is listed
+    /// once. [`Dcel::validate`] checks the other rules.
     ///
     /// ```
     /// use twinedge::dcel::extend::{Assembly, BoundaryStart, VertexLink};
@@ -87,13 +86,13 @@ impl Assembly<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`AssemblyError`]: there are more records than a structure can hold, or the columns fail one of these checks.
+    /// [`AssemblyError`] if the structure cannot hold this number of records, or if the columns fail a check.
     pub fn assemble(&self) -> Result<Dcel, AssemblyError> {
         self.check()?;
         self.assemble_right().map_err(AssemblyError::Full)
     }
 
-    /// The same for columns that keep all rules.
+    /// Assembles columns known to be valid.
     pub(super) fn assemble_right(&self) -> Result<Dcel, RecordKind> {
         Ok(self.link(Store::with_records(self.need())?, &InOrder))
     }
@@ -148,19 +147,19 @@ impl Assembly<'_> {
         unlisted.map_or(Ok(()), |b| holds(false, "starts", b))
     }
 
-    /// The index of the vertex with this number. O(1).
+    /// Returns the index of the vertex with this number. O(1).
     #[must_use]
     pub const fn vertex_index(number: u32) -> u32 {
         number.saturating_add(1)
     }
 
-    /// The index of the half-edge with this number. O(1).
+    /// Returns the index of the half-edge with this number. O(1).
     #[must_use]
     pub const fn half_edge_index(number: u32) -> u32 {
         number.saturating_add(2)
     }
 
-    /// Sets the links of all records, of which those with the numbers of this assembly have these slots.
+    /// Sets the links of all records; `slots` maps the numbers of this assembly to slots.
     pub(super) fn link(&self, mut store: Store, slots: &impl Numbered) -> Dcel {
         for (v, link) in (0..).zip(self.vertices) {
             store.set_vertex_link(

@@ -11,7 +11,8 @@ use slotmap::{Key, KeyData, SecondaryMap};
 
 /// # Attributes
 ///
-/// Values beside the structure that follow what operators do, by a [`Policy`] each: when faces are split and merged, edges made and dropped.
+/// Values attached to records. Operators update them by a [`Policy`] per attribute: when faces are split and merged, edges made and
+/// dropped.
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, Faces, OperatorError, Policy, Split};
@@ -37,33 +38,33 @@ use slotmap::{Key, KeyData, SecondaryMap};
 /// # Ok::<(), OperatorError>(())
 /// ```
 ///
-/// All operators carry them, and so do [`retain`](Dcel::retain) and [`compact`](Dcel::compact). In a [`History`](super::History) they
-/// are undone and redone with the structure. A clone of the structure has them, too. They are neither compared nor saved with
-/// it: save the [`values`](Dcel::values) beside it, and give them to the keys, which stay the same, when it is loaded.
+/// All operators carry attributes, and so do [`retain`](Dcel::retain) and [`compact`](Dcel::compact). A [`History`](super::History)
+/// undoes and redoes them with the structure. A clone has the same attributes and values. They are neither compared nor saved with the
+/// structure: save the [`values`](Dcel::values) alongside, and assign them to the same keys after loading.
 ///
-/// A structure without attributes pays nothing for them. For each attribute, an operator takes O(1) for each record that it makes, splits,
-/// merges or drops, beside the functions of the policy.
+/// A structure without attributes pays nothing for them. For each attribute, an operator takes O(1) per record that it makes, splits,
+/// merges or drops, plus the time of the policy's functions.
 impl Dcel {
-    /// Returns the value that a record has, if it has one. O(1).
+    /// Returns the value of a record, if it has one. O(1).
     #[must_use]
     pub fn value<K: Attributed, T: Value>(&self, of: Attribute<K, T>, key: K::Key) -> Option<&T> {
         self.values(of)?.get(self.record_key::<K>(key).ok()?)
     }
 
-    /// Returns all values of an attribute by key; none if it is one of another structure. O(attributes).
+    /// Returns all values of an attribute by key; `None` if the attribute belongs to another structure. O(attributes).
     #[must_use]
     pub fn values<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&SecondaryMap<K::Key, T>> {
         self.store.attributes()?.values(of)
     }
 
-    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(1), expected. For an
-    /// example see [`Policy::ids`].
+    /// Returns the record with this value, if the policy [indexes](Policy::identified_by) values. O(1), expected. For an example see
+    /// [`Policy::ids`].
     #[must_use]
     pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
         self.store.attributes()?.find(of, value)
     }
 
-    /// Returns the number that [`Policy::ids`] gives to the next record; none if the attribute gives no ids. O(attributes).
+    /// Returns the next number that [`Policy::ids`] will assign; `None` if the attribute assigns no ids. O(attributes).
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, Policy};
@@ -80,7 +81,6 @@ impl Dcel {
         self.store.attributes()?.next_id(of)
     }
 
-    /// The key under which the value of a record is kept.
     fn record_key<K: Attributed>(&self, key: K::Key) -> Result<K::Key, StaleKey> {
         let data = key.data();
         match K::KIND {
@@ -91,23 +91,23 @@ impl Dcel {
                 let twin = h.twin();
                 if twin.index() < h.index() { twin.key().data().into() } else { key }
             }),
-            // The structure around this one knows.
+            // The wrapping structure checks it.
             Kind::Other => Ok(key),
         }
     }
 }
 
 impl Dcel {
-    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n) if the
-    /// policy gives [ids](Policy::ids), which the n records that are there get at once, except the unbounded face.
+    /// Adds an attribute. Records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n)
+    /// if the policy assigns [ids](Policy::ids), which all n existing records except the unbounded face get at once.
     ///
-    /// The attribute stays even if the change of a history that added it is undone. Ids that it gave are taken back then.
+    /// Undoing the change of a history that added an attribute removes the ids that it assigned, but not the attribute.
     pub fn add_attribute<K: Attributed, T: Value>(&mut self, policy: Policy<K, T>) -> Attribute<K, T> {
         self.add_attribute_with(policy, SecondaryMap::new())
     }
 
-    /// Adds an attribute with the [`values`](Self::values) of a structure that was saved. Values under stale keys are left out. O(values), and
-    /// as [`add_attribute`](Self::add_attribute).
+    /// Adds an attribute with the [`values`](Self::values) of a saved structure. Values under stale keys are omitted. O(values), plus
+    /// the cost of [`add_attribute`](Self::add_attribute).
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Policy};
@@ -136,19 +136,19 @@ impl Dcel {
         self.store.kept_attributes().add(policy, values, records)
     }
 
-    /// The keys under which records have values; of faces, the bounded ones.
+    /// The keys of records that can have values: all but the unbounded face.
     pub(crate) fn record_keys<K: Attributed>(&self) -> Vec<KeyData> {
         match K::KIND {
             Kind::Vertex => self.vertices().map(|v| v.key().data()).collect(),
             Kind::Face => self.faces().filter(|f| !f.is_unbounded()).map(|f| f.key().data()).collect(),
             Kind::HalfEdge | Kind::Corner => self.half_edges().map(|h| h.key().data()).collect(),
             Kind::Edge => self.edges().map(|h| h.key().data()).collect(),
-            // The structure around this one knows.
+            // The wrapping structure knows its records.
             Kind::Other => Vec::new(),
         }
     }
 
-    /// Gives a value to a record. Returns the previous value. O(1).
+    /// Sets the value of a record, and returns the previous one. O(1).
     ///
     /// The value converts to the type of the attribute: `"Ada"` is a value of an attribute of `String`s.
     ///
@@ -163,10 +163,10 @@ impl Dcel {
         self.put_value(of, key, Some(value.into()))
     }
 
-    /// Takes the value of a record away, and returns it. O(1).
+    /// Removes and returns the value of a record. O(1).
     ///
     /// # Errors
-    /// As for [`set_value`](Self::set_value).
+    /// The errors of [`set_value`](Self::set_value).
     pub fn remove_value<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
@@ -189,9 +189,9 @@ impl Dcel {
         attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
     }
 
-    /// Adds the attributes of another structure, without values: they are the same ones, with the same policies. O(attributes).
+    /// Adds the attributes of another structure, with their policies but without values. O(attributes).
     ///
-    /// So values are given to a structure that was loaded, and two that were loaded apart can be compared.
+    /// Use it to assign saved values to a loaded structure, or to compare two structures loaded separately.
     pub fn add_attributes_of(&mut self, other: &Self) {
         if let Some(mut all) = other.store.attributes().cloned() {
             all.rename(&|_, _| None);
@@ -199,10 +199,8 @@ impl Dcel {
         }
     }
 
-    /// Takes over the attributes of a structure from which this one was [made](Dcel::from_view), with the values of its records: `keys` are
-    /// the keys that came of it. Values that records have of the same attribute stay.
-    ///
-    /// O(values).
+    /// Copies the attributes and values of the structure from which this one was [made](Dcel::from_view). `keys` are the keys returned
+    /// by that call. Records keep the values that they already have for the same attribute. O(values).
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Outside, Policy};
@@ -221,8 +219,8 @@ impl Dcel {
         self.carry_all_values(other, keys, |_| None);
     }
 
-    /// Takes over attributes as [`carry_values`](Self::carry_values) does, and those of [other records](Kind::Other): `other_key` gives the
-    /// key of such a record here, if it is here. O(values).
+    /// Copies attributes as [`carry_values`](Self::carry_values) does, including attributes of [other records](Kind::Other):
+    /// `other_key` returns the key of such a record here, or `None`. O(values).
     pub fn carry_all_values(&mut self, other: &Self, keys: &Keys, other_key: impl Fn(KeyData) -> Option<KeyData>) {
         let Some(mut all) = other.store.attributes().cloned() else { return };
         let half_edge = |old: KeyData| keys.half_edge(other.half_edge(old.into()).ok()?.index());
@@ -236,32 +234,32 @@ impl Dcel {
         self.add_attributes(all);
     }
 
-    /// The attributes, if there are any. O(1).
+    /// Returns the attributes, if there are any. O(1).
     #[must_use]
     pub fn attributes(&self) -> Option<&Attributes> {
         self.store.attributes()
     }
 
-    /// The attributes, if there are any, during a change that [`attributes_to_change`](Self::attributes_to_change) has begun. O(1).
+    /// Returns the attributes, if there are any, during a change begun by [`attributes_to_change`](Self::attributes_to_change). O(1).
     pub fn attributes_mut(&mut self) -> Option<&mut Attributes> {
         self.store.attributes_mut()
     }
 
-    /// Puts other attributes in place of those that there are, which it returns. O(1).
+    /// Replaces the attributes, and returns the previous ones. O(1).
     pub fn replace_attributes(&mut self, attributes: Option<Attributes>) -> Option<Attributes> {
         let had = self.store.take_attributes();
         self.store.set_attributes(attributes.map(Box::new));
         had.map(|had| *had)
     }
 
-    /// Adds attributes with their values, as those of a structure that this one was cut out of. Where both have the same one, records keep the
-    /// values that they have. O(values).
+    /// Adds attributes with their values, for example of a structure that this one was cut out of. Where both have the same attribute,
+    /// records keep their own values. O(values).
     pub fn add_attributes(&mut self, more: Attributes) {
         self.store.kept_attributes().extend(more);
         self.attributes_to_change();
     }
 
-    /// Adds an attribute of [other records](Kind::Other), with these values. If the policy gives ids, the other `records` get theirs.
+    /// Adds an attribute of [other records](Kind::Other), with these values. If the policy assigns ids, the other `records` get ids.
     /// O(values + records).
     pub fn add_other_attribute<K: Attributed, T: Value>(
         &mut self,
@@ -273,7 +271,7 @@ impl Dcel {
         self.store.kept_attributes().add(policy, values, records)
     }
 
-    /// Gives a value to an [other record](Kind::Other), or takes it away. Returns the value that it had. O(1).
+    /// Sets or removes the value of an [other record](Kind::Other), and returns the previous value. O(1).
     ///
     /// # Errors
     /// [`OperatorError::NoSuchAttribute`].
@@ -287,11 +285,11 @@ impl Dcel {
         attributes.put(of, key, value).map_err(|()| OperatorError::NoSuchAttribute)
     }
 
-    /// Gives to faces the values of other records that cover them: each value, and the faces that its record covers, the largest first, with
-    /// their areas. The policy splits a value among several faces, and merges several in one face. O(faces).
+    /// Distributes the values of other records to the faces that they cover: each value with the faces of its record, the largest
+    /// first, and their areas. The policy splits a value among several faces, and merges several values in one face. O(faces).
     ///
     /// # Errors
-    /// [`OperatorError::Refused`] by the policy, and nothing changes; [`OperatorError::NoSuchAttribute`].
+    /// [`OperatorError::Refused`] by the policy; [`OperatorError::NoSuchAttribute`]. On error nothing changes.
     pub fn spread_values<T: Value>(
         &mut self,
         to: Attribute<Faces, T>,
@@ -302,7 +300,8 @@ impl Dcel {
         spread.map_err(OperatorError::Refused)
     }
 
-    /// The attributes, if there are any, at the beginning of a change. Unless the change is logged, earlier ones are forgotten. O(1), amortised.
+    /// Returns the attributes, if there are any, at the beginning of a change. Unless the change is logged, the log of earlier values
+    /// is cleared. O(1), amortised.
     pub fn attributes_to_change(&mut self) -> Option<&mut Attributes> {
         let is_logged = self.store.is_logged();
         let attributes = self.store.attributes_mut()?;

@@ -6,22 +6,22 @@ use crate::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use crate::validate::{Expectation, Report};
 use alloc::boxed::Box;
 
-/// A structure that can be validated after a change, by what the change wrote.
+/// A structure that can be validated after a change, from the records that the change wrote.
 pub trait Auditable: Recorder {
-    /// Its links when it was last found right, and whatever else is compared with those after a change.
+    /// Its links when last found valid, and any other data compared after a change.
     type Baseline: Clone;
 
-    /// Validates all, and keeps what is there.
+    /// Validates the whole structure, and records its current state.
     ///
     /// # Errors
     /// The structure is not valid, or cannot be validated after a change.
     fn baseline(&self) -> Result<Self::Baseline, BaselineError>;
-    /// Validates what was written.
+    /// Validates the written records and their surroundings.
     ///
     /// # Errors
     /// The report of a full validation, if a rule is broken.
     fn check_near(&self, baseline: &mut Self::Baseline, written: &WriteSet) -> Result<(), Box<Report>>;
-    /// Validates all.
+    /// Validates the whole structure.
     fn check(&self) -> Report;
 }
 
@@ -41,13 +41,12 @@ impl Auditable for Dcel {
     }
 }
 
-/// A structure that is validated after each change, in about the time that the change took: see [`validate::near`](crate::validate::near)
-/// for what is checked. The structure is a [`Dcel`] or a `PlanarMap` of `twinedge-map`, of which the rules of coordinates G1 … G5 are
-/// checked, too.
+/// A structure that is validated after each change, in about the time of the change; [`validate::near`](crate::validate::near) lists
+/// the checks. The structure is a [`Dcel`], or a `PlanarMap` of `twinedge-map`, whose coordinates are also checked (rules G1 … G5).
 ///
-/// No sequence of operators breaks a rule, and no edit of a map. Take this to test that, or while you change an operator or write an editor, on
-/// structures for which [`Dcel::validate`] after each step is too slow. The index by which edits of a map find their place has no part in the
-/// validation, so a fault in it is found like any other.
+/// No sequence of operators, or of edits of a map, breaks a rule. Use this type to test that, or while changing an operator or writing
+/// an editor, on structures too large for [`Dcel::validate`] after each step. Validation does not use the index by which edits of a map
+/// find their place, so it also detects faults of the index.
 ///
 /// ```
 /// use twinedge::dcel::{Audited, Dcel};
@@ -61,12 +60,12 @@ impl Auditable for Dcel {
 #[derive(Debug)]
 pub struct Audited<D: Auditable = Dcel> {
     structure: D,
-    /// The number of the log, unless the closure of a change puts another structure in place.
+    /// The number of the log, unless the closure of a change replaces the structure.
     token: Option<u32>,
     baseline: D::Baseline,
-    /// The records that were written since the structure was last found right.
+    /// The records written since the structure was last found valid.
     written: WriteSet,
-    /// True if the last change passed validation; the baseline has then followed it.
+    /// True if the last change passed validation and the baseline includes it.
     is_right: bool,
 }
 
@@ -80,8 +79,7 @@ impl<D: Auditable> Clone for Audited<D> {
 }
 
 impl<D: Auditable> Audited<D> {
-    /// Validates the structure, and keeps a copy of its links, and of the coordinates of a map. O(n); O(n log n) for a map. The keys stay the
-    /// same.
+    /// Validates the structure, and copies its links and, for a map, its coordinates. Keys stay valid. O(n); O(n log n) for a map.
     ///
     /// # Errors
     /// The structure is not valid.
@@ -91,20 +89,20 @@ impl<D: Auditable> Audited<D> {
         Ok(Self { structure, token, baseline, written: WriteSet::default(), is_right: true })
     }
 
-    /// The structure. O(1).
+    /// Returns the structure. O(1).
     #[must_use]
     pub const fn get(&self) -> &D {
         &self.structure
     }
 
-    /// Changes the structure by one operator or more, and validates what was written.
+    /// Changes the structure by any number of operators, and validates the written records.
     ///
-    /// O(k log k) for k records that were written, beside the change itself; for a map O(k log n), and what
-    /// `validate_embedding_near` takes for edges whose boxes meet, and for islands close to a border that has moved. A structure that is put
-    /// in place of the other is validated in full.
+    /// O(k log k) for k written records, plus the change itself. For a map O(k log n), plus the cost of `validate_embedding_near` for
+    /// edges whose boxes meet, and for islands close to a border that has moved. A structure put in place of the old one is validated
+    /// in full.
     ///
     /// # Errors
-    /// The report of a full validation, if a rule is broken. The structure stays as it is then.
+    /// The report of a full validation, if a rule is broken. The broken structure stays in place.
     pub fn change<T>(&mut self, change: impl FnOnce(&mut D) -> T) -> Result<T, Box<Report>> {
         if self.is_right {
             self.written.clear();
@@ -127,13 +125,13 @@ impl<D: Auditable> Audited<D> {
         Ok(answer)
     }
 
-    /// The records that the last change wrote, some of them several times; none if it put another structure in place. O(1).
+    /// Returns the records written by the last change, possibly with repetitions; empty if the change replaced the structure. O(1).
     #[must_use]
     pub const fn written(&self) -> &WriteSet {
         &self.written
     }
 
-    /// The structure, for good. O(1).
+    /// Returns the structure, consuming the wrapper. O(1).
     #[must_use]
     pub fn into_inner(mut self) -> D {
         self.structure.end_logs();

@@ -1,4 +1,4 @@
-//! Walks that come back to where they started.
+//! Iterators that walk around until they return to the start.
 
 use super::elements::HalfEdge;
 use core::iter::FusedIterator;
@@ -8,8 +8,8 @@ macro_rules! circulator {
         $(#[$doc])*
         #[derive(Clone)]
         pub struct $name<'a> {
-            /// The next half-edge from the front, and the last one given from the back; none once they have met. Both are
-            /// the start at first, so that nothing is followed before it is asked for.
+            /// The next half-edge from the front, and the last half-edge returned from the back; `None` once they have
+            /// met. Both are initially the start, so no link is followed before it is needed.
             ends: Option<(HalfEdge<'a>, HalfEdge<'a>)>,
         }
 

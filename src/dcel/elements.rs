@@ -1,4 +1,4 @@
-//! References to records: the key has been checked, and steps from one record to the next are not checked again.
+//! References to records. The key has been checked, so steps between records need no checks.
 
 use super::structure::Dcel;
 use crate::store::{
@@ -17,7 +17,6 @@ macro_rules! element {
             slot: $slot,
         }
 
-        /// Two references are equal if they name the same record of the same structure.
         impl PartialEq for $name<'_> {
             fn eq(&self, other: &Self) -> bool {
                 core::ptr::eq(self.dcel, other.dcel) && self.slot == other.slot
@@ -44,14 +43,15 @@ macro_rules! element {
                 Self { dcel, slot }
             }
 
-            /// The key. O(1).
+            /// Returns the key. O(1).
             #[must_use]
             #[inline]
             pub fn key(self) -> $key {
                 self.dcel.store.$key_of(self.slot)
             }
 
-            /// The index. O(1). Reports name records by it, and while nothing is removed it can index a plain array.
+            /// Returns the index. O(1). Reports name records by index, and as long as nothing is removed it can index a
+            /// plain array.
             ///
             #[doc = concat!("It is less than [`Dcel::", $slots, "`](Dcel::", $slots, "). An index is used again once its record is removed.")]
             #[must_use]
@@ -165,7 +165,7 @@ element! {
 }
 
 impl<'a> Vertex<'a> {
-    /// A half-edge that leaves the vertex; none if it is isolated. O(1).
+    /// Returns a half-edge that leaves the vertex; `None` if the vertex is isolated. O(1).
     #[must_use]
     pub fn leaving(self) -> Option<HalfEdge<'a>> {
         match self.dcel.store.vertex_link(self.slot) {
@@ -174,7 +174,7 @@ impl<'a> Vertex<'a> {
         }
     }
 
-    /// The boundary component that the vertex is, if it is isolated. O(1).
+    /// Returns the boundary component of an isolated vertex. O(1).
     #[must_use]
     pub fn isolated(self) -> Option<Boundary<'a>> {
         match self.dcel.store.vertex_link(self.slot) {
@@ -185,69 +185,69 @@ impl<'a> Vertex<'a> {
 }
 
 impl<'a> HalfEdge<'a> {
-    /// True if both are the same half-edge. Both must be of the same structure.
+    /// Compares two half-edges of the same structure.
     #[inline]
     pub(super) fn is(self, other: Self) -> bool {
         self.slot == other.slot
     }
 
-    /// The vertex where it starts. O(1).
+    /// Returns the vertex where the half-edge starts. O(1).
     #[must_use]
     #[inline]
     pub fn origin(self) -> Vertex<'a> {
         Vertex::new(self.dcel, self.dcel.store.origin(self.slot))
     }
 
-    /// The vertex where it ends. O(1).
+    /// Returns the vertex where the half-edge ends. O(1).
     #[must_use]
     #[inline]
     pub fn target(self) -> Vertex<'a> {
         self.twin().origin()
     }
 
-    /// The other half-edge of its edge. O(1).
+    /// Returns the other half-edge of the edge. O(1).
     #[must_use]
     #[inline]
     pub fn twin(self) -> Self {
         Self::new(self.dcel, self.dcel.store.twin(self.slot))
     }
 
-    /// The half-edge that follows on its cycle. O(1).
+    /// Returns the next half-edge on the cycle. O(1).
     #[must_use]
     #[inline]
     pub fn next(self) -> Self {
         Self::new(self.dcel, self.dcel.store.next(self.slot))
     }
 
-    /// The half-edge that precedes on its cycle. O(1).
+    /// Returns the previous half-edge on the cycle. O(1).
     #[must_use]
     #[inline]
     pub fn prev(self) -> Self {
         Self::new(self.dcel, self.dcel.store.prev(self.slot))
     }
 
-    /// The half-edge that leaves the same vertex and comes next counter-clockwise: `twin(prev(h))`. O(1).
+    /// Returns the next half-edge counter-clockwise around the origin: `twin(prev(h))`. O(1).
     #[must_use]
     #[inline]
     pub fn counter_clockwise(self) -> Self {
         self.prev().twin()
     }
 
-    /// The half-edge that leaves the same vertex and comes next clockwise: `next(twin(h))`. O(1).
+    /// Returns the next half-edge clockwise around the origin: `next(twin(h))`. O(1).
     #[must_use]
     #[inline]
     pub fn clockwise(self) -> Self {
         self.twin().next()
     }
 
-    /// The boundary component that it is part of. O(1).
+    /// Returns the boundary component of the half-edge. O(1).
     #[must_use]
     #[inline]
     pub fn boundary(self) -> Boundary<'a> {
         Boundary::new(self.dcel, self.dcel.store.boundary(self.slot))
     }
 
-    /// The face to its left. O(1).
+    /// Returns the face to the left. O(1).
     #[must_use]
     #[inline]
     pub fn face(self) -> Face<'a> {
@@ -256,20 +256,20 @@ impl<'a> HalfEdge<'a> {
 }
 
 impl<'a> Boundary<'a> {
-    /// The face that it bounds. O(1).
+    /// Returns the face that the component bounds. O(1).
     #[must_use]
     #[inline]
     pub fn face(self) -> Face<'a> {
         Face::new(self.dcel, self.dcel.store.face(self.slot))
     }
 
-    /// True if it is the outer boundary component of its face. O(1).
+    /// Tells whether this is the outer boundary component of its face. O(1).
     #[must_use]
     pub fn is_outer(self) -> bool {
         self.dcel.store.place(self.slot) == OUTER
     }
 
-    /// The half-edge where its cycle starts; none if it is an isolated vertex. O(1).
+    /// Returns the half-edge where the cycle starts; `None` for an isolated vertex. O(1).
     #[must_use]
     #[inline]
     pub fn start(self) -> Option<HalfEdge<'a>> {
@@ -279,7 +279,7 @@ impl<'a> Boundary<'a> {
         }
     }
 
-    /// The isolated vertex that it is; none if it is a cycle. O(1).
+    /// Returns the isolated vertex; `None` for a cycle. O(1).
     #[must_use]
     pub fn isolated_vertex(self) -> Option<Vertex<'a>> {
         match self.dcel.store.start(self.slot) {
@@ -290,20 +290,21 @@ impl<'a> Boundary<'a> {
 }
 
 impl<'a> Face<'a> {
-    /// True if it is the unbounded face. O(1).
+    /// Tells whether this is the unbounded face. O(1).
     #[must_use]
     pub fn is_unbounded(self) -> bool {
         self.slot == self.dcel.store.unbounded()
     }
 
-    /// Its outer boundary component; none for the unbounded face. O(1).
+    /// Returns the outer boundary component; `None` for the unbounded face. O(1).
     #[must_use]
     #[inline]
     pub fn outer(self) -> Option<Boundary<'a>> {
         self.dcel.store.outer(self.slot).map(|b| Boundary::new(self.dcel, b))
     }
 
-    /// A half-edge of its outer boundary component, the textbooks' `OuterComponent`; none for the unbounded face. O(1).
+    /// Returns a half-edge of the outer boundary component, the textbooks' `OuterComponent`; `None` for the unbounded
+    /// face. O(1).
     #[must_use]
     #[inline]
     pub fn outer_half_edge(self) -> Option<HalfEdge<'a>> {
@@ -316,7 +317,7 @@ impl<'a> Face<'a> {
         self.dcel.store.inner_count(self.slot)
     }
 
-    /// Its inner boundary components: holes and isolated vertices. O(1) per step.
+    /// Returns the inner boundary components: holes and isolated vertices. O(1) per step.
     pub fn inner(self) -> impl Iterator<Item = Boundary<'a>> {
         (0..self.inner_count())
             .filter_map(move |i| self.dcel.store.inner(self.slot, i).map(|b| Boundary::new(self.dcel, b)))

@@ -1,11 +1,11 @@
-//! Structures compared with one another.
+//! Equality of structures.
 
 use super::elements::{Boundary, Face, HalfEdge, Vertex};
 use super::structure::Dcel;
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 
 /// Two structures are equal if they have the same records under the same keys, with the same links, and lists in the same order.
-/// Slots that are vacant make no difference. O(n).
+/// Vacant slots do not matter. O(n).
 ///
 /// ```
 /// use twinedge::dcel::Dcel;

@@ -1,13 +1,13 @@
-//! The interface for a structure around a [`Dcel`](super::Dcel), such as a map with coordinates: it is made of columns, its changes are undone
-//! with those of the links, and records of its own have attributes.
+//! The interface for a structure around a [`Dcel`](super::Dcel), such as a map with coordinates: building it from
+//! columns, undoing its own changes together with changes of links, and attributes of its own records.
 //!
 //! | to | implement or call |
 //! | --- | --- |
-//! | be undone and redone by a [`History`](super::History) | [`Recorder`] |
-//! | be validated after each change by an [`Audited`](super::Audited) | [`Auditable`] |
-//! | take back an edit of several operators | [`Dcel::begin_log`](super::Dcel::begin_log), [`Dcel::log_place`](super::Dcel::log_place), [`Dcel::roll_back`](super::Dcel::roll_back), [`Rewrite::apply`] |
-//! | be made of columns | [`Assembly`] |
-//! | have attributes of other records | [`Attributed`](super::Attributed) for a type of its own, and the methods of [`Attributes`] |
+//! | undo and redo with a [`History`](super::History) | [`Recorder`] |
+//! | validate after each change with [`Audited`](super::Audited) | [`Auditable`] |
+//! | roll back an edit of several operators | [`Dcel::begin_log`](super::Dcel::begin_log), [`Dcel::log_place`](super::Dcel::log_place), [`Dcel::roll_back`](super::Dcel::roll_back), [`Rewrite::apply`] |
+//! | build from columns | [`Assembly`] |
+//! | attach attributes to other records | [`Attributed`](super::Attributed) for a type of its own, and the methods of [`Attributes`] |
 
 pub use super::assemble::{Assembly, AssemblyError};
 pub use super::audited::Auditable;

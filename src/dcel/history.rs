@@ -1,4 +1,4 @@
-//! A structure whose changes can be taken back.
+//! A structure with undo and redo.
 
 use super::recorder::{Logged as _, Recorder};
 use super::structure::Dcel;
@@ -8,14 +8,13 @@ use crate::validate::near::WriteSet;
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
 
-/// Places in the two logs, of links and of others.
+/// Positions in the log of links and in the log of other values.
 type Place = [usize; 2];
 
-/// A structure whose changes can be taken back and done again: the core of an editor. The structure is a [`Dcel`] or another [`Recorder`], such as a
-/// `PlanarMap`.
+/// A structure with undo and redo: the core of an editor. The structure is a [`Dcel`] or another [`Recorder`], such as a `PlanarMap`.
 ///
-/// A change is any number of operators or edits under one name, which users see in a menu. Either all of them are done or, after an error or a
-/// panic, none. [`undo`](Self::undo) and [`redo`](Self::redo) move between the states before and after changes.
+/// A change is any number of operators or edits under one name, which users see in a menu. It is atomic: after an error or a panic
+/// nothing has changed. [`undo`](Self::undo) and [`redo`](Self::redo) move between the states before and after changes.
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, History, OperatorError};
@@ -44,38 +43,36 @@ type Place = [usize; 2];
 ///
 /// # Keys
 ///
-/// The structure after `undo` *equals* that before the change, keys included. The key of a record that the change removed is live
-/// again, and names the same record; the key of a record that it made is stale, until `redo`. A key that a change has issued never
-/// names another record: not when the change was taken back, nor when it can no longer be done again.
+/// After `undo` the structure *equals* the structure before the change, including keys. Keys of records that the change removed are
+/// live again and name the same records; keys of records that it made are stale until `redo`. A key issued by a change never names
+/// another record, even after the change was undone or can no longer be redone.
 ///
-/// # Data beside the structure
+/// # Other data
 ///
-/// [Attributes](Dcel#attributes) are undone and redone with the structure. Other data that is only added need not be undone: keep it by key in a
-/// `HashMap`, add an entry for each record that is made, and leave those of removed records. (A
-/// [`SecondaryMap`](super::SecondaryMap) has room for one entry in each slot only.)
+/// [Attributes](Dcel#attributes) are undone and redone with the structure. Data that only grows needs no undo: store it
+/// by key in a `HashMap`, insert an entry for each new record, and keep the entries of removed records. (A
+/// [`SecondaryMap`](super::SecondaryMap) has room for only one entry per slot.)
 ///
-/// Of a map, positions, features and their names follow, and so do the answers of `PlanarMap::locate`: the index that the map keeps for
-/// them is brought along, not built anew. The id of a feature, however, is no more than a number: that of a feature that was taken back is
-/// given to the next one.
+/// In a map, undo covers positions, features and their names, and `PlanarMap::locate`, whose index is updated rather than rebuilt. A
+/// feature id, however, is a plain number: undoing an insertion frees it for reuse.
 ///
-/// # One line, no branches
+/// # Linear history
 ///
-/// A change after some were undone drops those that could be redone, as in nearly all editors: users know it, and a state has one
-/// name, its place in the line. To keep what would be dropped, clone the history, O(n), which is rare; a tree of states would
-/// cost its bookkeeping in each step, for good. A change that fails, or that writes nothing, drops nothing and is no step.
+/// A change made after `undo` discards the changes that could be redone, as in nearly all editors: users know this behaviour, and the
+/// position in the line identifies a state. To keep the discarded changes, clone the history first, O(n); a tree of states would add
+/// its bookkeeping to every step. A change that fails or writes nothing is not recorded and discards nothing.
 ///
 /// # Costs
 ///
-/// Nothing is copied: the log has 12 bytes for each link that was overwritten, 48 for each change, and each value of an attribute, point or set of features that
-/// was overwritten, so time and memory are those of the change, whatever the size of the structure. An entry takes some 2 ns to write and to exchange. Beside an operator on a large map, which
-/// waits for memory, this is little: splitting a face of a map of a million edges takes 204 ns, as a change 1.03 times as long, and undone
-/// 0.4 times. It is much beside an operator of a few links in the cache: splitting an edge takes 11 ns, as a change 3.5 times as long, and undone
-/// twice. [`forget`](Self::forget) sets a limit to the memory.
+/// Nothing is copied. The log has 12 bytes for each overwritten link, 48 for each change, and every overwritten value of an attribute,
+/// point or set of features, so time and memory depend on the change, not on the size of the structure. Writing or exchanging an entry
+/// takes about 2 ns. Operators on a large map wait for memory, so the overhead is small: in a map of a million edges, splitting a face
+/// takes 204 ns, 1.03 times as long as a change, and 0.4 times as long to undo. For an operator on a few cached links it is large:
+/// splitting an edge takes 11 ns, 3.5 times as long as a change, and twice as long to undo. [`forget`](Self::forget) limits the memory.
 ///
 /// # Validation
 ///
-/// No sequence of operators breaks a rule, and neither does undoing. To see for yourself, validate what was
-/// [`written`](Self::written):
+/// Neither operators nor undo break a rule. To check that, validate the [`written`](Self::written) records:
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, History};
@@ -92,21 +89,21 @@ type Place = [usize; 2];
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// A clone has the same changes, and its own from then on.
+/// A clone starts with the same changes and is then independent.
 #[derive(Debug)]
 pub struct History<D: Recorder = Dcel> {
     structure: D,
-    /// The number of the log, unless the closure of a change puts another structure in place.
+    /// The number of the log, unless the closure of a change replaces the structure.
     token: Option<u32>,
-    /// The log of what was overwritten beside links.
+    /// The log of overwritten values other than links.
     others: Vec<D::Other>,
-    /// Each change ends at a place of the logs.
+    /// The changes; each ends at a position in the logs.
     timeline: Timeline<Place>,
-    /// From this place of the links on, the keys that were issued are kept from being issued again.
+    /// Keys issued from this position of the log of links on are kept from being issued again.
     kept_from: usize,
-    /// The parts of the logs that the last call did or took back.
+    /// The parts of the logs that the last call wrote or replayed.
     last: [Place; 2],
-    /// The links that are undone, while another change is being made that may drop them.
+    /// Redo entries, set aside while a change that may discard them runs.
     undone: Vec<Entry>,
 }
 
@@ -123,7 +120,7 @@ impl<D: Recorder> Clone for History<D> {
 }
 
 impl<D: Recorder> History<D> {
-    /// Starts with a structure, and no changes. O(1). The keys stay the same.
+    /// Wraps a structure, without changes. Keys stay valid. O(1).
     #[must_use]
     pub fn new(structure: D) -> Self {
         let mut history = Self {
@@ -139,29 +136,29 @@ impl<D: Recorder> History<D> {
         history
     }
 
-    /// The structure. O(1).
+    /// Returns the structure. O(1).
     #[must_use]
     pub const fn get(&self) -> &D {
         &self.structure
     }
 
-    /// The structure, for good. O(1). It knows nothing of what was undone, so it may issue a key again that an undone change had issued.
+    /// Returns the structure, consuming the history. O(1). Keys issued by undone changes may then be issued again.
     #[must_use]
     pub fn into_inner(mut self) -> D {
         self.structure.end_logs();
         self.structure
     }
 
-    /// Changes the structure by one operator or more, which are undone and redone together.
+    /// Changes the structure by any number of operators, undone and redone together.
     ///
-    /// The time that the operators take, and O(1) for each link or other value that they write. Changes that could be redone are dropped; if it
-    /// fails, they are kept, which takes O(their entries).
+    /// Takes the time of the operators, plus O(1) for each link or other value that they write. Discards changes that could be redone;
+    /// if the change fails it keeps them, in O(their entries).
     ///
-    /// A structure that the closure puts in place of the other, as by assignment or by [`compact`](Dcel::compact), begins a history of its own:
-    /// nothing before it can be undone, and an error does not bring the other one back.
+    /// If the closure replaces the structure, by assignment or by [`compact`](Dcel::compact), a new history begins: earlier changes
+    /// cannot be undone, and an error does not restore the old structure.
     ///
     /// # Errors
-    /// That of the closure. The structure is as it was then, and so is what can be redone. The same is so if the closure panics.
+    /// Returns the closure's error. On error or panic the structure and the redo list are unchanged.
     pub fn change<T, E>(
         &mut self,
         name: impl Into<Cow<'static, str>>,
@@ -181,19 +178,19 @@ impl<D: Recorder> History<D> {
         outcome
     }
 
-    /// Takes the last change back; false if there is none. At most the time that the change took, and no memory.
+    /// Undoes the last change; returns false if there is none. At most the time of the change, and no memory.
     pub fn undo(&mut self) -> bool {
         let end = self.timeline.now();
         self.timeline.back().is_some_and(|start| self.replay(start, end, Way::Back))
     }
 
-    /// Does the last change that was undone again; false if there is none. At most the time that the change took.
+    /// Redoes the last undone change; returns false if there is none. At most the time of the change.
     pub fn redo(&mut self) -> bool {
         let start = self.timeline.now();
         self.timeline.forth().is_some_and(|end| self.replay(start, end, Way::Forth))
     }
 
-    /// Takes back all changes since a mark was set; false, and nothing is done, if none of the states before is the one that was marked.
+    /// Undoes all changes since a mark was set. Returns false, and does nothing, if no earlier state is the marked one.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, History};
@@ -213,34 +210,33 @@ impl<D: Recorder> History<D> {
         self.timeline.back_to(mark, self.token).is_some_and(|start| self.replay(start, end, Way::Back))
     }
 
-    /// Marks the state, so that [`undo_to`](Self::undo_to) finds back to it. O(1).
+    /// Marks the current state for [`undo_to`](Self::undo_to). O(1).
     #[must_use]
     pub fn mark(&self) -> Mark {
         self.timeline.mark(self.token)
     }
 
-    /// Returns the name of the change that [`undo`](Self::undo) takes back. O(1).
+    /// Returns the name of the change that [`undo`](Self::undo) would undo. O(1).
     #[must_use]
     pub fn undo_name(&self) -> Option<&str> {
         self.timeline.undo_name()
     }
 
-    /// Returns the name of the change that [`redo`](Self::redo) does again. O(1).
+    /// Returns the name of the change that [`redo`](Self::redo) would redo. O(1).
     #[must_use]
     pub fn redo_name(&self) -> Option<&str> {
         self.timeline.redo_name()
     }
 
-    /// Returns the records that the last change, `undo`, `undo_to` or `redo` wrote, some of them several times: what
-    /// [`validate_near`](crate::validate::near::validate_near) needs. O(k) for k links and others.
+    /// Returns the records written by the last change, `undo`, `undo_to` or `redo`, possibly with repetitions, as input for
+    /// [`validate_near`](crate::validate::near::validate_near). O(k) for k links and other values.
     #[must_use]
     pub fn written(&self) -> WriteSet {
         let [start, end] = self.last;
         self.structure.written_by(start[0]..end[0], &self.others[start[1]..end[1]])
     }
 
-    /// Forgets the changes that were undone, and of the others all but the last `keep`. Their memory is used for those that follow.
-    /// O(size of the logs).
+    /// Forgets all undone changes, and all but the last `keep` of the others. Reuses their memory. O(size of the logs).
     pub fn forget(&mut self, keep: usize) {
         let end = self.timeline.now();
         let start = self.timeline.forget(keep, |a, b| [a[0] - b[0], a[1] - b[1]]);
@@ -255,12 +251,12 @@ impl<D: Recorder> History<D> {
         self.last = [self.timeline.now(); 2];
     }
 
-    /// The log of links; none if there is another structure in place, which has none.
+    /// Returns the log of links; `None` if the structure was replaced.
     fn log(&mut self) -> Option<&mut Log> {
         self.structure.links().store.log.get_mut()
     }
 
-    /// Takes what is undone off the log, to put it back if the change fails.
+    /// Moves undone entries off the log, to restore them if the change fails.
     #[cold]
     fn set_aside(&mut self) {
         let [end, _] = self.timeline.now();
@@ -279,7 +275,7 @@ impl<D: Recorder> History<D> {
         true
     }
 
-    /// Ends a change that has this name, or failed.
+    /// Ends a change: records it under `name`, or rolls it back if it failed.
     fn end(&mut self, name: Option<Cow<'static, str>>) {
         let start = self.timeline.now();
         let token = self.token;
@@ -316,7 +312,6 @@ impl<D: Recorder> History<D> {
         }
     }
 
-    /// Begins anew with the structure that is in place.
     fn begin(&mut self) {
         self.token = self.structure.begin_logs();
         self.others.clear();
@@ -326,7 +321,7 @@ impl<D: Recorder> History<D> {
     }
 }
 
-/// A change that is being made. It is taken back when this is dropped, unless it has got its name.
+/// A running change. Dropping it rolls the change back unless it has a name.
 struct Running<'a, D: Recorder> {
     history: &'a mut History<D>,
     name: Option<Cow<'static, str>>,

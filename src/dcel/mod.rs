@@ -1,4 +1,4 @@
-//! The doubly connected edge list: accessors, circulators and operators, and changes that are taken back.
+//! The doubly connected edge list: accessors, circulators, operators, undo and redo.
 //!
 //! ```
 //! use twinedge::dcel::{Dcel, Side, Split};
@@ -23,18 +23,18 @@
 //! # Ok::<(), twinedge::dcel::OperatorError>(())
 //! ```
 //!
-//! A lecture for browsers explains the records step by step, and does these operators on a picture: `web/README.md` in the repository says how
-//! to open it.
+//! A lecture for browsers explains the records step by step, and demonstrates these operators on a picture: see `web/README.md` in
+//! the repository.
 //!
 //! # Reading
 //!
-//! A key is checked once, where it enters ([`Dcel::half_edge`] and the like). What comes out is a reference ([`HalfEdge`])
-//! that borrows the structure, so nothing can be removed meanwhile. Every further step is one array access.
+//! A key is checked once, where it enters ([`Dcel::half_edge`] and its siblings). The result is a reference ([`HalfEdge`]) that
+//! borrows the structure, so nothing can be removed meanwhile. Every further step is one array access.
 //!
 //! # Changing
 //!
-//! The operators are Euler operators. Each keeps every rule from R1 to T4. Each is atomic: an error leaves everything as it
-//! was. And each says what it made, kept and dropped, so that data kept beside the structure can follow.
+//! The operators are Euler operators. Each keeps every rule from R1 to T4. Each is atomic: on error nothing changes. Each reports the
+//! records that it made, kept and dropped, so that data stored by key can follow.
 //!
 //! | operator | inverse | in solid modelling |
 //! | --- | --- | --- |
@@ -45,21 +45,19 @@
 //! | [`flip_edge`](Dcel::flip_edge) | [`flip_edge`](Dcel::flip_edge), turned the other way | KEF, then MEF |
 //! | [`move_inner`](Dcel::move_inner) | [`move_inner`](Dcel::move_inner), back | RINGMV |
 //!
-//! The names in the last column, and in the search of this documentation, are those of Mäntylä, *An Introduction to Solid Modeling*,
-//! 1988: make or kill (M, K) a vertex, edge, face, solid or ring. His operators of genus and of several shells (KFMRH, MFKRH) have no
-//! counterpart in the plane.
+//! The names in the last column, also found by the search of this documentation, are from Mäntylä, *An Introduction to Solid
+//! Modeling*, 1988: make or kill (M, K) a vertex, edge, face, solid or ring. His operators of genus and of several shells (KFMRH,
+//! MFKRH) have no counterpart in the plane.
 //!
-//! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes what a condition does not hold for, as the
-//! operators would one by one, and [`compact`](Dcel::compact) closes the gaps that removed records leave.
+//! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes the elements that fail a condition, with the
+//! same result as operators one by one, and [`compact`](Dcel::compact) closes the gaps left by removed records.
 //!
-//! What was changed can be taken back: [`History`] has changes of one or more operators that are undone and redone,
-//! keys included.
+//! [`History`] undoes and redoes changes of one or more operators, including keys.
 //!
 //! # Data of your own
 //!
-//! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept
-//! a key of another structure: see [Keys](Dcel#keys). [Attributes](Dcel#attributes) follow what operators do by
-//! themselves.
+//! The records contain only topology. Store coordinates, names and weights by key in a [`SecondaryMap`], which may accept a key of
+//! another structure: see [Keys](Dcel#keys). [Attributes](Dcel#attributes) follow operators by themselves.
 //!
 //! ```
 //! use twinedge::dcel::{Dcel, SecondaryMap};
@@ -74,15 +72,15 @@
 //! # Ok::<(), twinedge::dcel::OperatorError>(())
 //! ```
 //!
-//! # Structures that exist already
+//! # Existing structures
 //!
-//! | there is | in | refused |
+//! | input | function | refuses |
 //! | --- | --- | --- |
-//! | a half-edge structure of any kind that the validator can read | [`Dcel::from_view`] | what breaks a rule, with the report |
-//! | lists of the vertices around each bounded face | [`Dcel::from_faces`] | what is not a plane map, with face or vertex |
-//! | the darts around each vertex, counter-clockwise | [`Dcel::from_rotations`] | what is not planar, with vertex or dart |
+//! | any half-edge structure that the validator can read | [`Dcel::from_view`] | structures that break a rule, with the report |
+//! | lists of the vertices around each bounded face | [`Dcel::from_faces`] | faces that do not form a plane map, with face or vertex |
+//! | the darts around each vertex, counter-clockwise | [`Dcel::from_rotations`] | non-planar rotations, with vertex or dart |
 //!
-//! With the feature `serde` a `Dcel` can be saved and loaded. It is validated when it is loaded, and it keeps its keys.
+//! With the feature `serde` a `Dcel` can be saved and loaded. Loading validates it and keeps its keys.
 
 mod access;
 mod around;

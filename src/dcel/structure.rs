@@ -1,4 +1,4 @@
-//! The structure itself: a store, and how many records there are.
+//! The structure: a store, and the numbers of its records.
 
 use crate::store::{Room, Store};
 use core::fmt;
@@ -7,18 +7,17 @@ use core::fmt;
 ///
 /// # Keys
 ///
-/// A key names one record of one structure. Once the record is removed, the key is [stale](crate::dcel::StaleKey): every
-/// method refuses it, also after the slot has been used again.
+/// A key names one record of one structure. Once the record is removed, the key is [stale](crate::dcel::StaleKey): every method
+/// refuses it, even after the slot has been reused.
 ///
-/// A key of another `Dcel` is stale too, because each structure adds a number of its own to its generations. This has
-/// limits:
+/// A key of another `Dcel` is also stale, because each structure adds its own number to its generations. This has limits:
 ///
-/// - A clone accepts its original's keys, and so does a structure that was saved and loaded. What either makes later may get
-///   a key that the other uses too.
-/// - Keys of unrelated structures can coincide after very many of both: the first key of another structure that was accepted
-///   in a test came after 5,473 structures and 41,233 uses of one slot.
-/// - A [`SecondaryMap`](crate::dcel::SecondaryMap) does not know to which structure its keys belong. It compares slots and
-///   generations only, so look up in it with keys of the structure that it was filled for.
+/// - A clone, or a structure that was saved and loaded, accepts the original's keys. Records that either makes later may share a
+///   key.
+/// - Keys of unrelated structures can coincide after very many of both: in a test, the first accepted key of another structure
+///   came after 5,473 structures and 41,233 uses of one slot.
+/// - A [`SecondaryMap`](crate::dcel::SecondaryMap) compares only slots and generations, so look up only keys of the structure for
+///   which it was filled. generations only, so look up in it with keys of the structure that it was filled for.
 #[derive(Clone)]
 pub struct Dcel {
     pub(super) store: Store,
@@ -37,7 +36,7 @@ impl fmt::Debug for Dcel {
 }
 
 impl Dcel {
-    /// The empty map: one unbounded face and nothing in it. O(1).
+    /// Creates the empty map: one unbounded face and nothing else. O(1).
     ///
     /// ```
     /// use twinedge::dcel::Dcel;
@@ -51,10 +50,10 @@ impl Dcel {
         Self::default()
     }
 
-    /// The empty map, with capacity for this many vertices and edges, and for the faces of a connected map of these.
+    /// Creates the empty map, with capacity for this number of vertices and edges, and for the faces of a connected map of these.
     ///
-    /// Capacity is best effort: if there is not enough memory for it, the columns grow as they are filled. It has no
-    /// influence on what the structure can hold, only on how often memory is allocated.
+    /// Capacity is best effort: if memory is short, columns grow as they are filled. It does not limit the structure, and only
+    /// affects how often memory is allocated.
     ///
     /// ```
     /// use twinedge::dcel::Dcel;
@@ -68,8 +67,8 @@ impl Dcel {
         Self::with_room(Room { vertices, edges, boundaries: faces.saturating_add(1), faces })
     }
 
-    /// The empty map, which never has more records than that: an operator that would need more is refused with
-    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits. At least the unbounded face fits.
+    /// Creates an empty map that never has more records than these: an operator that would exceed them is refused with
+    /// [`OperatorError::Full`](super::OperatorError::Full). Clones have the same limits. The unbounded face always fits.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, RecordKind, Room};
@@ -99,37 +98,38 @@ impl Dcel {
         Self { store: Store::with_room(need) }
     }
 
-    /// The number of vertices. O(1).
+    /// Returns the number of vertices. O(1).
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.store.vertex_count()
     }
 
-    /// The number of edges, half that of half-edges. O(1).
+    /// Returns the number of edges. O(1).
     #[must_use]
     pub fn edge_count(&self) -> usize {
         self.store.edge_count()
     }
 
-    /// The number of half-edges. O(1).
+    /// Returns the number of half-edges, twice the number of edges. O(1).
     #[must_use]
     pub fn half_edge_count(&self) -> usize {
         2 * self.store.edge_count()
     }
 
-    /// The number of boundary components. O(1).
+    /// Returns the number of boundary components. O(1).
     #[must_use]
     pub fn boundary_count(&self) -> usize {
         self.store.boundary_count()
     }
 
-    /// The number of faces, the unbounded one included. O(1).
+    /// Returns the number of faces, including the unbounded face. O(1).
     #[must_use]
     pub fn face_count(&self) -> usize {
         self.store.face_count()
     }
 
-    /// The number of slots for vertices, vacant ones included: every [index](super::Vertex::index) of a vertex is below it. O(1).
+    /// Returns the number of slots for vertices, including vacant ones, an upper bound for every [index](super::Vertex::index).
+    /// O(1).
     ///
     /// ```
     /// use twinedge::dcel::Dcel;
@@ -145,19 +145,19 @@ impl Dcel {
         self.store.vertex_slots()
     }
 
-    /// The number of slots for half-edges, vacant ones included. O(1).
+    /// Returns the number of slots for half-edges, including vacant ones. O(1).
     #[must_use]
     pub fn half_edge_slots(&self) -> usize {
         self.store.half_edge_slots()
     }
 
-    /// The number of slots for boundary components, vacant ones included. O(1).
+    /// Returns the number of slots for boundary components, including vacant ones. O(1).
     #[must_use]
     pub fn boundary_slots(&self) -> usize {
         self.store.boundary_slots()
     }
 
-    /// The number of slots for faces, vacant ones included. O(1).
+    /// Returns the number of slots for faces, including vacant ones. O(1).
     #[must_use]
     pub fn face_slots(&self) -> usize {
         self.store.face_slots()

@@ -1,15 +1,14 @@
-//! The changes of a history in order, and how many of them are done.
+//! The changes of a history in order, and the number of changes in effect.
 
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
 
-/// A state of a history, to which [`undo_to`](super::History::undo_to) leads back.
+/// A state of a history, to which [`undo_to`](super::History::undo_to) returns.
 ///
-/// It stands for the state itself, not for a number of changes: when that state can no longer be reached, the mark leads nowhere. A
-/// mark of another history, a clone included, leads nowhere either.
+/// It identifies the state itself, not a number of changes: a mark is useless once its state can no longer be reached. A mark of
+/// another history, even a clone, is also useless.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mark {
-    /// The number of the log.
     token: Option<u32>,
     serial: u64,
 }
@@ -17,16 +16,15 @@ pub struct Mark {
 #[derive(Clone, Debug)]
 struct Step<E> {
     name: Cow<'static, str>,
-    /// The place in the log where it ends.
     end: E,
-    /// Greater than that of all steps before, and never given twice.
+    /// Greater than all earlier serial numbers; never reused.
     serial: u64,
 }
 
-/// The steps of a history, of which the first ones are done, and where each ends in a log.
+/// The steps of a history, the first `done` of them in effect, each ending at a position in a log.
 #[derive(Clone, Debug)]
 pub(crate) struct Timeline<E> {
-    /// The place in the log and the serial number before the first step.
+    /// The position in the log and the serial number before the first step.
     start: (E, u64),
     steps: Vec<Step<E>>,
     done: usize,
@@ -34,12 +32,10 @@ pub(crate) struct Timeline<E> {
 }
 
 impl<E: Copy> Timeline<E> {
-    /// Without steps, at a place of the log.
     pub(crate) const fn new(start: E) -> Self {
         Self { start: (start, 0), steps: Vec::new(), done: 0, last_serial: 0 }
     }
 
-    /// The place in the log after so many steps.
     fn end_of(&self, steps: usize) -> E {
         steps.checked_sub(1).map_or(self.start.0, |last| self.steps[last].end)
     }
@@ -48,7 +44,6 @@ impl<E: Copy> Timeline<E> {
         steps.checked_sub(1).map_or(self.start.1, |last| self.steps[last].serial)
     }
 
-    /// The place in the log after what is done.
     pub(crate) fn now(&self) -> E {
         self.end_of(self.done)
     }
@@ -61,7 +56,7 @@ impl<E: Copy> Timeline<E> {
         self.steps.get(self.done).map(|step| &*step.name)
     }
 
-    /// Adds a step that ends at a place of the log, in place of those that are undone.
+    /// Adds a step that ends at a position in the log, discarding undone steps.
     pub(crate) fn add(&mut self, name: Cow<'static, str>, end: E) {
         self.steps.truncate(self.done);
         self.last_serial += 1;
@@ -69,13 +64,13 @@ impl<E: Copy> Timeline<E> {
         self.done += 1;
     }
 
-    /// Goes back a step. Returns the place in the log where it began.
+    /// Goes back one step. Returns the position in the log where it began.
     pub(crate) fn back(&mut self) -> Option<E> {
         self.done = self.done.checked_sub(1)?;
         Some(self.now())
     }
 
-    /// Goes forth a step. Returns the place in the log where it ends.
+    /// Goes forward one step. Returns the position in the log where it ends.
     pub(crate) fn forth(&mut self) -> Option<E> {
         let end = self.steps.get(self.done)?.end;
         self.done += 1;
@@ -86,7 +81,7 @@ impl<E: Copy> Timeline<E> {
         Mark { token, serial: self.serial_of(self.done) }
     }
 
-    /// Goes back to a mark. Returns the place in the log; none if the mark is not on the way back. O(log steps).
+    /// Goes back to a mark. Returns its position in the log; `None` if the mark is not behind. O(log steps).
     pub(crate) fn back_to(&mut self, mark: Mark, token: Option<u32>) -> Option<E> {
         let steps = self.steps[..self.done].partition_point(|step| step.serial <= mark.serial);
         if mark.token != token || self.serial_of(steps) != mark.serial {
@@ -96,8 +91,8 @@ impl<E: Copy> Timeline<E> {
         Some(self.now())
     }
 
-    /// Forgets the steps that are undone, and of the others all but the last `keep`. Returns the place in the log where these begin; it
-    /// is taken off all other places.
+    /// Forgets the undone steps, and all but the last `keep` of the others. Returns the position in the log where the kept steps begin,
+    /// and subtracts it from all other positions.
     pub(crate) fn forget(&mut self, keep: usize, less: impl Fn(E, E) -> E) -> E {
         self.steps.truncate(self.done);
         let gone = self.done.saturating_sub(keep);

@@ -1,4 +1,4 @@
-//! The structure as the validator sees it.
+//! The structure as a view for the validator.
 
 use super::structure::Dcel;
 use crate::store::{BoundaryStart, OUTER, VertexLink};
@@ -6,8 +6,8 @@ use crate::validate::{
     BoundaryPlace, Collect, Expectation, HalfEdgeColumns, Link, Parts, Report, Start, View, validate,
 };
 
-/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
-/// slots are unspecified.
+/// Indices are the values of [`HalfEdge::index`](super::HalfEdge::index) and its siblings. Answers for vacant slots are
+/// unspecified.
 impl View for Dcel {
     fn half_edge_columns(&self) -> Option<HalfEdgeColumns<'_>> {
         Some(self.store.half_edge_columns())
@@ -112,7 +112,7 @@ impl View for Dcel {
 impl Dcel {
     /// Checks every rule from R1 to T4. O(n).
     ///
-    /// No sequence of operators breaks a rule, so the report is always valid. This is useful in tests.
+    /// Operators never break a rule, so the report is always valid; useful in tests.
     ///
     /// ```
     /// use twinedge::dcel::Dcel;

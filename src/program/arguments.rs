@@ -8,7 +8,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// The lists in which numbers count.
+/// The list in which a number counts.
 #[derive(Clone, Copy, Debug)]
 pub enum List {
     HalfEdges,
@@ -16,7 +16,7 @@ pub enum List {
     RetiredHalfEdges,
     RetiredVertices,
     RetiredFaces,
-    /// The corners that fit a first one.
+    /// The corners that fit the first one.
     Fitting(CornerPick, Fit),
 }
 
@@ -31,9 +31,9 @@ pub enum Fit {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum HalfEdgePick {
-    /// Of those there are. The two of an edge stand side by side.
+    /// A live half-edge. The two half-edges of an edge are adjacent in the list.
     Live(u32),
-    /// Of the removed half-edges: a stale handle, on purpose.
+    /// A removed half-edge: a stale handle, on purpose.
     Retired(u32),
 }
 
@@ -69,11 +69,11 @@ impl fmt::Display for HalfEdgePick {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum VertexPick {
-    /// Of the isolated vertices.
+    /// An isolated vertex.
     Isolated(u32),
-    /// The origin of this half-edge, of those there are: not isolated, on purpose.
+    /// The origin of a live half-edge: not isolated, on purpose.
     OriginOf(u32),
-    /// Of the vertices that were removed: a stale handle, on purpose.
+    /// A removed vertex: a stale handle, on purpose.
     Retired(u32),
 }
 
@@ -110,16 +110,16 @@ impl fmt::Display for VertexPick {
     }
 }
 
-/// Chooses a corner, or what lies on it: a boundary component, or a face.
+/// Chooses a corner, or the boundary component or face on which it lies.
 pub type CornerPick = Corner<HalfEdgePick, VertexPick>;
 
 /// Chooses the second of two corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SecondPick {
-    /// Of the corners that fit the first one, itself among them: those in the same face, or those at the same vertex.
+    /// A corner that fits the first one (itself included): in the same face, or at the same vertex.
     Fitting(u32),
-    /// Any.
+    /// Any corner.
     Any(CornerPick),
 }
 
@@ -127,11 +127,11 @@ pub enum SecondPick {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FacePick {
-    /// The unbounded one.
+    /// The unbounded face.
     Unbounded,
-    /// The one in which this corner lies.
+    /// The face in which this corner lies.
     Of(CornerPick),
-    /// Of those that were removed: a stale handle, on purpose.
+    /// A removed face: a stale handle, on purpose.
     Retired(u32),
 }
 
@@ -139,10 +139,10 @@ pub enum FacePick {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InnerPick {
-    /// The boundary components of the face, without the one that is split, are counted in order of their first corners. The
-    /// `i`-th one goes if bit `i % 16` is set.
+    /// The face's boundary components, except the one being split, are counted in order of their first corners. The `i`-th
+    /// one goes to the new face if bit `i % 16` is set.
     pub mask: u16,
-    /// One more, whether it may go there or not.
+    /// One more boundary component, whether it may go there or not.
     pub also: Option<CornerPick>,
 }
 
@@ -150,7 +150,7 @@ fn byte(source: &mut impl Choose) -> u8 {
     source.choose(256) as u8
 }
 
-/// Draws a number: one byte for those below 240, two for those below 4,096.
+/// Draws a number: one byte for numbers below 240, two for numbers below 4,096.
 fn count(source: &mut impl Choose) -> u32 {
     match byte(source) {
         low @ 0..=0xEF => low.into(),
@@ -311,7 +311,6 @@ impl Argument for InnerPick {
     type List = List;
     type Context = ();
 
-    /// Nothing where nothing is chosen.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.mask != 0 {
             f.write_str(" inner ")?;
@@ -360,7 +359,6 @@ impl Argument for InnerPick {
     }
 }
 
-/// Reads one of two words.
 fn read_one_of<T: Copy>(words: &mut Words<'_>, expected: Expected, values: [(&str, T); 2]) -> Result<T, ParseError> {
     words.take(expected, |word| values.iter().find(|(other, _)| *other == word).map(|(_, value)| *value))
 }

@@ -1,16 +1,16 @@
-//! A test body takes its decisions from a source of choices, so that several engines can run the same body.
+//! Test bodies that draw their decisions from a source of choices, so that several engines can run the same body.
 //!
-//! The body asks a [`Choose`] for numbers and builds from them whatever it needs. The source belongs to an engine:
+//! The body asks a [`Choose`] for numbers and builds its test case from them. The source belongs to an engine:
 //!
 //! | source | engine |
 //! | --- | --- |
-//! | [`Odometer`], turned by [`for_each_choice`] | every sequence of answers, one after the other |
+//! | [`Odometer`], turned by [`for_each_choice`] | exhaustive: every sequence of answers, one after the other |
 //! | [`Bytes`] | a fuzzer's bytes, or a `Vec<u8>` of quickcheck, which then shrinks the choices too |
 //! | [`Random`] | random numbers from a seed, without another crate |
-//! | `arbitrary::Unstructured` (feature `arbitrary`) | the same, where the bytes are already wrapped |
+//! | `arbitrary::Unstructured` (feature `arbitrary`) | a fuzzer's bytes, already wrapped |
 //! | `quickcheck::Gen` (feature `quickcheck`) | quickcheck, at random |
 //! | `proptest::test_runner::TestRunner` (feature `proptest`) | proptest, at random |
-//! | one that answers with `kani::any` | a model checker: all sequences at once |
+//! | an implementation that answers with `kani::any` | a model checker: all sequences at once |
 //!
 //! ```
 //! use twinedge::program::choose::{Bytes, Choose, for_each_choice};
@@ -31,11 +31,11 @@ use alloc::vec::Vec;
 
 /// A source of choices.
 pub trait Choose {
-    /// A number below `n`; 0 if `n` is 0, where there is nothing to choose.
+    /// Returns a number below `n`; 0 if `n` is 0.
     fn choose(&mut self, n: usize) -> usize;
 }
 
-/// Choices from bytes. Each takes as few bytes as `n` needs, the lowest first, modulo `n`. When the bytes have run out, every
+/// Choices from bytes. Each choice takes as few bytes as `n` needs, the lowest first, modulo `n`. When the bytes run out, every
 /// choice is 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Bytes<'a> {
@@ -49,7 +49,7 @@ impl<'a> Bytes<'a> {
         Self { rest: bytes }
     }
 
-    /// The bytes that no choice has taken yet.
+    /// The bytes not yet taken.
     #[must_use]
     pub const fn rest(&self) -> &'a [u8] {
         self.rest
@@ -69,7 +69,7 @@ impl Choose for Bytes<'_> {
     }
 }
 
-/// Choices at random, always the same ones for a seed (the generator `splitmix64`: Steele, Lea and Flood, 2014).
+/// Random choices, the same for the same seed (the generator `splitmix64`: Steele, Lea and Flood, 2014).
 ///
 /// ```
 /// use twinedge::program::choose::{Choose, Random};
@@ -82,7 +82,7 @@ impl Choose for Bytes<'_> {
 pub struct Random(u64);
 
 impl Random {
-    /// The choices that belong to this seed.
+    /// Choices from this seed.
     #[must_use]
     pub const fn seeded(seed: u64) -> Self {
         Self(seed)
@@ -90,7 +90,6 @@ impl Random {
 }
 
 impl Choose for Random {
-    /// Each number is as likely as the others.
     fn choose(&mut self, n: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -101,7 +100,7 @@ impl Choose for Random {
 
 #[cfg(feature = "arbitrary")]
 impl Choose for arbitrary::Unstructured<'_> {
-    /// 0 where the bytes have run out.
+    /// Returns 0 when the bytes have run out.
     fn choose(&mut self, n: usize) -> usize {
         self.int_in_range(0..=n.saturating_sub(1)).unwrap_or(0)
     }
@@ -109,7 +108,7 @@ impl Choose for arbitrary::Unstructured<'_> {
 
 #[cfg(feature = "quickcheck")]
 impl Choose for quickcheck::Gen {
-    /// Each number is as likely as the others. (`usize::arbitrary` prefers the ends of its range, which are nothing special here.)
+    /// Every number is equally likely. (`usize::arbitrary` prefers the ends of its range, which are nothing special here.)
     fn choose(&mut self, n: usize) -> usize {
         const ALL: [u8; 256] = {
             let mut all = [0; 256];
@@ -127,7 +126,6 @@ impl Choose for quickcheck::Gen {
 
 #[cfg(feature = "proptest")]
 impl Choose for proptest::test_runner::TestRunner {
-    /// Each number is as likely as the others.
     fn choose(&mut self, n: usize) -> usize {
         use proptest::strategy::{Strategy, ValueTree};
         // A range that is not empty always has a number.
@@ -138,20 +136,21 @@ impl Choose for proptest::test_runner::TestRunner {
 /// The answers of one run of a body, turned to the answers of the next run. See [`for_each_choice`].
 #[derive(Clone, Debug, Default)]
 pub struct Odometer {
-    /// The answers, and of how many each was.
+    /// The answers, each with its number of alternatives.
     wheels: Vec<(usize, usize)>,
     asked: usize,
 }
 
 impl Odometer {
-    /// The answers so far in this run where there was a choice. As bytes they make [`Bytes`] answer the same,
-    /// as long as none was of more than 256.
+    /// The answers of this run, omitting forced ones. As bytes they make [`Bytes`] give the same answers, provided that no choice
+    /// was among more than 256.
     #[must_use]
     pub fn answers(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
         self.wheels[..self.asked].iter().map(|(answer, _)| *answer)
     }
 
-    /// On to the next sequence: the last answer that can moves on, and those after it are forgotten. False at the end.
+    /// Advances to the next sequence: increments the last answer that can be incremented and drops the answers after it. Returns
+    /// false at the end.
     fn turn(&mut self) -> bool {
         self.asked = 0;
         while let Some((answer, n)) = self.wheels.pop() {
@@ -173,7 +172,7 @@ impl Choose for Odometer {
             self.wheels.push((0, n));
         }
         let (answer, known) = &mut self.wheels[self.asked];
-        // A body that asks something else the second time gets an answer all the same.
+        // A body that asks a different question the second time still gets an answer.
         *known = n;
         *answer = (*answer).min(n - 1);
         self.asked += 1;
@@ -181,20 +180,20 @@ impl Choose for Odometer {
     }
 }
 
-/// Runs the body once for every sequence of answers that it can get, and tells how many these were.
+/// Runs the body once for every sequence of answers, and returns the number of runs.
 ///
-/// Sequences of few questions do not come before those of many: to get a shortest failing one, raise a bound on the number of steps
-/// from 1. A body that has seen enough asks nothing more, and each of its further runs is one call.
+/// Sequences are not ordered by length: to find a shortest failing one, raise a bound on the number of steps from 1. To end a run
+/// early, the body stops asking.
 ///
-/// The body must ask the same after the same answers, and its number of questions must be bounded; otherwise this
-/// does not end.
+/// The body must ask the same questions after the same answers, and the number of questions must be bounded; otherwise this
+/// function does not terminate.
 pub fn for_each_choice(mut body: impl FnMut(&mut Odometer)) -> u64 {
     let mut odometer = Odometer::default();
     let mut count = 0;
     loop {
         body(&mut odometer);
         count += 1;
-        // Answers that were not asked for again belong to no sequence.
+        // Answers not used in this run belong to no sequence.
         odometer.wheels.truncate(odometer.asked);
         if !odometer.turn() {
             return count;

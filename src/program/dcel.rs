@@ -1,4 +1,4 @@
-//! The structure of this crate as a subject, alone and audited.
+//! [`Subject`] for `Dcel`, plain and audited.
 
 use super::mesh;
 use super::operators::{Call, Handle};
@@ -9,7 +9,6 @@ use crate::dcel::{
 use crate::validate::{HalfEdgeColumns, View};
 use alloc::vec::Vec;
 
-/// The boundary component on which a corner lies.
 fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
@@ -18,7 +17,6 @@ fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorErro
 }
 
 impl From<OperatorError> for Refusal {
-    /// The category of the error.
     fn from(error: OperatorError) -> Self {
         match error {
             OperatorError::Stale(_) | OperatorError::NoSuchAttribute => Self::Stale,
@@ -133,7 +131,7 @@ impl View for Audited {
 }
 
 /// # Panics
-/// Operators panic with the report if a rule is broken after them. See [`Audited::change`] for the report as an error.
+/// Operators panic with the report if they break a rule. [`Audited::change`] returns the report as an error instead.
 impl Subject for Audited {
     crate::delegate_subject!(Dcel, |this| this.get());
 

@@ -1,4 +1,4 @@
-//! Every operator with every argument: what can be done to one map.
+//! Every operator with every argument, on one map.
 
 use super::arguments::{CornerPick, FacePick, HalfEdgePick, InnerPick, SecondPick, VertexPick};
 use super::operators::Op;
@@ -7,18 +7,17 @@ use super::subject::{StepOutcome, Subject};
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Every operator with every argument, right or wrong, on what the runner has now, but those of meshes, for which there is
-/// [`every_mesh_op`]. The arguments are:
+/// Every operator with every argument, valid or not, on the runner's current map. Operators of meshes are in [`every_mesh_op`].
+/// The arguments are:
 ///
-/// - corners and half-edges: all there are; of those that were removed, the first; and a vertex that is not isolated, taken for
-///   one that is;
-/// - faces: one corner of each, the unbounded face, and the first that was removed;
+/// - corners and half-edges: all live ones, the first removed one, and a vertex that is wrongly taken for isolated;
+/// - faces: one corner of each, the unbounded face, and the first removed one;
 /// - boundary components: one corner of each;
 /// - [`Op::Connect`]: both sides, and every set of the inner boundary components that may go to the new face; then, with the
 ///   new face to the left, each boundary component that may not.
 ///
-/// In a map of n half-edges and k boundary components in its fullest face these are O(n² · (2ᵏ + n)). Finding them takes
-/// O(n²) more. At most 16 inner boundary components of a face are told apart.
+/// With n half-edges and k boundary components in the fullest face, there are O(n² · (2ᵏ + n)) operators. Finding them takes
+/// O(n²) more. At most 16 inner boundary components of a face are distinguished.
 pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     let picks = Picks::of(map);
     let mut ops = Vec::new();
@@ -58,7 +57,7 @@ pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     ops
 }
 
-/// Every operator of triangle meshes with every half-edge there is, and the first that was removed. O(n).
+/// Every operator of triangle meshes on every live half-edge and the first removed one. O(n).
 pub fn every_mesh_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     let picks = Picks::of(map).half_edges.into_iter();
     picks
@@ -73,8 +72,8 @@ pub fn every_mesh_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
         .collect()
 }
 
-/// Applies [every operator](every_op) to the map as it is, one at a time, and shows what came of each: of those that were
-/// applied the new map, of the others the map that should be as it was.
+/// Applies [every operator](every_op) to the current map, one at a time, and passes each outcome to `visit`: with the new map
+/// if the operator was applied, otherwise with the map, which should be unchanged.
 pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, StepOutcome, &Runner<K>)) {
     let mut attempt = map.clone();
     for op in every_op(map) {
@@ -86,7 +85,6 @@ pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(O
     }
 }
 
-/// A corner and where it lies, by numbers.
 #[derive(Clone, Copy)]
 struct NumberedCorner {
     corner: CornerPick,
@@ -94,7 +92,6 @@ struct NumberedCorner {
     boundary: usize,
 }
 
-/// All arguments of a map.
 struct Picks {
     corners: Vec<NumberedCorner>,
     /// The first corner of each boundary component.
@@ -160,14 +157,13 @@ impl Picks {
         }
     }
 
-    /// The ways to connect two corners.
     fn connect(&self, from: &NumberedCorner, to: &NumberedCorner, ops: &mut Vec<Op>) {
         let mut push = |new_face, inner| {
             ops.push(Op::Connect { from: from.corner, to: SecondPick::Any(to.corner), new_face, inner });
         };
         let splits = from.boundary == to.boundary;
-        // Those that the interpreter counts, in its order: whatever else bounds the face. If one of them is the outer
-        // boundary component, the sets that have it are the wrong ones.
+        // The components that the interpreter counts, in its order: the rest of the face's boundary. Sets that contain the
+        // outer boundary component are invalid.
         let others = self.boundaries.iter().filter(|place| place.face == from.face && place.boundary != from.boundary);
         let sets = if splits { 1_u32 << others.count().min(16) } else { 1 };
         for mask in (0..sets).map(|mask| mask as u16) {
@@ -185,8 +181,8 @@ impl Picks {
     }
 }
 
-/// Notes the boundary component of all half-edges of a cycle. Stops after as many as there are, even if the cycle does not
-/// close.
+/// Records the boundary component of all half-edges of a cycle. Stops after the number of half-edges, even if the cycle does
+/// not close.
 fn mark_cycle<K: Subject>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
     let mut h = start;
     for _ in 0..boundary_of.len() {

@@ -1,4 +1,4 @@
-//! Random programs: which operators, how often, how many.
+//! Random programs: the operators, their frequencies, and the length.
 
 use super::choose::{Bytes, Choose};
 use super::language::Language;
@@ -6,11 +6,11 @@ use super::shrink::{candidates_from, shrink_from};
 use alloc::vec::Vec;
 use core::ops::RangeInclusive;
 
-/// The operators that random programs have, how often each, how many, and what they begin with: one description for every engine.
+/// Describes random programs for every engine: the operators, their weights, the length, and the start.
 ///
 /// | engine | how |
 /// | --- | --- |
-/// | quickcheck | `generator.generate(g)` in an `Arbitrary` of your own, with [`candidates`](Self::candidates) to shrink; `any` program: `Program` |
+/// | quickcheck | `generator.generate(g)` in your own `Arbitrary`, with [`candidates`](Self::candidates) to shrink; `Program` itself for any program |
 /// | proptest | the generator is a `Strategy`, which shrinks |
 /// | cargo-fuzz | `generator.decode(bytes)` |
 /// | arbitrary | `generator.generate(u)` for an `Unstructured` |
@@ -40,15 +40,15 @@ pub struct Generator<P: Language = crate::program::Program> {
 }
 
 impl<P: Language> Default for Generator<P> {
-    /// All operators, as often as they are in [`Language::KINDS`]; up to 50 of them.
+    /// All operators, weighted as in [`Language::KINDS`]; up to 50 per program.
     fn default() -> Self {
         Self { weights: P::KINDS.to_vec(), length: 0..=50, start: P::Start::default() }
     }
 }
 
 impl<P: Language> Generator<P> {
-    /// No operators but these. Their weights stay as they are; those that were never drawn so far, as the operators of meshes
-    /// are not unless asked for, get the weight 1.
+    /// Restricts programs to these operators. Weights stay; operators with weight 0, such as the operators of meshes by default, get
+    /// weight 1.
     #[must_use]
     pub fn only(mut self, kinds: &[P::Kind]) -> Self {
         for (kind, weight) in &mut self.weights {
@@ -57,7 +57,7 @@ impl<P: Language> Generator<P> {
         self
     }
 
-    /// Sets the weight of an operator, in proportion to the weights of the others. 0: never.
+    /// Sets the weight of an operator, relative to the others. Weight 0 excludes it.
     #[must_use]
     pub fn weight(mut self, kind: P::Kind, weight: u32) -> Self {
         for (_, of_kind) in self.weights.iter_mut().filter(|(other, _)| *other == kind) {
@@ -66,14 +66,14 @@ impl<P: Language> Generator<P> {
         self
     }
 
-    /// Sets the number of operators of a program; if the range is empty, it is the one with which the range begins.
+    /// Sets the number of operators of a program. An empty range stands for its start.
     #[must_use]
     pub const fn length(mut self, length: RangeInclusive<usize>) -> Self {
         self.length = length;
         self
     }
 
-    /// Draws one operator by the choices of a source; `None` if all weights are 0. O(kinds).
+    /// Draws one operator; `None` if all weights are 0. O(kinds).
     pub fn op(&self, source: &mut impl Choose) -> Option<P::Op> {
         let total: usize = self.weights.iter().map(|(_, weight)| *weight as usize).fold(0, usize::saturating_add);
         let mut chosen = source.choose(total);
@@ -86,9 +86,9 @@ impl<P: Language> Generator<P> {
         Some(P::op(*kind, source))
     }
 
-    /// A program, by the choices of a source. Empty if all weights are 0. O(operators).
+    /// Draws a program. Empty if all weights are 0. O(operators).
     ///
-    /// Operators of topology begin with a vertex, without which there is nothing to be done, unless vertices are never added.
+    /// Topological programs begin by adding a vertex, unless that operator has weight 0.
     pub fn generate(&self, source: &mut impl Choose) -> P {
         let more = self.length.end().saturating_sub(*self.length.start());
         let count = self.length.start() + source.choose(more.saturating_add(1));
@@ -96,8 +96,8 @@ impl<P: Language> Generator<P> {
         P::from_ops(self.first().into_iter().chain(drawn).take(count).collect())
     }
 
-    /// The program that these bytes encode: as many operators as there are bytes for, whatever [`length`](Self::length) says.
-    /// Every choice takes as few bytes as it needs. It begins as with [`generate`](Self::generate). O(bytes).
+    /// Decodes a program: the bytes alone determine the number of operators, regardless of [`length`](Self::length). Each choice takes
+    /// as few bytes as it needs. The first operator is as in [`generate`](Self::generate). O(bytes).
     ///
     /// ```
     /// use twinedge::program::{OpKind, Program};
@@ -113,18 +113,16 @@ impl<P: Language> Generator<P> {
         P::from_ops(self.first().into_iter().chain(drawn.take(bytes.len())).collect())
     }
 
-    /// Makes a failing program small, as [`shrink`](crate::program::shrink()) does, where programs begin as they do here.
+    /// Shrinks a failing program, as [`shrink`](crate::program::shrink()) does, from the start of this generator.
     pub fn shrink(&self, program: &P, fails: impl FnMut(&P) -> bool) -> P {
         shrink_from(program, &self.start, fails)
     }
 
-    /// Programs that are a little smaller than this one, as of [`candidates`](crate::program::candidates), where programs begin as
-    /// they do here.
+    /// Returns slightly smaller programs, as [`candidates`](crate::program::candidates) does, from the start of this generator.
     pub fn candidates(&self, program: &P) -> impl Iterator<Item = P> + use<P> {
         candidates_from(program, &self.start)
     }
 
-    /// The first operator of a program.
     fn first(&self) -> Option<P::Op> {
         let is_drawn = |kind| self.weights.iter().any(|(other, weight)| *other == kind && *weight > 0);
         P::first().and_then(|(kind, op)| is_drawn(kind).then_some(op))
@@ -134,7 +132,6 @@ impl<P: Language> Generator<P> {
 #[cfg(feature = "proptest")]
 pub use with_proptest::ProgramTree;
 
-/// Programs for the crate `proptest`, which shrink operator by operator.
 #[cfg(feature = "proptest")]
 mod with_proptest {
     use super::{Generator, Language, candidates_from};
@@ -143,12 +140,12 @@ mod with_proptest {
     use proptest::strategy::{NewTree, Strategy, ValueTree};
     use proptest::test_runner::TestRunner;
 
-    /// A program, and the smaller ones that are tried when it fails: those of [`Generator::candidates`], by which [`Generator::shrink`]
-    /// goes, too. Operators are dropped and simplified, and the others go on choosing what they chose.
+    /// A program with its shrinking candidates, those from [`Generator::candidates`]. Operators are dropped and simplified, and the
+    /// rest keep their choices.
     pub struct ProgramTree<P: Language> {
         start: P::Start,
         current: P,
-        /// The smallest that is known to fail.
+        /// The smallest known failing program.
         failing: P,
         smaller: Option<Box<dyn Iterator<Item = P>>>,
     }
@@ -161,12 +158,12 @@ mod with_proptest {
     }
 
     impl<P: Language> ProgramTree<P> {
-        /// The tree of an existing program, which begins as the programs of the generator do.
+        /// Creates the tree of an existing program that begins with the start of the generator.
         pub fn new(program: P, generator: &Generator<P>) -> Self {
             Self { start: generator.start.clone(), current: program.clone(), failing: program, smaller: None }
         }
 
-        /// On to the next smaller program; back to the smallest that fails if there is none.
+        /// Advances to the next smaller program; returns to the smallest failing one if there is none.
         fn advance(&mut self) -> bool {
             let next = self.smaller.as_mut().and_then(|smaller| smaller.next());
             let advanced = next.is_some();

@@ -12,7 +12,7 @@ use crate::validate::{Expectation, Table, View};
 use alloc::vec::Vec;
 
 impl Program {
-    /// A generator of programs, which can be told which operators to draw, how often, and how many.
+    /// Returns a generator of programs, to be configured with operators, weights and length.
     #[must_use]
     pub fn generator() -> Generator {
         Generator::default()
@@ -20,10 +20,10 @@ impl Program {
 }
 
 impl Generator {
-    /// Sets the structure with which programs begin, so that failing ones become as small as those of the empty map. O(n²).
+    /// Sets the starting structure of programs, so that failing ones shrink as far as programs from the empty map. O(n²).
     ///
     /// # Errors
-    /// [`StartError`]: programs cannot begin with it.
+    /// Returns a [`StartError`] if programs cannot begin with the structure.
     pub fn beginning_with<V: View + ?Sized>(
         mut self,
         structure: &V,
@@ -58,7 +58,7 @@ impl<'a> arbitrary::Arbitrary<'a> for Program {
         u.arbitrary_iter()?.collect()
     }
 
-    /// Reads the bytes as `from_bytes` does, so that both share a corpus.
+    /// Reads the bytes as `from_bytes` does, so both share a corpus.
     fn arbitrary_take_rest(u: arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
         Ok(Self::from_bytes(u.take_rest()))
     }
@@ -67,7 +67,7 @@ impl<'a> arbitrary::Arbitrary<'a> for Program {
 /// Programs for the crate `quickcheck`.
 #[cfg(feature = "quickcheck")]
 impl quickcheck::Arbitrary for Program {
-    /// The first operator of programs, and up to [`Gen::size`](quickcheck::Gen::size) operators.
+    /// Generates the first operator, then up to [`Gen::size`](quickcheck::Gen::size) more.
     fn arbitrary(g: &mut quickcheck::Gen) -> Self {
         Self::generator().length(1..=g.size().saturating_add(1)).generate(g)
     }
@@ -112,7 +112,7 @@ impl quickcheck::Arbitrary for Op {
     }
 }
 
-/// The structure that a program makes of the empty one. Shrinks as the program does.
+/// The result of a random program on the empty map. Shrinks as the program does.
 #[cfg(feature = "proptest")]
 impl proptest::arbitrary::Arbitrary for crate::dcel::Dcel {
     type Parameters = Generator;
@@ -129,7 +129,7 @@ impl proptest::arbitrary::Arbitrary for crate::dcel::Dcel {
     }
 }
 
-/// A structure with which programs begin. The default is the empty map.
+/// The starting structure of programs. The default is the empty map.
 #[derive(Clone, Debug, Default)]
 pub struct Start(Option<(Table, Expectation)>);
 
@@ -139,7 +139,6 @@ impl Start {
         Ok(Self(Table::copy_of(view).map(|table| (table, *expectation))))
     }
 
-    /// The reference with this structure.
     fn runner(&self) -> Runner<PointerModel> {
         let Some((table, expectation)) = &self.0 else { return Runner::new(PointerModel::new()) };
         PointerModel::from_view(table, expectation).map_or_else(|_| Runner::new(PointerModel::new()), Runner::of_start)
@@ -147,7 +146,7 @@ impl Start {
 }
 
 impl Runner<PointerModel> {
-    /// The model of a structure, with the handles of its elements.
+    /// Starts with the model of a structure and the handles of its elements.
     fn of_start(start: PointerModelStart) -> Self {
         let half_edges = start.half_edges.into_iter().map(|(_, half_edge)| half_edge).collect();
         let isolated = start.isolated.into_iter().map(|(_, vertex)| vertex).collect();
@@ -155,7 +154,7 @@ impl Runner<PointerModel> {
     }
 }
 
-/// A runner of the reference, with the names of the entries of each of its lists.
+/// A runner of the reference, with the name of each entry of its lists.
 pub struct NamedRunner {
     runner: Runner<PointerModel>,
     half_edges: Vec<Name>,
@@ -169,7 +168,7 @@ impl Stage for NamedRunner {
     type Op = Op;
     type Start = Start;
 
-    /// Entries of the start have a name that no operator has.
+    /// Entries of the start get a name that no operator has.
     fn new(start: &Start) -> Self {
         let runner = start.runner();
         let (mut half_edges, mut isolated) = (Vec::new(), Vec::new());

@@ -1,6 +1,7 @@
-//! Languages of programs, whatever their operators: arguments, text, and what generation and shrinking need.
+//! Languages of programs for any operators: arguments, text, and the traits that generation and shrinking need.
 //!
-//! A table of operators becomes a language by the macro [`language`](crate::language): that of operators is in `program::operators`.
+//! The macro [`language`](crate::language) turns a table of operators into a language; `program::operators` has the table of
+//! topological operators.
 
 use super::choose::Choose;
 use super::text::{Expected, ParseError, Words, number};
@@ -13,43 +14,41 @@ pub trait Sequence: Clone + PartialEq + fmt::Debug + 'static {
     /// Its operators.
     type Op: Clone + PartialEq + fmt::Debug + 'static;
 
-    /// The operators of a program.
     fn ops(&self) -> &[Self::Op];
 
-    /// The program of these operators.
     fn from_ops(ops: Vec<Self::Op>) -> Self;
 
-    /// An operator with one argument simplified, in every way there is.
+    /// Returns the operator with one argument simplified, in every possible way.
     fn simpler(op: &Self::Op) -> Vec<Self::Op>;
 }
 
 /// A language of programs, such as [`Program`](crate::program::Program) for the operators of a [`Dcel`](crate::dcel::Dcel).
 ///
-/// Each can be [generated](crate::program::Generator), [shrunk](crate::program::shrink()), written down and read.
+/// Programs of a language can be [generated](crate::program::Generator), [shrunk](crate::program::shrink()), written and read.
 pub trait Language: Sequence {
     /// The kinds of its operators.
     type Kind: Copy + PartialEq + fmt::Debug + 'static;
 
-    /// The structure with which programs begin; by default the empty one.
+    /// The starting structure of programs; the empty one by default.
     type Start: Clone + fmt::Debug + Default + 'static;
 
-    /// The run of its operators.
+    /// Runs its operators.
     type Stage: Stage<Op = Self::Op, Start = Self::Start>;
 
-    /// Every kind, and how often it is chosen unless a [`Generator`](crate::program::Generator) says otherwise.
+    /// Every kind with its weight, unless a [`Generator`](crate::program::Generator) sets another.
     const KINDS: &'static [(Self::Kind, u32)];
 
-    /// An operator of this kind, with arguments that the source chooses.
+    /// Draws the arguments of an operator of this kind.
     fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
 
-    /// The first operator of a generated program if this kind is generated at all: without it there is nothing to be done.
+    /// The first operator of a generated program, if its kind has a positive weight: later operators need its element.
     #[must_use]
     fn first() -> Option<(Self::Kind, Self::Op)> {
         None
     }
 }
 
-/// The operator that put something on a list, by its place in the program, and which of its things.
+/// Names a list entry: the position of the operator that added it, and a number among that operator's entries.
 pub type Name = (usize, usize);
 
 /// A run of a program, with names for the entries of each list.
@@ -62,7 +61,7 @@ pub trait Stage {
     /// The run before the first operator.
     fn new(start: &Self::Start) -> Self;
 
-    /// The operator with other numbers. `number` is given the names in the list in which each number counts.
+    /// Returns the operator with other numbers. `number` gets the names in a list, and a number that counts in it.
     fn rewrite(&self, op: &Self::Op, number: &mut impl FnMut(&[Name], u32) -> u32) -> Self::Op;
 
     /// Runs an operator.
@@ -76,25 +75,25 @@ pub trait Argument: Clone {
     /// The arguments before it on which it depends.
     type Context;
 
-    /// Draws one by the choices of a source. `upper` is a number below 8 that all arguments of an operator share.
+    /// Draws an argument. `upper` is a number below 8 that all arguments of an operator share.
     fn draw(source: &mut impl Choose, upper: u8) -> Self;
 
-    /// Writes its words, with a space before each.
+    /// Writes its words, each preceded by a space.
     ///
     /// # Errors
-    /// Those of the formatter.
+    /// The errors of the formatter.
     fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
 
     /// Reads its words.
     ///
     /// # Errors
-    /// The words are not those of such an argument.
+    /// The words are not a valid argument.
     fn read(words: &mut Words<'_>) -> Result<Self, ParseError>;
 
-    /// The argument in every way in which it is simpler, the simplest first.
+    /// Returns every simpler argument, the simplest first.
     fn simpler(&self) -> Vec<Self>;
 
-    /// The argument with other numbers. One without numbers stays as it is.
+    /// Returns the argument with other numbers. An argument without numbers is unchanged.
     #[must_use]
     fn renumber(&self, context: Self::Context, number: &mut impl FnMut(Self::List, u32) -> u32) -> Self {
         let _ = (context, number);
@@ -102,24 +101,24 @@ pub trait Argument: Clone {
     }
 }
 
-/// A variant of an argument: the prefix of its word, the variant, and the list.
+/// A variant of an argument: the prefix of its word, its constructor, and its list.
 pub type Variant<P, L> = (&'static str, fn(u32) -> P, L);
 
-/// An argument that chooses from one list or another by a number: a variant for each list.
+/// An argument that is a number in one of several lists: one variant for each list.
 pub trait Numbered: Copy + 'static {
     /// The lists.
     type List: Copy + 'static;
 
-    /// Its words, as errors call them.
+    /// Its words, as named in errors.
     const EXPECTED: Expected;
 
     /// The variants, the simplest first.
     const VARIANTS: &'static [Variant<Self, Self::List>];
 
-    /// The place of the variant in `VARIANTS`, and the number.
+    /// Returns the variant's position in `VARIANTS`, and the number.
     fn number(self) -> (usize, u32);
 
-    /// Draws one by the choices of a source.
+    /// Draws an argument.
     fn choose(source: &mut impl Choose) -> Self;
 
     /// Reads the word that [`write_word`](Self::write_word) writes.
@@ -130,7 +129,7 @@ pub trait Numbered: Copy + 'static {
     /// Writes the prefix and the number.
     ///
     /// # Errors
-    /// Those of the formatter.
+    /// The errors of the formatter.
     fn write_word(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (variant, k) = self.number();
         write!(f, "{}{k}", Self::VARIANTS[variant].0)
@@ -167,7 +166,7 @@ impl<P: Numbered> Argument for P {
     }
 }
 
-/// Smaller numbers, the smallest first. Two less keeps the side of an edge, which one less and the half may not.
+/// Smaller numbers, the smallest first. Subtracting two keeps the side of an edge; subtracting one or halving may not.
 pub fn smaller(k: u32) -> impl Iterator<Item = u32> {
     let mut all = vec![0, 1, k / 2, k.saturating_sub(2), k.saturating_sub(1)];
     all.sort_unstable();
@@ -175,10 +174,10 @@ pub fn smaller(k: u32) -> impl Iterator<Item = u32> {
     all.into_iter().filter(move |smaller| *smaller < k)
 }
 
-/// Writes the places of the bits of a mask, with commas between them.
+/// Writes the positions of the bits of a mask, separated by commas.
 ///
 /// # Errors
-/// Those of the formatter.
+/// The errors of the formatter.
 pub fn write_mask(f: &mut fmt::Formatter<'_>, mask: u16) -> fmt::Result {
     let mut before = "";
     for bit in (0..16).filter(|bit| mask >> bit & 1 == 1) {
@@ -188,14 +187,14 @@ pub fn write_mask(f: &mut fmt::Formatter<'_>, mask: u16) -> fmt::Result {
     Ok(())
 }
 
-/// Masks without one bit or more, the simplest first.
+/// Masks with fewer bits, the simplest first.
 pub fn smaller_masks(mask: u16) -> impl Iterator<Item = u16> {
     let bits = (0..16).map(|bit| 1 << bit).filter(move |bit| mask & bit != 0 && *bit != mask);
     (mask != 0).then_some(0).into_iter().chain(bits.map(move |bit| mask & !bit))
 }
 
-/// Defines a language from its table: operators and their kinds, programs, their text, and what is simpler. A row reads: variant,
-/// name, how often it is drawn, and its arguments, each with the earlier ones that it depends on in brackets.
+/// Defines a language from its table: operators and their kinds, programs, text, and simpler operators. A row lists the variant, the
+/// name, the weight, and the arguments, each with the earlier arguments that it depends on in brackets.
 #[macro_export]
 macro_rules! language {
     (
@@ -223,10 +222,10 @@ macro_rules! language {
         }
 
         impl $kind {
-            /// All kinds, each with how often it is drawn, in proportion to the others.
+            /// All kinds, each with its weight relative to the others.
             pub const SHARES: &[(Self, u32)] = &[$((Self::$variant, $share)),*];
 
-            /// The name, as texts have it.
+            /// The name used in texts.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 $op::NAMES[self as usize]
@@ -234,10 +233,10 @@ macro_rules! language {
         }
 
         impl $op {
-            /// All names, as texts have them, in the order of the kinds.
+            /// The names used in texts, in the order of the kinds.
             pub const NAMES: &[&str] = &[$(stringify!($name)),*];
 
-            /// The kind: all but the arguments.
+            /// The kind of this operator, without arguments.
             #[must_use]
             pub const fn kind(&self) -> $kind {
                 match self {
@@ -245,13 +244,13 @@ macro_rules! language {
                 }
             }
 
-            /// The name, as texts have it.
+            /// The name used in texts.
             #[must_use]
             pub const fn name(&self) -> &'static str {
                 self.kind().name()
             }
 
-            /// All operators with one argument simplified.
+            /// Returns all operators with one argument simplified.
             #[must_use]
             pub fn simpler(&self) -> alloc::vec::Vec<Self> {
                 use $crate::program::language::Argument;
@@ -270,7 +269,7 @@ macro_rules! language {
                 all
             }
 
-            /// Draws the arguments by the choices of a source.
+            /// Draws the arguments.
             pub fn draw(kind: $kind, source: &mut impl $crate::program::choose::Choose, upper: u8) -> Self {
                 use $crate::program::language::Argument;
                 match kind {
@@ -278,7 +277,7 @@ macro_rules! language {
                 }
             }
 
-            /// The operator with other numbers.
+            /// Returns the operator with other numbers.
             #[must_use]
             pub fn renumber(&self, number: &mut impl FnMut($list, u32) -> u32) -> Self {
                 use $crate::program::language::Argument;
@@ -349,7 +348,7 @@ macro_rules! language {
             }
         }
 
-        /// The text that `FromStr` reads: a header, and one operator per line.
+        /// Writes the text that `FromStr` reads: a header, and one operator per line.
         impl core::fmt::Display for $program {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 writeln!(f, $header)?;
@@ -360,7 +359,7 @@ macro_rules! language {
         impl core::str::FromStr for $program {
             type Err = $crate::program::ParseError;
 
-            /// Reads a program from its text. Empty lines count for nothing, nor does what follows a `#`. O(length).
+            /// Reads a program from its text. Empty lines and text after a `#` are ignored. O(length).
             fn from_str(text: &str) -> Result<Self, Self::Err> {
                 use $crate::program::text::{Expected, lines};
                 lines(text, $header, Expected::$expected, $op::read).map(Self)

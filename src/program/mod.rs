@@ -1,8 +1,8 @@
-//! Programs: sequences of operators as data, for everything that tests a structure by changing it.
+//! Programs: sequences of operators as data, for testing structures by changing them.
 //!
-//! A program chooses its arguments by small numbers: positions in lists of what exists, modulo the length of the list. So
-//! any bytes are a program that runs on any structure, and no argument is out of range. Some arguments are handles of
-//! removed records, on purpose: a correct structure refuses them.
+//! A program chooses arguments by small numbers: positions in lists of live elements, modulo the length of the list.
+//! Therefore any bytes are a program that runs on any structure, and no argument is out of range. Some arguments are
+//! handles of removed records, on purpose: a correct structure refuses them.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
@@ -25,23 +25,23 @@
 //!
 //! | to | take |
 //! | --- | --- |
-//! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it |
-//! | test a structure | [`conformance::check`]: the structure and [`PointerModel`] in step, compared after every operator of random programs |
-//! | try operators that are not in this language | [`choose`]: draw an operator and its arguments from a source, and call [`validate`](crate::validate::validate) after each |
+//! | drive your own structure | the trait [`Subject`], implemented by [`Dcel`](crate::dcel::Dcel) |
+//! | test a structure | [`conformance::check`]: random programs on the structure and [`PointerModel`] in step, compared after every operator |
+//! | try operators outside this language | [`choose`]: draw an operator and its arguments from a source, and call [`validate`](crate::validate::validate) after each |
 //! | also check the reports of the operators of `Dcel` | `ReportAudit` of the crate `twinedge-trials` |
-//! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
-//! | say which operators, how often and how many | [`Generator`], for all of these; of bytes, [`Generator::decode`] |
-//! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
-//! | make one small that begins with a mesh, or another structure that is not empty | [`Generator::beginning_with`], for `proptest`, and for `quickcheck` by [`Generator::candidates`]; [`run_and_shrink`](conformance::Conformance::run_and_shrink) for fuzz targets |
-//! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
-//! | tell whether two maps are the same | [`canonical`] |
-//! | compare with another implementation | [`PointerModel`], the pointers of the literature, simple and slow |
+//! | generate programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
+//! | choose the operators, their weights and their number | [`Generator`], for all of these; for bytes, [`Generator::decode`] |
+//! | shrink a failing program | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
+//! | shrink a program that begins with a mesh or another non-empty structure | [`Generator::beginning_with`] for `proptest`, and for `quickcheck` with [`Generator::candidates`]; [`run_and_shrink`](conformance::Conformance::run_and_shrink) for fuzz targets |
+//! | save it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
+//! | test two maps for isomorphism | [`canonical`] |
+//! | compare with another implementation | [`PointerModel`]: the pointers of the literature, plain and slow |
 //!
 //! # In step
 //!
 //! When two faces or vertices are merged, implementations may keep either record. So a [`Runner`] never compares handles of
-//! different structures. It lists the handles of each structure in order of creation, and drops those of removed records.
-//! As long as both structures are right, the same position in two such lists is the same element.
+//! different structures. It lists the handles of each structure in order of creation, without handles of removed records.
+//! As long as both structures are correct, the same position in both lists is the same element.
 
 #![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
 

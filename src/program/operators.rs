@@ -1,7 +1,7 @@
-//! Operators as data: the table, programs of them, and calls.
+//! Operators as data: the table, programs, and calls.
 //!
-//! An [`Op`] chooses its arguments by small numbers, so that any bytes are a program that runs. A [`Call`] has handles in place
-//! of the numbers: a structure applies it.
+//! An [`Op`] chooses its arguments by small numbers, so any bytes are a program that runs. A [`Call`] contains handles instead, and a
+//! structure applies it.
 
 use super::arguments::{CornerPick, FacePick, Fit, HalfEdgePick, InnerPick, List, SecondPick, VertexPick};
 use super::choose::Choose;
@@ -12,8 +12,8 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::{self, Display};
 
-// The one table of operators: bytes, text, random and simpler programs follow from it. Of 32 random operators, so many are of
-// a kind as its row says; the operators of meshes are in no random program that does not ask for them.
+// The table of operators; bytes, text, random and simpler programs follow from it. The weights sum to 32. Operators of meshes have
+// weight 0: random programs contain them only on request.
 language! {
     header "twinedge program 1" Header,
     /// One operator with its arguments.
@@ -21,14 +21,15 @@ language! {
     #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
     #[allow(missing_docs, reason = "the arguments are those of `Call`")]
     op Op over List,
-    /// The kinds of operators, for a [`Generator`](crate::program::Generator). Of 32 random operators, so many are of a kind as
-    /// [`SHARES`](Self::SHARES) says. Those for meshes are drawn only if they are given a weight.
+    /// The kinds of operators, for a [`Generator`](crate::program::Generator). [`SHARES`](Self::SHARES) lists their weights, which sum
+    /// to 32. Operators of meshes are drawn only if given a weight.
     kind OpKind,
-    /// A sequence of operators, to be run by a [`Runner`](crate::program::Runner) from the empty map or any other start.
+    /// A sequence of operators. A [`Runner`](crate::program::Runner) runs it from the empty map or any other start.
     ///
     /// # As text
     ///
-    /// [`Display`](core::fmt::Display) writes an operator to a line, [`FromStr`](core::str::FromStr) reads it back, and `#` begins a comment:
+    /// [`Display`](core::fmt::Display) writes one operator per line, [`FromStr`](core::str::FromStr) reads it back, and `#` begins a
+    /// comment:
     ///
     /// ```text
     /// twinedge program 1
@@ -42,13 +43,13 @@ language! {
     /// | --- | --- |
     /// | `h3` | the half-edge with number 3 (counted from 0), and its corner |
     /// | `i3` | the isolated vertex with number 3, and its corner |
-    /// | `o3` | the origin of `h3`, taken for an isolated vertex |
-    /// | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that were removed |
-    /// | `~3` | of the corners that fit the first one |
+    /// | `o3` | the origin of `h3`, wrongly taken for an isolated vertex |
+    /// | `!h3`, `!v3`, `!f3` | a removed half-edge, vertex or face |
+    /// | `~3` | a corner that fits the first one |
     /// | `unbounded` | the unbounded face |
     ///
-    /// Numbers count from 0, modulo the length of the list: half-edges in order of creation, those of an edge side by side, those of the
-    /// start first; isolated vertices in the order in which they became so.
+    /// Numbers count from 0, modulo the length of the list: half-edges in order of creation, the two of an edge adjacent, those in the
+    /// start first; isolated vertices in the order in which they became isolated.
     ///
     /// ```
     /// use twinedge::program::{StepOutcome, Program, Runner};
@@ -93,7 +94,7 @@ language! {
     MeshCollapseEdge mesh_collapse_edge 0 { half_edge: HalfEdgePick }
 }
 
-/// A change of the counts of a map.
+/// A change in the numbers of vertices, edges, faces and components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CountChange {
     /// V.
@@ -106,13 +107,12 @@ pub struct CountChange {
     pub components: i8,
 }
 
-/// A [`CountChange`] by its four numbers.
 const fn counts(vertices: i8, edges: i8, faces: i8, components: i8) -> CountChange {
     CountChange { vertices, edges, faces, components }
 }
 
 impl OpKind {
-    /// The changes that an operator of this kind may make to the counts of a map, if it is applied.
+    /// The changes that an operator of this kind may make to the counts of a map, if applied.
     #[must_use]
     pub const fn changes(self) -> &'static [CountChange] {
         match self {
@@ -130,15 +130,15 @@ impl OpKind {
     }
 }
 
-/// An operator with the handles that it chose, as [`Runner::resolve`](crate::program::Runner::resolve) tells, and as
-/// [`Subject::apply`](crate::program::Subject::apply) is asked to apply it. Handles may be stale.
+/// An operator with the handles that it chose, as returned by [`Runner::resolve`](crate::program::Runner::resolve) and passed to
+/// [`Subject::apply`](crate::program::Subject::apply). Handles may be stale.
 ///
-/// The meaning of each operator is that of the method of the same name of [`Dcel`](crate::dcel::Dcel), where its picture is. The
-/// operators of meshes are defined by steps of the others, in [`mesh`](crate::program::mesh).
+/// Each operator means the method of the same name of [`Dcel`](crate::dcel::Dcel), whose page has a picture. Operators of meshes are
+/// defined by basic operators, in [`mesh`](crate::program::mesh).
 ///
-/// An operator refuses for the first reason that applies: first each argument by itself, in their order
-/// ([`Stale`](super::Refusal::Stale), then [`NotIsolated`](super::Refusal::NotIsolated) for a corner said to be that of an isolated
-/// vertex); then the reasons that its variant lists. [`Full`](super::Refusal::Full) may come anywhere.
+/// An operator refuses for the first reason that applies: first for each argument in order ([`Stale`](super::Refusal::Stale), then
+/// [`NotIsolated`](super::Refusal::NotIsolated) for the corner of a vertex that is not isolated), then for the reasons that its variant
+/// lists. [`Full`](super::Refusal::Full) may come anywhere.
 ///
 /// `Display` writes the handles alone, as in `h0 to h3, inner v1`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -150,9 +150,8 @@ pub enum Call<V, H, F> {
     RemoveIsolatedVertex { vertex: V },
     /// Connects two corners of one face by a new edge, and returns the half-edge from the first to the second.
     ///
-    /// If it splits the face, the new face lies to the `new_face` side of that half-edge, and the inner boundary
-    /// components named in `inner` (one named twice counts once) go there. A bridge needs neither, but a stale handle
-    /// is refused even so.
+    /// If the edge splits the face, the new face lies to the `new_face` side of that half-edge and gets the inner boundary components
+    /// named in `inner` (repeated names count once). A bridge ignores both, but still refuses a stale handle.
     ///
     /// [`FacesDiffer`](super::Refusal::FacesDiffer); then, if the face is split, [`NotInner`](super::Refusal::NotInner).
     Connect { from: Corner<H, V>, to: Corner<H, V>, new_face: Side, inner: Vec<Corner<H, V>> },
@@ -160,14 +159,13 @@ pub enum Call<V, H, F> {
     RemoveEdge { half_edge: H },
     /// Puts a new vertex on an edge. The given half-edge keeps its origin; returns the new half-edge that follows it.
     SplitEdge { half_edge: H },
-    /// Joins the edge of a half-edge with the one that follows it. The given half-edge keeps its origin; the following
-    /// edge and the vertex between them are removed.
+    /// Joins the edge of a half-edge with the following edge. The given half-edge keeps its origin; the following edge and the vertex
+    /// between them are removed.
     ///
     /// [`DegreeNotTwo`](super::Refusal::DegreeNotTwo); then [`Loop`](super::Refusal::Loop).
     JoinEdges { half_edge: H },
-    /// Splits a vertex in two, and gives the new half-edge between them: to its target go the half-edges met when
-    /// turning counter-clockwise from the first corner to the second, none if these are the same. Either of the
-    /// two vertices may be the new one.
+    /// Splits a vertex in two, and returns the new half-edge between them. Its target gets the half-edges met when turning
+    /// counter-clockwise from the first corner to the second, or none for equal corners. Either of the two vertices may be the new one.
     ///
     /// [`VerticesDiffer`](super::Refusal::VerticesDiffer).
     SplitVertex { from: Corner<H, V>, to: Corner<H, V> },
@@ -179,8 +177,8 @@ pub enum Call<V, H, F> {
     ///
     /// [`NotSeparating`](super::Refusal::NotSeparating).
     FlipEdge { half_edge: H, turn: Turn },
-    /// Moves the inner boundary component on which the corner lies to another face, with all that lies inside. Moving
-    /// it to the face where it is does nothing.
+    /// Moves the inner boundary component of the corner, with everything inside, to another face. Moving it to its own face does
+    /// nothing.
     ///
     /// [`IsOuter`](super::Refusal::IsOuter); then [`InsideItself`](super::Refusal::InsideItself).
     MoveInner { inner: Corner<H, V>, face: F },
@@ -197,13 +195,13 @@ pub enum Call<V, H, F> {
 }
 
 impl<V, H, F> Call<V, H, F> {
-    /// Connects two corners. If that splits their face, the new one lies to the left, with nothing in it.
+    /// Connects two corners. If that splits their face, the new face lies to the left and contains nothing.
     #[must_use]
     pub const fn connect(from: Corner<H, V>, to: Corner<H, V>) -> Self {
         Self::Connect { from, to, new_face: Side::Left, inner: Vec::new() }
     }
 
-    /// The kind: all but the handles.
+    /// The kind of the operator, without handles.
     #[must_use]
     pub const fn kind(&self) -> OpKind {
         match self {
@@ -224,7 +222,7 @@ impl<V, H, F> Call<V, H, F> {
         }
     }
 
-    /// The same operator with other handles.
+    /// Maps the handles.
     pub fn map<W, I, G>(self, vertex: impl Fn(V) -> W, edge: impl Fn(H) -> I, face: impl Fn(F) -> G) -> Call<W, I, G> {
         let place = |corner| match corner {
             Corner::At(h) => Corner::At(edge(h)),
@@ -284,18 +282,18 @@ impl<V: Display, H: Display, F: Display> Display for Call<V, H, F> {
     }
 }
 
-/// A handle of any kind, which an operator returns.
+/// The handle that an operator returns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle<V, H, F> {
-    /// Of a vertex.
+    /// A vertex.
     Vertex(V),
-    /// Of a half-edge.
+    /// A half-edge.
     HalfEdge(H),
-    /// Of a face.
+    /// A face.
     Face(F),
 }
 
-/// Choices from bytes, which notes whether the bytes have sufficed.
+/// Choices from bytes, recording whether the bytes sufficed.
 struct Finite<'a, I> {
     bytes: &'a mut I,
     is_over: bool,
@@ -310,10 +308,10 @@ impl<I: Iterator<Item = u8>> Choose for Finite<'_, I> {
 }
 
 impl Op {
-    /// Reads one operator from the beginning of these bytes; `None` if they end too early. Takes at most 14 bytes.
+    /// Reads one operator from the beginning of the bytes; `None` if they end too early. Takes at most 14 bytes.
     ///
-    /// In random bytes, operators that make something are more frequent than operators that remove it, and fitting arguments
-    /// are more frequent than refused ones.
+    /// In random bytes, operators that add elements are more frequent than operators that remove them, and fitting arguments more
+    /// frequent than refused ones.
     pub fn from_bytes(bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
         let first = bytes.next()?;
         let mut place = u32::from(first & 31);
@@ -328,7 +326,7 @@ impl Op {
     }
 }
 
-/// The first byte of an operator chooses among 32.
+/// The first byte of an operator chooses among 32 values.
 const _: () = {
     let (mut i, mut sum) = (0, 0);
     while i < OpKind::SHARES.len() {
@@ -339,14 +337,14 @@ const _: () = {
 };
 
 impl Program {
-    /// The program that these bytes encode. An incomplete operator at the end is ignored. O(bytes).
+    /// Decodes a program. An incomplete operator at the end is ignored. O(bytes).
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut bytes = bytes.iter().copied();
         Self(core::iter::from_fn(|| Op::from_bytes(&mut bytes)).collect())
     }
 
-    /// The program as a Rust expression, which reads its text: to be used where `twinedge::program::Program` is in scope.
+    /// Writes the program as a Rust expression, for use where `twinedge::program::Program` is in scope.
     #[must_use]
     pub fn to_rust(&self) -> String {
         let lines = self.0.iter().fold(String::new(), |lines, op| lines + "\n    " + &format!("{op}"));

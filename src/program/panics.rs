@@ -1,4 +1,4 @@
-//! Panics of a structure under test: a finding, not the end of the run.
+//! Catches panics of a structure under test: a panic is a finding, not the end of the run.
 
 #[cfg(feature = "std")]
 pub use with_std::catch;
@@ -20,11 +20,10 @@ mod with_std {
     use std::sync::Once;
 
     std::thread_local! {
-        /// The message of the last panic of this thread, while its panics are caught.
+        /// The message of the last panic of this thread, while its panics are being caught.
         static CAUGHT: RefCell<Option<String>> = const { RefCell::new(None) };
     }
 
-    /// The message and the place of a panic, in one line.
     fn in_words(info: &PanicHookInfo<'_>) -> String {
         let payload = info.payload();
         let literal = payload.downcast_ref::<&str>().copied();
@@ -33,8 +32,8 @@ mod with_std {
         info.location().map_or_else(|| message.clone(), |at| std::format!("{message} ({}:{})", at.file(), at.line()))
     }
 
-    /// Runs `work`. The first call installs a panic hook that hands all panics but those that are caught here to the hook that was there
-    /// before. So nothing is printed, and a hook that ends the program, as that of libFuzzer, is not reached.
+    /// Runs `work`. The first call installs a panic hook that forwards all other panics to the previous hook. Caught panics print
+    /// nothing, and never reach a hook that ends the program, such as libFuzzer's.
     ///
     /// # Errors
     /// The message of a panic.

@@ -1,4 +1,4 @@
-//! The interpreter: it chooses arguments as a program says, applies operators, and keeps the lists of handles.
+//! The interpreter: chooses arguments, applies operators, and keeps the lists of handles.
 
 use super::arguments::{CornerPick, FacePick, Fit, HalfEdgePick, InnerPick, SecondPick, VertexPick};
 use super::mesh::is_inside;
@@ -7,10 +7,10 @@ use super::subject::{CallOf, CornerOf, Refusal, StepOutcome, Subject};
 use crate::dcel::Corner;
 use alloc::vec::Vec;
 
-/// A subject together with all handles it ever gave out, in order of creation.
+/// A subject with all handles it ever returned, in order of creation.
 ///
-/// What a program chooses depends on these lists and on what the subject says of corners, faces and vertices. It does not
-/// depend on the values of the handles, so a program does the same to every correct subject.
+/// Choices depend on these lists and on the subject's answers about corners, faces and vertices, but not on the values of handles. A
+/// program therefore does the same to every correct subject.
 #[derive(Clone, Debug)]
 pub struct Runner<K: Subject> {
     pub(in crate::program) subject: K,
@@ -27,7 +27,7 @@ impl<K: Subject> Runner<K> {
         Self::starting_with(subject, Vec::new(), Vec::new())
     }
 
-    /// Starts with these half-edges, the two of an edge side by side, and isolated vertices.
+    /// Starts with these half-edges, the two of an edge adjacent, and isolated vertices.
     pub(in crate::program) const fn starting_with(
         subject: K,
         half_edges: Vec<K::HalfEdge>,
@@ -43,44 +43,42 @@ impl<K: Subject> Runner<K> {
         }
     }
 
-    /// Forgets all stale handles.
     pub(in crate::program) fn forget_retired(&mut self) {
         self.retired_half_edges.clear();
         self.retired_vertices.clear();
         self.retired_faces.clear();
     }
 
-    /// The subject.
     pub const fn subject(&self) -> &K {
         &self.subject
     }
 
-    /// Returns the subject.
+    /// Returns the subject, consuming the runner.
     pub fn into_subject(self) -> K {
         self.subject
     }
 
-    /// The half-edges in order of creation; the two of an edge side by side.
+    /// The live half-edges in order of creation; the two of an edge are adjacent.
     pub fn half_edges(&self) -> &[K::HalfEdge] {
         &self.half_edges
     }
 
-    /// The isolated vertices in the order in which they became so.
+    /// The isolated vertices in the order in which they became isolated.
     pub fn isolated(&self) -> &[K::Vertex] {
         &self.isolated
     }
 
-    /// The half-edges that were removed.
+    /// The removed half-edges.
     pub fn retired_half_edges(&self) -> &[K::HalfEdge] {
         &self.retired_half_edges
     }
 
-    /// The vertices that were removed.
+    /// The removed vertices.
     pub fn retired_vertices(&self) -> &[K::Vertex] {
         &self.retired_vertices
     }
 
-    /// The faces that were removed.
+    /// The removed faces.
     pub fn retired_faces(&self) -> &[K::Face] {
         &self.retired_faces
     }
@@ -91,33 +89,32 @@ impl<K: Subject> Runner<K> {
         self.half_edges.iter().copied().map(Corner::At).chain(isolated)
     }
 
-    /// Runs a whole program and tells what became of each operator.
+    /// Runs a whole program, and returns the outcome of each operator.
     pub fn run(&mut self, program: &Program) -> Vec<StepOutcome> {
         program.0.iter().map(|op| self.step(*op)).collect()
     }
 
     /// Runs one operator: chooses its arguments, and applies it.
     ///
-    /// O(live elements) beside what the operator itself costs, and O(length²) of the boundary of the face that is split
-    /// if some of its inner boundary components are to be chosen.
+    /// O(live elements), plus the cost of the operator, plus O(length²) of the boundary of the split face if inner boundary components
+    /// are chosen.
     pub fn step(&mut self, op: Op) -> StepOutcome {
         self.resolve(op).and_then(|call| self.apply(call)).err().unwrap_or(StepOutcome::Applied)
     }
 }
 
-/// The `k`-th of a list that starts again where it ends.
+/// The `k`-th entry, modulo the length of the list.
 fn nth<T: Copy>(list: &[T], k: u32) -> Result<T, StepOutcome> {
     let position = (k as usize).checked_rem(list.len()).ok_or(StepOutcome::Skipped)?;
     list.get(position).copied().ok_or(StepOutcome::Skipped)
 }
 
-/// From what a program chooses by numbers to handles.
+/// Resolves choices into handles.
 impl<K: Subject> Runner<K> {
-    /// Resolves the choices of an operator as they are now. Costs as much as [`Runner::step`].
+    /// Resolves the choices of an operator in the current state. Costs as much as [`Runner::step`].
     ///
     /// # Errors
-    /// What becomes of the operator if it cannot choose: [`StepOutcome::Skipped`] where there is nothing to choose
-    /// from, and [`StepOutcome::Refused`] where the subject refuses a question.
+    /// [`StepOutcome::Skipped`] if there is nothing to choose from; [`StepOutcome::Refused`] if the subject refuses a question.
     pub fn resolve(&self, op: Op) -> Result<CallOf<K>, StepOutcome> {
         Ok(match op {
             Op::AddIsolatedVertex { face } => Call::AddIsolatedVertex { face: self.face(face)? },
@@ -183,7 +180,6 @@ impl<K: Subject> Runner<K> {
         }
     }
 
-    /// One corner of each boundary component to be named.
     fn inner(&self, pick: InnerPick, from: CornerOf<K>) -> Result<Vec<CornerOf<K>>, StepOutcome> {
         let mut named = Vec::new();
         if pick.mask != 0 {
@@ -207,7 +203,6 @@ impl<K: Subject> Runner<K> {
         Ok(named)
     }
 
-    /// The vertex of a corner.
     fn vertex_of(&self, corner: CornerOf<K>) -> Result<K::Vertex, StepOutcome> {
         match corner {
             Corner::At(h) => Ok(self.subject.origin_of(h)?),
@@ -215,12 +210,12 @@ impl<K: Subject> Runner<K> {
         }
     }
 
-    /// The places, in [`Runner::corners`], of the corners that fit a first one.
+    /// The places, in [`Runner::corners`], of the corners that fit the first one.
     pub(super) fn fitting(&self, first: CornerOf<K>, fit: Fit) -> Result<Vec<usize>, StepOutcome> {
         let corners = self.corners().enumerate();
         Ok(match fit {
             Fit::Face if self.subject.face_of(first) == Err(Refusal::Unsupported) => {
-                // Without faces, each cycle is one.
+                // Without faces, each cycle is a face.
                 let mut cycle = Vec::new();
                 self.append_boundary(first, &mut cycle);
                 corners.filter(|(_, corner)| cycle.contains(corner)).map(|(place, _)| place).collect()
@@ -238,7 +233,7 @@ impl<K: Subject> Runner<K> {
         })
     }
 
-    /// Appends all corners of one boundary component: no more than there are, even if the subject's cycle never closes.
+    /// Appends all corners of one boundary component. Terminates even if the subject's cycle never closes.
     fn append_boundary(&self, corner: CornerOf<K>, corners: &mut Vec<CornerOf<K>>) {
         corners.push(corner);
         let Corner::At(start) = corner else { return };
@@ -253,9 +248,8 @@ impl<K: Subject> Runner<K> {
     }
 }
 
-/// The lists of handles, kept up to date.
 impl<K: Subject> Runner<K> {
-    /// Applies an operator, and keeps the lists of handles.
+    /// Applies an operator, and updates the lists of handles.
     pub(super) fn apply(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
         match call {
             Call::AddIsolatedVertex { .. } => {
@@ -280,7 +274,7 @@ impl<K: Subject> Runner<K> {
                     self.retired_faces.push(dropped);
                 }
                 self.retire_edge(half_edge);
-                // Of a stale handle there are none. If it was not refused, that shows in the outcome.
+                // A stale handle has no ends. If the subject accepts it all the same, the outcome shows that.
                 for v in ends.into_iter().flatten() {
                     self.perhaps_isolated(v);
                 }
@@ -293,7 +287,7 @@ impl<K: Subject> Runner<K> {
                 let following =
                     self.subject.next_of(half_edge).and_then(|next| Ok((next, self.subject.origin_of(next)?)));
                 if following == Err(Refusal::Unsupported) {
-                    // On a border without `next`: which edge is removed cannot be said.
+                    // On a border without `next`, the edge to be removed is unknown.
                     return Err(StepOutcome::Refused(Refusal::Unsupported));
                 }
                 self.subject.apply(call)?;
@@ -329,8 +323,7 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
-    /// The ends of an edge, to be asked before it is gone. Where the handle is stale this is refused, but it is for the operator
-    /// to say so.
+    /// The ends of an edge, read before it is removed. Refuses a stale handle, but the operator itself must report that.
     fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], Refusal> {
         let target = self.subject.twin_of(h).and_then(|t| self.subject.origin_of(t));
         Ok([self.subject.origin_of(h)?, target?])
@@ -347,7 +340,6 @@ impl<K: Subject> Runner<K> {
         self.retired_half_edges.extend(gone.into_iter().flatten());
     }
 
-    /// Takes an edge off the list of those there are.
     fn forget_edge(&mut self, h: K::HalfEdge) -> Option<[K::HalfEdge; 2]> {
         let first = self.half_edges.iter().position(|other| *other == h)? & !1;
         let twin = self.half_edges.remove(first + 1);
@@ -358,7 +350,7 @@ impl<K: Subject> Runner<K> {
         self.isolated.retain(|v| Corner::Isolated(*v) != corner);
     }
 
-    /// Lists a vertex that has just lost an edge among the isolated ones if it was its last.
+    /// Lists a vertex that has lost an edge as isolated, if the edge was its last.
     fn perhaps_isolated(&mut self, v: K::Vertex) {
         if self.subject.face_of(Corner::Isolated(v)).is_ok() && !self.isolated.contains(&v) {
             self.isolated.push(v);
@@ -366,21 +358,20 @@ impl<K: Subject> Runner<K> {
     }
 }
 
-/// The two half-edges that follow `h` in a triangle to its left.
 type Following<K> = [<K as Subject>::HalfEdge; 2];
 
 /// A triangle that collapses with an edge, and the place of its merged edge afterwards.
 struct Merging<H> {
-    /// The edges that become one.
+    /// The merging edges.
     dropped: H,
     kept: H,
-    /// After the collapse, the half-edge that follows this one after `steps`, or its twin, leads to the vertex opposite.
+    /// After the collapse, the half-edge `steps` after this one, or its twin, leads to the opposite vertex.
     anchor: H,
     steps: usize,
     is_twin: bool,
 }
 
-/// The lists after the operators of triangle meshes.
+/// Updates the lists for the operators of triangle meshes.
 ///
 /// ```text
 ///        c                 c                                c
@@ -392,8 +383,8 @@ struct Merging<H> {
 ///        d                 d
 /// ```
 ///
-/// Which handle a new edge has, and which of two edges that become one is kept, is left to the subject. So the new ones are found
-/// from the half-edges of the surrounding boundary, which keep theirs.
+/// The subject chooses the handle of a new edge and the survivor of two merged edges. So new handles are found from the half-edges of
+/// the surrounding boundary, which keep theirs.
 impl<K: Subject> Runner<K> {
     fn mesh_flip_edge(&mut self, h: K::HalfEdge) -> Result<(), Refusal> {
         let anchor = self.subject.twin_of(h).and_then(|t| self.subject.next_of(t));
@@ -407,7 +398,7 @@ impl<K: Subject> Runner<K> {
         let right = self.subject.twin_of(h).and_then(|t| self.following(t));
         self.subject.apply(Call::MeshSplitEdge { half_edge: h })?;
         let (left, right) = (left?, right?);
-        // Of each side: the half-edges to the new vertex and from it, and the one from it to the vertex opposite.
+        // On each side: the half-edges to and from the new vertex, and the half-edge from it to the opposite vertex.
         let around = |side: Option<Following<K>>| -> Result<_, Refusal> {
             side.map(|[second, third]| {
                 let to = self.subject.next_of(third)?;
@@ -449,7 +440,7 @@ impl<K: Subject> Runner<K> {
         let sides = [left?, right?];
         self.retire_edge(h);
         for Merging { dropped, kept, anchor, steps, is_twin } in sides.into_iter().flatten() {
-            // The subject may keep either edge, so that the one that is dropped here has a place again with the other name.
+            // If the subject keeps the other edge, the edge dropped here gets a place again under the other handle.
             self.forget_edge(dropped);
             let found = self.after(anchor, steps)?;
             let now = if is_twin { self.subject.twin_of(found)? } else { found };
@@ -458,7 +449,6 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
-    /// The half-edge that follows `h` after `places` steps on its cycle.
     fn after(&self, h: K::HalfEdge, places: usize) -> Result<K::HalfEdge, Refusal> {
         (0..places).try_fold(h, |h, _| self.subject.next_of(h))
     }
@@ -471,10 +461,10 @@ impl<K: Subject> Runner<K> {
         Ok(Some([self.after(h, 1)?, self.after(h, 2)?]))
     }
 
-    /// The edges of the triangle to the left of `h` that become one in a collapse, if a triangle is there.
+    /// The edges of the triangle to the left of `h` that merge in a collapse, if there is a triangle.
     fn merging(&self, h: K::HalfEdge) -> Result<Option<Merging<K::HalfEdge>>, Refusal> {
         let Some([dropped, kept]) = self.following(h)? else { return Ok(None) };
-        // Beyond `kept`, from the origin of `h` to the vertex opposite, there is a triangle, or else beyond `dropped`.
+        // If there is no triangle beyond `kept`, from the origin of `h` to the opposite vertex, there is one beyond `dropped`.
         let beyond = self.subject.twin_of(kept)?;
         Ok(Some(if is_inside(&self.subject, beyond)? {
             Merging { dropped, kept, anchor: self.after(beyond, 1)?, steps: 2, is_twin: true }
@@ -484,8 +474,8 @@ impl<K: Subject> Runner<K> {
         }))
     }
 
-    /// Puts another handle in the place of `h`, and its twin in the place of the other half-edge of the edge. If that is the handle of
-    /// another edge, the operator has not done what it should, and the lists stay as they are.
+    /// Replaces the handle of `h`, and of its twin. If the new handle belongs to another edge, the operator is faulty, and the lists
+    /// stay unchanged.
     fn rename_edge(&mut self, h: K::HalfEdge, now: K::HalfEdge) -> Result<(), Refusal> {
         let twin = self.subject.twin_of(now)?;
         let place = |h: K::HalfEdge| self.half_edges.iter().position(|other| *other == h);

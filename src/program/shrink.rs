@@ -1,26 +1,26 @@
-//! Making a failing program small, without changing the choices of the rest.
+//! Shrinks failing programs without changing the choices of the remaining operators.
 //!
-//! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone.
-//! Here everything on such a list has a name, the operator that put it there, and the numbers follow the names.
+//! Operators choose by numbers in lists, and dropping an earlier operator changes these lists. So every list entry is named after
+//! the operator that added it, and numbers follow the names.
 
 use super::language::{Language, Name, Stage};
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// Makes a program smaller for as long as it fails: drops ever smaller runs of operators, then simplifies the operators
-/// that remain. The result fails too (if `program` does), and no longer if any one operator is dropped or simplified.
+/// Shrinks a program as long as it fails: drops ever smaller runs of operators, then simplifies the rest. If `program` fails, so
+/// does the result, but it passes when any one operator is dropped or simplified.
 ///
-/// Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one
-/// addition: what remains goes on choosing the same half-edges and vertices, although the lists in which they are
-/// counted have changed. Every step makes the program smaller, so it ends.
+/// Implements Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one
+/// addition: the remaining operators keep choosing the same half-edges and vertices although the lists have changed. Every step
+/// makes the program smaller, so the function terminates.
 ///
-/// A program for a structure that is not empty at the start, such as a mesh, is made small by [`Generator::shrink`](crate::program::Generator::shrink), and by
+/// For programs with a non-empty start, such as a mesh, use [`Generator::shrink`](crate::program::Generator::shrink) or
 /// [`Conformance::run_and_shrink`](crate::program::conformance::Conformance::run_and_shrink).
 pub fn shrink<P: Language>(program: &P, fails: impl FnMut(&P) -> bool) -> P {
     shrink_from(program, &P::Start::default(), fails)
 }
 
-/// Makes a program that begins with this structure smaller for as long as it fails.
+/// Shrinks a program that begins with `start`.
 pub(in crate::program) fn shrink_from<P: Language>(
     program: &P,
     start: &P::Start,
@@ -33,15 +33,15 @@ pub(in crate::program) fn shrink_from<P: Language>(
     smallest
 }
 
-/// Programs that are a little smaller than this one, the smallest first.
+/// Returns slightly smaller programs, the smallest first.
 ///
-/// This is what `quickcheck` and `proptest` are given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run
-/// of the program to find, on a [`PointerModel`](crate::program::PointerModel) or, for edits, a planar map.
+/// `quickcheck` and `proptest` shrink with these candidates; [`shrink`] repeats the step as often as it helps. Finding each takes
+/// a run of the program, on a [`PointerModel`](crate::program::PointerModel) or, for edits, a planar map.
 pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> {
     candidates_from(program, &P::Start::default())
 }
 
-/// Candidates for a program that begins with this structure.
+/// Candidates for a program that begins with `start`.
 pub(super) fn candidates_from<P: Language>(program: &P, start: &P::Start) -> impl Iterator<Item = P> + use<P> {
     let script: Script<P> = Script::of(program, start);
     let ops = program.ops().to_vec();
@@ -53,10 +53,10 @@ pub(super) fn candidates_from<P: Language>(program: &P, start: &P::Start) -> imp
     });
     let simpler = |(place, op): (usize, &P::Op)| P::simpler(op).into_iter().map(move |op| Edit::Replace(place, op));
     let simpler: Vec<Edit<P::Op>> = ops.iter().enumerate().flat_map(simpler).collect();
-    // Counted anew, numbers beyond the ends of their lists come down at once.
+    // Rewriting reduces numbers beyond the ends of their lists at once.
     let anew = Some(script.without(&(0..0))).filter(|anew| anew != program);
     let edited = dropped.chain(simpler).flat_map(move |edit| {
-        // To a subject that does less than `Dcel`, the same numbers may mean the same more often than the same names.
+        // On a subject that does less than `Dcel`, the same numbers may preserve more choices than the same names.
         let mut plain = ops.clone();
         let followed = match edit {
             Edit::Drop(places) => {
@@ -74,7 +74,6 @@ pub(super) fn candidates_from<P: Language>(program: &P, start: &P::Start) -> imp
     anew.into_iter().chain(edited)
 }
 
-/// One way to make a program smaller.
 enum Edit<O> {
     Drop(Range<usize>),
     Replace(usize, O),
@@ -88,14 +87,13 @@ struct Line<O> {
     chosen: Vec<Option<Name>>,
 }
 
-/// A program that remembers what each of its operators chose when it was run, and how each run begins.
+/// A program with the names of the choices that its operators made when it ran, and its start.
 struct Script<P: Language> {
     lines: Vec<Line<P::Op>>,
     start: P::Start,
 }
 
 impl<P: Language> Script<P> {
-    /// Runs a program to find its choices.
     fn of(program: &P, start: &P::Start) -> Self {
         let mut stage = P::Stage::new(start);
         let line = |(place, op): (usize, &P::Op)| {
@@ -110,12 +108,10 @@ impl<P: Language> Script<P> {
         Self { lines: program.ops().iter().enumerate().map(line).collect(), start: start.clone() }
     }
 
-    /// The program without some operators.
     fn without(&self, places: &Range<usize>) -> P {
         self.play(self.lines.iter().filter(|line| !places.contains(&line.place)).cloned())
     }
 
-    /// The program with another operator in one place.
     fn with(&self, place: usize, op: &P::Op) -> P {
         let other = |line: &Line<P::Op>| {
             if line.place == place { Line { place, op: op.clone(), chosen: Vec::new() } } else { line.clone() }
@@ -123,7 +119,7 @@ impl<P: Language> Script<P> {
         self.play(self.lines.iter().map(other))
     }
 
-    /// Writes down a program that makes the choices of the lines, as far as they still exist.
+    /// Writes a program that makes the choices of the lines, as far as they still exist.
     fn play(&self, lines: impl Iterator<Item = Line<P::Op>>) -> P {
         let mut stage = P::Stage::new(&self.start);
         let rewrite = |line: Line<P::Op>| {
@@ -131,7 +127,7 @@ impl<P: Language> Script<P> {
             let op = stage.rewrite(&line.op, &mut |names, k| {
                 let name = chosen.next().flatten();
                 let position = name.and_then(|name| names.iter().position(|other| *other == name));
-                // A record that is gone has no number: any number that there is will do.
+                // A removed record has no number: any valid number will do.
                 let position = position.or_else(|| (k as usize).checked_rem(names.len()));
                 position.and_then(|position| u32::try_from(position).ok()).unwrap_or(k)
             });
@@ -142,7 +138,7 @@ impl<P: Language> Script<P> {
     }
 }
 
-/// Keeps the names of the entries that stayed on a list, in order, and names the new entries at its end.
+/// Keeps the names of entries still on the list, in order, and names the new entries at its end.
 pub fn follow<T: PartialEq>(names: &mut Vec<Name>, before: &[T], after: &[T], place: usize) {
     let mut stayed = after.iter().peekable();
     let mut left = before.iter();
@@ -150,7 +146,7 @@ pub fn follow<T: PartialEq>(names: &mut Vec<Name>, before: &[T], after: &[T], pl
     extend(names, after.len(), place);
 }
 
-/// Names what came to the end of a list.
+/// Names the new entries at the end of a list.
 pub fn extend(names: &mut Vec<Name>, len: usize, place: usize) {
     let more = len.saturating_sub(names.len());
     names.extend((0..more).map(|which| (place, which)));

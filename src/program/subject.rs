@@ -1,4 +1,4 @@
-//! The trait of a structure that programs drive: its handles, a few questions, and what applies an operator.
+//! The trait of structures that programs drive: handles, questions, and operators.
 
 use super::operators::{Call, Handle};
 use crate::dcel::Corner;
@@ -6,11 +6,10 @@ use crate::validate::{Link, Start, View};
 use core::fmt::{self, Debug};
 use thiserror::Error;
 
-/// A corner of the subject `K`, named by handles. It also names the one boundary component on which it lies, and the one
-/// face.
+/// A corner of the subject `K`, named by handles. It also names the boundary component and the face on which it lies.
 ///
-/// No structure is asked for a handle of a boundary component: implementations may keep either record when two are merged,
-/// as [`Dcel`](crate::dcel::Dcel) keeps the cheaper one. What lies on a corner is the same in every structure.
+/// Subjects have no handles of boundary components: implementations may keep either record when two are merged, as
+/// [`Dcel`](crate::dcel::Dcel) keeps the cheaper one. The corners of a component are the same in every structure.
 pub type CornerOf<K> = Corner<<K as Subject>::HalfEdge, <K as Subject>::Vertex>;
 
 /// A call of the subject `K`.
@@ -19,11 +18,11 @@ pub type CallOf<K> = Call<<K as Subject>::Vertex, <K as Subject>::HalfEdge, <K a
 /// A handle of the subject `K`.
 pub type HandleOf<K> = Handle<<K as Subject>::Vertex, <K as Subject>::HalfEdge, <K as Subject>::Face>;
 
-/// Why a subject refused: the category of its error, which is what subjects have in common.
+/// The reason for a refusal: the category of the error, common to all subjects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Error)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// A handle names nothing (any more).
+    /// A handle names no live record.
     #[error("a handle is stale")]
     Stale,
     /// The vertex has half-edges.
@@ -41,7 +40,7 @@ pub enum Refusal {
     /// The boundary component is an outer one.
     #[error("an outer boundary component cannot be moved")]
     IsOuter,
-    /// The target has another degree than 2.
+    /// The degree of the target is not 2.
     #[error("the target does not have degree 2")]
     DegreeNotTwo,
     /// The edge starts and ends at the same vertex.
@@ -50,22 +49,22 @@ pub enum Refusal {
     /// Both sides of the edge lie on one boundary component.
     #[error("the edge has the same boundary component on both sides")]
     NotSeparating,
-    /// The face lies inside the component that was to be moved into it.
+    /// The face lies inside the component to be moved into it.
     #[error("the face lies inside what is to be moved into it")]
     InsideItself,
-    /// A corner or a side of the edge is on the border: no face of the structure is there.
+    /// A corner or a side of the edge is on the border, where the structure has no face.
     #[error("no face is there: it is on the border")]
     Border,
-    /// A face would have several boundary components or none, and faces of this structure are discs.
+    /// A face would have several boundary components or none, but faces of this structure are discs.
     #[error("a face would not be a disc any more")]
     NotDisc,
-    /// A face at the edge is no triangle.
+    /// A face at the edge is not a triangle.
     #[error("a face at the edge is not a triangle")]
     NotTriangle,
-    /// Two vertices would be joined by two edges, or the surface would be another one: the link condition does not hold.
+    /// Two edges would join the same two vertices, or the surface would change: the link condition does not hold.
     #[error("the triangulation would not be simple any more")]
     NotSimple,
-    /// A policy of the subject's own does not allow it.
+    /// The subject's own policy forbids it.
     #[error("a policy does not allow it")]
     Policy,
     /// The subject has no room for more records.
@@ -79,11 +78,11 @@ pub enum Refusal {
 /// The outcome of one operator of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum StepOutcome {
-    /// The subject did it.
+    /// The operator was applied.
     Applied,
     /// The subject refused.
     Refused(Refusal),
-    /// The subject was not called, because there is nothing (no half-edge, no stale handle, …) to choose from.
+    /// The subject was not called: there was nothing to choose from, such as no half-edge or no stale handle.
     Skipped,
 }
 
@@ -97,7 +96,7 @@ impl fmt::Display for StepOutcome {
     }
 }
 
-/// A question that the subject refuses while an operator chooses is a refusal of the operator.
+/// Converts the refusal of a question during a choice into a refusal of the operator.
 impl From<Refusal> for StepOutcome {
     fn from(refusal: Refusal) -> Self {
         Self::Refused(refusal)
@@ -106,7 +105,7 @@ impl From<Refusal> for StepOutcome {
 
 /// A structure that programs can drive: handles, questions and operators.
 ///
-/// The operators are the variants of [`Call`], which say what each does, returns, and refuses.
+/// The variants of [`Call`] define the operators: their effects, values and refusals.
 ///
 /// ```
 /// use twinedge::dcel::Dcel;
@@ -133,87 +132,86 @@ impl From<Refusal> for StepOutcome {
 /// }
 /// assert!(conformance::check(Wrong::default, &Expectation::plane()).is_err());
 /// ```
+/// # Partial structures
 ///
-/// # Structures that do less
-///
-/// A structure that can only turn edges matches [`Call::FlipEdge`], and answers [`Refusal::Unsupported`] to all else. Where the
-/// indices of its [`View`] are good handles, [`subject_by_index!`](crate::subject_by_index) writes the questions. The example
+/// A structure that can only turn edges matches [`Call::FlipEdge`], and answers [`Refusal::Unsupported`] to every other call. Where the
+/// indices of its [`View`] are stable handles, [`subject_by_index!`](crate::subject_by_index) writes the questions. The example
 /// `mesh_conformance` is such a structure.
 ///
-/// A face may be missing: half-edges on the border of a mesh have none. [`Subject::face_of`] answers [`Refusal::Border`]
-/// there, and operators that need the face refuse with it. A structure that keeps no faces, or no `next` on the
-/// border, answers these questions with [`Refusal::Unsupported`]. For structures with a border and for those whose faces are discs,
+/// A face may be missing: half-edges on the border of a mesh have none. There [`Subject::face_of`] answers [`Refusal::Border`], and
+/// operators that need the face refuse with it. A structure without faces, or without `next` on the border, answers these questions
+/// with [`Refusal::Unsupported`]. For structures with a border, and for structures whose faces are discs,
 /// [`PointerModel::from_view`](crate::program::PointerModel::from_view) lists two more reasons to refuse, and their order.
 ///
 /// # The view
 ///
-/// [`View`] is the same structure as the validator sees it. Its indices need not have anything to do with the handles,
-/// except that [`Subject::half_edge_at`] and [`Subject::vertex_at`] lead from the ones to the others where programs begin with
-/// a structure that is not empty. A structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
+/// [`View`] is the same structure as the validator sees it. Its indices may be unrelated to the handles, except that
+/// [`Subject::half_edge_at`] and [`Subject::vertex_at`] convert indices into handles if programs begin with a non-empty structure. A
+/// structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
 /// [extends](crate::validate::adapt::Index::extend) it after each operator, and answers `is_vertex`, `is_half_edge` and `is_face` by
-/// asking whether the key is live.
+/// testing whether the key is live.
 pub trait Subject: View {
-    /// Names a vertex. Like all handles it must never name another one once its vertex is gone.
+    /// Names a vertex. Like every handle, it must never name another element after its vertex is removed.
     type Vertex: Copy + Eq + Debug;
     /// Names a half-edge.
     type HalfEdge: Copy + Eq + Debug;
     /// Names a face.
     type Face: Copy + Eq + Debug;
 
-    /// True if half-edges are found again after each operator, as [`mesh::Named`](crate::program::mesh::Named) does. Only the advice in
-    /// messages depends on it.
+    /// True if half-edges are found again after each operator, as by [`mesh::Named`](crate::program::mesh::Named). Only changes advice
+    /// in messages.
     #[doc(hidden)]
     fn is_named(&self) -> bool {
         false
     }
 
-    /// The unbounded face; none, as by default, if the structure has no such face.
+    /// Returns the unbounded face; `None`, the default, if the structure has no such face.
     fn unbounded_face(&self) -> Option<Self::Face> {
         None
     }
 
-    /// The handle of the half-edge with this index in the view. By default there is none: programs then begin with the empty
+    /// Returns the handle of the half-edge with this index in the view. Without handles (the default), programs begin with the empty
     /// map.
     fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge> {
         let _ = index;
         None
     }
 
-    /// The handle of the vertex with this index in the view. It is called for isolated vertices only.
+    /// Returns the handle of the vertex with this index in the view. Called for isolated vertices only.
     fn vertex_at(&self, index: usize) -> Option<Self::Vertex> {
         let _ = index;
         None
     }
 
-    /// The face in which a corner lies.
+    /// Returns the face in which a corner lies.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`NotIsolated`](Refusal::NotIsolated); [`Border`](Refusal::Border).
     fn face_of(&self, corner: CornerOf<Self>) -> Result<Self::Face, Refusal>;
 
-    /// The vertex where a half-edge starts.
+    /// Returns the vertex where a half-edge starts.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale).
     fn origin_of(&self, half_edge: Self::HalfEdge) -> Result<Self::Vertex, Refusal>;
 
-    /// The other half-edge of the same edge.
+    /// Returns the other half-edge of the same edge.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale).
     fn twin_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal>;
 
-    /// The half-edge that follows on the same cycle.
+    /// Returns the half-edge that follows on the same cycle.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale).
     fn next_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal>;
 
-    /// Applies an operator, and gives the handle that the variant of [`Call`] says. One that the structure does not have is
-    /// [`Unsupported`](Refusal::Unsupported), as all are by default.
+    /// Applies an operator, and returns the handle documented at the variant of [`Call`]. The default supports no operator.
     ///
     /// # Errors
-    /// The first reason to refuse, as [`Call`] lists them. The structure is as it was then.
+    /// The first reason to refuse, in the order of [`Call`]; [`Unsupported`](Refusal::Unsupported) if the structure does not have the
+    /// operator. On error the structure is unchanged.
     fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
         let _ = call;
         Err(Refusal::Unsupported)
@@ -231,8 +229,8 @@ pub trait Subject: View {
     }
 }
 
-/// Writes the types and the questions of a [`Subject`](crate::program::Subject) that hands them on to another one. It stands inside
-/// `impl Subject for …`, beside `apply`, and names the type of the other subject, and how to get it.
+/// Writes the types and questions of a [`Subject`](crate::program::Subject) that delegates to another one. Use it inside `impl Subject
+/// for …`, next to `apply`, with the type of the other subject and an expression for it.
 #[macro_export]
 macro_rules! delegate_subject {
     ($subject:ty, |$this:ident| $get:expr) => {
@@ -275,20 +273,20 @@ macro_rules! delegate_subject {
     };
 }
 
-/// Writes the types and the questions of a [`Subject`](crate::program::Subject) whose handles are the indices of its
-/// [`View`](crate::validate::View). It stands inside `impl Subject for …`, beside `apply`.
+/// Writes the types and questions of a [`Subject`](crate::program::Subject) whose handles are the indices of its
+/// [`View`](crate::validate::View). Use it inside `impl Subject for …`, next to `apply`.
 ///
-/// If all operators that the structure has take a half-edge and give nothing, as those of meshes do, the macro writes `apply`, too,
-/// from their names and the methods that do them: `MeshFlipEdge => Self::flip`. The method takes `&mut self` and the index, may give
-/// anything, which is dropped, and its error becomes a [`Refusal`](crate::program::Refusal) by `From`.
+/// If every operator of the structure takes one half-edge, as the operators of meshes do, the macro also writes `apply` from the names
+/// of operators and methods: `MeshFlipEdge => Self::flip`. The method takes `&mut self` and the index; its value is dropped, and its
+/// error becomes a [`Refusal`](crate::program::Refusal) by `From`.
 ///
 /// Operators must leave half-edges at their indices; [`mesh::Named`](crate::program::mesh::Named) is for meshes that move them.
 ///
-/// The unbounded face is the default: none. If the structure uses the indices of removed records again, stale handles cannot
-/// be told from live ones: see [`Conformance::without_stale_handles`](crate::program::conformance::Conformance::without_stale_handles).
+/// There is no unbounded face (the default). If the structure reuses the indices of removed records, stale handles look live: see
+/// [`Conformance::without_stale_handles`](crate::program::conformance::Conformance::without_stale_handles).
 ///
-/// The questions are written so: a half-edge whose slot is empty is [`Stale`](crate::program::Refusal::Stale); where `next` is nil,
-/// and where half-edges keep neither face nor boundary component and the structure has no slots for faces,
+/// A half-edge whose slot is vacant is [`Stale`](crate::program::Refusal::Stale). If `next` is nil, or if half-edges store neither face
+/// nor boundary component and the structure has no slots for faces, the answer is
 /// [`Unsupported`](crate::program::Refusal::Unsupported); a half-edge without face is on the
 /// [`Border`](crate::program::Refusal::Border).
 ///
@@ -356,17 +354,16 @@ macro_rules! subject_by_index {
     };
 }
 
-/// The face that a view stores for a half-edge, directly or by boundary component.
+/// The face of a half-edge, stored directly or in its boundary component.
 pub(in crate::program) fn view_face_of<V: View + ?Sized>(view: &V, h: usize) -> Link {
     view.boundary(h).map_or_else(|| view.face(h), |boundary| view.boundary_face(boundary))
 }
 
-/// The questions of [`subject_by_index!`](crate::subject_by_index).
+/// Answers the questions of [`subject_by_index!`](crate::subject_by_index).
 #[doc(hidden)]
 pub mod by_index {
     use super::{Corner, Link, Refusal, Start, View, view_face_of};
 
-    /// Tells whether the slot holds a half-edge.
     fn is_live<V: View>(view: &V, half_edge: usize) -> bool {
         half_edge < view.half_edge_slots() && view.is_half_edge(half_edge)
     }

@@ -1,9 +1,9 @@
-//! Reading the text of a program: lines, words, and the expected words in errors.
+//! Reads the text of a program: lines, words, and the expected words in errors.
 
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// The word that a program's text should have had.
+/// The word expected in a program's text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum Expected {
@@ -49,21 +49,21 @@ pub enum Expected {
     /// A point.
     #[error("a point (`1.5,2`)")]
     Point,
-    /// A point of a map, or near a half-edge of it.
+    /// A point of a map, or a point near a half-edge.
     #[error("a point (`1.5,2`, `1.5,2@h0`, `v0` or `!v0`)")]
     At,
-    /// The grid to which is rounded.
+    /// The rounding grid.
     #[error("a grid (`auto`, or the width of a cell)")]
     Grid,
     /// Features.
     #[error("numbers of features below 16 in rising order, with commas between them, or `none`")]
     Features,
-    /// Nothing more.
+    /// The end of the line.
     #[error("the end of the line")]
     End,
 }
 
-/// Why a text is no program, and where.
+/// An error in the text of a program, with its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[error("line {line}, column {column}: expected {expected}")]
 pub struct ParseError {
@@ -83,14 +83,14 @@ pub struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    /// A line without its comment.
+    /// Starts a line, ignoring its comment.
     #[must_use]
     pub fn new(line: usize, text: &'a str) -> Self {
         let text = text.split('#').next().unwrap_or_default();
         Self { text, rest: text.trim(), line }
     }
 
-    /// Tells whether all words were taken.
+    /// Checks that the line has no more words.
     ///
     /// # Errors
     /// There is another word.
@@ -98,13 +98,13 @@ impl<'a> Words<'a> {
         if self.rest.is_empty() { Ok(()) } else { Err(self.error(Expected::End)) }
     }
 
-    /// The next word; empty if there is none.
+    /// Returns the next word; empty if there is none.
     #[must_use]
     pub fn peek(&self) -> &'a str {
         self.rest.split_whitespace().next().unwrap_or_default()
     }
 
-    /// Says that something else should stand here.
+    /// Returns the error that `expected` should stand here.
     #[must_use]
     pub fn error(&self, expected: Expected) -> ParseError {
         let before = self.text.trim_end().len() - self.rest.len();
@@ -124,14 +124,14 @@ impl<'a> Words<'a> {
     }
 }
 
-/// The number after a prefix: digits only.
+/// Parses the number after a prefix: digits only.
 #[must_use]
 pub fn number(word: &str, prefix: &str) -> Option<u32> {
     let digits = word.strip_prefix(prefix)?;
     digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
 }
 
-/// The number of a bit mask, written as the places of its bits: digits in rising order, with commas between them.
+/// Parses a bit mask, written as the positions of its bits in rising order, separated by commas.
 #[must_use]
 pub fn mask(word: &str) -> Option<u16> {
     word.split(',').try_fold(0_u16, |mask, bit| {
@@ -140,10 +140,10 @@ pub fn mask(word: &str) -> Option<u16> {
     })
 }
 
-/// The operators of a text: a header, and one operator in each line that is not empty.
+/// Reads the operators of a text: a header, and one operator in each non-empty line.
 ///
 /// # Errors
-/// The header is missing, or a line is wrong.
+/// The header is missing, or a line is invalid.
 pub fn lines<'a, O>(
     text: &'a str,
     header: &str,

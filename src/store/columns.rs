@@ -1,32 +1,32 @@
-//! Slots of 32 bits, how links are written with them, and how many records fit.
+//! 32-bit slots, the links stored in them, and the limits on records.
 
 use super::issuer::with_room;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// Marks a link that leads to the rarer of two kinds of record.
+/// Marks a link to the rarer of two kinds of record.
 pub(super) const OTHER: u32 = 1 << 31;
 
 /// Slots must leave room for [`OTHER`], and edges for two half-edges each.
 pub(super) const MOST: usize = OTHER as usize - 2;
 pub(super) const MOST_EDGES: usize = MOST / 2;
 
-/// It is the outer boundary component.
+/// Marks the outer boundary component.
 ///
-/// The place that a boundary component has in the lists of its face is one number: a position among the inner boundary components, or
-/// one of these names. While an operator runs, the places of outer boundary components also serve as links of a queue: then a number
-/// is the slot of the boundary component that follows.
+/// The place of a boundary component in the lists of its face is one number: a position among the inner boundary components, or one
+/// of these constants. While an operator runs, places of outer boundary components also link a queue: the number is then the slot of
+/// the next boundary component.
 pub(crate) const OUTER: u32 = u32::MAX;
 
-/// It ends the queue of an operator.
+/// Marks the end of an operator's queue.
 pub(crate) const LAST: u32 = u32::MAX - 1;
 
-/// No face lists it.
+/// Marks a component that no face lists.
 pub(crate) const UNLISTED: u32 = u32::MAX - 2;
 
 const _: () = assert!(MOST < UNLISTED as usize);
 
-/// Stands for the outer half-edge of a face that was removed.
+/// Stands for the outer half-edge of a removed face.
 pub(super) const VACANT: u32 = u32::MAX - 1;
 
 macro_rules! slot_types {
@@ -37,7 +37,6 @@ macro_rules! slot_types {
         pub(crate) struct $name(pub(super) u32);
 
         impl $name {
-            /// The number of the slot.
             #[inline]
             pub(crate) const fn index(self) -> usize {
                 self.0 as usize
@@ -57,12 +56,12 @@ slot_types! {
     FaceSlot;
 }
 
-/// The link that a vertex keeps.
+/// The link stored in a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VertexLink<H = u32, B = u32> {
     /// A half-edge that leaves it.
     Leaving(H),
-    /// The boundary component that it is.
+    /// The boundary component of an isolated vertex.
     Isolated(B),
 }
 
@@ -71,20 +70,20 @@ pub enum VertexLink<H = u32, B = u32> {
 pub enum BoundaryStart<H = u32, V = u32> {
     /// A half-edge of its cycle.
     HalfEdge(H),
-    /// The isolated vertex that it is.
+    /// An isolated vertex.
     Vertex(V),
 }
 
-/// The numbers of records of each kind: of those that are about to be added, or the most that a structure may have.
+/// Numbers of records of each kind: records about to be added, or the limits of a structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
     /// Vertices.
     pub vertices: usize,
-    /// Edges: pairs of half-edges.
+    /// Edges.
     pub edges: usize,
     /// Boundary components.
     pub boundaries: usize,
-    /// Faces, the unbounded one included.
+    /// Faces, including the unbounded face.
     pub faces: usize,
 }
 
@@ -99,7 +98,7 @@ impl Room {
 pub enum RecordKind {
     /// Vertices.
     Vertex,
-    /// Edges: pairs of half-edges.
+    /// Edges.
     Edge,
     /// Boundary components.
     Boundary,
@@ -118,7 +117,7 @@ impl fmt::Display for RecordKind {
     }
 }
 
-/// Writes to a column, growing it by one where the slot is new.
+/// Writes to a column, appending if the slot is new.
 pub(super) fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
     match column.get_mut(slot as usize) {
         Some(entry) => *entry = value,
@@ -126,7 +125,7 @@ pub(super) fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
     }
 }
 
-/// A column with room for `room` slots beyond the first, which slotmap does not use.
+/// A column with room for `room` slots after the first, which slotmap does not use.
 pub(super) fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
     let mut column = with_room(room.saturating_add(count));
     column.resize(count, unused);

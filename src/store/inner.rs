@@ -4,42 +4,39 @@ use super::columns::{BoundarySlot, OTHER, put};
 use crate::slots::NIL;
 use alloc::vec::Vec;
 
-/// Stands for no list.
+/// The entry of an empty list.
 const NONE: BoundarySlot = BoundarySlot(NIL);
 
-/// The list of each face, by slot: most are empty and most others have one entry, so that only longer ones are lists on
-/// the heap.
+/// The list of each face, by slot. Most lists are empty and most others have one entry; only longer ones are on the
+/// heap.
 #[derive(Clone, Debug, Default)]
 pub(super) struct InnerLists {
-    /// Per face nothing, its only entry, or (high bit) the number of its list.
+    /// Per face: no entry, its only entry, or (high bit) the number of its list.
     faces: Vec<BoundarySlot>,
     lists: Vec<Vec<BoundarySlot>>,
-    /// The lists that are of no face. They are empty.
+    /// The unused lists, which are empty.
     free: Vec<u32>,
 }
 
 impl InnerLists {
-    /// Of faces in this column.
     pub(super) const fn new(faces: Vec<BoundarySlot>) -> Self {
         Self { faces, lists: Vec::new(), free: Vec::new() }
     }
 
-    /// Returns the entry that stands for no list.
+    /// The entry of an empty list.
     pub(super) const fn unused() -> BoundarySlot {
         NONE
     }
 
-    /// Adds faces without lists until there are this many slots.
+    /// Adds faces with empty lists up to this number of slots.
     pub(super) fn resize(&mut self, faces: usize) {
         self.faces.resize(faces, NONE);
     }
 
-    /// Adds a face, whose list is empty.
     pub(super) fn add(&mut self, face: u32) {
         put(&mut self.faces, face, NONE);
     }
 
-    /// The list of a face.
     #[inline]
     pub(super) fn of(&self, face: u32) -> &[BoundarySlot] {
         let entry = &self.faces[face as usize];
@@ -69,7 +66,7 @@ impl InnerLists {
         }
     }
 
-    /// Takes an entry off the list of a face, and gives the one that has its place now, which was the last. O(1).
+    /// Removes an entry from the list of a face, and returns the entry that takes its place, previously the last. O(1).
     pub(super) fn swap_remove(&mut self, face: u32, place: u32) -> Option<BoundarySlot> {
         let entry = &mut self.faces[face as usize];
         if entry.0 & OTHER == 0 {
@@ -87,13 +84,12 @@ impl InnerLists {
         }
         list.get(place as usize).copied()
     }
-    /// Takes off the last entry of the list of a face. O(1).
     pub(super) fn pop(&mut self, face: u32) {
         let last = self.of(face).len().saturating_sub(1);
         self.swap_remove(face, last as u32);
     }
 
-    /// Takes back that an entry was taken off its place by [`swap_remove`](Self::swap_remove). O(1), amortised.
+    /// Undoes a [`swap_remove`](Self::swap_remove). O(1), amortised.
     pub(super) fn put_back(&mut self, face: u32, place: u32, b: BoundarySlot) {
         self.push(face, b);
         let entry = self.faces[face as usize];

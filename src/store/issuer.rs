@@ -3,20 +3,20 @@
 use alloc::vec::Vec;
 use core::sync::atomic::{AtomicU32, Ordering};
 
-/// Counts the structures made so far, to tell their keys apart.
+/// The number of structures made so far, to distinguish their keys.
 static STRUCTURES: AtomicU32 = AtomicU32::new(0);
 
-/// An even number to add to the generations of the keys of one structure, so that the keys of another are stale to it.
+/// An even offset for the generations of one structure, so that keys of other structures are stale.
 ///
-/// Multiples of the golden ratio lie as far from one another as can be, so the key of another structure passes for one of
-/// this only if one of the two slots was used again tens of thousands of times and thousands of structures were made: the
-/// first such key was found after 5,473 structures and 41,233 uses of one slot. `SecondaryMap` compares generations by their difference, which an offset does not change.
+/// Multiples of the golden ratio are as far apart as possible, so the key of another structure is accepted only after one of
+/// the two slots was reused tens of thousands of times and thousands of structures were made: the first such key was found
+/// after 5,473 structures and 41,233 uses of one slot. `SecondaryMap` compares generations by their difference, which an
+/// offset does not change.
 pub(crate) fn structure_offset() -> u32 {
     STRUCTURES.fetch_add(1, Ordering::Relaxed).wrapping_mul(0x9E37_79B1) << 1
 }
 
-/// An empty column with that much capacity. Capacity is best effort: without that much memory, the column grows as it is
-/// filled.
+/// An empty column with this capacity. If memory is short, it has no capacity and grows as it is filled.
 pub(super) fn with_room<T>(room: usize) -> Vec<T> {
     let mut column = Vec::new();
     let _ = column.try_reserve_exact(room);
@@ -25,14 +25,14 @@ pub(super) fn with_room<T>(room: usize) -> Vec<T> {
 
 /// Issues, checks and retires the slots of one kind of record.
 ///
-/// A slotmap without values: it gives out the keys that [`slotmap`] would, and its free slots are the only other thing that it
-/// keeps. A `SlotMap` has no way from a slot to its key, so a column of generations would have to repeat its own.
+/// A slotmap without values: it issues the keys that [`slotmap`] would, and stores only its free slots besides. A `SlotMap`
+/// cannot turn a slot into its key, so a column of generations would have to duplicate its own.
 #[derive(Clone, Debug)]
 pub(super) struct Issuer {
-    /// Per slot the generation that its key shows, which is odd; one more than the last one if the slot is vacant. Slot 0 is
-    /// never used, because slotmap's secondary maps pass over it.
+    /// By slot: the odd generation of its key; if vacant, one more than the last generation. Slot 0 is never used, because
+    /// slotmap's secondary maps skip it.
     generations: Vec<u32>,
-    /// The vacant slots but slot 0. The one that was retired last is issued first.
+    /// The vacant slots except slot 0. The most recently retired slot is issued first.
     free: Vec<u32>,
     offset: u32,
 }
@@ -44,7 +44,7 @@ impl Issuer {
         Self { generations, free: Vec::new(), offset }
     }
 
-    /// An issuer with these generations by slot, the live ones odd. None if slot 0 is missing or live.
+    /// Restores an issuer with these generations by slot, odd for live slots; `None` if slot 0 is missing or live.
     #[cfg(feature = "serde")]
     pub(super) fn restored(generations: Vec<u32>, offset: u32) -> Option<Self> {
         let unused = generations.first()? % 2 == 0;
@@ -52,18 +52,16 @@ impl Issuer {
         unused.then_some(Self { generations, free, offset })
     }
 
-    /// By slot, the generations: odd where live.
+    /// The generations by slot, odd for live slots.
     pub(super) fn generations(&self) -> &[u32] {
         &self.generations
     }
 
-    /// The number added to the generations that slotmap would show.
     #[cfg(feature = "serde")]
     pub(super) const fn offset(&self) -> u32 {
         self.offset
     }
 
-    /// Issues a key and gives its slot.
     pub(super) fn issue(&mut self) -> u32 {
         if let Some(slot) = self.free.pop() {
             self.generations[slot as usize] |= 1;
@@ -73,7 +71,7 @@ impl Issuer {
         self.generations.len() as u32 - 1
     }
 
-    /// Issues so many keys of slots that were never used, in order.
+    /// Issues the keys of the next `count` unused slots, in order.
     pub(super) fn issue_many(&mut self, count: usize) {
         let end = self.generations.len() + count;
         self.generations.resize(end, self.offset.wrapping_add(1));
@@ -85,23 +83,20 @@ impl Issuer {
         self.free.push(slot);
     }
 
-    /// Returns the slot that is issued next.
     pub(super) fn next(&self) -> u32 {
         self.free.last().copied().unwrap_or(self.generations.len() as u32)
     }
 
-    /// Takes back that the last slot was issued, which was never used before.
+    /// Undoes issuing the last slot for the first time.
     pub(super) fn forget_last(&mut self) {
         self.generations.pop();
     }
 
-    /// Issues the slot after the last one, in a generation.
     pub(super) fn issue_last(&mut self, generation: u32) {
         self.generations.push(generation);
     }
 
-    /// Exchanges the generation of a slot for another, by which it becomes live or vacant, in the opposite order of the calls
-    /// that made it what it is.
+    /// Exchanges the generation of a slot, making it live or vacant. Calls must undo the original calls in reverse order.
     pub(super) fn exchange(&mut self, slot: u32, generation: &mut u32) {
         core::mem::swap(&mut self.generations[slot as usize], generation);
         if self.is_live(slot) {
@@ -111,12 +106,11 @@ impl Issuer {
         }
     }
 
-    /// Gives a slot that has just been issued another generation.
     pub(super) fn set_generation(&mut self, slot: u32, generation: u32) {
         self.generations[slot as usize] = generation;
     }
 
-    /// The generation of a slot: odd if live, even if not.
+    /// The generation of a slot: odd if live, even otherwise.
     #[inline]
     pub(super) fn generation(&self, slot: u32) -> u32 {
         self.generations.get(slot as usize).copied().unwrap_or(0)
@@ -131,7 +125,6 @@ impl Issuer {
         self.generations.len() - 1 - self.free.len()
     }
 
-    /// One more than the highest slot in use so far.
     pub(super) fn end(&self) -> usize {
         self.generations.len()
     }

@@ -15,17 +15,17 @@ new_key_type! {
     pub struct FaceKey;
 }
 
-/// The slot that a key names, and the generation in which it does.
+/// The slot and the generation of a key.
 ///
-/// `slotmap` promises only that its 64-bit form gives the key back. That the slot stands in the low half and the
-/// generation in the high one has held since its first release; a test of this crate says so if it ever changes.
+/// `slotmap` only promises that converting the 64-bit form returns the same key. The slot has been in the low half, and
+/// the generation in the high half, since the first release; a test of this crate would notice a change.
 #[inline]
 pub(crate) fn parts(key: impl Key) -> (u32, u32) {
     let bits = key.data().as_ffi();
     (bits as u32, (bits >> 32) as u32)
 }
 
-/// The key for a slot and a generation, which must be odd, as all generations of live slots are.
+/// The key of a slot with a generation, which must be odd, as for all live slots.
 #[inline]
 pub(crate) fn key<K: Key>(slot: u32, generation: u32) -> K {
     KeyData::from_ffi(u64::from(generation) << 32 | u64::from(slot)).into()

@@ -1,12 +1,12 @@
-//! The log of what is overwritten, by which it is taken back and done again.
+//! The log of overwritten numbers, for undo and redo.
 //!
-//! An [`Entry`] has a number that was overwritten. To take it back, the two are exchanged, so that the entry then has the
-//! number by which it is done again. Entries are taken back in the opposite order in which they were made.
+//! An [`Entry`] contains an overwritten number. Undo exchanges it with the current number, so the entry then contains the number for
+//! redo. Entries are undone in reverse order.
 //!
-//! # Keys that live again
+//! # Revived keys
 //!
-//! An entry of a key that was issued or retired has the generation of its slot before. So when a removed record comes back, its
-//! key names it again, and the stack of vacant slots is what it was. A slotmap cannot do this: its generations only grow.
+//! The entry of an issued or retired key contains the previous generation of its slot. When a removed record returns, its key is valid
+//! again, and the stack of vacant slots is as before. A slotmap cannot do this: its generations only grow.
 //!
 //! ```text
 //!   generation of a slot    2 ── issue ──► 3 ── retire ──► 4
@@ -14,15 +14,15 @@
 //!                           2 ── issue, for another record ──► 5: 3 was issued, so it never names anything else
 //! ```
 //!
-//! What is issued after something was taken back must not have a key that was issued before, or a key that somebody still
-//! holds would name another record. So the log keeps, for each slot of a key that was issued in a change that can no longer be
-//! done again, the generation from which the next ones are issued. That is the only thing in it that is never taken back.
+//! After undo, a newly issued key must differ from all keys issued before, or a key that a user still holds would name another record.
+//! So for each slot whose key was issued in a change that can no longer be redone, the log keeps the generation from which to issue new
+//! keys. No other part of the log is permanent.
 //!
-//! # What is not logged
+//! # Not logged
 //!
-//! The links that a record has when it is added. Once that is taken back nobody reads them, and until it is done again nobody
-//! writes there: they are still there then. The links of a record that is removed are logged, since the slot may be used again. So is what
-//! is in vacant slots, if a change is made while others can be done again: it may fail, and they still can.
+//! The initial links of a new record are not logged: after undo nobody reads them, and until redo nobody overwrites them. The links of
+//! removed records are logged, since the slot may be reused. The contents of vacant slots are logged if a change starts while others
+//! can be redone: the change may fail, and the others must remain.
 
 use super::issuer::{Issuer, structure_offset};
 use alloc::boxed::Box;
@@ -30,7 +30,6 @@ use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// A kind of slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Vertex,
@@ -41,10 +40,9 @@ pub(crate) enum Kind {
 
 pub(super) const KINDS: [Kind; 4] = [Kind::Vertex, Kind::Edge, Kind::Boundary, Kind::Face];
 
-/// A column, or what happened to a slot or a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Written {
-    // A link, by its column. The number is that which is not there.
+    // A link, by column. The number is the other value of the link.
     Origin,
     Next,
     Prev,
@@ -54,19 +52,18 @@ pub(crate) enum Written {
     Start,
     Place,
     Outer,
-    /// A slot that was never used before. The number is the generation in which it is issued.
+    /// A slot issued for the first time. The number is the generation that it gets.
     New(Kind),
-    /// A slot that was issued again. The number is the generation that it does not have.
+    /// A slot issued again. The number is the other generation.
     Issued(Kind),
-    /// A slot that was retired, likewise.
+    /// A retired slot. The number is the other generation.
     Retired(Kind),
-    /// A list that became longer, by the face. The number is the boundary component.
+    /// An entry appended to the list of a face. The number is the boundary component.
     Listed,
-    /// A list that became shorter, likewise. The place is still, or again, that of the boundary component.
+    /// An entry removed from the list of a face. The boundary component keeps, or regains, its place.
     Unlisted,
 }
 
-/// Something that was written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Entry {
     pub(super) written: Written,
@@ -74,37 +71,35 @@ pub(crate) struct Entry {
     pub(super) number: u32,
 }
 
-/// A direction in time.
+/// A direction in the history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// To take back.
+    /// Undo.
     Back,
-    /// To do again.
+    /// Redo.
     Forth,
 }
 
-/// Entries that were written, and the keys that must not be issued again.
+/// The entries, and the keys that must not be issued again.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     pub(crate) entries: Vec<Entry>,
-    /// By kind of slot its number of slots.
+    /// The number of slots of each kind.
     pub(super) ends: [usize; 4],
-    /// By kind, for slots of keys that cannot be issued again: the even generation from which the next ones are.
+    /// By kind, for slots with keys that must not be issued again: the even generation from which to issue.
     floors: [BTreeMap<u32, u32>; 4],
-    /// True if there are changes that can be done again.
+    /// True if there are changes to redo.
     pub(super) saves_vacant: bool,
-    /// Tells it from all other logs.
+    /// Distinguishes the log from all others.
     token: Option<u32>,
-    /// The number of changes and of cuts so far.
     serial: u64,
-    /// The serial number of the present change.
     change: u64,
-    /// The places to which it was cut back, each with its serial number; only those that no later cut goes further back than.
+    /// The positions to which the log was cut back, each with its serial number, except positions followed by a deeper cut.
     cuts: Vec<(u64, usize)>,
 }
 
 impl Log {
-    /// A copy, which is another log.
+    /// Copies the log under a new token.
     pub(super) fn copied(&self) -> Self {
         let Self { entries, ends, floors, saves_vacant, .. } = self;
         let (entries, floors) = (entries.clone(), floors.clone());
@@ -118,12 +113,13 @@ impl Log {
         }
     }
 
-    /// Returns a number that no other log has.
+    /// Returns the unique number of this log.
     pub(crate) const fn token(&self) -> Option<u32> {
         self.token
     }
 
-    /// Starts anew as another log, of a store with so many slots of each kind. The keys stay those that must not be issued again.
+    /// Clears the log and sets a new token, for a store with `ends` slots of each kind. Keys that must not be issued again stay
+    /// blocked.
     pub(super) fn begin(&mut self, ends: [usize; 4]) {
         self.entries.clear();
         self.saves_vacant = false;
@@ -131,14 +127,14 @@ impl Log {
         self.ends = ends;
     }
 
-    /// Begins a change, in which no place of an earlier one leads back.
+    /// Begins a change: positions in earlier changes become invalid.
     pub(crate) fn begin_change(&mut self) {
         self.serial += 1;
         self.change = self.serial;
         self.cuts.clear();
     }
 
-    /// Notes that the log was cut back to so many entries.
+    /// Records that the log was cut back to this number of entries.
     pub(crate) fn cut_back(&mut self, entries: usize) {
         self.serial += 1;
         while self.cuts.last().is_some_and(|(_, cut)| *cut >= entries) {
@@ -147,23 +143,22 @@ impl Log {
         self.cuts.push((self.serial, entries));
     }
 
-    /// Returns the serial number of the last change or cut.
     pub(crate) const fn serial(&self) -> u64 {
         self.serial
     }
 
-    /// True if a serial number is of the present change, and the log has had so many entries, the same ones, ever since.
+    /// Tells whether the first `entries` entries are unchanged since the serial number, which must be of the current change.
     pub(crate) fn has_kept(&self, entries: usize, serial: u64) -> bool {
         let first = self.cuts.iter().find(|(cut, _)| *cut > serial);
         serial >= self.change && entries <= self.entries.len() && first.is_none_or(|(_, cut)| *cut >= entries)
     }
 
-    /// Saves what is in the slots that are issued from now on, or not.
+    /// Sets whether the contents of newly issued slots are saved.
     pub(crate) const fn set_saves_vacant(&mut self, saves: bool) {
         self.saves_vacant = saves;
     }
 
-    /// Keeps the keys that some entries, which were taken back, issue, from being issued for anything else.
+    /// Blocks the keys issued by undone entries from being issued for other records.
     pub(crate) fn keep_from(&mut self, undone: &[Entry]) {
         for entry in undone {
             if let Written::New(kind) | Written::Issued(kind) = entry.written {
@@ -176,8 +171,8 @@ impl Log {
         }
     }
 
-    /// The half-edges, one of each edge, and the vertices of which entries of a part say that they came or went, that the edge has another
-    /// end, or that the vertex may be isolated or not; each perhaps several times.
+    /// Returns one half-edge of each edge, and the vertices, for which entries of a part log an addition, a removal, a different end,
+    /// or a change in being isolated; possibly with repetitions.
     pub(crate) fn redrawn(&self, part: Range<usize>) -> (Vec<usize>, Vec<usize>) {
         let (mut edges, mut vertices) = (Vec::new(), Vec::new());
         for Entry { written, slot, .. } in &self.entries[part] {
@@ -195,7 +190,7 @@ impl Log {
         (edges, vertices)
     }
 
-    /// Notes numbers that are about to be overwritten. Out of line: an operator without a log passes it over.
+    /// Logs numbers about to be overwritten. Not inlined, to keep operators without a log fast.
     #[cold]
     pub(super) fn note(&mut self, entries: &[(Written, u32, u32)]) {
         self.entries.extend(entries.iter().map(|(written, slot, number)| Entry {
@@ -205,7 +200,7 @@ impl Log {
         }));
     }
 
-    /// Logs that a slot was issued. Its generation grows if the key must not be issued again.
+    /// Logs an issued slot. Its generation grows if the key must not be issued again.
     pub(super) fn issued(&mut self, issuer: &mut Issuer, kind: Kind, slot: u32) {
         let before = issuer.generation(slot).wrapping_sub(1);
         let floors = &self.floors[kind as usize];
@@ -222,13 +217,13 @@ impl Log {
     }
 }
 
-/// Returns true if a generation comes after another one.
+/// Returns true if one generation comes after another.
 const fn is_later(generation: u32, other: u32) -> bool {
     let ahead = generation.wrapping_sub(other);
     ahead != 0 && ahead < 1 << 31
 }
 
-/// The log of a store, if one is kept. A clone of the store keeps none.
+/// The log of a store, if there is one. A clone of the store has none.
 #[derive(Debug, Default)]
 pub(crate) struct KeptLog(pub(super) Option<Box<Log>>);
 

@@ -10,20 +10,21 @@
 //!   …
 //! ```
 //!
-//! Bytes per record, all keys included: 36 per edge, 8 per vertex, 16 per boundary component, 12 per face, and 4 more for
-//! each inner boundary component of a face that has several; 4 more for each record that was removed. A triangulated grid
-//! needs 28.7 per half-edge.
+//! Bytes per record, including keys: 36 per edge, 8 per vertex, 16 per boundary component, 12 per face; 4 more for each inner
+//! boundary component of a face with several, and for each removed record. A triangulated grid needs 28.7 per half-edge.
 //!
 //! # Keys and slots
 //!
-//! A *key* is what users hold. It names one record: once that was removed, the key is an error and never another record. A
-//! *slot* is what the links are made of: a bare number, which means nothing once its record is removed. Keys are checked where
-//! they enter, and from there on slots are followed unchecked. That is right because nothing can be removed while a
-//! structure is borrowed for reading, and because an operator keeps no slot after its end.
+//! Users hold *keys*. A key names one record; after its removal the key is an error, and never names another record. Links are
+//! *slots*: bare numbers, meaningless once the record is removed. Keys are checked where they enter, and slots are then
+//! followed unchecked. This is sound because nothing can be removed while a structure is borrowed for reading, and because
+//! operators keep no slot after they end. structure is borrowed for reading, and because an operator keeps no slot after its
+//! end.
 //!
 //! # Unsafe code
 //!
-//! There is none but the expansion of slotmap's `new_key_type!`, in one file: every other module of the crate forbids it.
+//! The only unsafe code is the expansion of slotmap's `new_key_type!`, in one file; every other module of the crate forbids
+//! it.
 
 #[forbid(unsafe_code)]
 pub(crate) mod attributes;

@@ -1,4 +1,4 @@
-//! All records of a structure at once: built in order, or restored in the slots that they had when the structure was saved.
+//! Creates all records of a structure at once: in order, or in the slots of a saved structure.
 
 use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, RecordKind, Room, UNLISTED, VertexSlot};
 #[cfg(feature = "serde")]
@@ -10,20 +10,20 @@ use crate::slots::NIL;
 #[cfg(feature = "serde")]
 use alloc::vec::Vec;
 
-/// The slots of the records of a store that was saved, by number.
+/// The slots of the records of a restored store, by number.
 #[cfg(feature = "serde")]
 pub(crate) struct Slots {
     pub(crate) vertices: Vec<VertexSlot>,
-    /// The two of an edge side by side.
+    /// The two half-edges of an edge are adjacent.
     pub(crate) half_edges: Vec<HalfEdgeSlot>,
     pub(crate) boundaries: Vec<BoundarySlot>,
     pub(crate) faces: Vec<FaceSlot>,
 }
 
-/// The slots of records by their numbers. Face 0 is the unbounded one.
+/// Maps the numbers of records to slots. Face 0 is the unbounded face.
 pub(crate) trait Numbered {
     fn vertex(&self, number: u32) -> VertexSlot;
-    /// The two of an edge have the numbers `2e` and `2e + 1`.
+    /// The half-edges of an edge have the numbers `2e` and `2e + 1`.
     fn half_edge(&self, number: u32) -> HalfEdgeSlot;
     fn boundary(&self, number: u32) -> BoundarySlot;
     fn face(&self, number: u32) -> FaceSlot;
@@ -48,8 +48,8 @@ impl Numbered for Slots {
     }
 }
 
-/// The slots of a store that has just been filled: the first ones, in order. Slot 0 of each kind is vacant, and so is the first pair
-/// of half-edges.
+/// The slots of a newly filled store: the first ones, in order. Slot 0 of each kind is vacant, and so is the first pair of
+/// half-edges.
 pub(crate) struct InOrder;
 
 impl Numbered for InOrder {
@@ -71,17 +71,18 @@ impl Numbered for InOrder {
 }
 
 impl Store {
-    /// A store with that many records beside the unbounded face, in the slots of [`InOrder`]. The caller sets all their links.
+    /// Creates a store with this number of records besides the unbounded face, in the slots of [`InOrder`]. The caller sets all
+    /// links.
     ///
     /// # Errors
-    /// The kind of record of which there are more than a store can hold.
+    /// The kind of record with too many records.
     pub(crate) fn with_records(need: Room) -> Result<Self, RecordKind> {
         let store = Self::with_room(need);
         store.room_for(need)?;
         Ok(store.filled(need))
     }
 
-    /// An empty store with that many records more, for which there is room.
+    /// Adds this number of records to an empty store, which must have room.
     pub(crate) fn filled(mut self, need: Room) -> Self {
         self.edges.issue_many(need.edges);
         self.vertices.issue_many(need.vertices);
@@ -91,7 +92,7 @@ impl Store {
         self
     }
 
-    /// Makes the columns as long as there are slots.
+    /// Extends the columns to the number of slots.
     pub(super) fn fill_columns(&mut self) {
         let half_edges = 2 * self.edges.end();
         self.origin.resize(half_edges, NIL);
@@ -108,24 +109,20 @@ impl Store {
     }
 }
 
-/// The generations of all slots, live and vacant: what keys are made of.
+/// The generations of all slots, live and vacant, from which keys are made.
 #[cfg(feature = "serde")]
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Generations {
-    /// The number that the structure adds to its generations. Even.
+    /// The number that the structure adds to its generations; even.
     pub(crate) offset: u32,
-    /// By slot of a vertex. Odd if live.
     pub(crate) vertices: Vec<u32>,
-    /// By slot of an edge.
     pub(crate) edges: Vec<u32>,
-    /// By slot of a boundary component.
     pub(crate) boundaries: Vec<u32>,
-    /// By slot of a face.
     pub(crate) faces: Vec<u32>,
 }
 
-/// The live slots of a restored store, by the numbers that their records have elsewhere. The first face is the unbounded one.
+/// The live slots of a restored store, by the numbers of their records. The first face is the unbounded face.
 #[cfg(feature = "serde")]
 pub(crate) struct Live {
     pub(crate) vertices: Vec<u32>,
@@ -136,7 +133,7 @@ pub(crate) struct Live {
 
 #[cfg(feature = "serde")]
 impl Store {
-    /// The generations of all slots. O(slots).
+    /// Returns the generations of all slots. O(slots).
     pub(crate) fn generations(&self) -> Generations {
         Generations {
             offset: self.vertices.offset(),
@@ -147,8 +144,8 @@ impl Store {
         }
     }
 
-    /// A store whose slots have these generations, and the slots of its live records. The caller sets all their links.
-    /// None if no store can have such generations. O(slots).
+    /// Creates a store with these generations, and returns the slots of its live records. The caller sets all links. `None` if no
+    /// store can have these generations. O(slots).
     pub(crate) fn restored(generations: Generations, live: &Live) -> Option<(Self, Slots)> {
         let Generations { offset, vertices, edges, boundaries, faces } = generations;
         let too_many =

@@ -1,4 +1,4 @@
-//! The writing of the log of a store, and its replay: what is taken back and done again.
+//! Writes the log of a store, and replays it for undo and redo.
 
 use super::columns::{BoundarySlot, MOST};
 use super::issuer::Issuer;
@@ -9,23 +9,22 @@ use alloc::boxed::Box;
 use core::ops::Range;
 
 impl Store {
-    /// Starts the log anew, as another one. The keys stay those that must not be issued again.
+    /// Starts a new log. Keys that must not be issued again stay blocked.
     pub(crate) fn begin_log(&mut self) {
         let ends = self.ends();
         self.log.0.get_or_insert_default().begin(ends);
     }
 
-    /// Keeps no log any more.
     pub(crate) fn end_log(&mut self) {
         self.log.0 = None;
     }
 
-    /// Goes on with a copy of the log of another store, of which this one is a clone.
+    /// Continues with a copy of the log of `other`, the original of this clone.
     pub(crate) fn copy_log(&mut self, other: &Self) {
         self.log.0 = other.log.get().map(|log| Box::new(log.copied()));
     }
 
-    /// Takes back what a part of the log says was written last, from the end, or writes it again. O(entries).
+    /// Undoes a part of the log, from its end, or redoes it. O(entries).
     pub(crate) fn replay(&mut self, part: Range<usize>, way: Way) {
         let Some(mut log) = self.log.0.take() else { return };
         let entries = &mut log.entries[part];
@@ -37,7 +36,7 @@ impl Store {
         self.log.0 = Some(log);
     }
 
-    /// The records that a part of the log wrote, or took back. O(entries).
+    /// Returns the records written by a part of the log, in either direction. O(entries).
     pub(crate) fn written(&self, part: Range<usize>) -> WriteSet {
         let mut written = WriteSet::default();
         for entry in self.log.get().map_or(&[][..], |log| &log.entries[part]) {
@@ -50,14 +49,14 @@ impl Store {
                 Written::BoundaryFace | Written::Start => written.boundaries.push(slot),
                 Written::Place => {
                     written.boundaries.push(slot);
-                    // Each entry of a list that is another one now is one of a boundary component with another place.
+                    // A list entry changes only if a boundary component changes its place.
                     if self.boundaries.is_live(entry.slot) && (self.place[slot] as usize) < MOST {
                         written.listed.push((self.boundary_face[slot].0 as usize, self.place[slot] as usize));
                     }
                 }
                 Written::Outer => {
                     written.faces.push(slot);
-                    // The face is another region then: where one of those that lie in it is looked at, it need not be validated in full.
+                    // The face is now another region. One component that lies in it is enough to check, without a full validation.
                     written.boundaries.extend(self.inner.of(entry.slot).last().map(|b| b.index()));
                 }
                 Written::New(kind) | Written::Issued(kind) | Written::Retired(kind) => match kind {
@@ -82,7 +81,6 @@ impl Store {
         written
     }
 
-    /// Notes a number that is about to be overwritten.
     #[inline]
     pub(super) fn note(&mut self, written: Written, slot: u32, number: u32) {
         if let Some(log) = &mut self.log.0 {
@@ -90,7 +88,7 @@ impl Store {
         }
     }
 
-    /// Notes several at once, which takes less time.
+    /// Logs several numbers at once, which is faster.
     #[inline]
     pub(super) fn note_all<const N: usize>(&mut self, entries: [(Written, u32, u32); N]) {
         if let Some(log) = &mut self.log.0 {
@@ -98,7 +96,7 @@ impl Store {
         }
     }
 
-    /// Notes that a slot was issued. Its generation grows if the key must not be issued again.
+    /// Logs an issued slot. Its generation grows if the key must not be issued again.
     #[inline]
     pub(super) fn note_issued(&mut self, kind: Kind, slot: u32) {
         if self.is_logged() {
@@ -114,7 +112,6 @@ impl Store {
         }
     }
 
-    /// Notes that a slot is about to be retired.
     #[inline]
     pub(super) fn note_retired(&mut self, kind: Kind, slot: u32) {
         if self.is_logged() {
@@ -123,7 +120,7 @@ impl Store {
         }
     }
 
-    /// Notes what is in the slot that is issued next, if it has ever been used, and if there are changes that can be done again.
+    /// Logs the contents of the next slot to be issued, if it was ever used and there are changes to redo.
     #[inline]
     pub(super) fn save_vacant(&mut self, kind: Kind) {
         if self.is_logged() {
@@ -155,7 +152,6 @@ impl Store {
         }
     }
 
-    /// The numbers of slots, by kind.
     fn ends(&self) -> [usize; 4] {
         KINDS.map(|kind| self.issuer(kind).end())
     }
@@ -178,7 +174,7 @@ impl Store {
         }
     }
 
-    /// The link that an entry is about, in a slot that was used once.
+    /// The link named by an entry, in a slot used before.
     #[inline]
     fn link_mut(&mut self, written: Written, slot: u32) -> Option<&mut u32> {
         let i = slot as usize;

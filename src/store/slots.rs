@@ -1,4 +1,4 @@
-//! The records of a structure: keys, and the columns of their links.
+//! The records of a structure: keys, and columns of links.
 
 use super::attributes::Attributes;
 use super::columns::{
@@ -14,7 +14,7 @@ use crate::validate::HalfEdgeColumns;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-/// The records of a structure. Every slot that is handed in must be live.
+/// The records of a structure. Every slot passed to a method must be live.
 #[derive(Clone, Debug)]
 pub(crate) struct Store {
     pub(super) edges: Issuer,
@@ -32,22 +32,20 @@ pub(crate) struct Store {
     pub(super) place: Vec<u32>,
 
     pub(super) faces: Issuer,
-    /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
-    /// else. The boundary component is had through it.
+    /// The half-edge where the outer boundary component starts, as in the textbooks, for most walks around faces. The
+    /// boundary component is found through it.
     pub(super) outer: Vec<u32>,
     pub(super) inner: InnerLists,
     pub(super) unbounded: FaceSlot,
 
-    /// The most records of each kind.
     pub(crate) most: Room,
-    /// The values that follow the records, if there are any. Operators announce to them what they do.
+    /// The attribute values, if there are any. Operators announce their steps to them.
     pub(super) attributes: Option<Box<Attributes>>,
-    /// The log of what is overwritten, if one is kept.
+    /// The log of overwritten numbers, if there is one.
     pub(crate) log: KeptLog,
 }
 
 impl Store {
-    /// True if what is overwritten is logged.
     #[inline]
     pub(crate) const fn is_logged(&self) -> bool {
         self.log.get().is_some()
@@ -62,7 +60,7 @@ impl Store {
         self.attributes.as_deref_mut()
     }
 
-    /// The attributes, which are there from now on.
+    /// The attributes, created if missing.
     pub(crate) fn kept_attributes(&mut self) -> &mut Attributes {
         self.attributes.get_or_insert_default()
     }
@@ -75,7 +73,7 @@ impl Store {
         self.attributes = attributes;
     }
 
-    /// A copy of the records in the same slots, without attributes.
+    /// Copies the records in the same slots, without attributes.
     pub(crate) fn without_attributes(&self) -> Self {
         let mut copy = self.clone();
         copy.attributes = None;
@@ -114,14 +112,13 @@ impl Store {
         self.unbounded
     }
 
-    /// Lets the structure have at most so many records of each kind.
     pub(crate) fn limit(&mut self, most: Room) {
         let [vertices, boundaries, faces] = [most.vertices, most.boundaries, most.faces].map(|most| most.min(MOST));
-        // The unbounded face is there.
+        // The unbounded face exists.
         self.most = Room { vertices, edges: most.edges.min(MOST_EDGES), boundaries, faces: faces.max(1) };
     }
 
-    /// Checks that so many more records fit; the first kind that does not is named.
+    /// Checks that these additional records fit; the error is the first kind that does not.
     pub(crate) fn room_for(&self, more: Room) -> Result<(), RecordKind> {
         let checks = [
             (RecordKind::Vertex, self.vertices.len(), more.vertices, self.most.vertices),
@@ -231,7 +228,6 @@ impl Store {
         (outer != VACANT).then_some(FaceSlot(index as u32))
     }
 
-    /// The links of all half-edges.
     pub(crate) fn half_edge_columns(&self) -> HalfEdgeColumns<'_> {
         HalfEdgeColumns {
             origin: &self.origin,
@@ -268,7 +264,7 @@ impl Store {
         self.boundary.get(index).map(|link| *link as usize)
     }
 
-    /// Adds a vertex. The caller has asked for room, here and below.
+    /// Adds a vertex. The caller must have checked room, as for every `add_` method.
     pub(crate) fn add_vertex(&mut self, link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
         self.save_vacant(Kind::Vertex);
         let slot = self.vertices.issue();
@@ -277,7 +273,7 @@ impl Store {
         VertexSlot(slot)
     }
 
-    /// Adds an isolated vertex together with the inner boundary component that it is.
+    /// Adds an isolated vertex and its inner boundary component.
     pub(crate) fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
         self.save_vacant(Kind::Vertex);
         self.save_vacant(Kind::Boundary);
@@ -294,7 +290,7 @@ impl Store {
         (v, b)
     }
 
-    /// Adds an edge: two half-edges that are each other's twin, next and prev. Gives the one that leaves `from`.
+    /// Adds an edge: two half-edges that are each other's twin, next and prev. Returns the half-edge that leaves `from`.
     pub(crate) fn add_edge(&mut self, from: VertexSlot, to: VertexSlot, b: BoundarySlot) -> HalfEdgeSlot {
         self.save_vacant(Kind::Edge);
         let edge = self.edges.issue();
@@ -336,7 +332,7 @@ impl Store {
         self.vertices.retire(v.0);
     }
 
-    /// Removes a half-edge and its twin.
+    /// Removes an edge.
     pub(crate) fn remove_edge(&mut self, h: HalfEdgeSlot) {
         for h in [h, self.twin(h)] {
             let i = h.index();
@@ -435,7 +431,7 @@ impl Store {
     #[inline]
     pub(crate) fn outer_half_edge(&self, f: FaceSlot) -> Option<HalfEdgeSlot> {
         let bits = self.outer[f.index()];
-        // The high bit is set if there is none, and if the outer boundary component is an isolated vertex, against the rules.
+        // The high bit is set if there is no outer boundary component, or if it is an isolated vertex, which is invalid.
         (bits & OTHER == 0).then_some(HalfEdgeSlot(bits))
     }
 
@@ -512,7 +508,7 @@ impl Store {
         self.inner.push(f.0, b);
     }
 
-    /// Takes `b` off the lists of its face. The last inner boundary component takes the place that becomes free. O(1).
+    /// Removes `b` from the lists of its face. The last inner boundary component takes its place. O(1).
     pub(crate) fn unlist(&mut self, b: BoundarySlot) {
         let f = self.boundary_face[b.index()];
         let place = self.place[b.index()];

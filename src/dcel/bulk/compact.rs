@@ -1,4 +1,4 @@
-//! Closing the gaps that removed records leave.
+//! Closes the gaps left by removed records.
 
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
@@ -26,15 +26,14 @@ pub struct Renamed {
     pub faces: SecondaryMap<FaceKey, FaceKey>,
 }
 
-/// The live slots of one kind.
 struct Live<T> {
     slots: Vec<T>,
-    /// By index of a slot its number; nil if it is vacant.
+    /// The number of each slot, by index; nil if vacant.
     numbers: Vec<u32>,
 }
 
 impl<T: Copy> Live<T> {
-    /// Of all slots with these indices, and this one first, if there is one.
+    /// Numbers the live slots with indices below `end`, `first` before all others.
     fn new(end: usize, first: Option<usize>, at: impl Fn(usize) -> Option<T>) -> Self {
         let (mut slots, mut numbers) = (Vec::with_capacity(end), vec![NIL; end]);
         for index in first.into_iter().chain((0..end).filter(|index| Some(*index) != first)) {
@@ -46,7 +45,6 @@ impl<T: Copy> Live<T> {
         Self { slots, numbers }
     }
 
-    /// The new key of each old one, by its number.
     fn renamed<K: Key>(&self, old_key: impl Fn(T) -> K, new_key: impl Fn(u32) -> K) -> SecondaryMap<K, K> {
         let mut renamed = SecondaryMap::with_capacity(self.numbers.len());
         for (number, old) in (0..).zip(&self.slots) {
@@ -57,7 +55,6 @@ impl<T: Copy> Live<T> {
 }
 
 impl Dcel {
-    /// Gives the attributes to another structure, whose records have other keys.
     fn renamed_attributes(&mut self, mut new: Self, renamed: &Renamed) -> Self {
         new.store.set_attributes(self.store.take_attributes().map(|mut attributes| {
             attributes.rename(&|kind, old| match kind {
@@ -73,14 +70,14 @@ impl Dcel {
 }
 
 impl Dcel {
-    /// Closes the gaps that removed records have left, so that memory and the time of walks over all records fit
-    /// what there is. Gives the new key of every old one.
+    /// Closes the gaps left by removed records, so that memory and the time of walks over all records fit the number of
+    /// records. Returns the new key for each old key.
     ///
-    /// The order of the records is kept, and that of lists and of the two half-edges of an edge; the unbounded face becomes the
-    /// first one. Then indices are without gaps: from 1 for vertices, boundary components and faces, from 2 for half-edges.
+    /// Keeps the order of records, of lists and of the two half-edges of an edge, but moves the unbounded face to the front.
+    /// Indices are then without gaps: from 1 for vertices, boundary components and faces, from 2 for half-edges.
     ///
-    /// All keys are new, those of records that did not move too. The old ones become stale, as those of another structure are,
-    /// with the same [limits](Dcel#keys): the generations begin anew. So data kept by key is to be moved:
+    /// All keys change, including the keys of records that did not move. Old keys become stale, with the [limits](Dcel#keys)
+    /// that apply to keys of another structure, because generations start again. Data stored by key must be moved:
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, SecondaryMap};
@@ -100,7 +97,7 @@ impl Dcel {
     /// # Ok::<(), twinedge::dcel::OperatorError>(())
     /// ```
     ///
-    /// O(slots) time. Until it ends there are both structures, and the answer has 16 bytes for each record.
+    /// O(slots) time. Needs memory for both structures while it runs; the result takes 16 bytes per record.
     pub fn compact(&mut self) -> Renamed {
         let old = &self.store;
         let vertices = Live::new(old.vertex_slots(), None, |i| old.vertex_at(i));

@@ -1,8 +1,8 @@
-//! The groups of faces that become one when edges are removed, and the outer boundary component of each group.
+//! Groups of faces that merge when edges are removed, and the outer boundary component of each group.
 //!
-//! Removing an edge between two faces makes them one, and two cycles one. Removing an edge with one face on both sides makes two cycles of
-//! one. So the numbers of faces and edges give the number of cycles of each group, without a walk. A single cycle is the outer one. Of
-//! several, the outer one is that beyond which the unbounded face lies:
+//! Removing an edge between two faces merges the faces and their cycles. Removing an edge with one face on both sides splits a cycle.
+//! So the numbers of faces and edges determine the number of cycles of each group, without a walk. A single cycle is the outer one. Of
+//! several cycles, the one with the unbounded face beyond it is outer:
 //!
 //! ```text
 //!   the group ──► cycle ──► what lies beyond ──► ends: the cycle is inner
@@ -10,9 +10,9 @@
 //!             ──► cycle ──► what lies beyond ──► …     the one that is left is outer
 //! ```
 //!
-//! There is a search beyond each cycle, from group to group over the edges, and all take their steps in turn. Beyond an inner cycle, the outer
-//! cycle of a group is that over which the search reaches it. No group that was reached so is searched again. So the searches that
-//! end take linear time together, and the one that is left takes no longer than the longest of these.
+//! A search runs beyond each cycle, from group to group across edges, and all searches advance in turn. A group reached through an
+//! inner cycle has as its outer cycle the one through which it was reached, and is not searched again. So the searches that end take
+//! linear time together, and the remaining search takes no longer than the longest of them.
 
 use crate::slots::{NIL, Sets};
 use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, Store};
@@ -20,36 +20,32 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::mem;
 
-/// The group of the unbounded face.
 pub(super) const UNBOUNDED: usize = 0;
 
-/// The faces in groups that become one face each.
+/// The faces, grouped by the face that they will form.
 pub(super) struct Groups {
-    /// The faces, with a number for each group.
     faces: Sets,
     pub(super) all: Vec<Group>,
 }
 
-/// A group of faces.
 #[derive(Clone, Copy)]
 pub(super) struct Group {
-    /// The number of cycles that it has in the end, once those are taken off of which isolated vertices are left.
+    /// The final number of cycles, not counting cycles that shrink to isolated vertices.
     pub(super) cycles: u32,
-    /// True if it loses an edge or a vertex. What belongs to the others stays as it is.
+    /// True if the group loses an edge or a vertex. Boundary components of other groups are unchanged.
     pub(super) changes: bool,
 }
 
-/// A cycle of a group in which something changes.
 pub(super) struct Cycle {
     pub(super) boundary: BoundarySlot,
     pub(super) group: u32,
-    /// The face to the left of the half-edge with the smallest index, as it was, once it is known.
+    /// The old face to the left of the half-edge with the smallest index, once known.
     pub(super) face: Option<FaceSlot>,
 }
 
 impl Groups {
-    /// Groups the faces that become one when these edges are removed. Each edge is given by one half-edge. O(slots α(slots)),
-    /// where α is the inverse of Ackermann's function.
+    /// Groups the faces that merge when these edges, each given by one half-edge, are removed. O(slots α(slots)), where α is the
+    /// inverse of Ackermann's function.
     pub(super) fn without(store: &Store, edges: &[HalfEdgeSlot]) -> Self {
         let index = |h: HalfEdgeSlot| store.face(store.boundary(h)).index() as u32;
         let mut faces = Sets::new(store.face_slots());
@@ -83,7 +79,6 @@ impl Groups {
         Self { faces, all }
     }
 
-    /// Notes that the group of a boundary component changes.
     pub(super) fn change(&mut self, store: &Store, b: BoundarySlot) {
         let group = self.of_boundary(store, b);
         self.all[group].changes = true;
@@ -97,8 +92,8 @@ impl Groups {
         self.of_face(store.face(b))
     }
 
-    /// By group that changes the index of the boundary component that is its outer one, or nil. These are all cycles of such groups, each
-    /// with a boundary component, which still names a face of its group. O(slots).
+    /// Returns the index of the outer boundary component of each changed group, or nil. `cycles` are all cycles of these groups; each
+    /// has a boundary component that still names a face of its group. O(slots).
     pub(super) fn outer(&self, store: &Store, cycles: &[Cycle]) -> Vec<u32> {
         let index = |cycle: &Cycle| cycle.boundary.index() as u32;
         let mut nest =
@@ -130,35 +125,34 @@ impl Groups {
     }
 }
 
-/// Stands for the round of a group all of whose ways have been searched.
 const DONE: u32 = NIL;
 
-/// The cycles of groups with several, and what is known of them.
+/// The cycles of groups with several cycles, and the outer ones found so far.
 struct Nest<'a> {
     groups: &'a Groups,
     outer: Vec<u32>,
     cycles: &'a [Cycle],
-    /// By group its first cycle, then by cycle the next one of its group.
+    /// By group: its first cycle; by cycle: the next cycle of its group.
     first: Vec<u32>,
     next: Vec<u32>,
 }
 
-/// A search for what lies beyond a cycle.
+/// A search of the region beyond a cycle.
 struct Search {
-    /// The boundary component with which it began.
+    /// The boundary component where it began.
     from: u32,
     /// Boundary components still to be walked around.
     ahead: Vec<BoundarySlot>,
-    /// The half-edge to be crossed next, and that with which the walk ends.
+    /// The half-edge to cross next, and the last half-edge of the walk.
     walk: Option<[HalfEdgeSlot; 2]>,
-    /// The groups that it reached, and the boundary components by which.
+    /// The reached groups, with the boundary components through which they were reached.
     reached: Vec<(usize, u32)>,
-    /// True if it reached the unbounded face, from which it does not go on.
+    /// True if it reached the unbounded face, where it stops.
     is_outer: bool,
 }
 
 impl Nest<'_> {
-    /// Finds out which cycle of a group is outer, and the same for all groups beyond the others.
+    /// Finds the outer cycle of a group, and of all groups beyond its other cycles.
     fn search(&mut self, store: &Store, group: usize, round: u32, seen: &mut [u32]) {
         seen[group] = round;
         let mut ahead = Vec::new();
@@ -183,7 +177,7 @@ impl Nest<'_> {
         self.outer[group] = searches.first().map_or(NIL, |search| search.from);
     }
 
-    /// Crosses one half-edge. False if there was none left.
+    /// Crosses one half-edge; returns false if none is left.
     fn step(&self, store: &Store, search: &mut Search, round: u32, seen: &mut [u32]) -> bool {
         let Some([h, last]) = search.walk.take() else {
             let Some(b) = search.ahead.pop() else { return false };
@@ -211,7 +205,7 @@ impl Nest<'_> {
         true
     }
 
-    /// Pushes the boundary components of a group, of which this is one.
+    /// Pushes the boundary components of the group of `b`.
     fn push_cycles(&self, store: &Store, group: usize, b: BoundarySlot, all: &mut Vec<BoundarySlot>) {
         if self.groups.all[group].changes {
             let mut cycle = self.first[group];

@@ -1,4 +1,4 @@
-//! Keeping some vertices and edges and removing all others.
+//! Keeps some vertices and edges, and removes all others.
 
 use super::nest::{Cycle, Group, Groups};
 use crate::dcel::elements::{HalfEdge, Vertex};
@@ -12,51 +12,50 @@ use crate::store::{
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// The records that [`Dcel::retain`] dropped, and those that it made.
+/// The records that [`Dcel::retain`] removed and made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Retained {
-    /// The vertices that were removed.
+    /// The removed vertices.
     pub vertices: Vec<VertexKey>,
-    /// The edges that were removed: of each the half-edge with the smaller index.
+    /// The removed edges, each given by the half-edge with the smaller index.
     pub edges: Vec<HalfEdgeKey>,
-    /// The faces that were removed, each with the one that it is part of now.
+    /// The removed faces, each with the face that contains it now.
     pub faces: Vec<MergedFace>,
-    /// The boundary components that were removed.
+    /// The removed boundary components.
     pub dropped: Vec<BoundaryKey>,
-    /// The boundary components that are new.
+    /// The new boundary components.
     pub made: Vec<BoundaryKey>,
 }
 
-/// A face that was removed by [`Dcel::retain`].
+/// A face removed by [`Dcel::retain`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MergedFace {
     /// Its key.
     pub dropped: FaceKey,
-    /// The face that has its place now.
+    /// The face that contains it now.
     pub kept: FaceKey,
 }
 
 impl Dcel {
-    /// Removes all vertices and edges for which a condition does not hold, in one pass. An edge goes with either of its ends.
+    /// Removes all vertices and edges that fail a condition, in one pass. Removing a vertex removes its edges.
     ///
-    /// The vertices are asked first, in order; then of each edge whose ends stay the half-edge with the smaller index. Vertices
-    /// that have no edge left become isolated. What is left is what [`remove_edge`](Dcel::remove_edge) and
-    /// [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) leave, one after the other, in any order:
+    /// The condition is evaluated first for the vertices, in order, then for each edge between kept vertices, given by the half-edge
+    /// with the smaller index. Vertices without a remaining edge become isolated. The result is that of
+    /// [`remove_edge`](Dcel::remove_edge) and [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) in any order:
     ///
-    /// - Vertices and half-edges that stay keep their keys.
-    /// - Of faces that become one the unbounded face is kept. If it is not among them, it is the one to the left of the
-    ///   half-edge with the smallest index on the new outer boundary component: never one that another of them surrounds.
-    /// - A boundary component is kept by the cycle on which its start is then. If several starts come to lie on one cycle,
-    ///   that with the smallest index is kept.
+    /// - Kept vertices and half-edges keep their keys.
+    /// - Of merged faces the unbounded face survives. Without it, the face to the left of the half-edge with the smallest index on the
+    ///   new outer boundary component survives; no other merged face surrounds it.
+    /// - A cycle keeps the boundary component whose start lies on it; of several, the one with the smallest index.
     ///
-    /// The order of the inner boundary components of a face that lost an edge changes.
+    /// The order of the inner boundary components changes in faces that lost an edge.
     ///
-    /// O(slots α(slots)) time and O(slots) memory, however much goes; α is the inverse of Ackermann's function, at most 4. So a few edges
-    /// are better removed one by one.
+    /// O(slots α(slots)) time and O(slots) memory, no matter how many records are removed; α is the inverse of Ackermann's function, at
+    /// most 4. To remove a few edges, remove them one by one.
     ///
     /// # Errors
-    /// [`OperatorError::Full`] if more boundary components are made than dropped, and there is no room for them.
+    /// [`OperatorError::Full`] if there is no room for the additional boundary components.
     ///
     /// ```
     /// use twinedge::dcel::Dcel;
@@ -97,7 +96,7 @@ impl Dcel {
             return Ok(retained);
         }
         let groups = Groups::without(store, &removed);
-        // Euler's formula gives the number of components, hence that of boundary components.
+        // Euler's formula yields the numbers of components and of boundary components.
         let [vertices, edges] = [self.vertex_count() - retained.vertices.len(), self.edge_count() - removed.len()];
         let boundaries = (vertices + 2 * groups.all.len() - 2 - edges).saturating_sub(self.boundary_count());
         self.room_for(Room { boundaries, ..Room::NONE })?;
@@ -112,8 +111,8 @@ impl Dcel {
 }
 
 impl Dcel {
-    /// The faces that would be merged. The policies of attributes are asked before anything changes, and which face is kept is known
-    /// when all has changed: so it is tried on a copy. O(slots α(slots)).
+    /// Returns the faces that would merge. Policies of attributes must be consulted before anything changes, but the surviving faces
+    /// are known only afterwards, so this runs on a copy. O(slots α(slots)).
     #[cold]
     fn would_merge(&self, vertex_goes: &[bool], goes: &[bool]) -> Result<Vec<MergedFace>, OperatorError> {
         let store = self.store.without_attributes();
@@ -121,16 +120,16 @@ impl Dcel {
     }
 }
 
-/// Stand for the number of a cycle: of a group that has several, of one on whose cycle no boundary component starts, once that is known, and of
-/// one that stays as it is.
+/// In place of a cycle number: a group with several cycles, a group whose cycle turned out to contain no component's start, and an
+/// unchanged group.
 const SEVERAL: u32 = NIL - 1;
 const FRESH: u32 = NIL - 2;
 const UNCHANGED: u32 = NIL - 3;
 
-/// The work in progress, once there is known to be room for it.
+/// The work in progress, after room has been ensured.
 struct Work {
     groups: Groups,
-    /// By half-edge, whether it goes, or has its boundary component.
+    /// True if the half-edge is removed or already has its boundary component.
     goes: Vec<bool>,
     vertex_goes: Vec<bool>,
     retained: Retained,
@@ -191,7 +190,7 @@ impl Work {
         self.merge_faces(store, &kept);
     }
 
-    /// Takes the edges out of the links. Gives the vertices that become isolated and stay, with their groups.
+    /// Unlinks the edges. Returns the kept vertices that become isolated, with their groups.
     fn splice(&mut self, dcel: &mut Dcel, removed: &[HalfEdgeSlot]) -> Vec<(VertexSlot, usize)> {
         let mut last = Vec::new();
         for h in removed {
@@ -214,8 +213,8 @@ impl Work {
         isolated
     }
 
-    /// Takes all boundary components of groups that change from the lists. Gives those that are cycles now, and by group the number of
-    /// its only one, nil if none is known, or what stands for that; those that stay isolated vertices are put in `islands`, with their groups.
+    /// Unlists all boundary components of changed groups. Returns those that remain cycles, and for each group the number of its only
+    /// cycle, nil if unknown, or a special number. Appends remaining isolated vertices to `islands`, with their groups.
     fn keep_boundaries(
         &mut self,
         store: &mut Store,
@@ -235,7 +234,7 @@ impl Work {
             if *number == UNCHANGED {
                 continue;
             }
-            // An outer one goes with the face, or another one has its place.
+            // An outer one is removed with its face or replaced.
             if store.place(boundary) != OUTER {
                 store.unlist(boundary);
             }
@@ -256,7 +255,7 @@ impl Work {
         (cycles, numbers)
     }
 
-    /// Gives a cycle a boundary component. Gives the face that was to the left of the half-edge with the smallest index.
+    /// Sets the boundary component of a cycle. Returns the old face to the left of its half-edge with the smallest index.
     fn relabel(&mut self, store: &mut Store, start: HalfEdgeSlot, boundary: BoundarySlot) -> FaceSlot {
         let mut least = (usize::MAX, boundary);
         let mut h = start;
@@ -276,8 +275,8 @@ impl Work {
         }
     }
 
-    /// Gives the half-edges of each group with one cycle its boundary component, without a walk. Gives the cycles on which no boundary
-    /// component starts: of each the half-edge with the smallest index, the group, and the face that was to its left.
+    /// Sets the boundary component of the half-edges of each group with one cycle, without a walk. Returns the cycles that contain no
+    /// component's start, each with its half-edge of smallest index, the group, and the old face to the left of that half-edge.
     fn relabel_others(
         &mut self,
         store: &mut Store,
@@ -322,7 +321,6 @@ impl Work {
         fresh
     }
 
-    /// Removes the faces that are part of another one now.
     fn merge_faces(&mut self, store: &mut Store, kept: &[FaceSlot]) {
         for index in 0..store.face_slots() {
             let Some(f) = store.face_at(index) else { continue };

@@ -1,18 +1,18 @@
-//! Taking edges out of the links.
+//! Unlinks edges.
 
 use crate::dcel::structure::Dcel;
 use crate::store::{HalfEdgeSlot, VertexLink};
 
 impl Dcel {
-    /// Takes an edge out of the cycles and rotations that it is part of. Its own record and the labels stay. The half-edges by which
-    /// vertices lose their last one are put in `last`. O(1).
+    /// Unlinks an edge from its cycles and rotations. Its record and the labels stay. If a vertex loses its last half-edge, appends
+    /// that half-edge to `last`. O(1).
     pub(super) fn splice_out(&mut self, n: HalfEdgeSlot, last: &mut impl Extend<HalfEdgeSlot>) {
         let store = &mut self.store;
         let t = store.twin(n);
         for h in [n, t] {
             let v = store.origin(h);
             if store.vertex_link(v) == VertexLink::Leaving(h) {
-                // The next one clockwise, except the other half of a loop.
+                // The next half-edge clockwise, skipping the other half of a loop.
                 let after = store.next(store.twin(h));
                 let after = if after == store.twin(h) { store.next(h) } else { after };
                 if after == h {

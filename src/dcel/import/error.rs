@@ -6,38 +6,38 @@ use alloc::boxed::Box;
 use core::fmt;
 use thiserror::Error;
 
-/// The error of [`Dcel::from_view`](crate::dcel::Dcel::from_view), which refused a structure.
+/// The reason why [`Dcel::from_view`](crate::dcel::Dcel::from_view) refused a structure.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ImportError {
-    /// It breaks a rule that it is held to.
+    /// The structure breaks an expected rule.
     #[error("the structure is not valid:\n{0}")]
     Invalid(Box<Report>),
-    /// The structure does not store a part that a planar subdivision cannot do without.
+    /// The structure does not store a part that a planar subdivision needs.
     #[error("a planar subdivision needs {}, which the structure does not store", .0.name())]
     Lacks(Part),
-    /// It was to bring its own unbounded face, but it has none.
+    /// The structure should have an unbounded face, but has none.
     #[error("the structure has no unbounded face; name a face or its border")]
     NoUnboundedFace,
-    /// A face or a border was to become the unbounded face, but the structure has one.
+    /// A face or a border should become the unbounded face, but the structure already has one.
     #[error("the structure has an unbounded face already")]
     SecondUnboundedFace,
-    /// There is no face with the index that was to become the unbounded face.
+    /// The face that should become unbounded does not exist.
     #[error("there is no face {0} to become the unbounded one")]
     NoSuchFace(usize),
-    /// It lies on a surface of this genus, which cannot be drawn in the plane.
+    /// The structure lies on a surface of this genus, and cannot be drawn in the plane.
     #[error("the structure has genus {0}, and a planar subdivision has genus 0")]
     Genus(usize),
-    /// It falls into so many components, and nothing says in which faces they lie.
+    /// The structure has this number of components, and does not say in which faces they lie.
     #[error("the structure has {0} components and no lists that say in which faces they lie")]
     Disconnected(usize),
-    /// There is a border, but borders were not to become the unbounded face.
+    /// The structure has a border, but borders should not become the unbounded face.
     #[error("the structure has a border, which no face would be on the other side of")]
     Border,
-    /// A component has no border by which it could lie in the unbounded face.
+    /// A component has no border, so it cannot lie in the unbounded face.
     #[error("a component of the structure has no border")]
     NoBorder,
-    /// A component has several borders, and nothing says which of them is the outside.
+    /// A component has several borders, and the structure does not say which one is the outside.
     #[error("a component of the structure has several borders: {borders} in {components} components")]
     SeveralBorders {
         /// Borders and other inner boundary components that are cycles.
@@ -45,18 +45,19 @@ pub enum ImportError {
         /// Components that have an edge.
         components: usize,
     },
-    /// With this face or border as the unbounded face it would break a rule. The report is on what it would have become.
+    /// With this face or border as the unbounded face, the structure would break a rule. The report describes the
+    /// result.
     #[error("with that outside, the structure is not a planar subdivision:\n{0}")]
     NotPlane(Box<Report>),
-    /// It answered differently when it was asked again.
+    /// The view answered differently when asked again.
     #[error("the structure changed its answers while it was read")]
     Inconsistent,
-    /// It has more records of this kind than a [`Dcel`](crate::dcel::Dcel) can hold.
+    /// The structure has more records of this kind than a [`Dcel`](crate::dcel::Dcel) can hold.
     #[error("the structure has more {0} than fit")]
     Full(RecordKind),
 }
 
-/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+/// Writes the text of `Display`, so a failed `unwrap` or `main` prints readable lines.
 impl fmt::Debug for ImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -64,7 +65,7 @@ impl fmt::Debug for ImportError {
 }
 
 impl ImportError {
-    /// The report of the validator, if it was the validator that refused.
+    /// Returns the report, if the validator refused the structure.
     #[must_use]
     pub const fn report(&self) -> Option<&Report> {
         match self {

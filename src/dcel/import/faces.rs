@@ -1,4 +1,4 @@
-//! From faces as lists of vertices to a [`Dcel`].
+//! Builds a [`Dcel`] from faces, given as lists of vertices.
 
 use super::from_view::keys;
 use super::gather::Numbers;
@@ -12,11 +12,11 @@ use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// The error of [`Dcel::from_faces`](crate::dcel::Dcel::from_faces). Faces are counted from 0, in the order in which they came.
+/// The error of [`Dcel::from_faces`](crate::dcel::Dcel::from_faces). Faces are numbered from 0, in the given order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum FacesError {
-    /// A face lists a vertex that there is not.
+    /// A face lists a vertex that does not exist.
     #[error("face {face} lists vertex {vertex}, but there are {vertices} vertices, counted from 0")]
     NoSuchVertex {
         /// The face.
@@ -32,7 +32,7 @@ pub enum FacesError {
         /// The face.
         face: usize,
     },
-    /// A face lists a vertex twice in a row, the last and the first one included.
+    /// A face lists a vertex twice in a row (the last and the first count as adjacent).
     #[error("face {face} lists vertex {vertex} twice in a row")]
     Loop {
         /// The face.
@@ -40,34 +40,34 @@ pub enum FacesError {
         /// The vertex.
         vertex: u32,
     },
-    /// Two faces, or one twice, go from one vertex to the next in the same direction: they overlap, one of them is listed
-    /// clockwise, or three faces share an edge.
+    /// Two faces, or one face twice, traverse the same two vertices in the same direction: they overlap, one of them is clockwise, or
+    /// three faces share an edge.
     #[error("faces {} and {} both go from vertex {} to vertex {}", .faces[0], .faces[1], .vertices[0], .vertices[1])]
     SameSide {
-        /// The faces, the one that came first in front.
+        /// The faces, in the given order.
         faces: [usize; 2],
-        /// From where to where.
+        /// The origin and the target.
         vertices: [u32; 2],
     },
-    /// Faces meet at a vertex that no common edge connects there, so that their order around it is not known.
+    /// Faces meet at a vertex without a connecting edge there, so their order around it is unknown.
     #[error("at vertex {vertex} faces meet that no common edge connects there")]
     SeveralFans {
         /// The vertex.
         vertex: u32,
     },
-    /// A component is a closed surface: every side of a face is shared with another, and nothing is left to be outside.
+    /// A component is a closed surface: every side of a face is shared, and nothing remains for the outside.
     #[error("the component of vertex {vertex} is closed: leave out the face that is to be outside")]
     Closed {
         /// Its vertex with the smallest number.
         vertex: u32,
     },
-    /// A component has several borders. All but one of them are holes, which are faces too.
+    /// A component has several borders. All but one are holes, which must also be listed as faces.
     #[error("the component of vertex {vertex} has several borders: list the faces that fill its holes")]
     SeveralBorders {
         /// Its vertex with the smallest number.
         vertex: u32,
     },
-    /// A component has one border, and lies on a surface that cannot be drawn in the plane.
+    /// A component has one border, but lies on a surface that cannot be drawn in the plane.
     #[error("the component of vertex {vertex} has genus {genus}, and a planar subdivision has genus 0")]
     Genus {
         /// Its vertex with the smallest number.
@@ -84,8 +84,8 @@ pub enum FacesError {
 const MOST_CORNERS: usize = 1 << 30;
 
 impl Dcel {
-    /// Builds the structure that has these bounded faces. Each face lists the numbers of the vertices around it,
-    /// counter-clockwise. What is left outside of all of them becomes the unbounded face.
+    /// Builds the structure with these bounded faces. Each face lists the numbers of its vertices counter-clockwise. The rest of the
+    /// plane becomes the unbounded face.
     ///
     /// ```text
     ///   3───────2
@@ -95,28 +95,26 @@ impl Dcel {
     ///   0───────1
     /// ```
     ///
-    /// The faces may form several components, which lie side by side in the unbounded face. Each of them has one border: what
-    /// surrounds a face or fills a hole is a face, too. A vertex that no face lists is an isolated vertex in the unbounded
-    /// face. Vertices may repeat in a face, where a dangling edge or a bridge runs through it: `[0, 1, 2, 0, 3]` is a triangle with an
-    /// edge from 0 to 3 inside.
+    /// The faces may form several components, side by side in the unbounded face. Each component has one border: a surrounding face,
+    /// or a hole's filling, must also be listed. A vertex that no face lists is isolated, in the unbounded face. Vertices may repeat
+    /// in a face, where it contains a dangling edge or a bridge: `[0, 1, 2, 0, 3]` is a triangle with an edge from 0 to 3 inside.
     ///
-    /// There are no coordinates, so clockwise faces are not noticed if all are: they make the mirror image.
+    /// Without coordinates, faces that are all clockwise go unnoticed: the result is the mirror image.
     ///
-    /// | not accepted here | instead |
-    /// | --- | --- |
+    /// | not accepted | instead |
     /// | holes and components inside a face, an unbounded face among the faces, closed surfaces by one of their faces | [`Dcel::from_view`] |
     /// | faces that touch at a vertex only, parallel edges, loops | [`Dcel::from_rotations`] |
     ///
-    /// The keys are those by number of vertices, of faces, and of half-edges by *corner*: half-edge `i` leaves the `i`-th
-    /// vertex of all lists, one after the other. Records keep this order: of the two half-edges of an edge the one with the
-    /// smaller number has the smaller index. Nothing has to be validated afterwards.
+    /// The returned keys are indexed by number of vertex, by number of face, and for half-edges by *corner*: half-edge `i` leaves the
+    /// `i`-th vertex of the concatenated lists. Records keep this order; the index of an edge is determined by its half-edge with the
+    /// smaller number. The result needs no validation.
     ///
     /// O(n) time and memory for n vertices and corners.
     ///
     /// # Errors
-    /// [`FacesError::NoSuchVertex`], [`FacesError::TooShort`] and [`FacesError::Loop`] for the first face that is wrong by
-    /// itself; then [`FacesError::SameSide`], [`FacesError::SeveralFans`], and for the first component that is wrong
-    /// [`FacesError::Closed`], [`FacesError::SeveralBorders`] or [`FacesError::Genus`]; [`FacesError::Full`].
+    /// [`FacesError::NoSuchVertex`], [`FacesError::TooShort`] and [`FacesError::Loop`] for the first face that is invalid by itself;
+    /// then [`FacesError::SameSide`] and [`FacesError::SeveralFans`]; then [`FacesError::Closed`], [`FacesError::SeveralBorders`] or
+    /// [`FacesError::Genus`] for the first invalid component; [`FacesError::Full`].
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, FacesError};
@@ -145,16 +143,15 @@ impl Dcel {
     }
 }
 
-/// All lists, one after the other.
+/// All lists, concatenated.
 struct Corners {
     vertex: Vec<u32>,
-    /// By corner: the next one of the face.
+    /// By corner: the next corner of the face.
     next: Vec<u32>,
     /// The start of the list of each face.
     starts: Vec<u32>,
 }
 
-/// An empty column with that much capacity, if there is memory for it.
 fn with_room(room: usize) -> Vec<u32> {
     let mut column = Vec::new();
     let _ = column.try_reserve_exact(room);
@@ -164,7 +161,7 @@ fn with_room(room: usize) -> Vec<u32> {
 impl Corners {
     fn read<F: AsRef<[u32]>>(vertices: usize, faces: impl IntoIterator<Item = F>) -> Result<Self, FacesError> {
         let faces = faces.into_iter();
-        // No face has fewer than three.
+        // Every face has at least three corners.
         let least = faces.size_hint().0.min(MOST_CORNERS / 3);
         let mut corners = Self { vertex: with_room(3 * least), next: with_room(3 * least), starts: with_room(least) };
         for (face, list) in faces.enumerate() {
@@ -206,10 +203,10 @@ impl Corners {
 
     /// Finds the other corner of each edge; [`NIL`] on the border.
     ///
-    /// Around each vertex the corners that lead to neighbours with smaller numbers meet those that come from there, by two
-    /// arrays over the vertices. So a hub costs what its degree is.
+    /// At each vertex, matches corners leading to smaller-numbered neighbours with corners coming from them, using two arrays over the
+    /// vertices. A vertex costs O(degree).
     fn join(&self, vertices: usize) -> Result<Vec<u32>, FacesError> {
-        // The corners that lead to each vertex, as a list threaded through all.
+        // The corners that lead to each vertex: linked lists in one array.
         let mut arriving = vec![NIL; vertices];
         let mut after = vec![NIL; self.vertex.len()];
         for corner in (0..self.vertex.len() as u32).rev() {
@@ -218,7 +215,7 @@ impl Corners {
             arriving[target] = corner;
         }
         let mut twins = vec![NIL; self.vertex.len()];
-        // By neighbour: the corner that comes from it, and the one that leads to it.
+        // By neighbour: the corner coming from it, and the corner leading to it.
         let mut sides = vec![[NIL; 2]; vertices];
         for v in 0..vertices as u32 {
             let some = |corner: u32| (corner != NIL).then_some(corner);
@@ -250,7 +247,6 @@ impl Corners {
         Ok(twins)
     }
 
-    /// The structure in which the half-edge of each corner has this number.
     fn assemble(self, vertex_count: usize, numbers: Vec<u32>, half_edges: usize) -> Result<(Dcel, Keys), FacesError> {
         let faces = self.starts.len();
         let mut origin = vec![NIL; half_edges];
@@ -314,7 +310,7 @@ impl Corners {
             outer: &outer,
             inner: &inner,
         };
-        // The columns of the store take their memory.
+        // Frees memory for the columns of the store.
         drop((self, leaving, pieces));
         let dcel = assembly.assemble_right().map_err(FacesError::Full)?;
         let numbers = Numbers {
@@ -327,7 +323,7 @@ impl Corners {
         Ok((dcel, keys))
     }
 
-    /// Links the half-edges of the border, which belong to no corner, and lists them.
+    /// Links and lists the half-edges of the border, which have no corner.
     fn border(
         &self,
         vertices: usize,
@@ -346,20 +342,20 @@ impl Corners {
             border.push(h ^ 1);
         }
         for (vertex, h) in self.vertex.iter().zip(numbers).filter(|(_, h)| origin[**h as usize ^ 1] == NIL) {
-            // As many sides without twin leave a vertex as end there: every one is followed.
+            // At every vertex the same number of unpaired sides leave and arrive, so each has a successor.
             next[*h as usize ^ 1] = leaving_border[*vertex as usize];
         }
         for h in &border {
-            // The side across is followed by one that leaves where this one does.
+            // A border half-edge leaves the same vertex as the successor of its twin.
             origin[*h as usize] = origin[next[*h as usize ^ 1] as usize];
         }
         Ok(border)
     }
 }
 
-/// Numbers the half-edges of the corners, the two of an edge side by side; and says how many there are with those of the border.
+/// Numbers the half-edges of the corners, the two of an edge adjacent, and counts them including the border.
 fn number(mut twins: Vec<u32>) -> (Vec<u32>, usize) {
-    /// Marks what is a number already.
+    /// Marks entries that are already numbers.
     const NUMBER: u32 = 1 << 31;
     let mut count = 0;
     for corner in 0..twins.len() {
@@ -377,7 +373,7 @@ fn number(mut twins: Vec<u32>) -> (Vec<u32>, usize) {
     (twins, count as usize)
 }
 
-/// A vertex with several rotations, of which the walk from its leaving half-edge finds one.
+/// A vertex with several rotations: the walk from its leaving half-edge misses some half-edges.
 #[cold]
 fn several_fans(origin: &[u32], next: &[u32], leaving: &[u32]) -> u32 {
     let mut visited = vec![false; origin.len()];

@@ -1,4 +1,4 @@
-//! From any valid structure to a [`Dcel`].
+//! Builds a [`Dcel`] from any valid structure.
 
 use super::error::ImportError;
 use super::gather::{Columns, Gather, Numbers};
@@ -11,10 +11,10 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 
 impl Dcel {
-    /// Builds the structure that a view describes, and tells which of its records became which.
+    /// Builds the structure that a view describes, and returns the new keys of its records.
     ///
-    /// The view is validated first, and what comes of it once more, so nothing but a planar subdivision comes in, whatever
-    /// the view answers.
+    /// The view is validated first, and the result again, so only planar subdivisions are accepted, whatever the view
+    /// answers.
     ///
     /// | the structure stores | expectation | outside |
     /// | --- | --- | --- |
@@ -22,20 +22,20 @@ impl Dcel {
     /// | one cycle for each face, closed, genus 0 | [`Expectation::surface`] | [`Outside::Face`] |
     /// | one cycle for each face, and one border | `Expectation::surface().open()` | [`Outside::Border`] |
     ///
-    /// Boundary components, their places, `prev` and leaving half-edges may be stored or not.
+    /// Boundary components, their places, `prev` and leaving half-edges are optional.
     ///
-    /// The order of the records is kept, and that of the lists; of the two half-edges of an edge the one with the smaller
-    /// index in the view has the smaller index here.
+    /// Records and lists keep their order; the index of an edge is determined by its half-edge with the smaller index in
+    /// the view.
     ///
     /// O(n) time and memory for n slots of the view.
     ///
     /// # Errors
     /// [`ImportError::Invalid`] with the report, if the view breaks a rule. For a valid view: [`ImportError::Lacks`] if it
-    /// has no faces; [`ImportError::NoUnboundedFace`], [`ImportError::SecondUnboundedFace`] and
-    /// [`ImportError::NoSuchFace`] if `outside` does not suit it; [`ImportError::Genus`] and [`ImportError::Disconnected`];
-    /// [`ImportError::Border`], [`ImportError::NoBorder`] and [`ImportError::SeveralBorders`];
-    /// [`ImportError::NotPlane`] with the report, if all of that is right and a component lies in no face or in two;
-    /// [`ImportError::Inconsistent`] if the view changes its answers; [`ImportError::Full`].
+    /// has no faces; [`ImportError::NoUnboundedFace`], [`ImportError::SecondUnboundedFace`] and [`ImportError::NoSuchFace`]
+    /// if `outside` does not suit it; [`ImportError::Genus`] and [`ImportError::Disconnected`]; [`ImportError::Border`],
+    /// [`ImportError::NoBorder`] and [`ImportError::SeveralBorders`]; [`ImportError::NotPlane`] with the report, if a
+    /// component then lies in no face or in two; [`ImportError::Inconsistent`] if the view changes its answers;
+    /// [`ImportError::Full`].
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Outside};
@@ -75,7 +75,6 @@ impl Dcel {
     }
 }
 
-/// Validates a view, reads it, assembles it, and validates what came of it.
 pub(super) fn import<V: View + ?Sized>(
     view: &V,
     expectation: Expectation,
@@ -98,7 +97,7 @@ pub(super) fn import<V: View + ?Sized>(
     if report.is_valid() { Ok((dcel, numbers)) } else { Err(ImportError::NotPlane(Box::new(report))) }
 }
 
-/// Checks that there can be such an unbounded face.
+/// Checks that the structure can have this unbounded face.
 fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     if !parts.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));
@@ -111,7 +110,7 @@ fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> 
     }
 }
 
-/// Checks that it lies on a sphere, in one piece where nothing tells how pieces would lie.
+/// Checks that the structure lies on a sphere, and is connected if nothing says how components nest.
 fn check_surface(report: &Report, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     let counts = report.counts();
     match (counts.genus, counts.components) {
@@ -123,7 +122,7 @@ fn check_surface(report: &Report, parts: Parts, outside: Outside) -> Result<(), 
     }
 }
 
-/// Checks that there is one border, or other outside cycle, for each component.
+/// Checks that each component has exactly one border or other outside cycle.
 fn check_borders(report: &Report, borders: usize) -> Result<(), ImportError> {
     let counts = report.counts();
     let components = counts.components.unwrap_or(0).saturating_sub(counts.isolated_vertices);
@@ -134,7 +133,6 @@ fn check_borders(report: &Report, borders: usize) -> Result<(), ImportError> {
     }
 }
 
-/// The keys of the records with these numbers.
 pub(super) fn keys(dcel: &Dcel, numbers: &Numbers) -> Keys {
     // Slot 0 of each kind is vacant, and so is the first pair of half-edges.
     fn all<K>(numbers: &[u32], key: impl Fn(usize) -> Option<K>) -> Vec<Option<K>> {

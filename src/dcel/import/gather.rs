@@ -1,6 +1,6 @@
-//! Reading a view into columns.
+//! Reads a view into columns.
 //!
-//! The view has been validated, but it is not trusted: a link that leads nowhere or a cycle that does not close is
+//! The view has been validated, but is not trusted: a link that leads nowhere or a cycle that does not close is
 //! [`ImportError::Inconsistent`], and no loop is longer than the structure.
 
 use super::error::ImportError;
@@ -12,10 +12,10 @@ use crate::validate::{Expectation, Link, Part, Parts, Start, View};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// A vertex of which it is not yet known whether it is isolated.
+/// A vertex that may turn out to be isolated.
 const UNKNOWN: VertexLink<u32, u32> = VertexLink::Isolated(NIL);
 
-/// By index in the view, the number in the columns; [`NIL`] for vacant slots.
+/// The number in the columns by index in the view; [`NIL`] for vacant slots.
 #[derive(Default)]
 pub(super) struct Numbers {
     pub(super) vertices: Vec<u32>,
@@ -24,7 +24,6 @@ pub(super) struct Numbers {
     pub(super) faces: Vec<u32>,
 }
 
-/// A structure in columns.
 #[derive(Default)]
 pub(super) struct Columns {
     vertices: Vec<VertexLink<u32, u32>>,
@@ -49,7 +48,6 @@ impl Columns {
         }
     }
 
-    /// Adds a boundary component that is the cycle of this half-edge.
     fn add_cycle(&mut self, start: u32) -> Result<u32, ImportError> {
         let b = number(self.starts.len(), RecordKind::Boundary)?;
         self.starts.push(BoundaryStart::HalfEdge(start));
@@ -57,7 +55,7 @@ impl Columns {
         loop {
             let label = &mut self.boundary[h as usize];
             if *label != NIL {
-                // Another cycle runs into this one, or this one has been listed before.
+                // Another cycle runs into this one, or this one is listed already.
                 return Err(ImportError::Inconsistent);
             }
             *label = b;
@@ -68,7 +66,6 @@ impl Columns {
         }
     }
 
-    /// Adds a boundary component that is this isolated vertex.
     fn add_isolated(&mut self, v: u32) -> Result<u32, ImportError> {
         let b = number(self.starts.len(), RecordKind::Boundary)?;
         self.starts.push(BoundaryStart::Vertex(v));
@@ -86,18 +83,16 @@ impl Columns {
     }
 }
 
-/// A number for the next record of a kind.
+/// Checks that a record can have this number.
 fn number(count: usize, kind: RecordKind) -> Result<u32, ImportError> {
     u32::try_from(count).ok().filter(|n| *n < NIL).ok_or(ImportError::Full(kind))
 }
 
-/// The number of the record to which a link leads.
 fn follow(link: Link, numbers: &[u32]) -> Result<u32, ImportError> {
     let found = link.and_then(|i| numbers.get(i)).copied();
     found.filter(|n| *n != NIL).ok_or(ImportError::Inconsistent)
 }
 
-/// A number for each live slot.
 fn enumerate(
     slots: usize,
     kind: RecordKind,
@@ -113,21 +108,19 @@ fn enumerate(
     Ok((numbers, count))
 }
 
-/// A view while it is read.
 pub(super) struct Gather<'a, V: ?Sized> {
     view: &'a V,
     expectation: Expectation,
-    /// The parts that are looked at.
     parts: Parts,
     outside: Outside,
     numbers: Numbers,
     columns: Columns,
-    /// The index in the view of the face that becomes the unbounded one.
+    /// The index in the view of the future unbounded face.
     unbounded: Option<usize>,
 }
 
 impl<'a, V: View + ?Sized> Gather<'a, V> {
-    /// Reads a view that has been found valid, and of which this becomes the unbounded face. O(n).
+    /// Reads a valid view, whose `outside` becomes the unbounded face. O(n).
     pub(super) fn read(
         view: &'a V,
         expectation: Expectation,
@@ -159,7 +152,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// Numbers the half-edges, the two of an edge side by side. Gives those without twin.
+    /// Numbers the half-edges, the two of an edge adjacent. Returns those without a twin.
     fn half_edges(&mut self) -> Result<Vec<u32>, ImportError> {
         let slots = self.view.half_edge_slots();
         number(slots, RecordKind::Edge)?;
@@ -194,7 +187,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// Gives a twin to each half-edge that has none. They follow each other along the border, the other way round.
+    /// Makes the missing twins. They follow each other along the border, in the opposite direction.
     fn missing_twins(&mut self, unpaired: &[u32]) -> Result<(), ImportError> {
         if unpaired.is_empty() {
             return Ok(());
@@ -216,7 +209,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// Gives each vertex that has one a leaving half-edge: that which it names, if it does.
+    /// Sets a leaving half-edge of each vertex, if it has one; a half-edge named by the vertex takes precedence.
     fn leaving(&mut self) -> Result<(), ImportError> {
         for (h, v) in self.columns.origin.iter().enumerate().rev() {
             self.columns.vertices[*v as usize] = VertexLink::Leaving(h as u32);
@@ -234,7 +227,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// Numbers the faces, the unbounded one first.
+    /// Numbers the faces, the unbounded face first.
     fn faces(&mut self) -> Result<(), ImportError> {
         let (mut numbers, count) = enumerate(self.view.face_slots(), RecordKind::Face, |f| self.view.is_face(f))?;
         self.unbounded = match self.outside {
@@ -250,7 +243,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         };
         if let Some(unbounded) = self.unbounded {
             let first = follow(Some(unbounded), &numbers)?;
-            // It goes to the front, those before it move on by one.
+            // Moves it to the front, and the faces before it back by one.
             numbers.iter_mut().filter(|n| **n < first).for_each(|n| *n += 1);
             numbers[unbounded] = 0;
             self.columns.outer = vec![NIL; count - 1];
@@ -263,7 +256,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// The boundary components, where they are records.
+    /// Reads the boundary components of a view that stores them as records.
     fn boundary_records(&mut self) -> Result<(), ImportError> {
         let (numbers, _) = enumerate(self.view.boundary_slots(), RecordKind::Boundary, |b| self.view.is_boundary(b))?;
         for (b, n) in numbers.iter().enumerate().filter(|(_, n)| **n != NIL) {
@@ -280,7 +273,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         }
         for (h, n) in self.numbers.half_edges.iter().enumerate().filter(|(_, n)| **n != NIL) {
             match self.view.boundary(h) {
-                // It lies on a border.
+                // On a border.
                 None => {}
                 link => self.columns.boundary[*n as usize] = follow(link, &numbers)?,
             }
@@ -302,7 +295,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// The boundary components, where faces keep a half-edge or a vertex of each.
+    /// Reads the boundary components of a view whose faces list a half-edge or a vertex of each.
     fn listed_starts(&mut self) -> Result<(), ImportError> {
         for f in 0..self.numbers.faces.len() {
             if self.numbers.faces[f] == NIL {
@@ -328,7 +321,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         if self.parts.has(Part::Holes) { self.view.inner_count(f) } else { 0 }
     }
 
-    /// Lists the outer boundary component of a face of the view. That of the new unbounded face becomes an inner one.
+    /// Lists the outer boundary component of a face of the view. For the new unbounded face it becomes an inner one.
     fn list_outer(&mut self, f: usize, b: u32) {
         match (self.numbers.faces[f] as usize).checked_sub(1) {
             Some(bounded) => self.columns.outer[bounded] = b,
@@ -337,7 +330,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
     }
 
     fn list_inner(&mut self, f: usize, b: u32) -> Result<(), ImportError> {
-        // Each boundary component is listed once, so a longer list has been changed while it was read.
+        // Each boundary component is listed once, so a longer list means that the view changed.
         if self.columns.inner.len() >= self.columns.starts.len() {
             return Err(ImportError::Inconsistent);
         }
@@ -349,7 +342,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         if self.columns.outer.contains(&NIL) { Err(ImportError::Inconsistent) } else { Ok(()) }
     }
 
-    /// Lists the cycles that bound no face so far: they bound the unbounded one.
+    /// Lists the cycles that bound no face so far as boundaries of the unbounded face.
     fn borders(&mut self) -> Result<(), ImportError> {
         for h in 0..self.columns.boundary.len() {
             if self.columns.boundary[h] != NIL {
@@ -364,7 +357,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// Lists the isolated vertices that lie in no face so far: they lie in the unbounded one.
+    /// Lists the isolated vertices that lie in no face so far in the unbounded face.
     fn isolated(&mut self) -> Result<(), ImportError> {
         for v in 0..self.columns.vertices.len() {
             if self.columns.vertices[v] == UNKNOWN {
@@ -380,7 +373,8 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
 }
 
 impl Columns {
-    /// Returns the number of inner boundary components that are cycles: one for each component with an edge, if all is well.
+    /// Returns the number of inner boundary components that are cycles: in a valid structure, the number of components with
+    /// an edge.
     pub(super) fn outside_cycles(&self) -> usize {
         let is_cycle = |b: u32| matches!(self.starts[b as usize], BoundaryStart::HalfEdge(_));
         self.inner.iter().filter(|(_, b)| is_cycle(*b)).count()

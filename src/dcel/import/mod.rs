@@ -1,4 +1,4 @@
-//! Bringing in a structure that exists already.
+//! Imports existing structures.
 
 mod error;
 mod faces;

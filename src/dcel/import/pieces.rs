@@ -1,4 +1,4 @@
-//! The components of a structure in columns, found by walks around its vertices.
+//! The components of a structure in columns, found by walking around its vertices.
 
 use crate::slots::NIL;
 use crate::store::BoundaryStart;
@@ -7,18 +7,17 @@ use alloc::vec::Vec;
 
 /// The components of a structure whose half-edges have the numbers `2e` and `2e + 1`.
 pub(in crate::dcel) struct Pieces {
-    /// By vertex: its component. They are numbered in the order of their first vertices.
+    /// By vertex: its component. Components are numbered in the order of their first vertices.
     pub(in crate::dcel) of: Vec<u32>,
-    /// By component: its first vertex.
     pub(in crate::dcel) first: Vec<u32>,
-    /// The number of half-edges that the walks visited: fewer than there are if a vertex has several rotations.
+    /// The number of half-edges visited: smaller than the number of half-edges if a vertex has several rotations.
     pub(super) visited: usize,
 }
 
 impl Pieces {
-    /// Reads the columns: by half-edge origin and next, by vertex a half-edge that leaves it, or [`NIL`].
+    /// Finds the components from columns: origin and next by half-edge, and a leaving half-edge (or [`NIL`]) by vertex.
     ///
-    /// `next` is a permutation that keeps rule L3, so that every walk around a vertex returns. O(n).
+    /// `next` must be a permutation that keeps rule L3, so that every walk around a vertex returns. O(n).
     pub(in crate::dcel) fn find(origin: &[u32], next: &[u32], leaving: &[u32]) -> Self {
         let mut pieces = Self { of: vec![NIL; leaving.len()], first: Vec::new(), visited: 0 };
         let mut queue = Vec::new();
@@ -50,8 +49,8 @@ impl Pieces {
         pieces
     }
 
-    /// The genus of each component, where half-edges have these origins and their cycles start at these half-edges:
-    /// `V − E + cycles = 2 − 2g`, where an isolated vertex has one cycle. O(n).
+    /// Returns the genus of each component, given the origins of half-edges and the starts of cycles: `V − E + cycles =
+    /// 2 − 2g`, where an isolated vertex has one cycle. O(n).
     pub(super) fn genera(&self, origin: &[u32], starts: &[BoundaryStart<u32, u32>]) -> Vec<usize> {
         let mut edges = vec![0_usize; self.first.len()];
         for v in origin.iter().step_by(2) {

@@ -1,4 +1,4 @@
-//! From a rotation system to a [`Dcel`].
+//! Builds a [`Dcel`] from a rotation system.
 
 use super::from_view::keys;
 use super::gather::Numbers;
@@ -13,14 +13,13 @@ use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// The place of a component of a rotation system in the plane, which [`Dcel::from_rotations`] cannot know.
+/// The position of a component of a rotation system in the plane, which [`Dcel::from_rotations`] cannot infer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Placement {
-    /// The corner that looks to the outside of the component: a dart with it to its left, or the isolated vertex that the
-    /// component is.
+    /// The corner facing the outside of the component: a dart with the outside to its left, or the component's isolated vertex.
     pub outside: Corner<u32, u32>,
-    /// A dart of another component with the face to its left in which this component lies. None for the unbounded face.
-    /// If that is the outside of the other component, this one lies beside it.
+    /// A dart of another component, with this component in the face to its left; `None` for the unbounded face. If that face is
+    /// the outside of the other component, the two lie side by side.
     pub within: Option<u32>,
 }
 
@@ -28,7 +27,7 @@ pub struct Placement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum RotationsError {
-    /// A vertex lists a dart whose number is not below the number of darts.
+    /// A vertex lists a dart whose number is too large.
     #[error("vertex {vertex} lists dart {dart}, but {darts} darts are listed, counted from 0")]
     NoSuchDart {
         /// The vertex.
@@ -60,7 +59,7 @@ pub enum RotationsError {
         /// Its genus.
         genus: usize,
     },
-    /// A placement names a dart or an isolated vertex that there is not.
+    /// A placement names a dart or an isolated vertex that does not exist.
     #[error("placement {placement} names {corner:?}, which is not there")]
     NoSuchCorner {
         /// The placement, by its position.
@@ -68,16 +67,16 @@ pub enum RotationsError {
         /// The corner that it names.
         corner: Corner<u32, u32>,
     },
-    /// Two placements are of the same component.
+    /// Two placements name the same component.
     #[error("placements {} and {} are of the same component", .placements[0], .placements[1])]
     PlacedTwice {
         /// The placements, by their positions.
         placements: [usize; 2],
     },
-    /// A component lies inside itself, as the placements say, maybe through others.
+    /// By the placements, a component lies inside itself, directly or through others.
     #[error("the component of placement {placement} lies inside itself")]
     InsideItself {
-        /// One of the placements that say so, by its position.
+        /// The position of one of these placements.
         placement: usize,
     },
     /// There are more records of this kind than a [`Dcel`] can hold.
@@ -88,9 +87,9 @@ pub enum RotationsError {
 impl Dcel {
     /// Builds the structure in which each vertex has this rotation: the darts that leave it, counter-clockwise.
     ///
-    /// A *dart* is the number of a half-edge. The two of an edge have the numbers `2e` and `2e + 1`, and each number below the
-    /// number of half-edges is listed once. A vertex without darts is isolated. Loops and parallel edges are accepted. The
-    /// faces are traced: the half-edge that follows a dart is the one clockwise from its twin.
+    /// A *dart* is the number of a half-edge. The half-edges of an edge have the numbers `2e` and `2e + 1`, and each number
+    /// below the number of half-edges is listed once. A vertex without darts is isolated. Loops and parallel edges are
+    /// accepted. Faces are traced: a dart is followed by the dart clockwise from its twin.
     ///
     /// ```text
     ///           2
@@ -101,18 +100,18 @@ impl Dcel {
     ///       0 ─►   ◄─ 1        dart 0 goes from 0 to 1, dart 1 back, …
     /// ```
     ///
-    /// A rotation system does not say which of its faces is the unbounded one, nor in which faces its components lie. For that
-    /// there are [`Placement`]s, one for a component. A component without placement lies in the unbounded face, and its outside
-    /// is the face to the left of its dart with the smallest number.
+    /// A rotation system does not determine the unbounded face, nor the faces in which its components lie. [`Placement`]s do,
+    /// at most one for each component. A component without a placement lies in the unbounded face, and its outside is the face
+    /// to the left of its smallest dart.
     ///
-    /// The keys are those by number of vertices, and of half-edges by dart. A dart has the index of its number plus 2. There
-    /// are no keys of faces by number: `map.half_edge(key)?.face()` is the face to the left of a dart.
+    /// The returned keys are indexed by number of vertex, and for half-edges by dart. The index of a dart is its number plus 2.
+    /// Faces have no numbers: `map.half_edge(key)?.face()` is the face to the left of a dart.
     ///
-    /// O(n) time and memory for n vertices, darts and placements. Nothing has to be validated afterwards.
+    /// O(n) time and memory for n vertices, darts and placements. The result needs no validation.
     ///
     /// # Errors
     /// [`RotationsError::NoSuchDart`], [`RotationsError::RepeatedDart`] and [`RotationsError::Unpaired`] for darts;
-    /// [`RotationsError::Genus`] for the first component that is not plane; [`RotationsError::NoSuchCorner`],
+    /// [`RotationsError::Genus`] for the first non-planar component; [`RotationsError::NoSuchCorner`],
     /// [`RotationsError::PlacedTwice`] and [`RotationsError::InsideItself`] for placements; [`RotationsError::Full`].
     ///
     /// ```
@@ -145,12 +144,11 @@ impl Dcel {
     }
 }
 
-/// A rotation system in columns.
 struct System {
     /// By dart.
     origin: Vec<u32>,
     next: Vec<u32>,
-    /// By vertex: a dart that leaves it, or nil.
+    /// By vertex: a leaving dart, or nil.
     leaving: Vec<u32>,
 }
 
@@ -180,7 +178,7 @@ impl System {
                 if before != NIL {
                     return Err(RotationsError::RepeatedDart { dart, vertices: [before as usize, vertex] });
                 }
-                // The last dart of an odd number has its twin's place at the end.
+                // With an odd number of darts, the place of the last dart's missing twin is at the end.
                 system.next[dart as usize ^ 1] = clockwise.replace(dart).unwrap_or(dart);
             }
         }
@@ -207,7 +205,7 @@ impl System {
         }
         let mut vertices: Vec<VertexLink<u32, u32>> = self.leaving.iter().copied().map(VertexLink::Leaving).collect();
         let mut inner = Vec::with_capacity(pieces.first.len());
-        // Those in which others lie come first, so their faces are known.
+        // Components that contain others come first, so their faces are known.
         for piece in placed.order.iter().copied() {
             let within = placed.within[piece as usize];
             let face = if within == NIL { 0 } else { face_of[boundary[within as usize] as usize] };
@@ -243,13 +241,12 @@ impl System {
     }
 }
 
-/// The place of each component.
 struct Nesting {
     /// By component: a dart with its outside to the left; nil for an isolated vertex.
     outside: Vec<u32>,
-    /// By component: a dart with the face to its left in which it lies; nil for the unbounded face.
+    /// By component: a dart with this component in the face to its left; nil for the unbounded face.
     within: Vec<u32>,
-    /// All components, those in which others lie before these.
+    /// All components, each before the components inside it.
     order: Vec<u32>,
 }
 
@@ -288,7 +285,7 @@ impl Nesting {
         Ok(placed)
     }
 
-    /// Finds the order: from each component up to one that has its place already, then down again.
+    /// Finds the order: walks from each component outwards to one with a known place, then back.
     fn sort(&mut self, by: &[u32], piece_of: impl Fn(u32) -> u32) -> Result<(), RotationsError> {
         #[derive(Clone, Copy, PartialEq, Eq)]
         enum State {

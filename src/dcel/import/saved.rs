@@ -1,4 +1,4 @@
-//! Structures as serde saves and loads them.
+//! The serde form of structures.
 
 use super::error::ImportError;
 use super::from_view::import;
@@ -15,17 +15,17 @@ use alloc::vec::Vec;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// The number of the form that is written here.
+/// The version of the saved form.
 const FORM: u8 = 1;
 
-/// The saved form of a structure: the generations of all slots, and the links of the live records in order of their slots, as
-/// slots.
+/// The saved form of a structure: the generations of all slots, and the links (as slots) of the live records in order of
+/// their slots.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Saved {
     form: u8,
     generations: Generations,
-    /// By vertex; none if it is isolated.
+    /// By vertex; `None` if isolated.
     leaving: Vec<Option<u32>>,
     /// By half-edge.
     origin: Vec<u32>,
@@ -45,8 +45,8 @@ enum SavedStart {
     Vertex(u32),
 }
 
-/// The keys are kept: data that is saved beside the structure by key, in a [`SecondaryMap`](crate::dcel::SecondaryMap) say,
-/// finds its records again, and keys that are stale stay so.
+/// Keys survive: data saved alongside by key, for example in a [`SecondaryMap`](crate::dcel::SecondaryMap), still refers to
+/// the same records, and stale keys stay stale.
 ///
 /// ```
 /// use twinedge::dcel::{Dcel, SecondaryMap};
@@ -88,7 +88,7 @@ impl Serialize for Dcel {
     }
 }
 
-/// Validated as by [`Dcel::from_view`]: what is not a planar subdivision is an error that contains the report.
+/// Validates as [`Dcel::from_view`] does: a structure that is not a planar subdivision is an error containing the report.
 impl<'de> Deserialize<'de> for Dcel {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let saved = Saved::deserialize(deserializer)?;
@@ -106,7 +106,6 @@ impl<'de> Deserialize<'de> for Dcel {
     }
 }
 
-/// The slots that are live, by the numbers of their records.
 fn live(numbers: &Numbers) -> Live {
     fn slots(numbers: &[u32]) -> Vec<u32> {
         let count = numbers.iter().filter(|n| **n != NIL).count();
@@ -124,7 +123,7 @@ fn live(numbers: &Numbers) -> Live {
     }
 }
 
-/// A row for each slot, empty where it is vacant. None if there are more or fewer rows than live slots.
+/// Returns a row for each slot, empty for vacant slots; `None` unless there is one row per live slot.
 fn rows<R>(generations: &[u32], rows: impl IntoIterator<Item = R>) -> Option<Vec<Option<R>>> {
     let mut rows = rows.into_iter();
     let mut table = Vec::with_capacity(generations.len());
@@ -135,7 +134,7 @@ fn rows<R>(generations: &[u32], rows: impl IntoIterator<Item = R>) -> Option<Vec
 }
 
 impl Saved {
-    /// The table that the columns make, right or wrong. None if the columns do not fit each other.
+    /// Builds the table of the columns, valid or not; `None` if the lengths of the columns do not match.
     fn table(&self) -> Option<Table> {
         let Generations { vertices, edges, boundaries, faces, .. } = &self.generations;
         let half_edges: Vec<u32> = edges.iter().flat_map(|generation| [*generation; 2]).collect();
@@ -190,7 +189,7 @@ impl Saved {
         Some(table)
     }
 
-    /// Fills in the lists of the faces, and of each boundary component where it is first listed.
+    /// Fills in the lists of the faces, and the face of each boundary component where it is first listed.
     fn lists(&self, table: &mut Table) -> Option<()> {
         let mut inner = self.inner.iter();
         for (f, row) in table.faces.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Code shared by operators: from keys to slots, checks for room, and the lists of faces.
+//! Code shared by operators: resolving keys, checking room, and listing boundary components.
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
@@ -17,7 +17,7 @@ impl Dcel {
         self.store.find_face(key).ok_or(OperatorError::Stale(StaleKey::Face(key)))
     }
 
-    /// Checks that there is room for so many more records. O(1).
+    /// Checks that there is room for these records. O(1).
     ///
     /// # Errors
     /// [`OperatorError::Full`], with the kind of record for which there is no room.
@@ -25,12 +25,10 @@ impl Dcel {
         self.store.room_for(need).map_err(OperatorError::Full)
     }
 
-    /// True if `b` is the outer boundary component of its face.
     pub(super) fn is_outer(&self, b: BoundarySlot) -> bool {
         self.store.place(b) == OUTER
     }
 
-    /// Lists `b` in `f` as the outer or as an inner boundary component.
     pub(super) fn list(&mut self, f: FaceSlot, b: BoundarySlot, outer: bool) {
         if outer {
             self.store.list_outer(f, b);

@@ -17,15 +17,14 @@ pub enum Side {
     Right,
 }
 
-/// Choices that topology leaves open when [`Dcel::connect`] splits a face. Ignored for a bridge, though stale keys are still
-/// an error.
+/// Options of [`Dcel::connect`] for splitting a face. A bridge ignores them, but stale keys are still errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Split<'a> {
-    /// On which side of the new edge the new face lies. The face that was there keeps the other side.
+    /// The side of the new edge on which the new face lies. The old face keeps the other side.
     ///
-    /// If the cycle that is split is an inner one, the new face is what becomes enclosed.
+    /// If an inner cycle is split, the new face is the enclosed part.
     pub new_face: Side,
-    /// The inner boundary components of the old face that go to the new one.
+    /// The inner boundary components of the old face that move to the new one.
     pub inner: &'a [BoundaryKey],
 }
 
@@ -35,17 +34,16 @@ pub struct Split<'a> {
 pub enum Connection {
     /// Two boundary components became one.
     Bridge {
-        /// The one that has all half-edges now: the longer of the two, or that of the second corner if both are equally long.
+        /// The component of all half-edges now: the longer of the two, or the second corner's if they are equally long.
         kept: BoundaryKey,
-        /// The one that was removed.
+        /// The removed component.
         dropped: BoundaryKey,
     },
     /// One cycle became two, and one face two.
     Split {
-        /// The boundary component that was split. It has the longer of the two cycles, or the left one if both are equally
-        /// long.
+        /// The split boundary component. It keeps the longer of the two cycles, or the left one if they are equally long.
         kept: BoundaryKey,
-        /// The new boundary component, of the other cycle.
+        /// The new boundary component, with the other cycle.
         made: BoundaryKey,
         /// The new face.
         face: FaceKey,
@@ -62,7 +60,7 @@ pub struct Connected {
 }
 
 impl Connected {
-    /// The new face, if one was split.
+    /// Returns the new face, if a face was split.
     #[must_use]
     pub const fn new_face(&self) -> Option<FaceKey> {
         match self.connection {
@@ -75,22 +73,22 @@ impl Connected {
 impl Dcel {
     /// Connects two corners of one face by a new edge.
     ///
-    /// If the corners lie on different boundary components, the edge is a bridge and makes one of the two. If they lie on the
-    /// same one, the edge splits the face.
+    /// If the corners lie on different boundary components, the edge is a bridge that joins them. If they lie on the same
+    /// component, the edge splits the face.
     ///
     #[doc = include_str!("../pictures/connect.svg")]
     ///
-    /// Two equal corners give a loop. The cycle that was there goes on to the left of the new half-edge, and to the right there
-    /// is nothing but the loop. [`Split::new_face`] says as usual which side is the new face.
+    /// Equal corners yield a loop. The old cycle continues to the left of the new half-edge, and the loop alone lies to the
+    /// right. [`Split::new_face`] still chooses the side of the new face.
     ///
-    /// O(length of the shorter of the two cycles + boundary components that go to the new face): both sides are walked in
-    /// step, and only the shorter is relabelled. O(1) to or from an isolated vertex.
+    /// O(length of the shorter cycle + boundary components moved to the new face): both sides are walked in step, and only the
+    /// shorter one is relabelled. O(1) to or from an isolated vertex.
     ///
     /// Inverse: [`Dcel::remove_edge`].
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] for a
-    /// component to be moved that is not another inner one of the face; [`OperatorError::Full`].
+    /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] if a component
+    /// to be moved is not another inner one of the face; [`OperatorError::Full`].
     ///
     /// ```
     /// use twinedge::dcel::{Connection, Dcel, Side, Split};
@@ -120,7 +118,7 @@ impl Dcel {
         let (from, to) = (self.checked_corner(from.into())?, self.checked_corner(to.into())?);
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
         let (fa, fb) = (self.store.face(ba), self.store.face(bb));
-        // A bridge ignores these, but a stale key is an error in any case.
+        // A bridge ignores these, but a stale key is still an error.
         let mut not_inner = None;
         for key in split.inner {
             let b = self.store.find_boundary(*key).ok_or(StaleKey::Boundary(*key))?;
@@ -148,8 +146,8 @@ impl Dcel {
         Ok(self.split_face(from, to, split))
     }
 
-    /// Puts a new edge between two corners, which are not the same unless it is that of an isolated vertex or a loop, and
-    /// gives the half-edge from the first to the second. The caller sets its boundary component.
+    /// Makes an edge between two corners, which may be equal, and returns the half-edge from the first to the second. The
+    /// caller sets its boundary component.
     fn attach(&mut self, from: CheckedCorner, to: CheckedCorner) -> HalfEdgeSlot {
         let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
         let n = self.store.add_edge(va, vb, from.boundary(&self.store));
@@ -166,7 +164,7 @@ impl Dcel {
                 self.store.join(t, t);
             }
             _ => {
-                // A new edge is next and prev of itself, which is right at an isolated vertex.
+                // A new edge is its own next and prev, as required at an isolated vertex.
                 let before = |corner| match corner {
                     CheckedCorner::At(h) => Some((self.store.prev(h), h)),
                     CheckedCorner::Isolated(..) => None,
@@ -196,7 +194,6 @@ impl Dcel {
             CheckedCorner::At(h) => Some(h),
             CheckedCorner::Isolated(..) => None,
         };
-        // At an isolated vertex there is nothing to walk.
         let (sa, sb) = (stretch(from), stretch(to));
         let shorter = match (sa, sb) {
             (Some(a), Some(b)) => self.shorter_or_first((a, a), (b, b)),
@@ -234,7 +231,7 @@ impl Dcel {
         Connected { half_edge: self.store.half_edge_key(n), connection }
     }
 
-    /// The shorter of two whole cycles, the first if both are equally long. O(shorter).
+    /// Returns the shorter of two whole cycles, the first if they are equally long. O(shorter).
     fn shorter_or_first(&self, a: (HalfEdgeSlot, HalfEdgeSlot), b: (HalfEdgeSlot, HalfEdgeSlot)) -> OneOfTwo {
         match self.shorter_or_second((Some(b.0), b.1), (Some(a.0), a.1)) {
             OneOfTwo::First => OneOfTwo::Second,
@@ -270,7 +267,7 @@ impl Dcel {
         self.list(f, of_old, was_outer);
         for key in split.inner {
             let named = self.store.find_boundary(*key);
-            // One that is named twice has moved already.
+            // A component named twice has moved already.
             if let Some(b) = named.filter(|b| self.store.face(*b) != g) {
                 self.store.unlist(b);
                 self.store.list_inner(g, b);

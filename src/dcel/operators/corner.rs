@@ -1,4 +1,4 @@
-//! Corners: where an edge can be attached.
+//! Corners: the places where edges attach.
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
@@ -13,9 +13,9 @@ use crate::store::{BoundarySlot, HalfEdgeKey, HalfEdgeSlot, Store, VertexKey, Ve
 ///           v ──────► h
 /// ```
 ///
-/// Keys convert: a half-edge stands for the corner at its origin, an isolated vertex for its only one.
+/// Keys convert: a half-edge stands for the corner at its origin, an isolated vertex for its only corner.
 ///
-/// It is generic because programs of operators name corners of any structure, by its own handles.
+/// The type is generic because programs name corners of any structure by its own handles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Corner<H = HalfEdgeKey, V = VertexKey> {
@@ -37,7 +37,6 @@ impl From<VertexKey> for Corner {
     }
 }
 
-/// A corner whose key has been checked.
 #[derive(Clone, Copy)]
 pub(super) enum CheckedCorner {
     At(HalfEdgeSlot),

@@ -1,21 +1,21 @@
-//! Turning an edge inside the two faces that it separates.
+//! Turns an edge inside the two faces that it separates.
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryStart, HalfEdgeKey, HalfEdgeSlot, VertexLink};
 
-/// The sense in which an edge is turned.
+/// The direction in which an edge turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
     /// Each end moves to the next vertex counter-clockwise, as seen from the middle of the edge.
     CounterClockwise,
-    /// The other way.
+    /// Each end moves to the next vertex clockwise.
     Clockwise,
 }
 
 impl Turn {
-    /// The other sense.
+    /// Returns the opposite direction.
     #[must_use]
     pub const fn reversed(self) -> Self {
         match self {
@@ -26,14 +26,14 @@ impl Turn {
 }
 
 impl Dcel {
-    /// Turns an edge one step: each of its ends moves to the next vertex along the boundary of the two faces that it
-    /// separates. In a triangulation this is the flip of a diagonal.
+    /// Turns an edge one step: each end moves to the next vertex along the boundary of the two faces that the edge
+    /// separates. In a triangulation this flips a diagonal.
     ///
     #[doc = include_str!("../pictures/flip_edge.svg")]
     ///
-    /// A loop that is alone on the boundary of one face slides along the boundary of the face on its other side. O(1).
+    /// A loop that alone bounds one face slides along the boundary of the face on its other side. O(1).
     ///
-    /// Inverse: the same with [`Turn::reversed`].
+    /// Inverse: `flip_edge` with [`Turn::reversed`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::NotSeparating`] if both sides of the edge lie on the same boundary component.
@@ -91,7 +91,7 @@ impl Dcel {
         Ok(())
     }
 
-    /// Gives the origin of `h` the half-edge that leaves it clockwise of `h`.
+    /// Sets the leaving half-edge of the origin of `h` to the one clockwise of `h`.
     fn release_end(&mut self, h: HalfEdgeSlot) {
         let other = self.store.next(self.store.twin(h));
         self.store.set_vertex_link(self.store.origin(h), VertexLink::Leaving(other));
@@ -137,7 +137,7 @@ impl Dcel {
         self.store.set_boundary(y, bx);
     }
 
-    /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
+    /// Slides a loop, which alone forms the cycle on the side of `lone`, along the cycle on the side of `t`.
     fn slide(&mut self, lone: HalfEdgeSlot, t: HalfEdgeSlot, turn: Turn) -> Result<(), OperatorError> {
         let (before, after) = (self.store.prev(t), self.store.next(t));
         if self.has_attributes() {

@@ -1,4 +1,5 @@
-//! The values of attributes, which follow operators: what each announces before it writes anything, and what it has made then.
+//! Attribute values that follow operators: each operator announces its steps before writing, and settles the new records
+//! afterwards.
 
 use super::corner::CheckedCorner;
 use super::flip::Turn;
@@ -12,16 +13,14 @@ use slotmap::{Key, KeyData};
 
 type Steps = Vec<(Kind, Step)>;
 
-/// An edge by its key, and its half-edges by theirs.
 #[derive(Clone, Copy)]
 struct EdgeData {
     edge: KeyData,
-    /// The half-edge that is meant, and its twin.
+    /// The given half-edge and its twin.
     sides: [KeyData; 2],
 }
 
 impl Dcel {
-    /// True if there are attributes.
     #[inline]
     pub(in crate::dcel) fn has_attributes(&self) -> bool {
         self.store.attributes().is_some()
@@ -72,7 +71,7 @@ impl Dcel {
         self.announce(&[(Kind::Vertex, Step::Drop(self.vertex_data(v)))])
     }
 
-    /// The edge splits a face or not.
+    /// `split` is the face that the edge splits, if any.
     #[cold]
     pub(super) fn announce_connected(
         &mut self,
@@ -94,7 +93,7 @@ impl Dcel {
         self.settle(&made);
     }
 
-    /// The step that makes a corner at which an edge begins.
+    /// The step for a new corner next to an existing one.
     fn corner_made(&self, corner: CheckedCorner) -> Step {
         match corner {
             CheckedCorner::At(h) => Step::Split(self.half_edge_data(h)),
@@ -102,13 +101,12 @@ impl Dcel {
         }
     }
 
-    /// An edge, its half-edges, and the corners of these.
     fn made_edge(&self, n: HalfEdgeSlot) -> Vec<(Kind, KeyData)> {
         let EdgeData { edge, sides: [n, t] } = self.edge_data(n);
         [(Kind::Edge, edge), (Kind::HalfEdge, n), (Kind::HalfEdge, t), (Kind::Corner, n), (Kind::Corner, t)].into()
     }
 
-    /// Two faces become one, the first of them, or not.
+    /// `merged` are the faces that merge, the surviving one first.
     #[cold]
     pub(super) fn announce_removed(
         &mut self,
@@ -117,7 +115,7 @@ impl Dcel {
     ) -> Result<(), OperatorError> {
         let t = self.store.twin(n);
         let mut steps = self.edge_dropped(n);
-        // Each corner becomes part of the next one clockwise. If that goes too, it comes later.
+        // Each corner merges into the next one clockwise. If that one is also removed, it comes later.
         let sides = if self.store.next(n) == n { [t, n] } else { [n, t] };
         let mut gone = None;
         for h in sides {
@@ -130,7 +128,7 @@ impl Dcel {
         self.announce(&steps)
     }
 
-    /// The corner of a half-edge becomes part of another one, if there is one.
+    /// The step that merges the corner of a half-edge into another one, or drops it.
     fn corner_joined(&self, h: HalfEdgeSlot, other: Option<HalfEdgeSlot>) -> Step {
         let gone = self.half_edge_data(h);
         other.map_or(Step::Drop(gone), |other| Step::Merge(self.half_edge_data(other), gone))
@@ -150,7 +148,7 @@ impl Dcel {
             (Kind::HalfEdge, Step::Split(of_h)),
             (Kind::HalfEdge, Step::Split(of_t)),
             (Kind::Vertex, Step::Between(a, b)),
-            // The twin leaves the new vertex, and the new half-edge of its side takes over its corner.
+            // The twin leaves the new vertex, and the new half-edge on its side takes over its corner.
             (Kind::Corner, Step::Move(of_t)),
             (Kind::Corner, Step::Make),
             (Kind::Corner, Step::Make),
@@ -197,7 +195,7 @@ impl Dcel {
     ) -> Result<(), OperatorError> {
         let mut steps = edge_made();
         steps.push((Kind::Vertex, Step::Split(self.vertex_data(v))));
-        // That of the new half-edge, and that of its twin. The latter is a leaf's if the corners are the same.
+        // The corners of the new half-edge and of its twin. The twin is at a leaf if the given corners are equal.
         let [from, to] = corners.map(|corner| self.corner_made(corner));
         let is_leaf = matches!(corners, [CheckedCorner::At(a), CheckedCorner::At(b)] if a == b);
         steps.extend([(Kind::Corner, to), (Kind::Corner, if is_leaf { Step::Make } else { from })]);
@@ -220,7 +218,7 @@ impl Dcel {
         let t = self.store.twin(n);
         let mut steps = self.edge_dropped(n);
         steps.push((Kind::Vertex, Step::Merge(self.vertex_data(kept), self.vertex_data(dropped))));
-        // The corners on either side of the edge, at its two ends, become one.
+        // At both ends, the corners on either side of the edge merge.
         let sides = if self.store.next(t) == n { [t, n] } else { [n, t] };
         let mut gone = None;
         for h in sides {
@@ -231,13 +229,13 @@ impl Dcel {
         self.announce(&steps)
     }
 
-    /// Both ends of an edge leave their corners, and split off others.
+    /// Both ends of an edge leave their corners and split others.
     #[cold]
     pub(super) fn announce_flipped(&mut self, [n, t]: [HalfEdgeSlot; 2], turn: Turn) -> Result<(), OperatorError> {
         let store = &self.store;
         let [after_n, after_t] = [store.next(n), store.next(t)];
         let entered = match turn {
-            // Beyond the first half-edge of the other side, as it follows without the edge.
+            // Past the first half-edge of the other side, as they follow without the edge.
             Turn::CounterClockwise => [(after_t, t, after_n), (after_n, n, after_t)]
                 .map(|(first, end, beyond)| if store.next(first) == end { beyond } else { store.next(first) }),
             Turn::Clockwise => [store.prev(n), store.prev(t)],
@@ -245,7 +243,7 @@ impl Dcel {
         self.announce_turned(&[[after_t, n], [after_n, t]], &entered)
     }
 
-    /// A loop that is alone on one side leaves its corner, and splits off another one, for both its half-edges.
+    /// A loop alone on one side leaves its corner and splits another one, for both half-edges.
     #[cold]
     pub(super) fn announce_slid(&mut self, [lone, t]: [HalfEdgeSlot; 2], turn: Turn) -> Result<(), OperatorError> {
         let store = &self.store;
@@ -270,7 +268,7 @@ impl Dcel {
         self.settle(&turned.map(|h| (Kind::Corner, self.half_edge_data(h))));
     }
 
-    /// The steps of a structure that loses vertices, by index, and half-edges, likewise. Faces are merged in addition.
+    /// The steps for removing vertices and half-edges, both marked by index. Faces are merged separately.
     #[cold]
     pub(in crate::dcel) fn announce_retained(
         &mut self,
@@ -288,7 +286,7 @@ impl Dcel {
             if index(*h) < index(store.twin(*h)) {
                 steps.extend(self.edge_dropped(*h));
             }
-            // Counter-clockwise from a half-edge that stays, corners become part of its own.
+            // Corners counter-clockwise from a kept half-edge merge into its corner.
             let stays = store.next(store.twin(*h));
             let mut next = *h;
             while !goes[index(stays)] && goes[index(next)] {
@@ -296,7 +294,7 @@ impl Dcel {
                 next = store.twin(store.prev(next));
             }
         }
-        // Those that have become part of another one have no value any more.
+        // Corners merged into others have no value any more.
         steps.extend(gone.iter().map(|h| (Kind::Corner, self.corner_joined(*h, None))));
         let vertices = (0..vertex_goes.len()).filter(|v| vertex_goes[*v]).filter_map(|v| store.vertex_at(v));
         steps.extend(vertices.map(|v| (Kind::Vertex, Step::Drop(self.vertex_data(v)))));
@@ -304,7 +302,6 @@ impl Dcel {
     }
 }
 
-/// An edge that is made, and its half-edges.
 fn edge_made() -> Steps {
     [Kind::Edge, Kind::HalfEdge, Kind::HalfEdge].map(|kind| (kind, Step::Make)).into()
 }

@@ -1,24 +1,24 @@
-//! Adding and removing isolated vertices.
+//! Adds and removes isolated vertices.
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryKey, FaceKey, Room, VertexKey, VertexLink};
 
-/// The records that [`Dcel::add_isolated_vertex`] made.
+/// The records made by [`Dcel::add_isolated_vertex`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct AddedVertex {
     /// The vertex.
     pub vertex: VertexKey,
-    /// The boundary component that it is.
+    /// Its boundary component.
     pub boundary: BoundaryKey,
 }
 
-/// The records that [`Dcel::remove_isolated_vertex`] dropped, and the face that they were in.
+/// The record dropped by [`Dcel::remove_isolated_vertex`], and the face of the vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct RemovedVertex {
-    /// The boundary component that the vertex was.
+    /// The boundary component of the vertex.
     pub boundary: BoundaryKey,
-    /// The face in which it lay.
+    /// The face that contained it.
     pub face: FaceKey,
 }
 

@@ -1,4 +1,4 @@
-//! The operators. Each makes all its checks before it changes anything.
+//! The operators. Each completes all its checks before it changes anything.
 
 mod checked;
 mod connect;

@@ -1,21 +1,21 @@
-//! Moving a hole, or an island, or an isolated vertex, to another face.
+//! Moves a hole, an island or an isolated vertex to another face.
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryKey, BoundaryStart, FaceKey};
 
 impl Dcel {
-    /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.
+    /// Moves an inner boundary component to another face, with its component and everything inside.
     ///
     #[doc = include_str!("../pictures/move_inner.svg")]
     ///
-    /// O(1) for an isolated vertex, and if `face` is the unbounded one. Otherwise O(size of what moves), because `face` must
-    /// not lie inside it, and that takes a search.
+    /// O(1) for an isolated vertex, and if `face` is the unbounded face. Otherwise O(size of the moved part), to check that
+    /// `face` does not lie inside it.
     ///
-    /// Returns the face in which it was. Inverse: moving it back there.
+    /// Returns the previous face. Inverse: moving the component back.
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside what would be moved.
+    /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside the moved part.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, Split};

@@ -1,4 +1,4 @@
-//! Removing an edge.
+//! Removes edges.
 
 use super::walk::OneOfTwo;
 use crate::dcel::error::OperatorError;
@@ -11,25 +11,24 @@ use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlo
 pub enum RemovedEdge {
     /// Two faces became one, and two cycles one.
     Merged {
-        /// The face that has everything now.
+        /// The surviving face.
         kept_face: FaceKey,
-        /// The face that was removed.
+        /// The removed face.
         dropped_face: FaceKey,
         /// The boundary component of the joined cycle.
         kept: BoundaryKey,
-        /// The boundary component that was removed.
+        /// The removed boundary component.
         dropped: BoundaryKey,
     },
     /// One boundary component became two, and one component two.
     Parted {
-        /// The boundary component that was cut. It has the longer of the two parts.
+        /// The old boundary component. It keeps the longer of the two parts.
         kept: BoundaryKey,
-        /// The new boundary component, of the other part.
+        /// The new boundary component, with the other part.
         made: BoundaryKey,
     },
 }
 
-/// The half-edges around the one that is removed.
 struct Neighbourhood<H> {
     n: H,
     t: H,
@@ -40,26 +39,26 @@ struct Neighbourhood<H> {
 }
 
 impl Dcel {
-    /// Removes an edge. Its vertices stay, and those that have no other edge become isolated.
+    /// Removes an edge. Its vertices stay; a vertex without another edge becomes isolated.
     ///
-    /// If the edge separates two faces, they become one. If it is part of the outer boundary of both, the face to the left of
-    /// `half_edge` is kept. Otherwise one of the faces surrounds the other, and that one is kept. The inner boundary components
-    /// of the other face move to the face that is kept.
+    /// If the edge separates two faces, they merge. If it lies on the outer boundary of both, the face to the left of
+    /// `half_edge` survives. Otherwise one face surrounds the other and survives. The inner boundary components of the dropped
+    /// face move to the survivor.
     ///
     /// If both sides of the edge lie on the same cycle, the edge is a bridge, and its component falls into two. If the cycle is
-    /// an outer one, the part that contains the outside of the component stays the outer boundary component, and the other
-    /// part becomes an inner one.
+    /// an outer one, the part with the outside of the component keeps the outer boundary component, and the other part becomes
+    /// an inner one.
     ///
     #[doc = include_str!("../pictures/remove_edge.svg")]
     ///
-    /// Merging costs O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting costs
-    /// O(length of the shorter part of the cycle). If the cycle is an outer one, the part that keeps the outside is found by
-    /// searching both in step, O(size of the smaller part). It is not an argument because only one answer keeps rule T1.
+    /// Merging takes O(length of the shorter cycle + inner boundary components of the dropped face). Parting takes O(length of
+    /// the shorter part of the cycle), plus, on an outer cycle, a search of both parts in step for the outside, O(size of the
+    /// smaller part). The part is not an argument because only one answer keeps rule T1.
     ///
     /// Inverse: [`Dcel::connect`].
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::Full`] for the boundary component that parting makes.
+    /// A stale key; [`OperatorError::Full`] if parting has no room for a boundary component.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, RemovedEdge, Split};
@@ -102,7 +101,7 @@ impl Dcel {
         Ok(self.part(&around))
     }
 
-    /// Gives the ends of the edge another leaving half-edge, if they have one.
+    /// Sets other leaving half-edges for the ends of the edge, if they have any.
     fn release_ends(&mut self, around: &Neighbourhood<HalfEdgeSlot>) {
         let Neighbourhood { n, t, after_n, after_t, .. } = *around;
         let others = [after_t, after_n];
@@ -117,7 +116,7 @@ impl Dcel {
         let Neighbourhood { n, t, before_n, after_n, before_t, after_t } = *around;
         let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
-        // A face that surrounds the other has the cycle as an inner one. Of two side by side the left one is kept.
+        // A surrounding face has the cycle as an inner one. Of two faces side by side the left one survives.
         let (kept_face, dropped_face, outer) = match (self.is_outer(bn), self.is_outer(bt)) {
             (true, true) => (fn_, ft, true),
             (true, false) => (ft, fn_, false),
@@ -158,7 +157,7 @@ impl Dcel {
         self.store.unlist(kept);
         self.store.unlist(dropped);
         self.list(kept_face, kept, outer);
-        // From the end, so that no other one changes its place.
+        // From the end, so no other component changes its place.
         let last = |store: &Store| store.inner(dropped_face, store.inner_count(dropped_face).checked_sub(1)?);
         while let Some(b) = last(&self.store) {
             self.store.unlist(b);

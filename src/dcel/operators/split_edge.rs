@@ -1,10 +1,10 @@
-//! Splitting an edge by a new vertex, and joining two edges.
+//! Splits an edge by a new vertex, and joins two edges.
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryStart, HalfEdgeKey, Room, VertexKey, VertexLink};
 
-/// The records that [`Dcel::split_edge`] made.
+/// The records made by [`Dcel::split_edge`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SplitEdge {
     /// The new vertex.
@@ -13,12 +13,12 @@ pub struct SplitEdge {
     pub half_edge: HalfEdgeKey,
 }
 
-/// The records that [`Dcel::join_edges`] dropped.
+/// The records dropped by [`Dcel::join_edges`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct JoinedEdges {
-    /// The vertex that was between the two edges.
+    /// The vertex between the two edges.
     pub vertex: VertexKey,
-    /// The half-edge that followed; its edge is gone.
+    /// The following half-edge, whose edge was removed.
     pub half_edge: HalfEdgeKey,
 }
 
@@ -80,15 +80,15 @@ impl Dcel {
         Ok(SplitEdge { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// Joins the edge of a half-edge with the one that follows it, dropping the vertex of degree 2 between them. O(1).
+    /// Joins the edge of a half-edge with the following edge, removing the vertex of degree 2 between them. O(1).
     ///
     #[doc = include_str!("../pictures/join_edges.svg")]
     ///
-    /// Inverse: [`Dcel::split_edge`] of the same half-edge.
+    /// Inverse: [`Dcel::split_edge`] on the same half-edge.
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::DegreeNotTwo`] if the target of the half-edge has a degree other than 2;
-    /// [`OperatorError::Loop`] if both half-edges that leave it are of the same edge.
+    /// A stale key; [`OperatorError::DegreeNotTwo`] if the degree of the half-edge's target is not 2;
+    /// [`OperatorError::Loop`] if both half-edges leaving it belong to one edge.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};

@@ -1,4 +1,4 @@
-//! Splitting a vertex in two, and contracting an edge.
+//! Splits a vertex in two, and contracts an edge.
 
 use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
@@ -6,35 +6,35 @@ use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryStart, HalfEdgeKey, HalfEdgeSlot, Room, VertexKey, VertexLink, VertexSlot};
 
-/// The records that [`Dcel::split_vertex`] made.
+/// The records made by [`Dcel::split_vertex`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SplitVertex {
-    /// The new vertex: the one that got fewer half-edges.
+    /// The new vertex, which gets the smaller number of half-edges.
     pub vertex: VertexKey,
     /// The new half-edge, to the vertex with the half-edges counter-clockwise between the corners.
     pub half_edge: HalfEdgeKey,
 }
 
-/// The records that [`Dcel::contract_edge`] kept and dropped.
+/// The records kept and dropped by [`Dcel::contract_edge`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ContractedEdge {
-    /// The vertex that has all half-edges now: the one that had more of them, or the origin if both had equally many.
+    /// The surviving vertex: the one with more half-edges, or the origin if both have the same number.
     pub kept: VertexKey,
-    /// The vertex that was removed.
+    /// The removed vertex.
     pub dropped: VertexKey,
 }
 
 impl Dcel {
-    /// Splits a vertex in two, joined by a new edge that runs between two of its corners.
+    /// Splits a vertex in two, joined by a new edge between two of its corners.
     ///
-    /// The half-edges met when turning counter-clockwise from the first corner to the second go to the target of the new
-    /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner, and an isolated vertex
-    /// becomes an edge.
+    /// The half-edges met when turning counter-clockwise from the first corner to the second move to the target of the new
+    /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner. An isolated vertex becomes
+    /// an edge.
     ///
     #[doc = include_str!("../pictures/split_vertex.svg")]
     ///
-    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller one goes to the new vertex, or
-    /// that of the target if both are equally large.
+    /// O(size of the smaller rotation): both rotations are walked in step, and the smaller one, or the target's if they are
+    /// equally large, moves to the new vertex.
     ///
     /// Inverse: [`Dcel::contract_edge`].
     ///
@@ -96,7 +96,7 @@ impl Dcel {
         } else {
             self.store.set_start(b, BoundaryStart::HalfEdge(n));
         }
-        // The edge is in place, and all half-edges but `t` leave `v` or should leave `w`.
+        // The edge is in place; all half-edges but `t` still leave `v`, even if they should leave `w`.
         match self.smaller_rotation(n, t) {
             OneOfTwo::Second => {
                 self.hand_over(t, w);
@@ -114,7 +114,7 @@ impl Dcel {
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// Returns the smaller of two rotations, of different vertices; the second if both are equally large. O(smaller).
+    /// Returns the smaller of two rotations of different vertices; the second if they are equally large. O(smaller).
     fn smaller_rotation(&self, first: HalfEdgeSlot, second: HalfEdgeSlot) -> OneOfTwo {
         let turn = |h: HalfEdgeSlot| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);
@@ -130,7 +130,6 @@ impl Dcel {
         }
     }
 
-    /// Makes all half-edges of a rotation leave `v`.
     fn hand_over(&mut self, first: HalfEdgeSlot, v: VertexSlot) {
         let mut h = first;
         loop {
@@ -142,7 +141,7 @@ impl Dcel {
         }
     }
 
-    /// Contracts an edge to a point: its two vertices become one.
+    /// Contracts an edge to a point, merging its two vertices.
     ///
     #[doc = include_str!("../pictures/contract_edge.svg")]
     ///
@@ -192,8 +191,7 @@ impl Dcel {
             let (before, after) = (self.store.prev(h), self.store.next(h));
             let component = self.store.boundary(h);
             if self.store.start(component) == BoundaryStart::HalfEdge(h) {
-                // If that is `t`, it goes next, and in a cycle of the edge and nothing else the isolated vertex is settled
-                // below.
+                // If that is `t`, it is removed next; a cycle of only this edge is settled below, at the isolated vertex.
                 self.store.set_start(component, BoundaryStart::HalfEdge(after));
             }
             self.store.join(before, after);

@@ -3,14 +3,13 @@
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundarySlot, BoundaryStart, FaceSlot, HalfEdgeSlot, LAST, OUTER, Store};
 
-/// One of two sides that are walked in step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum OneOfTwo {
     First,
     Second,
 }
 
-/// A queue of outer boundary components, threaded through their places. Being in it is also the mark of having been seen.
+/// A queue of outer boundary components, linked through their places. Membership also marks a component as seen.
 struct Queue {
     ends: Option<(BoundarySlot, BoundarySlot)>,
     current: Option<BoundarySlot>,
@@ -21,7 +20,6 @@ impl Queue {
         Self { ends: None, current: None }
     }
 
-    /// Appends `b` unless it has been seen.
     fn offer(&mut self, store: &mut Store, b: BoundarySlot) {
         if store.place(b) != OUTER {
             return;
@@ -36,7 +34,6 @@ impl Queue {
         }
     }
 
-    /// The next one that has not been handed out.
     fn take(&mut self, store: &Store) -> Option<BoundarySlot> {
         let next = match self.current {
             None => self.ends.map(|(first, _)| first),
@@ -55,7 +52,6 @@ impl Queue {
         }
     }
 
-    /// Takes all marks off again.
     fn clear(self, store: &mut Store) {
         let mut at = self.ends.map(|(first, _)| first);
         while let Some(b) = at {
@@ -65,15 +61,14 @@ impl Queue {
     }
 }
 
-/// A search through the faces of one part of a component: first along a stretch of the cycle that is being cut, then along
-/// every outer cycle met across it.
+/// A search through the faces of one part of a component: first along a stretch of the cut cycle, then along every outer
+/// cycle met across it.
 struct Search {
     at: Option<HalfEdgeSlot>,
     stop: HalfEdgeSlot,
     queue: Queue,
 }
 
-/// The result of one step of a search.
 enum Step {
     GoOn,
     FoundOutside,
@@ -105,8 +100,8 @@ impl Search {
 }
 
 impl Dcel {
-    /// Walks along two cycles in step, from each half-edge until the one that ends the walk, and tells which walk is the
-    /// shorter one: the second if both are equally long. A walk without a first half-edge is empty.
+    /// Walks along two cycles in step, from each half-edge to the stop of its walk, and returns the shorter walk, the second
+    /// if they are equally long. A walk without a first half-edge is empty.
     ///
     /// O(shorter).
     pub(super) fn shorter_or_second(
@@ -135,15 +130,15 @@ impl Dcel {
         }
     }
 
-    /// An edge whose sides `n` and `t` lie on one outer cycle is about to be removed. Which part of its component keeps the
-    /// outside: that of the origin of `n` (first) or that of its target (second)?
+    /// Returns the part of a component that keeps the outside when an edge, with both sides `n` and `t` on one outer cycle,
+    /// is removed: the part of the origin of `n` (first) or of its target (second).
     ///
-    /// Topology decides: the part from which an inner boundary component can be reached across edges. Both parts are
-    /// searched in step, so the cost is O(size of the smaller part), and less if the outside is near. No memory is
-    /// allocated: the queues run through a field that is free in outer boundary components.
+    /// The outside belongs to the part from which an inner boundary component can be reached across edges. Both parts are
+    /// searched in step, so the cost is O(size of the smaller part), and less if the outside is near. The queues use a field
+    /// that is free in outer boundary components, so nothing is allocated.
     pub(super) fn part_with_outside(&mut self, n: HalfEdgeSlot, t: HalfEdgeSlot) -> OneOfTwo {
         let cut = self.store.boundary(n);
-        // The cycle that is cut counts as seen by both.
+        // Both searches treat the cut cycle as seen.
         self.store.set_place(cut, LAST);
         let mut origin = Search::along(self.store.next(t), n);
         let mut target = Search::along(self.store.next(n), t);
@@ -165,9 +160,9 @@ impl Dcel {
         which
     }
 
-    /// Returns true if face `f` belongs to the component of the inner boundary component `b`, or to one that lies inside it.
+    /// Tells whether face `f` belongs to the component of the inner boundary component `b`, or to a component inside it.
     ///
-    /// O(size of that component and of all that lies inside it), without allocating.
+    /// O(size of that component and of everything inside it), without allocating.
     pub(super) fn encloses(&mut self, b: BoundarySlot, f: FaceSlot) -> bool {
         let mut queue = Queue::new();
         self.offer_across(&mut queue, b);
@@ -186,7 +181,7 @@ impl Dcel {
         found
     }
 
-    /// Queues the outer boundary components met across the half-edges of `b`.
+    /// Queues the outer boundary components across the half-edges of `b`.
     fn offer_across(&mut self, queue: &mut Queue, b: BoundarySlot) {
         let BoundaryStart::HalfEdge(start) = self.store.start(b) else { return };
         let mut h = start;

@@ -1,4 +1,5 @@
-//! A view's half-edges, numbered without gaps, with their cycles and components; and the least code among roots of one connected map.
+//! A view's half-edges, numbered without gaps, with their cycles and components; and the search for the least code of a connected
+//! map.
 
 use crate::slots::NIL;
 use crate::validate::View;
@@ -12,27 +13,24 @@ pub(super) fn fill<T: Clone>(column: &mut Vec<T>, len: usize, value: T) -> Optio
     Some(())
 }
 
-/// The half-edges of a view. In all columns they go by their numbers here.
+/// The half-edges of a view, numbered without gaps. Every column is indexed by these numbers.
 #[derive(Debug, Default)]
 pub(super) struct Map {
-    /// By index in the view: the number.
+    /// The number of each half-edge, by index in the view.
     numbers: Vec<u32>,
     pub(super) next: Vec<u32>,
     pub(super) twin: Vec<u32>,
-    /// The cycle of each half-edge.
     pub(super) cycle: Vec<u32>,
-    /// The component of each half-edge.
     pub(super) component: Vec<u32>,
-    /// One half-edge of each cycle, by cycle.
     pub(super) cycles: Vec<u32>,
     components: usize,
     stack: Vec<u32>,
-    /// By index in the view: whether the vertex has half-edges, or a place of its own as an isolated one.
+    /// True for vertices with half-edges and for isolated vertices seen so far, by index in the view.
     busy: Vec<bool>,
 }
 
 impl Map {
-    /// Reads a view. None unless `twin` pairs its half-edges and `next` permutes them. O(slots).
+    /// Reads a view; `None` unless `twin` pairs its half-edges and `next` permutes them. O(slots).
     pub(super) fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
         let slots = view.half_edge_slots();
         u32::try_from(slots).ok().filter(|slots| *slots < NIL)?;
@@ -58,22 +56,19 @@ impl Map {
         self.trace_components()
     }
 
-    /// The number of half-edges.
     pub(super) fn len(&self) -> usize {
         self.next.len()
     }
 
-    /// The number of components that have edges.
     pub(super) const fn components(&self) -> usize {
         self.components
     }
 
-    /// The number of the half-edge with this index in the view.
     pub(super) fn dense(&self, index: usize) -> Option<u32> {
         self.numbers.get(index).copied().filter(|number| *number != NIL)
     }
 
-    /// Marks exactly the vertices that half-edges leave; `None` if a half-edge names no vertex. O(slots).
+    /// Marks the origins of all half-edges; `None` if a half-edge has no origin. O(slots).
     pub(super) fn mark_busy<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
         u32::try_from(view.vertex_slots()).ok()?;
         fill(&mut self.busy, view.vertex_slots(), false)?;
@@ -83,12 +78,11 @@ impl Map {
         Some(())
     }
 
-    /// Marks one more vertex; `None` if it is marked already.
+    /// Marks an isolated vertex; `None` if it is marked already.
     pub(super) fn mark_isolated(&mut self, vertex: usize) -> Option<()> {
         (!core::mem::replace(self.busy.get_mut(vertex)?, true)).then_some(())
     }
 
-    /// Tells whether all vertices are marked.
     pub(super) fn all_busy<V: View + ?Sized>(&self, view: &V) -> bool {
         self.busy.iter().enumerate().all(|(v, busy)| *busy || !view.is_vertex(v))
     }
@@ -141,12 +135,10 @@ impl Map {
     }
 }
 
-/// A search for the root with the least code.
 #[derive(Debug, Default)]
 pub(super) struct Search {
-    /// The number of each half-edge met so far from the root that is being tried.
+    /// The number of each half-edge met so far from the current root.
     numbers: Vec<u32>,
-    /// The half-edges in order of their numbers.
     order: Vec<u32>,
     candidate: Vec<u32>,
     least: Vec<u32>,
@@ -154,7 +146,6 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// Begins a new search, in a map with `half_edges` half-edges.
     pub(super) fn begin(&mut self, half_edges: usize) {
         // `offer` resets the numbers that it has set, so all of them are NIL.
         self.numbers.resize(half_edges, NIL);
@@ -162,18 +153,17 @@ impl Search {
         self.ties = 0;
     }
 
-    /// The least code so far.
     pub(super) fn least(&self) -> &[u32] {
         &self.least
     }
 
-    /// The number of roots that have that code. They differ by an automorphism, and no automorphism but one keeps any half-edge.
+    /// The number of roots with the least code: the number of automorphisms, since only the identity fixes a half-edge.
     pub(super) const fn ties(&self) -> usize {
         self.ties
     }
 
-    /// Tries another root of the same component. `note` is what the code is to say of the cycle of a half-edge besides
-    /// its length; it must tell itself where it ends.
+    /// Tries another root of the same component. `note` adds words to the code of each cycle, after its length; it must be
+    /// self-delimiting.
     pub(super) fn offer<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) {
         self.candidate.clear();
         let smaller = self.write(map, root, note);
@@ -190,7 +180,7 @@ impl Search {
         }
     }
 
-    /// Tells whether the code is smaller than the least so far, or equal. None, as soon as that is certain, if it is greater.
+    /// Returns whether the code is smaller than the least so far (`false` if equal); `None` as soon as it is known to be greater.
     fn write<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) -> Option<bool> {
         // The first root has nothing to be compared with.
         let mut smaller = self.least.is_empty();

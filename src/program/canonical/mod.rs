@@ -1,8 +1,8 @@
-//! Canonical forms: two structures have the same one if and only if they are isomorphic.
+//! Canonical forms: two structures have equal forms if and only if they are isomorphic.
 //!
-//! Isomorphic means: there is a one-to-one correspondence of half-edges and isolated vertices that keeps `twin`,
-//! `next`, faces and outer boundary components. So the orientation of the plane is kept, and so are nesting and the
-//! unbounded face; names of records, the order of lists, and which half-edge a record starts with are not.
+//! Two structures are isomorphic if a one-to-one correspondence of their half-edges and isolated vertices keeps `twin`,
+//! `next`, faces and outer boundary components. An isomorphism therefore keeps the orientation of the plane, nesting and
+//! the unbounded face, but not names, the order of lists or the half-edge with which a record starts.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
@@ -21,20 +21,20 @@
 //!
 //! # How
 //!
-//! A connected map with a *root*, one marked half-edge, has no symmetry left: numbering its cycles one by one, each
-//! consecutively from the half-edge by which it was first met across an edge, beginning with the root, gives every
-//! half-edge a number that depends on the map alone. The code of the rooted map says, in that order, for each cycle how
-//! long it is and for each half-edge the number of its twin. It takes O(E).
+//! A connected map with a *root*, one marked half-edge, has no symmetry. Number its cycles one by one, starting with the
+//! cycle of the root, each consecutively from the half-edge through which it was first reached. Every half-edge then has
+//! a number that depends on the map alone. The code of the rooted map lists, in that order, the length of each cycle and
+//! the number of each half-edge's twin. Computing it takes O(E).
 //!
-//! Without root, the code is the least of those of all roots. Where the unbounded face or the surrounding one is
-//! marked, only the half-edges of the outside cycle come into question, and no mark is needed in the code. A root is
-//! given up at the first place where its code exceeds the least so far, so the worst case, O(E · number of roots), is
-//! that of maps with many symmetries.
+//! The code of a map without a root is the least code of all its roots. If the unbounded or the surrounding face is
+//! marked, only half-edges of the outside cycle are candidates, and the code needs no mark. A root is abandoned where
+//! its code first exceeds the least so far, so only maps with many symmetries take the worst case, O(E · number of
+//! roots).
 //!
-//! Nesting is a tree, and trees are put in canonical form as Aho, Hopcroft and Ullman do it (*The Design and Analysis
-//! of Computer Algorithms*, 1974, section 3.2): from the deepest level upwards, every component gets its rank among the
-//! codes of its level, and the code of a component says of each face how many isolated vertices lie in it and which
-//! ranks.
+//! Nesting is a tree, and trees are put in canonical form as by Aho, Hopcroft and Ullman (*The Design and Analysis of
+//! Computer Algorithms*, 1974, section 3.2): from the deepest level upwards, every component gets its rank among the
+//! codes of its level. Its code lists, for each face, the number of isolated vertices and the ranks of the components in
+//! it.
 
 mod map;
 mod nesting;
@@ -44,18 +44,19 @@ use alloc::vec::Vec;
 use map::{Map, Search};
 use nesting::Nesting;
 
-/// A canonical form, as bytes. Equal maps have equal forms, different maps different forms; the order means nothing.
+/// A canonical form, as bytes. Two maps are isomorphic if and only if their codes are equal; the order of codes has no
+/// meaning.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Code(Vec<u8>);
 
 impl Code {
-    /// The bytes: numbers, the smaller the shorter.
+    /// The bytes: numbers of variable length.
     #[must_use]
     pub fn as_bytes(&self) -> &[u8] {
         &self.0
     }
 
-    /// Numbers as LEB128: seven bits per byte, so that those below 128 take one.
+    /// Encodes numbers as LEB128: seven bits per byte, so a number below 128 takes one byte.
     fn of_numbers<'a>(numbers: impl IntoIterator<Item = &'a u32>) -> Self {
         let numbers = numbers.into_iter();
         let mut bytes = Vec::with_capacity(numbers.size_hint().0);
@@ -71,14 +72,14 @@ impl Code {
     }
 }
 
-/// A connected map on a closed surface without any mark: no root, no unbounded face.
+/// A connected map on a closed surface, without a root or an unbounded face.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Unrooted {
     /// The least code among its rootings.
     pub code: Code,
-    /// The number of its automorphisms that keep the orientation.
+    /// The number of its orientation-preserving automorphisms.
     pub automorphisms: usize,
-    /// The number of different rooted maps that this map yields: `2E / automorphisms`, and 1 if it has no edge.
+    /// The number of different rooted maps of this map: `2E / automorphisms`, and 1 if it has no edge.
     pub rootings: usize,
 }
 
@@ -87,17 +88,17 @@ pub fn code<V: View + ?Sized>(view: &V) -> Option<Code> {
     Canonizer::new().subdivision(view)
 }
 
-/// Tells whether two structures are the same planar subdivision but for names. Ones that are not valid are isomorphic to
+/// Tells whether two structures are the same planar subdivision up to names. An invalid structure is isomorphic to
 /// nothing.
 pub fn isomorphic<V: View + ?Sized, W: View + ?Sized>(one: &V, other: &W) -> bool {
     let mut canonizer = Canonizer::new();
     canonizer.subdivision(one).is_some_and(|code| canonizer.subdivision(other) == Some(code))
 }
 
-/// Finds canonical forms. Keep one where many are to be found: its working memory is used again.
+/// Computes canonical forms. Reuse one to compute many: it keeps its working memory.
 ///
-/// A structure that is not valid may have no form; one in which `twin` pairs the half-edges and `next` permutes them is
-/// enough for the forms of connected maps. No structure whatever makes these functions panic or run on: they give up.
+/// An invalid structure may have no form; the forms of connected maps only need `twin` to pair the half-edges and `next`
+/// to permute them. These functions return `None` instead of panicking or running on, whatever the structure.
 #[derive(Debug, Default)]
 pub struct Canonizer {
     map: Map,
@@ -106,7 +107,7 @@ pub struct Canonizer {
 }
 
 impl Canonizer {
-    /// With no memory in use yet.
+    /// Creates a canonizer without allocating.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -114,7 +115,7 @@ impl Canonizer {
 
     /// The canonical form of a planar subdivision: its components, how they nest, and its unbounded face.
     ///
-    /// O(n log n) beside, for each component, O(its size · length of its outside cycle) in the worst case, that of many
+    /// O(n log n), plus O(size · length of its outside cycle) for each component in the worst case, a map with many
     /// symmetries.
     pub fn subdivision<V: View + ?Sized>(&mut self, view: &V) -> Option<Code> {
         self.map.read(view)?;
@@ -122,8 +123,8 @@ impl Canonizer {
         Some(Code::of_numbers(self.nesting.code(&self.map, &mut self.search)))
     }
 
-    /// The code of the component of a half-edge, given by its index in the view, rooted there: on whatever surface, and
-    /// without regard to faces and what lies in them. O(n).
+    /// The code of the component of a half-edge, given by its index in the view, rooted there. The surface may have any
+    /// genus; faces and nesting are ignored. O(n).
     pub fn rooted<V: View + ?Sized>(&mut self, view: &V, root: usize) -> Option<Code> {
         self.map.read(view)?;
         let root = self.map.dense(root)?;
@@ -132,10 +133,10 @@ impl Canonizer {
         Some(Code::of_numbers(self.search.least()))
     }
 
-    /// The code of a connected map, on whatever surface and without marks. None if there are several components, or
-    /// none.
+    /// The code of a connected map without marks, on a surface of any genus; `None` unless there is exactly one
+    /// component.
     ///
-    /// O(E²) in the worst case, that of many symmetries.
+    /// O(E²) in the worst case, a map with many symmetries.
     pub fn unrooted<V: View + ?Sized>(&mut self, view: &V) -> Option<Unrooted> {
         self.map.read(view)?;
         let vertices = (0..view.vertex_slots()).filter(|v| view.is_vertex(*v)).take(2).count();

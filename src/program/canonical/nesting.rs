@@ -1,4 +1,4 @@
-//! The tree of containment: which components lie in which faces, and the code of it all.
+//! The tree of containment: the components in each face, and the code of the whole.
 
 use super::map::{Map, Search, fill};
 use crate::slots::NIL;
@@ -29,14 +29,14 @@ pub(super) struct Nesting {
     ranks: Vec<u32>,
     spans: Vec<Range<usize>>,
     codes: Vec<u32>,
-    /// By face: what there is to say of it, a stretch of `notes`.
+    /// By face: its note, a stretch of `notes`.
     note_spans: Vec<Range<usize>>,
     notes: Vec<u32>,
     result: Vec<u32>,
 }
 
 impl Nesting {
-    /// Reads the faces of a view. None unless each cycle, isolated vertex and component has its one place. O(n).
+    /// Reads the faces of a view; `None` unless each cycle, isolated vertex and component has exactly one place. O(n).
     pub(super) fn read<V: View + ?Sized>(&mut self, map: &mut Map, view: &V) -> Option<()> {
         let faces = view.face_slots();
         u32::try_from(faces).ok().filter(|faces| *faces < NIL)?;
@@ -76,7 +76,8 @@ impl Nesting {
                 }
             }
         }
-        // Each component has one outside, so this number of entries covers every cycle once, if no cycle has two.
+        // Each component has one outside, so with this number of entries every cycle is covered once if none is covered
+        // twice.
         let once = |(h, _): &(u32, u32)| *h != NIL && self.inside[map.cycle[*h as usize] as usize] == NIL;
         if !map.all_busy(view) || self.unbounded == NIL || listed != map.cycles.len() || !self.outsides.iter().all(once)
         {
@@ -87,19 +88,18 @@ impl Nesting {
         self.sort_levels(map)
     }
 
-    /// The components in each face.
     fn sort_contents(&mut self, faces: usize) -> Option<()> {
         let keys = self.outsides.iter().map(|(_, f)| *f);
         sort_by_key(keys, faces, &mut self.begins, &mut self.contents)
     }
 
-    /// The cycles of each component.
     fn sort_cycles(&mut self, map: &Map) -> Option<()> {
         let keys = map.cycles.iter().map(|h| map.component[*h as usize]);
         sort_by_key(keys, map.components(), &mut self.cycle_begins, &mut self.cycles)
     }
 
-    /// Sorts level by level, from the unbounded face inwards; `None` if a component is not reached: it lies inside itself.
+    /// Sorts level by level, from the unbounded face inwards; `None` if a component is never reached because it lies
+    /// inside itself.
     fn sort_levels(&mut self, map: &Map) -> Option<()> {
         self.levels.clear();
         self.ends.clear();
@@ -120,7 +120,7 @@ impl Nesting {
         (self.levels.len() == map.components()).then_some(())
     }
 
-    /// The code: what lies in the unbounded face, then the different codes of each level, the outermost first.
+    /// The code: the contents of the unbounded face, then the distinct codes of each level, outermost first.
     pub(super) fn code(&mut self, map: &Map, search: &mut Search) -> &[u32] {
         self.ranks.clear();
         self.ranks.resize(map.components(), 0);
@@ -159,7 +159,7 @@ impl Nesting {
         &self.result
     }
 
-    /// Finds the code of a component, with what lies in its faces, which has its rank already.
+    /// Computes the code of a component. The components in its faces must have their ranks already.
     fn write_code(&mut self, map: &Map, search: &mut Search, component: u32) {
         for i in range(&self.cycle_begins, component) {
             let f = self.inside[self.cycles[i] as usize];
@@ -185,7 +185,7 @@ impl Nesting {
         self.spans[component as usize] = begin..self.codes.len();
     }
 
-    /// Writes down the contents of a face: the number of isolated vertices, the number of components, and their ranks.
+    /// Writes the contents of a face: the number of isolated vertices, the number of components, and their ranks.
     fn write_note(&mut self, face: u32) {
         let begin = self.notes.len();
         let contents = stretch(&self.begins, &self.contents, face);
@@ -195,7 +195,6 @@ impl Nesting {
         self.note_spans[face as usize] = begin..self.notes.len();
     }
 
-    /// Sorts a level by code and numbers the different ones.
     fn rank(&mut self, level: Range<usize>) {
         let code = |c: u32| &self.codes[self.spans[c as usize].clone()];
         self.levels[level.clone()].sort_by(|a, b| code(*a).cmp(code(*b)));
@@ -211,7 +210,7 @@ impl Nesting {
     }
 }
 
-/// The start of the outer boundary component of a face, whichever way the view says it.
+/// The start of the outer boundary component of a face, stored directly or through the component.
 fn outer_start<V: View + ?Sized>(view: &V, face: usize) -> Option<Start> {
     match view.outer(face) {
         Some(b) => view.boundary_start(b),
@@ -219,7 +218,7 @@ fn outer_start<V: View + ?Sized>(view: &V, face: usize) -> Option<Start> {
     }
 }
 
-/// The start of an inner boundary component of a face, whichever way the view says it.
+/// The start of an inner boundary component of a face, stored directly or through the component.
 fn inner_start<V: View + ?Sized>(view: &V, face: usize, position: usize) -> Option<Start> {
     match view.inner(face, position) {
         Some(b) => view.boundary_start(b),
@@ -227,7 +226,7 @@ fn inner_start<V: View + ?Sized>(view: &V, face: usize, position: usize) -> Opti
     }
 }
 
-/// Sorts `0 ..` by keys below `count`: where each key begins, and the sorted numbers. O(n + count).
+/// Sorts `0..` by keys below `count`: fills the beginning of each key and the sorted numbers. O(n + count).
 fn sort_by_key(
     keys: impl Iterator<Item = u32> + Clone,
     count: usize,
@@ -249,7 +248,7 @@ fn sort_by_key(
         sorted[*place as usize] = number as u32;
         *place += 1;
     }
-    // Each beginning has moved to the next one.
+    // Each beginning has moved to the next key's.
     begins.rotate_right(1);
     begins[0] = 0;
     Some(())

@@ -1,4 +1,4 @@
-//! Does a subject say the same as the reference: its handles, its view, and the handles of vertices before and after an operator?
+//! Compares a subject with the reference: handles, view, and the handles of vertices before and after an operator.
 
 use super::End;
 use super::difference::{Answer, Difference, Question};
@@ -14,7 +14,6 @@ use alloc::vec::Vec;
 use core::fmt;
 use core::iter::repeat;
 
-/// The answers of a subject about a corner.
 struct Said<K: Subject> {
     twin: Option<K::HalfEdge>,
     next: Option<K::HalfEdge>,
@@ -37,7 +36,7 @@ impl<K: Subject> Said<K> {
     }
 }
 
-/// Handles of the reference, each with the one handle of the subject that names the same.
+/// Pairs each handle of the reference with the subject's handle of the same element.
 pub(super) struct Pairs<A, B>(BTreeMap<A, B>);
 
 impl<A, B> Default for Pairs<A, B> {
@@ -61,8 +60,7 @@ impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
         self.0.get(&reference).copied()
     }
 
-    /// Tells whether these two belong together: they are paired already, or neither is and now they are. Two that are not there
-    /// say the same.
+    /// Tells whether two handles name the same element, pairing them if neither is paired yet. Two missing handles agree.
     fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
         let (Some(a), Some(b)) = (reference, subject) else { return reference.is_none() && subject.is_none() };
         if let Some(known) = self.get(a) {
@@ -74,23 +72,21 @@ impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
     }
 }
 
-/// The vertices of the reference, each with the handle of the subject.
 pub(super) type Vertices<K> = Pairs<PointerModelVertex, <K as Subject>::Vertex>;
 
-/// The comparison of all corners, if nothing differs.
+/// The result of comparing all corners without finding a difference.
 pub(super) struct Agreement<K: Subject> {
     pub(super) vertices: Vertices<K>,
-    /// True if the subject has no `next` for some half-edge on the border. Without faces the question is skipped.
+    /// True if some half-edge on the border has no `next` in the subject. Without faces this is not checked.
     pub(super) lacks_next: bool,
 }
 
 /// Finds the first corner whose answers differ.
 ///
-/// Every corner is asked every question once. That is not all: an answer is a handle, and the handles of two structures
-/// have to be paired. The half-edges are paired by their places; vertices and faces as they are met, each with one other.
+/// Asks every question about every corner once. Answers are handles of two structures, so handles must be paired: half-edges by their
+/// places, vertices and faces as they are met.
 ///
-/// O(n log n) questions and steps, and O(n²) comparisons of handles, of which nothing more is known than whether two are
-/// equal.
+/// O(n log n) questions and steps, and O(n²) comparisons of handles, which can only be tested for equality.
 pub(super) fn compare_answers<K: Subject>(
     reference: &Runner<PointerModel>,
     subject: &Runner<K>,
@@ -127,7 +123,7 @@ pub(super) fn compare_answers<K: Subject>(
     Ok(Agreement { vertices, lacks_next })
 }
 
-/// The answer of a subject, in places.
+/// The answer of a subject, with handles replaced by places.
 fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> Answer {
     let subject = runner.subject();
     let said = Said::of(subject, runner.corners().nth(corner));
@@ -148,10 +144,10 @@ fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> 
     place.map_or(Answer::Nothing, Answer::Corner)
 }
 
-/// Finds the first half-edge whose view differs. Where a half-edge on the border has no `next`, the question is skipped.
+/// Finds the first half-edge whose view differs. A missing `next` on the border is ignored.
 ///
-/// Where a view has faces, holes and an unbounded face, canonical forms tell whether it is the right map. Others are compared link by
-/// link: the subject gives the handle of each half-edge of the view, and the handle has its place among those of the reference.
+/// A view with faces, holes and an unbounded face is compared by canonical form, other views link by link: the subject names the
+/// handle of each half-edge of the view, and the handle has a place in the runner's list.
 ///
 /// O(n²) comparisons of handles.
 pub(super) fn compare_view<K: Subject>(
@@ -199,11 +195,11 @@ pub(super) fn compare_view<K: Subject>(
     Ok(())
 }
 
-/// The vertices of which an operator may give one the handle of another. Data is kept by handles: a structure that gives a vertex
-/// another handle is the same map, and what was kept of the vertex is lost.
+/// The vertices whose handles an operator may exchange. Data is stored under handles: if a vertex gets another vertex's handle, the
+/// map is unchanged, but the vertex's data is lost.
 pub(super) enum Exchange {
     Nothing,
-    /// Two vertices become one: the ends of an edge, and the ends whose handle may be kept.
+    /// Two vertices become one: the ends of the edge, and the ends whose handle may survive.
     Merged {
         ends: [PointerModelVertex; 2],
         may_be_kept: Vec<PointerModelVertex>,
@@ -213,7 +209,7 @@ pub(super) enum Exchange {
 }
 
 impl Exchange {
-    /// Tells which vertices an operator may exchange, before it is run.
+    /// Determines the vertices whose handles an operator may exchange, before it runs.
     pub(super) fn of<K: Subject>(
         op: Op,
         reference: &Runner<PointerModel>,
@@ -226,7 +222,7 @@ impl Exchange {
         let Some([h, twin]) = merging(op, reference) else { return Self::Nothing };
         let model = reference.subject();
         let (Ok(origin), Ok(target)) = (model.origin_of(h), model.origin_of(twin)) else { return Self::Nothing };
-        // A half-edge of the border that is not stored stands for its twin, whose ends are swapped.
+        // A border half-edge that is not stored is represented by its twin, whose ends are swapped.
         let is_stored = merging(op, subject).is_some_and(|[h, _]| subject.subject().next_of(h).is_ok());
         let may_be_kept = match survivor.filter(|_| is_stored) {
             None => vec![origin, target],
@@ -236,7 +232,7 @@ impl Exchange {
         Self::Merged { ends: [origin, target], may_be_kept }
     }
 
-    /// Finds a vertex that has lost its handle. O(n log n), and O(n) more for a vertex that is split.
+    /// Finds a vertex that has lost its handle. O(n log n), plus O(n) if a vertex is split.
     pub(super) fn compare<K: Subject>(&self, before: &Vertices<K>, now: &Vertices<K>) -> Result<(), Difference> {
         for (vertex, was) in before.iter() {
             let Some(is) = now.get(vertex) else { continue };
@@ -258,7 +254,6 @@ impl Exchange {
     }
 }
 
-/// The half-edge whose two ends an operator makes one, and its twin.
 fn merging<K: Subject>(op: Op, on: &Runner<K>) -> Option<[K::HalfEdge; 2]> {
     let (Op::ContractEdge { .. } | Op::MeshCollapseEdge { .. }) = op else { return None };
     match on.resolve(op) {

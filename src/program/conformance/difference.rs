@@ -44,13 +44,14 @@ pub enum Answer {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
-    /// The structure is empty, and does not store a part without which nothing can be added to it.
+    /// The structure is empty, and lacks a part without which nothing can be added to it.
     #[error("the structure is empty, and stores no {}; begin with one that is not", .0.name())]
     Lacks(Part),
-    /// The structure is one with which programs cannot begin.
+    /// Programs cannot begin with this structure.
     #[error(transparent)]
     Start(StartError),
-    /// The structure is not empty, and [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) does not give this handle.
+    /// The structure is not empty, and [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) returns no handle for this
+    /// half-edge.
     #[error("half_edge_at gives no handle for half-edge {half_edge} of the view")]
     NoHandle {
         /// The index of the half-edge in the view.
@@ -62,7 +63,7 @@ pub enum Difference {
         /// The index of the vertex in the view.
         vertex: usize,
     },
-    /// The view has a half-edge that should not be there, or whose handle belongs to another half-edge.
+    /// The view has an unexpected half-edge, or one with the handle of another half-edge.
     #[error(
         "half-edge {half_edge} of the view should not be there, or its handle is that of another one{}",
         if *is_named { "" } else { NAMES }
@@ -95,7 +96,7 @@ pub enum Difference {
     /// The subject has operators that were never applied.
     #[error("never applied, and so not tried: {}", .0.join(", "))]
     NeverApplied(Vec<&'static str>),
-    /// The operator came to something else.
+    /// The operator had a different outcome.
     #[error("the outcome should be `{reference}` and is `{subject}`")]
     StepOutcome {
         /// The outcome in the reference.
@@ -109,20 +110,19 @@ pub enum Difference {
     /// The subject keeps every expected rule, but is another map.
     #[error("the map is valid, but another one than it should be")]
     NotIsomorphic,
-    /// The subject is the same map, but a vertex that was there before has another handle now, so that the data kept by its handle is
-    /// lost. Of two vertices that become one, either may be kept, unless
-    /// [one is to be](super::Conformance::collapse_keeps).
+    /// The map is the expected one, but a surviving vertex has a different handle, so data stored under its old handle is lost. Of
+    /// two merged vertices either may survive, unless [`collapse_keeps`](super::Conformance::collapse_keeps) chooses one.
     #[error("a vertex that was there before should be {} and is {found}, so what is kept by its handle is lost", .expected.join(" or "))]
     Vertex {
-        /// The handles that it may have.
+        /// The expected handles.
         expected: Vec<String>,
-        /// The one that it has.
+        /// The handle found.
         found: String,
     },
-    /// The subject panicked. Caught if the feature `std` is on.
+    /// The subject panicked. Panics are caught only with the feature `std`.
     #[error("panicked: {0}")]
     Panicked(String),
-    /// The subject is the same map, but a handle says something else.
+    /// The map is the expected one, but a handle's answer differs.
     #[error("of corner {corner}, {question:?} should be {reference:?} and is {subject:?}")]
     Answers {
         /// The place of the corner in [`Runner::corners`](crate::program::Runner::corners).
@@ -136,7 +136,6 @@ pub enum Difference {
     },
 }
 
-/// The advice for a half-edge that has the handle of another.
 const NAMES: &str = ". If operators move half-edges to other indices, the mesh needs program::mesh::Named";
 
 /// The first violation of a report, in words, and the hints of the report.
@@ -155,9 +154,9 @@ impl fmt::Display for FirstViolation<'_> {
 /// The first difference between a subject and the reference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// The number of operators that were run before.
+    /// The number of operators run before.
     pub before: usize,
-    /// The operator that caused it; `None` at the start, or if too little was tried.
+    /// The failing operator; `None` at the start, or if too little was tried.
     pub op: Option<Op>,
     /// The difference.
     pub difference: Difference,
@@ -187,7 +186,7 @@ impl fmt::Display for Failure {
 /// The smallest program found on which a subject differs from the reference.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Counterexample {
-    /// The program. Empty if it is the start, or that too little was tried.
+    /// The program. Empty if the start is at fault, or if too little was tried.
     pub program: Program,
     /// The difference.
     pub failure: Box<Failure>,
@@ -199,7 +198,7 @@ pub struct Counterexample {
 pub(super) struct Words {
     /// The half-edges that the difference names.
     pub(super) places: Vec<String>,
-    /// Those that each operator chose, with other handles.
+    /// The half-edges that each operator chose, with their other handles.
     pub(super) calls: Vec<String>,
 }
 
@@ -238,7 +237,6 @@ impl fmt::Debug for Counterexample {
     }
 }
 
-/// The handles that an operator chooses.
 pub(super) fn call_in_words<K: Subject>(runner: &Runner<K>, op: Op) -> String {
     let half_edge = |h: K::HalfEdge| match ends(runner.subject(), h) {
         Ok([origin, target]) => format!("{h:?} ({origin:?} to {target:?})"),

@@ -1,4 +1,4 @@
-//! A structure and the reference, operator by operator; one program, and many random ones.
+//! Runs a structure and the reference in step: operator by operator, for one program, or for many random ones.
 
 use super::compare::{Exchange, Vertices, compare_answers, compare_view};
 use super::difference::{Counterexample, Difference, Failure, Words, call_in_words, places_in_words};
@@ -23,7 +23,7 @@ use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Without these parts, nothing can be added to an empty structure, or canonical forms cannot tell maps apart.
+/// Without these parts, nothing can be added to an empty structure, or canonical forms cannot distinguish maps.
 const NEEDED: [Part; 3] = [Part::Faces, Part::Holes, Part::UnboundedFace];
 
 /// A subject and the reference, operator by operator. [`run`](super::run) does the same for a whole program.
@@ -32,9 +32,7 @@ pub struct InStep<K: Subject> {
     reference: Runner<PointerModel>,
     subject: Runner<K>,
     settings: Conformance,
-    /// The parts that are looked at.
     parts: Parts,
-    /// The vertices as they were after the last operator.
     vertices: Vertices<K>,
     canonizer: Canonizer,
     summary: ConformanceSummary,
@@ -42,7 +40,7 @@ pub struct InStep<K: Subject> {
 }
 
 impl<K: Subject> InStep<K> {
-    /// Begins with the subject as it is: the empty map, or any other.
+    /// Begins with the subject in its current state: the empty map, or any other.
     ///
     /// O(n²) for n half-edges and vertices.
     ///
@@ -94,11 +92,11 @@ impl<K: Subject> InStep<K> {
         Ok(pair)
     }
 
-    /// Runs one operator on both, and compares them. Costs as much as a step of [`run`](super::run).
+    /// Runs one operator on both structures and compares them. Costs as much as a step of [`run`](super::run).
     ///
     /// # Errors
-    /// The first difference, a panic of the subject among them. After one the two are no longer in step, and what further operators do
-    /// means nothing.
+    /// The first difference, including a panic of the subject. After a difference the two structures are no longer in step, and further
+    /// steps are meaningless.
     pub fn step(&mut self, op: Op) -> Result<StepOutcome, Failure> {
         let before = self.steps;
         let outcome = caught(|| self.run(op)).map_err(|difference| Failure { before, op: Some(op), difference })?;
@@ -111,7 +109,6 @@ impl<K: Subject> InStep<K> {
         let chosen = self.subject.resolve(op);
         let is_called = chosen.is_ok();
         let outcome = chosen.and_then(|call| self.subject.apply(call)).err().unwrap_or(StepOutcome::Applied);
-        // An operator that is not applied exchanges nothing.
         let exchange = if outcome == StepOutcome::Applied { exchange } else { Exchange::Nothing };
         self.follow(op, outcome, &exchange)?;
         self.summary.count(op, if is_called { outcome } else { StepOutcome::Skipped });
@@ -124,13 +121,13 @@ impl<K: Subject> InStep<K> {
         self.summary
     }
 
-    /// The subject, with the handles that it gave out.
+    /// The subject, with the handles that it returned.
     #[must_use]
     pub const fn subject(&self) -> &Runner<K> {
         &self.subject
     }
 
-    /// Runs an operator on the reference, after the subject did this, and compares.
+    /// Runs an operator on the reference, given the outcome in the subject, and compares.
     fn follow(&mut self, op: Op, subject: StepOutcome, exchange: &Exchange) -> Result<(), Difference> {
         if !matches!(subject, StepOutcome::Refused(Refusal::Full | Refusal::Unsupported)) {
             let reference = self.reference.step(op);
@@ -167,7 +164,6 @@ impl<K: Subject> InStep<K> {
         }
     }
 
-    /// Compares all, and pairs the vertices.
     fn compare(&mut self) -> Result<Vertices<K>, Difference> {
         judge(self.subject.subject(), &self.settings.expectation)?;
         let has_faces = self.parts.has(Part::Faces);
@@ -187,14 +183,14 @@ impl<K: Subject> InStep<K> {
     }
 }
 
-/// Does what asks the subject. A panic of it is a difference.
+/// Runs `work` on the subject. A panic becomes a difference.
 fn caught<T>(work: impl FnOnce() -> Result<T, Difference>) -> Result<T, Difference> {
     catch(work).unwrap_or_else(|panic| Err(Difference::Panicked(panic)))
 }
 
 /// Validates a subject. Where half-edges on the border have no `next`, it is derived from the other links.
 ///
-/// Through a pointer: the validator is compiled once then, and not for every subject.
+/// Takes a trait object, so the validator is compiled once rather than for every subject.
 fn judge(subject: &dyn View, expectation: &Expectation) -> Result<(), Difference> {
     let borders = if expectation.is_open() { Borders::of(subject) } else { None };
     let report = match borders {
@@ -205,7 +201,7 @@ fn judge(subject: &dyn View, expectation: &Expectation) -> Result<(), Difference
 }
 
 impl Conformance {
-    /// Begins a comparison, to be continued operator by operator.
+    /// Begins a comparison, to be continued with [`InStep::step`].
     ///
     /// # Errors
     /// The errors of [`run`](super::run) before the first operator.
@@ -229,8 +225,8 @@ impl Conformance {
         Ok(summary)
     }
 
-    /// Runs a program, as [`run`](super::run) does, and makes it small if it fails: what a fuzz target is made of. `make` gives the
-    /// structure with which it begins, each time the same.
+    /// Runs a program, as [`run`](super::run) does, and shrinks it if it fails: the body of a fuzz target. `make` must return the same
+    /// starting structure each time.
     ///
     /// # Errors
     /// The smallest program found that shows a difference, with the difference.
@@ -261,7 +257,7 @@ impl Conformance {
                 let Some(op) = generator.op(&mut noise) else { break };
                 step(op, &mut pair)?;
             }
-            // Operators that random arguments seldom suit are tried with all. Those of meshes get a mesh to be tried on.
+            // Tries operators with all arguments if random arguments seldom suit them. Operators of meshes first need a mesh.
             for op in triangle_for(&Self::rest(&pair, &sum), pair.subject()) {
                 step(op, &mut pair)?;
             }
@@ -282,19 +278,18 @@ impl Conformance {
         Ok(sum)
     }
 
-    /// Makes a failing program small, and explains it.
     fn smallest<K: Subject>(self, program: Program, failure: Failure, make: &mut impl FnMut() -> K) -> Counterexample {
         if failure.is_coverage() {
             return Counterexample::of(program, failure);
         }
-        // A start that cannot be read costs no more than larger counterexamples.
+        // A start that cannot be read only makes counterexamples larger.
         let start = catch(|| Start::of(&make(), &self.expectation)).ok().and_then(Result::ok).unwrap_or_default();
         let small = shrink_from(&program, &start, |program| self.compare(program, make()).is_err());
-        // A subject that does something else each time fails as it did the first time.
+        // If the subject is not deterministic, reports the original failure.
         self.explain(small, make()).unwrap_or_else(|| Counterexample::of(program, failure))
     }
 
-    /// Runs a program that fails, and notes what its operators choose.
+    /// Runs a failing program, and records the choices of its operators.
     fn explain<K: Subject>(self, program: Program, subject: K) -> Option<Counterexample> {
         let mut pair = match self.begin(subject) {
             Err(failure) => return Some(Counterexample::of(program, failure)),
@@ -309,7 +304,7 @@ impl Conformance {
         Some(Counterexample { program, failure: Box::new(failure), words: Box::new(Words { places, calls }) })
     }
 
-    /// Every argument of the operators that the subject has and that were not applied so far.
+    /// The operators that the subject supports but has not applied yet, with every argument.
     fn rest<K: Subject>(pair: &InStep<K>, sum: &ConformanceSummary) -> Vec<Op> {
         let mut all = *sum;
         all.add(&pair.summary());
@@ -320,7 +315,6 @@ impl Conformance {
         ops
     }
 
-    /// Compares without a demand on coverage.
     fn compare<K: Subject>(self, program: &Program, subject: K) -> Result<ConformanceSummary, Failure> {
         let mut pair = self.begin(subject)?;
         for op in &program.0 {
@@ -344,8 +338,8 @@ impl Conformance {
     }
 }
 
-/// A triangle with a vertex inside, if an operator of meshes is among those that are left and the structure has a face to put it in: an
-/// edge of a random map seldom has triangles on both sides.
+/// Adds a triangle with a vertex inside, if an operator of meshes is left and the structure has a face for it: edges of random maps
+/// seldom have triangles on both sides.
 fn triangle_for<K: Subject>(left: &[Op], on: &Runner<K>) -> Vec<Op> {
     let is_of_mesh = |op: &Op| OpKind::SHARES.iter().any(|(kind, share)| *kind == op.kind() && *share == 0);
     if on.subject().unbounded_face().is_none() || !left.iter().any(is_of_mesh) {
@@ -368,14 +362,14 @@ fn triangle_for<K: Subject>(left: &[Op], on: &Runner<K>) -> Vec<Op> {
     ]
 }
 
-/// So often an operator is drawn that finds nothing to choose from, before it becomes a rare one.
+/// An operator skipped this often is drawn rarely.
 const SKIPPED_OFTEN: usize = 20;
-/// So often an operator is drawn that the subject says it does not have, before it is drawn no more.
+/// An operator answered with [`Refusal::Unsupported`] this often is no longer drawn.
 const SURELY_UNSUPPORTED: usize = 4;
 
-/// Operators as often as in any bytes, and those of meshes, which are in no bytes, as often as the most frequent one. One that
-/// the subject has only ever answered by not having it is drawn no more. One for which there was never anything to choose from,
-/// such as adding a vertex to the unbounded face of a structure without it, is drawn seldom: there may be later.
+/// Draws operators as often as [`Op::from_bytes`] does, and operators of meshes, which no bytes encode, as often as the most frequent
+/// one. Unsupported operators are no longer drawn. Operators that never found anything to choose from, such as adding a vertex to a
+/// missing unbounded face, are drawn seldom: they may become possible later.
 fn generator_for(so_far: &ConformanceSummary) -> Generator {
     let most = OpKind::SHARES.iter().map(|(_, share)| *share).max().unwrap_or(1);
     let weight = |kind: OpKind, share| {

@@ -1,58 +1,56 @@
-//! Does a subject do what the operators say? Programs are run on it and on the reference in step, and after every
-//! operator both must have done the same.
+//! Conformance tests: programs run on a subject and on the reference in step, and both are compared after every operator.
 //!
-//! The reference is [`PointerModel`](crate::program::PointerModel), which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
-//! operators: `Dcel` is held to it like any other subject.
+//! The reference is [`PointerModel`](crate::program::PointerModel), which shares only the meaning of the operators with
+//! [`Dcel`](crate::dcel::Dcel): `Dcel` is tested against it like any other subject.
 //!
 //! | to | take |
 //! | --- | --- |
-//! | try random programs, and get the smallest one that fails | [`check`] |
+//! | run random programs, and get the smallest failing one | [`check`] |
 //! | run one program | [`run`] |
-//! | run one of a fuzzer, and make it small if it fails | [`Conformance::run_and_shrink`] |
-//! | look at the structure between operators | [`InStep`] |
-//! | ask for more or less | [`Conformance`] |
+//! | run a fuzzer's program, and shrink it if it fails | [`Conformance::run_and_shrink`] |
+//! | inspect the structure between operators | [`InStep`] |
+//! | change the settings | [`Conformance`] |
 //!
 //! # What is compared
 //!
 //! After each operator:
 //!
-//! 1. whether it was applied, refused (and with which category of error) or skipped;
-//! 2. whether the subject is valid, by the validator;
-//! 3. whether the view is the right map: by canonical forms, nesting and unbounded face included, if it has faces, their inner boundary
-//!    components and the unbounded face, and else half-edge by half-edge;
-//! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
-//!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used;
-//! 5. whether each vertex has the handle that it had before. Where two become one, either may be kept, unless
-//!    [`Conformance::collapse_keeps`] says which. [`Conformance::without_vertex_handles`] is for structures that give vertices other indices.
+//! 1. the outcome: applied, refused (and the category of the error) or skipped;
+//! 2. the subject's validity, by the validator;
+//! 3. the view: by canonical form, including nesting and the unbounded face, if it has faces, inner boundary components and an
+//!    unbounded face; otherwise half-edge by half-edge;
+//! 4. the answers of handles: `twin`, `next`, origin and face of every half-edge and isolated vertex, in order of creation. A wrong
+//!    handle is found when it is returned, not when it is used;
+//! 5. the handles of surviving vertices. Of two merged vertices either may survive, unless [`Conformance::collapse_keeps`] chooses one.
+//!    [`Conformance::without_vertex_handles`] is for structures that renumber vertices.
 //!
-//! What an operator returns is not compared beyond its handles: which boundary components and faces it says that it kept, made and
-//! dropped. For `Dcel`, `ReportAudit` of the crate `twinedge-trials` compares that, too.
+//! The kept, made and dropped boundary components and faces that an operator reports are not compared. For `Dcel`, `ReportAudit` of the
+//! crate `twinedge-trials` also compares these.
 //!
-//! What a structure does not have is not compared, and the summary [says so](ConformanceSummary::not_compared). An operator that the
-//! subject does not have, or has no room for, is not run on the reference either, but the subject must be as it was. To get on beyond a
-//! difference that is known, answer [`Refusal::Unsupported`](crate::program::Refusal::Unsupported) where it would occur.
+//! Parts that a structure lacks are not compared; the summary [lists them](ConformanceSummary::not_compared). If the subject does not
+//! support an operator, or has no room for it, the reference does not run it either, and the subject must be unchanged. To continue
+//! past a known difference, answer [`Refusal::Unsupported`](crate::program::Refusal::Unsupported) where it would occur.
 //!
-//! # Where it begins
+//! # The start
 //!
-//! With the subject as it is. The empty map will do if the subject has `add_isolated_vertex`. Any other valid structure becomes
-//! that of the reference by [`PointerModel::from_view`](crate::program::PointerModel::from_view), which says how it stands for meshes, borders and
-//! surfaces, and the subject tells its handles by [`Subject::half_edge_at`]. Each half-edge needs a twin,
-//! on the border, too; [`mesh::Named`](crate::program::mesh::Named) adds those that a mesh does not store. A half-edge on the border
-//! needs no `next`: its view may answer nil.
+//! A comparison begins with the subject in its current state. The empty map is enough if the subject has `add_isolated_vertex`.
+//! Otherwise [`PointerModel::from_view`](crate::program::PointerModel::from_view) copies the structure into the reference (its page
+//! covers meshes, borders and surfaces), and [`Subject::half_edge_at`] returns the handles. Each half-edge needs a twin, also on the
+//! border; [`mesh::Named`](crate::program::mesh::Named) adds twins that a mesh does not store. A half-edge on the border needs no
+//! `next`: its view may answer nil.
 //!
-//! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from an
-//! answer to a line, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of the operators that it
-//! has. Errors become a [`Refusal`](crate::program::Refusal) by `From` (an error type of another crate, such as `String`, needs a
-//! wrapper of your own for that): [`program::mesh`](crate::program::mesh) says for which reason each operator is
-//! refused, and in which order. The example `mesh_conformance` is 39 lines of this beside the mesh: one whose half-edges keep their
-//! indices, the twin of `h` being `h ^ 1`, and which stores the half-edges on its border.
+//! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from
+//! one line per answer, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of its operators.
+//! Errors become a [`Refusal`](crate::program::Refusal) by `From`; wrap an error type of another crate, such as `String`, in your own.
+//! [`program::mesh`](crate::program::mesh) lists each operator's refusals in order. The example `mesh_conformance` needs 39 lines for a
+//! mesh with stable indices, stored border half-edges and the twin of `h` at `h ^ 1`.
 //!
-//! If operators move half-edges to other indices (where `next` is arithmetic they must), or if half-edges on the border are not
-//! stored, [`mesh::Named`](crate::program::mesh::Named) takes the mesh and its operators, and no `Subject` has to be written.
+//! If operators move half-edges to other indices (as they must where `next` is arithmetic), or if half-edges on the border are not
+//! stored, give the mesh and its operators to [`mesh::Named`](crate::program::mesh::Named); no `Subject` is needed.
 //!
-//! `View` and `Subject` are implemented in the crate of the structure, or for a newtype elsewhere. Tests of that crate need twinedge as
-//! a dev-dependency; a fuzz target is another crate, so the implementation must be in the library then, behind a feature of its own if
-//! users are not to see it:
+//! Implement `View` and `Subject` in the crate of the structure, or for a newtype elsewhere. For that crate's tests, twinedge is a
+//! dev-dependency. A fuzz target is another crate, so the implementation must be in the library, behind a feature if users should not
+//! see it:
 //!
 //! ```toml
 //! [dependencies]
@@ -63,8 +61,8 @@
 //!
 //! # When nothing was tried
 //!
-//! A comparison in which nothing happens proves nothing. So [`run`] fails if no operator was applied, and [`check`] if some
-//! operator that the subject has was never applied; [`Coverage`] asks for something else.
+//! A comparison in which nothing happens proves nothing. [`run`] fails if no operator was applied, and [`check`] fails if a supported
+//! operator was never applied; [`Coverage`] changes this.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
@@ -92,19 +90,18 @@ use crate::program::operators::Program;
 use crate::program::subject::Subject;
 use crate::validate::Expectation;
 
-/// Runs a program on a subject, and on the reference in step. `expectation` says what the validator can hold the subject to.
+/// Runs a program on a subject and on the reference in step. `expectation` states the rules that the subject keeps.
 ///
-/// O(n²) per operator for n half-edges and vertices, if the subject answers a question in O(1) and its view does. Of this
-/// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
-/// symmetries.
+/// O(n²) per operator for n half-edges and vertices, if the subject and its view answer in O(1). Comparing handles takes O(n²); a few
+/// operators of the reference, and maps with many symmetries, also take more than O(n log n).
 ///
-/// With the feature `std`, a panic of the subject is a difference like any other. The first comparison installs a hook that keeps such a
-/// panic from being printed. A stack that overflows, and `panic = "abort"`, end the program all the same.
+/// With the feature `std`, a panic of the subject is a difference like any other. The first comparison installs a hook that suppresses
+/// the message of such a panic. A stack overflow and `panic = "abort"` still end the program.
 ///
 /// # Errors
-/// The first difference, and the operator that made it. Before the first operator: what is wrong with the structure as a start.
-/// After the last: [`Difference::NothingApplied`] if the program has operators and none was applied. Where that is no
-/// failure, as for a program that is being made smaller, take [`Coverage::Nothing`].
+/// The first difference, with its operator. Before the first operator: the reason why the structure cannot be a start. After the last
+/// one: [`Difference::NothingApplied`] if the program has operators and none was applied. Where that is not a failure, for example
+/// while shrinking, set [`Coverage::Nothing`].
 pub fn run<K: Subject>(
     program: &Program,
     subject: K,
@@ -113,14 +110,14 @@ pub fn run<K: Subject>(
     Conformance::of(expectation).run(program, subject)
 }
 
-/// Runs 200 random programs of 40 operators, each on a new subject, and makes the first that fails small. They are always the same
-/// programs; [`Conformance`] has others, and more.
+/// Runs 200 random programs of 40 operators, each on a new subject, and shrinks the first that fails. The programs are always the same;
+/// [`Conformance`] changes the seed, the number and the length.
 ///
-/// Operators are drawn among those that the subject has, as far as has been seen. Costs as much as so many calls of [`run`].
+/// Draws only operators that the subject has not turned out to lack. Costs as much as 200 calls of [`run`].
 ///
 /// # Errors
-/// The smallest program found that shows a difference, with the difference. [`Difference::NeverApplied`] if the subject has an
-/// operator that none of them applied; [`Difference::NothingApplied`].
+/// The smallest failing program found, with the difference. [`Difference::NeverApplied`] if an operator of the subject was never
+/// applied; [`Difference::NothingApplied`].
 pub fn check<K: Subject>(
     make: impl FnMut() -> K,
     expectation: &Expectation,
@@ -128,25 +125,25 @@ pub fn check<K: Subject>(
     Conformance::of(expectation).check(make)
 }
 
-/// The operators that a run must have covered to count.
+/// The operators that a run must cover to succeed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Coverage {
-    /// Every operator that the subject has was applied at least once. An operator that it was never asked for, or that
-    /// found nothing to choose from each time, counts as one that it does not have.
+    /// Every supported operator was applied at least once. An operator that was never tried, or never found anything to choose from,
+    /// counts as unsupported.
     EveryOperator,
     /// Some operator was applied. An empty program passes.
     SomeOperator,
-    /// Nothing. Take this to make a failing program small: fewer operators cover less.
+    /// No requirement. For shrinking: fewer operators cover less.
     Nothing,
 }
 
 /// An end of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum End {
-    /// The vertex where it starts.
+    /// The vertex where the half-edge starts.
     Origin,
-    /// The vertex where it ends.
+    /// The vertex where the half-edge ends.
     Target,
 }
 
@@ -176,8 +173,7 @@ pub struct Conformance {
 }
 
 impl Conformance {
-    /// A comparison with a structure that is held to this expectation: 200 programs of 40 operators, where programs
-    /// are made up.
+    /// Compares a structure under this expectation; [`check`](Self::check) runs 200 programs of 40 operators.
     #[must_use]
     pub const fn of(expectation: &Expectation) -> Self {
         Self {
@@ -192,34 +188,33 @@ impl Conformance {
         }
     }
 
-    /// The same, but something else must be covered. The default is [`Coverage::SomeOperator`] for one program, and
-    /// [`Coverage::EveryOperator`] for [`Conformance::check`].
+    /// Sets the operators to be covered. The default is [`Coverage::SomeOperator`] for one program, and [`Coverage::EveryOperator`] for
+    /// [`Conformance::check`].
     #[must_use]
     pub const fn coverage(mut self, coverage: Coverage) -> Self {
         self.coverage = Some(coverage);
         self
     }
 
-    /// The same without handles of removed records, for structures that use a handle again. Operators that ask for one
-    /// are skipped.
+    /// Disables handles of removed records, for structures that reuse handles. Operators that choose one are skipped.
     #[must_use]
     pub const fn without_stale_handles(mut self) -> Self {
         self.stale_handles = false;
         self
     }
 
-    /// The same, but operators may give vertices other handles, as a structure does that keeps its vertices without gaps and whose handles are
-    /// indices. Data that is kept by such handles must be moved by its owner. Within one state of the structure equal handles still mean
-    /// equal vertices. Handles of half-edges and of isolated vertices must stay. [`mesh::Named`](crate::program::mesh::Named) finds
-    /// half-edges again by their vertices: with it, a vertex that is made or kept may have a new index, and others may not.
+    /// Lets operators change the handles of vertices, for structures that keep vertices without gaps and use indices as handles. The
+    /// owner must move data stored under such handles. Within one state, equal handles still mean equal vertices. Handles of half-edges
+    /// and of isolated vertices must stay. [`mesh::Named`](crate::program::mesh::Named) finds half-edges by their vertices: with it,
+    /// only a vertex that is made or kept may have a new index.
     #[must_use]
     pub const fn without_vertex_handles(mut self) -> Self {
         self.vertex_handles = false;
         self
     }
 
-    /// The same, but of the two ends of an edge that is contracted or collapsed this one is to be kept. By default either may be, and
-    /// another vertex may not. Of a half-edge on the border that the structure does not store, either may be kept in any case.
+    /// Requires that contracting or collapsing an edge keeps this end. By default either end may survive, but no other vertex. For a
+    /// half-edge on the border that the structure does not store, either may always survive.
     #[must_use]
     pub const fn collapse_keeps(mut self, end: End) -> Self {
         self.survivor = Some(end);

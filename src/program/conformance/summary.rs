@@ -1,4 +1,4 @@
-//! The coverage of a comparison: how often each operator was applied, and what could not be compared.
+//! The coverage of a comparison: the outcomes of each operator, and the parts that were not compared.
 
 use crate::program::operators::Op;
 use crate::program::subject::{Refusal, StepOutcome};
@@ -12,22 +12,22 @@ pub struct OperatorCounts {
     pub applied: usize,
     /// Refused by both, for the same reason.
     pub refused: usize,
-    /// The subject was not called: there was nothing to choose from, or a question that decides the choice was refused.
+    /// The subject was not called: there was nothing to choose from, or it refused a question that the choice depends on.
     pub skipped: usize,
     /// Refused by the subject for want of room.
     pub no_room: usize,
-    /// The subject does not have it.
+    /// The subject does not have this operator.
     pub unsupported: usize,
 }
 
 impl OperatorCounts {
-    /// The number of times that it was run.
+    /// The number of runs.
     #[must_use]
     pub const fn all(&self) -> usize {
         self.applied + self.refused + self.skipped + self.no_room + self.unsupported
     }
 
-    /// Tells whether the subject has it, as far as was seen.
+    /// Tells whether the subject has the operator, as far as is known.
     #[must_use]
     pub const fn is_supported(&self) -> bool {
         self.applied + self.refused + self.no_room > 0
@@ -42,7 +42,7 @@ impl OperatorCounts {
     }
 }
 
-/// A part that a structure does not have, so that it was not compared.
+/// A part that a structure lacks, so that it was not compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum NotCompared {
@@ -54,8 +54,7 @@ pub enum NotCompared {
     Outside,
     /// `next` of half-edges on the border: the structure keeps none.
     BorderNext,
-    /// The refusal of stale handles: see
-    /// [`without_stale_handles`](super::Conformance::without_stale_handles).
+    /// The refusal of stale handles: see [`without_stale_handles`](super::Conformance::without_stale_handles).
     StaleHandles,
     /// The handles of vertices before and after an operator: see
     /// [`without_vertex_handles`](super::Conformance::without_vertex_handles).
@@ -66,7 +65,7 @@ impl NotCompared {
     const ALL: [Self; 6] =
         [Self::Faces, Self::Holes, Self::Outside, Self::BorderNext, Self::StaleHandles, Self::VertexHandles];
 
-    /// The noun for it, without article.
+    /// The noun for this part, without an article.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -82,7 +81,7 @@ impl NotCompared {
 
 /// Counts of the outcomes of one program or several, and the parts that were not compared.
 ///
-/// [`Display`](fmt::Display) gives a table with a row for each operator that was run, and lists those that the subject does not have.
+/// [`Display`](fmt::Display) writes a table with a row per operator run, and lists the unsupported operators.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConformanceSummary {
     counts: [OperatorCounts; Op::NAMES.len()],
@@ -90,18 +89,18 @@ pub struct ConformanceSummary {
 }
 
 impl ConformanceSummary {
-    /// Each operator by its name, with its counts.
+    /// The counts of each operator, with its name.
     pub fn by_operator(&self) -> impl Iterator<Item = (&'static str, OperatorCounts)> + '_ {
         Op::NAMES.iter().copied().zip(self.counts)
     }
 
-    /// The counts of the operator of this name; `None` if there is no such operator.
+    /// The counts of the operator of this name; `None` if no operator has it.
     #[must_use]
     pub fn of(&self, name: &str) -> Option<OperatorCounts> {
         self.by_operator().find_map(|(other, counts)| (other == name).then_some(counts))
     }
 
-    /// The outcomes of all operators together.
+    /// The sum over all operators.
     #[must_use]
     pub fn total(&self) -> OperatorCounts {
         let mut sum = OperatorCounts::default();
@@ -109,12 +108,12 @@ impl ConformanceSummary {
         sum
     }
 
-    /// The parts that the structure does not have, so that they were not compared.
+    /// The parts that the structure lacks, so that they were not compared.
     pub fn not_compared(&self) -> impl Iterator<Item = NotCompared> + '_ {
         NotCompared::ALL.into_iter().filter(|part| self.not_compared[*part as usize])
     }
 
-    /// Adds what another run covered.
+    /// Adds the coverage of another run.
     pub fn add(&mut self, other: &Self) {
         self.counts.iter_mut().zip(&other.counts).for_each(|(sum, counts)| sum.add(counts));
         self.not_compared.iter_mut().zip(other.not_compared).for_each(|(sum, part)| *sum |= part);

@@ -1,9 +1,9 @@
-//! The operators of triangle meshes, defined by steps of the basic ones.
+//! The operators of triangle meshes, defined as steps of the basic operators.
 //!
-//! Kernels of triangle meshes have no `connect` and no `remove_edge`. They flip an edge, split an edge or a triangle, and
-//! collapse an edge, each in one go. These functions say what that is: which basic operators it amounts to, and when it is
-//! refused. They are the operators `mesh_…` of the models and of [`Dcel`](crate::dcel::Dcel), with which a kernel is compared
-//! by [`conformance`](super::conformance).
+//! Kernels of triangle meshes have no `connect` and no `remove_edge`. They flip an edge, split an edge or a triangle, and collapse an
+//! edge, each in one operation. The functions here define these operations by basic operators, and define when they are refused. They
+//! are the operators `mesh_…` of the models and of [`Dcel`](crate::dcel::Dcel), with which [`conformance`](super::conformance)
+//! compares a kernel.
 //!
 //! | operator | steps | refused unless |
 //! | --- | --- | --- |
@@ -16,23 +16,22 @@
 //!
 //! # The link condition
 //!
-//! The link of a vertex is what its triangles have beside it: their other vertices, and the edges opposite. The link of an
-//! edge is the vertices opposite. The border counts as if one more vertex were joined with all of it. Collapsing an edge
-//! ab of a simple triangulation gives a simple triangulation of the same surface if and only if what the links of a and b have in
-//! common is the link of ab (Dey, Edelsbrunner, Guha and Nekhayev, *Topology preserving edge contraction*, 1999). That
-//! rules out: a third vertex adjacent to both; an inner edge between two vertices of the border; a border of three
-//! edges; the tetrahedron.
+//! The link of a vertex is the boundary of its triangles: their other vertices, and the edges opposite. The link of an edge is the
+//! vertices opposite. The border counts as if joined to one extra vertex. Collapsing an edge ab of a simple triangulation yields a
+//! simple triangulation of the same surface if and only if the links of a and b intersect exactly in the link of ab (Dey,
+//! Edelsbrunner, Guha and Nekhayev, *Topology preserving edge contraction*, 1999). The condition rules out a third vertex adjacent to
+//! both, an inner edge between two border vertices, a border of three edges, and the tetrahedron.
 //!
 //! # Handles
 //!
-//! What happens to the handles is left to the kernel, except that the half-edges of the surrounding boundary keep theirs: the other
-//! edges of the triangles at the edge, or, where a triangle collapses, the other edges of the triangles beyond. The new half-edges are found from
-//! these by `next` and `twin`. So a kernel may turn an edge either way, and keep either of two edges that become one. Vertices keep
-//! their handles; of the two ends of an edge that collapses the kernel keeps one, and
-//! [`collapse_keeps`](crate::program::conformance::Conformance::collapse_keeps) says which it is to be.
+//! Kernels may choose the handles, except that the half-edges of the surrounding boundary keep theirs: the other edges of the
+//! triangles at the edge, or, for a triangle that collapses, the other edges of the triangles beyond. The new half-edges are found
+//! from these by `next` and `twin`. A kernel may therefore turn an edge either way, and keep either of two merged edges. Vertices keep
+//! their handles; a kernel keeps one end of a collapsed edge, and
+//! [`collapse_keeps`](crate::program::conformance::Conformance::collapse_keeps) can fix which one.
 //!
-//! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store
-//! the half-edges on its border, is put to the test through [`Named`].
+//! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store the
+//! half-edges on its border, is tested through [`Named`].
 
 mod named;
 
@@ -44,8 +43,7 @@ use crate::dcel::{Corner, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Tells whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, only what has no `next` is
-/// outside.
+/// Tells whether a face, not the outside, lies to the left of a half-edge. Without faces, only half-edges without `next` are outside.
 pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool, Refusal> {
     match subject.face_of(Corner::At(h)) {
         Err(Refusal::Border) => Ok(false),
@@ -54,7 +52,7 @@ pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool,
     }
 }
 
-/// The half-edges of the triangle to the left of `h`, beginning with `h`; `None` if there is no face, or the unbounded one.
+/// The half-edges of the triangle to the left of `h`, beginning with `h`; `None` if the left side is outside.
 fn triangle<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Option<[K::HalfEdge; 3]>, Refusal> {
     if !is_inside(subject, h)? {
         return Ok(None);
@@ -64,7 +62,7 @@ fn triangle<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Option<[K::HalfEd
     if subject.next_of(third)? == h && second != h { Ok(Some([h, second, third])) } else { Err(Refusal::NotTriangle) }
 }
 
-/// The triangles on both sides of an edge: different ones, and at least one.
+/// The two different triangles at an edge; at most one is missing.
 type Sides<H> = [Option<[H; 3]>; 2];
 
 fn sides<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Sides<K::HalfEdge>, Refusal> {
@@ -76,7 +74,6 @@ fn sides<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Sides<K::HalfEdge>, 
     if left.is_some_and(|left| left.contains(&twin)) { Err(Refusal::NotTriangle) } else { Ok([left, right]) }
 }
 
-/// All half-edges that leave the origin of `h`.
 fn leaving<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Vec<K::HalfEdge>, Refusal> {
     let mut all = vec![h];
     let mut at = subject.next_of(subject.twin_of(h)?)?;
@@ -91,19 +88,18 @@ fn target<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<K::Vertex, Refusal>
     subject.origin_of(subject.twin_of(h)?)
 }
 
-/// The link of a vertex: vertices, and edges by their ends. None is the vertex with which the border is joined.
+/// The link of a vertex: vertices, and edges by their ends. `None` is the extra vertex joined with the border.
 struct Link<V> {
     vertices: Vec<Option<V>>,
     edges: Vec<[Option<V>; 2]>,
 }
 
-/// The link of the origin of `h`.
 fn link<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Link<K::Vertex>, Refusal> {
     let mut link = Link { vertices: Vec::new(), edges: Vec::new() };
     for side in leaving(subject, h)? {
         let end = Some(target(subject, side)?);
         link.vertices.push(end);
-        // The third vertex of the triangle to the left; on the border, the vertex that is joined with all of it.
+        // The third vertex of the triangle to the left; on the border, the extra vertex.
         if let Some([_, second, _]) = triangle(subject, side)? {
             link.edges.push([end, Some(target(subject, second)?)]);
         } else {
@@ -115,7 +111,7 @@ fn link<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<Link<K::Vertex>, Refu
     Ok(link)
 }
 
-/// The vertex before the origin of a half-edge on its cycle: the end of the last half-edge of the rotation before it.
+/// The vertex before the origin of `h` on its cycle: the target of the last half-edge of the rotation before `h`.
 fn before_on_border<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<K::Vertex, Refusal> {
     let mut at = h;
     loop {
@@ -128,7 +124,7 @@ fn before_on_border<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<K::Vertex
     }
 }
 
-/// Tells whether the links of the two ends have nothing in common but the vertices opposite.
+/// Tells whether the links of the two ends share only the vertices opposite.
 fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::HalfEdge>) -> Result<bool, Refusal> {
     let twin = subject.twin_of(h)?;
     let [origin, target] = [subject.origin_of(h)?, subject.origin_of(twin)?];
@@ -136,7 +132,7 @@ fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::Half
     for side in sides {
         opposite.push(side.map(|[_, _, third]| subject.origin_of(third)).transpose()?);
     }
-    // A loop, or a triangle with one.
+    // A loop, or a triangle containing one.
     if origin == target || opposite.contains(&Some(origin)) || opposite.contains(&Some(target)) {
         return Ok(false);
     }
@@ -148,15 +144,14 @@ fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::Half
         && !a.edges.iter().any(|edge| b.edges.iter().any(|other| same(*edge, *other))))
 }
 
-/// Turns an edge inside the two triangles that it separates: it joins the two other vertices then. Here the half-edge is turned
-/// counter-clockwise, from the vertex that was opposite to its right to the one that was opposite to its left; a kernel that turns it
-/// clockwise is also valid.
+/// Flips an edge inside its two triangles, to join the two other vertices. This implementation turns the half-edge counter-clockwise,
+/// from the vertex opposite on its right to the vertex opposite on its left; a kernel may also turn it clockwise.
 ///
 /// O(degree²) questions plus `flip_edge`.
 ///
 /// # Errors
-/// [`Refusal::Stale`]; [`Refusal::Border`] if a side is outside; [`Refusal::NotTriangle`] if a side is no triangle, or the same;
-/// [`Refusal::NotSimple`] if the two other vertices are the same or adjacent.
+/// [`Refusal::Stale`]; [`Refusal::Border`] if a side is outside; [`Refusal::NotTriangle`] if a side is not a triangle, or both are the
+/// same one; [`Refusal::NotSimple`] if the two other vertices are the same or adjacent.
 pub fn flip_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let twin = subject.twin_of(half_edge)?;
     if !is_inside(subject, half_edge)? || !is_inside(subject, twin)? {
@@ -174,17 +169,17 @@ pub fn flip_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<
     subject.apply(Call::FlipEdge { half_edge, turn: Turn::CounterClockwise }).map(drop)
 }
 
-/// Puts a new vertex on an edge, and joins it with the vertex opposite in each triangle.
+/// Puts a new vertex on an edge, and joins it with the opposite vertex of each triangle.
 ///
 /// O(1) questions plus the steps.
 ///
 /// # Errors
-/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if a side that is not outside is no
-/// triangle, or both are the same; [`Refusal::Full`].
+/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if an inside side is not a triangle, or
+/// both are the same one; [`Refusal::Full`].
 pub fn split_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let [left, right] = sides(subject, half_edge)?;
     let n = subject.make_edge(Call::SplitEdge { half_edge })?;
-    // The corners of the new vertex: to the left of the edge `n` leaves, to the right the twin of the given half-edge.
+    // The corners of the new vertex: `n` leaves it on the left of the edge, the twin of the given half-edge on the right.
     let twin = subject.twin_of(half_edge)?;
     let mut made = Vec::new();
     for (corner, side) in [(n, left), (twin, right)] {
@@ -228,19 +223,18 @@ pub fn split_face<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result
     Ok(())
 }
 
-/// Removes edges that were just made, the last one first.
+/// Removes the edges of a failed operator, the last one first.
 fn undo<K: Subject>(subject: &mut K, made: Vec<K::HalfEdge>) -> Result<(), Refusal> {
     made.into_iter().rev().try_for_each(|edge| subject.apply(Call::RemoveEdge { half_edge: edge }).map(drop))
 }
 
-/// Collapses an edge to a vertex, together with its triangles, whose two other edges become one.
+/// Collapses an edge to a vertex, together with its triangles; the two other edges of each triangle merge.
 ///
 /// O(degree²) questions plus the steps.
 ///
 /// # Errors
-/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if a side that is not outside is no
-/// triangle, or another triangle at one of the two vertices is none, or both sides are the same; [`Refusal::NotSimple`] if
-/// the link condition does not hold.
+/// [`Refusal::Stale`]; [`Refusal::Border`] if both sides are outside; [`Refusal::NotTriangle`] if an inside side is not a triangle,
+/// both are the same one, or a face at either end is not a triangle; [`Refusal::NotSimple`] if the link condition does not hold.
 pub fn collapse_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Result<(), Refusal> {
     let found = sides(subject, half_edge)?;
     if !link_condition(subject, half_edge, &found)? {
@@ -248,7 +242,7 @@ pub fn collapse_edge<K: Subject>(subject: &mut K, half_edge: K::HalfEdge) -> Res
     }
     subject.apply(Call::ContractEdge { half_edge })?;
     for [_, second, third] in found.into_iter().flatten() {
-        // Not the one on the border.
+        // Keep the edge on the border.
         let beyond = subject.twin_of(second)?;
         let is_border = !is_inside(subject, beyond)?;
         subject.apply(Call::RemoveEdge { half_edge: if is_border { third } else { second } })?;

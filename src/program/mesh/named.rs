@@ -1,4 +1,4 @@
-//! Numbers that stay for the half-edges of a mesh that moves them.
+//! Stable numbers for the half-edges of a mesh whose operators move them.
 
 use crate::delegate_view;
 use crate::program::operators::{Call, OpKind};
@@ -9,22 +9,21 @@ use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// An operator of a mesh, which takes the index of a half-edge.
 type Operator<M> = Box<dyn FnMut(&mut M, usize) -> Result<(), Refusal>>;
 
-/// The place of a half-edge: twice its index in the mesh, or one more for the side outside of a half-edge without twin.
+/// The place of a half-edge: twice its index in the mesh, plus one for the missing twin of that half-edge.
 type Place = usize;
 const NOWHERE: Place = usize::MAX;
 
-/// A simple triangle mesh as a [`Subject`], whatever its operators do to the indices of its half-edges, and whether or not it stores
-/// half-edges on its border. The mesh is any [`View`]: it may have vacant slots, and keep `prev`, `leaving` and faces or not.
+/// A simple triangle mesh as a [`Subject`], even if its operators change the indices of half-edges or it does not store half-edges on
+/// its border. The mesh is any [`View`]: it may have vacant slots, and `prev`, `leaving` and faces are optional.
 ///
 /// Where `next` is arithmetic (`3 ⌊h / 3⌋ + (h + 1) mod 3`, as in corner tables and lists of triangles), an operator has to move
-/// half-edges to other indices, and an index is no handle. In a simple mesh no two half-edges start and end at the same vertices.
-/// So here each half-edge has a number of its own by which it is found again after each operator, from its two ends. Vertices and
-/// faces keep their indices.
+/// half-edges to other indices, so an index is not a handle. In a simple mesh no two half-edges have the same origin and target. So
+/// every half-edge gets a stable number here, and is found again by its two ends after each operator. Vertices and faces keep their
+/// indices.
 ///
-/// Messages of [`conformance`](crate::program::conformance) have these numbers (programs have numbers of their own: see
+/// Messages of [`conformance`](crate::program::conformance) contain these numbers (programs count differently: see
 /// [`Program`](crate::program::Program)). To find half-edge 10 of a message in the mesh, run the program again:
 ///
 /// ```no_run
@@ -46,7 +45,7 @@ const NOWHERE: Place = usize::MAX;
 ///        0 ──────────► 1
 /// ```
 ///
-/// O(n log n) for each operator, for n half-edges. The view is that of the mesh with other numbers, and O(log n) per question.
+/// O(n log n) per operator, for n half-edges. The view is the mesh's, renumbered, at O(log n) per question.
 ///
 /// ```
 /// use std::collections::BTreeSet;
@@ -100,18 +99,16 @@ const NOWHERE: Place = usize::MAX;
 /// ```
 pub struct Named<M> {
     mesh: M,
-    /// Per number, where the half-edge is.
+    /// The place of each half-edge, by number.
     place: Vec<Place>,
-    /// By place, the number.
+    /// The number of the half-edge at each place.
     number: BTreeMap<Place, usize>,
-    /// Per number, the ends of the half-edge.
     ends: Vec<[Link; 2]>,
-    /// The operators that the mesh has, by their kinds.
     operators: Vec<(OpKind, Operator<M>)>,
 }
 
 impl<M: View> Named<M> {
-    /// Begins with a mesh as it is. O(n log n).
+    /// Begins with the mesh in its current state. O(n log n).
     #[must_use]
     pub fn new(mesh: M) -> Self {
         let mut named =
@@ -120,15 +117,15 @@ impl<M: View> Named<M> {
         named
     }
 
-    /// The same mesh with the operator [`flip_edge`](super::flip_edge), which takes the index of a half-edge of the mesh. What it gives is
-    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`flip_edge`](super::flip_edge), called with the index of a half-edge of the mesh. Its value is dropped, and
+    /// its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn flip_edge<T, E: Into<Refusal>>(self, operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static) -> Self {
         self.with(OpKind::MeshFlipEdge, operator)
     }
 
-    /// The same mesh with the operator [`split_edge`](super::split_edge), which takes the index of a half-edge of the mesh. What it gives is
-    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`split_edge`](super::split_edge), called with the index of a half-edge of the mesh. Its value is dropped, and
+    /// its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn split_edge<T, E: Into<Refusal>>(
         self,
@@ -137,8 +134,8 @@ impl<M: View> Named<M> {
         self.with(OpKind::MeshSplitEdge, operator)
     }
 
-    /// The same mesh with the operator [`split_face`](super::split_face), which takes the index of a half-edge of the mesh. What it gives is
-    /// dropped, and its error becomes a [`Refusal`] by `Into`.
+    /// Adds the operator [`split_face`](super::split_face), called with the index of a half-edge of the mesh. Its value is dropped, and
+    /// its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn split_face<T, E: Into<Refusal>>(
         self,
@@ -147,7 +144,7 @@ impl<M: View> Named<M> {
         self.with(OpKind::MeshSplitFace, operator)
     }
 
-    /// The same mesh with the operator [`collapse_edge`](super::collapse_edge), which takes the index of a half-edge of the mesh. What it gives is
+    /// Adds the operator [`collapse_edge`](super::collapse_edge), called with the index of a half-edge of the mesh. Its value is
     /// dropped, and its error becomes a [`Refusal`] by `Into`.
     #[must_use]
     pub fn collapse_edge<T, E: Into<Refusal>>(
@@ -167,20 +164,20 @@ impl<M: View> Named<M> {
         self
     }
 
-    /// The mesh.
+    /// Returns the mesh.
     #[must_use]
     pub const fn mesh(&self) -> &M {
         &self.mesh
     }
 
-    /// The half-edge of the mesh that has this number, or on the border the one whose twin has it. None if it has been removed, or
-    /// there is none. O(1).
+    /// Returns the index in the mesh of the half-edge with this number, or of its twin if the half-edge is not stored; `None` if no
+    /// live half-edge has this number. O(1).
     #[must_use]
     pub fn in_mesh(&self, number: usize) -> Option<usize> {
         self.place(number).map(|place| place / 2)
     }
 
-    /// All places where half-edges are, or lack.
+    /// All places, including the places of missing twins.
     fn places(&self) -> Vec<Place> {
         let live = (0..self.mesh.half_edge_slots()).filter(|h| self.mesh.is_half_edge(*h));
         live.flat_map(|h| [Some(2 * h), self.mesh.twin(h).is_none().then_some(2 * h + 1)]).flatten().collect()
@@ -194,7 +191,7 @@ impl<M: View> Named<M> {
         if place % 2 == 0 { ends } else { [ends[1], ends[0]] }
     }
 
-    /// Finds the half-edges by their ends after an operator. `now` is the vertex that a vertex of before has become.
+    /// Finds the half-edges again by their ends after an operator. `now` maps each vertex to its vertex afterwards.
     fn find_again(&mut self, now: impl Fn(usize) -> usize) {
         let mut known: BTreeMap<[Link; 2], usize> = BTreeMap::new();
         for (n, _) in self.place.iter().enumerate().filter(|(_, place)| **place != NOWHERE) {
@@ -212,7 +209,7 @@ impl<M: View> Named<M> {
             (self.place[n], self.ends[n]) = (place, ends);
             self.number.insert(place, n);
         }
-        // A link to a half-edge that is gone leads to the number that it had.
+        // A link to a removed half-edge leads to its former number.
         for (place, n) in before {
             if self.place(n).is_none() {
                 self.number.entry(place).or_insert(n);
@@ -224,7 +221,7 @@ impl<M: View> Named<M> {
         self.place.get(n).copied().filter(|place| *place != NOWHERE)
     }
 
-    /// The number of a half-edge of the mesh; its former number if it is gone, and an unused one if it never was there.
+    /// The number of a half-edge of the mesh; its former number if it was removed, and an unused one if it never existed.
     fn numbered(&self, link: Link) -> Link {
         link.map(|h| h.checked_mul(2).and_then(|place| self.number.get(&place)).copied().unwrap_or(usize::MAX))
     }
@@ -236,12 +233,12 @@ impl<M: View> Named<M> {
         }
     }
 
-    /// A link of the half-edge with a number, if it is stored.
+    /// A link of the half-edge with this number, if the half-edge is stored.
     fn kept(&self, n: usize, link: impl Fn(&M, usize) -> Link) -> Link {
         self.place(n).filter(|place| place % 2 == 0).and_then(|place| link(&self.mesh, place / 2))
     }
 
-    /// Runs an operator of the mesh on the half-edge with this number, or, where that is not stored, on its twin.
+    /// Runs an operator of the mesh on the half-edge with this number, or on its twin if the half-edge is not stored.
     fn run(&mut self, kind: OpKind, n: usize) -> Result<(), Refusal> {
         let place = self.place(n).ok_or(Refusal::Stale)?;
         let operator = self.operators.iter_mut().find(|(other, _)| *other == kind);
@@ -252,13 +249,13 @@ impl<M: View> Named<M> {
         operator(&mut self.mesh, place / 2)
     }
 
-    /// Runs the operator that collapses an edge. The vertex that is kept stands for both ends.
+    /// Runs the operator that collapses an edge. The surviving vertex stands for both ends.
     fn collapse(&mut self, n: usize) -> Result<(), Refusal> {
         let ends = self.ends.get(n).copied().unwrap_or_default();
         let vertices = |mesh: &M| (0..mesh.vertex_slots()).filter(|v| mesh.is_vertex(*v)).collect::<BTreeSet<usize>>();
         let before = vertices(&self.mesh);
         self.run(OpKind::MeshCollapseEdge, n)?;
-        // The two ends afterwards: one of them, or a vertex that is new.
+        // The merged vertex: one of the two ends, or a new vertex.
         let after = vertices(&self.mesh);
         let of_both = ends.into_iter().flatten().chain(after.difference(&before).copied()).find(|v| after.contains(v));
         self.find_again(|v| if ends.contains(&Some(v)) { of_both.unwrap_or(v) } else { v });

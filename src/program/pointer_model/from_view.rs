@@ -1,4 +1,4 @@
-//! The model of a structure that exists.
+//! Builds the model of an existing structure.
 
 use super::{Owned, PointerModel, PointerModelHalfEdge, PointerModelVertex, label, label_cycle, same};
 use crate::program::subject::view_face_of;
@@ -9,18 +9,18 @@ use alloc::vec::Vec;
 use core::mem::replace;
 use thiserror::Error;
 
-/// A model made from a view, and which of its elements are which of the view.
+/// A model built from a view, with the mapping between their elements.
 #[derive(Debug)]
 pub struct PointerModelStart {
     /// The model.
     pub model: PointerModel,
-    /// The half-edges, by their indices in the view; the two of an edge side by side.
+    /// The half-edges, with their indices in the view; the two half-edges of an edge are adjacent.
     pub half_edges: Vec<(usize, PointerModelHalfEdge)>,
-    /// The isolated vertices that lie in a face, by their indices in the view.
+    /// The isolated vertices that lie in a face, with their indices in the view.
     pub isolated: Vec<(usize, PointerModelVertex)>,
 }
 
-/// Why no model can be made from a view.
+/// The reason why no model can be built from a view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum StartError {
@@ -29,35 +29,33 @@ pub enum StartError {
         "half-edge {0} has no twin; both half-edges of each edge are needed, those of the border included (program::mesh::Named adds them to a mesh)"
     )]
     NoTwin(usize),
-    /// The structure has both holes and open boundaries. Which of them are outside, the view does not say.
+    /// The structure has both holes and open boundaries, and the view does not say which boundaries are outside.
     #[error("the structure has holes in faces and open boundaries; which boundaries are outside is not known then")]
     OpenWithHoles,
-    /// Links do not fit together: the view is not valid.
+    /// The links are inconsistent: the view is not valid.
     #[error("the links of half-edge {0} do not fit together")]
     Inconsistent(usize),
 }
 
 impl PointerModel {
-    /// The model of a valid structure, and which of its elements are which of the view.
+    /// Builds the model of a valid structure, with the mapping between its elements and the view's indices.
     ///
-    /// How the model stands for structures that are not planar subdivisions:
+    /// A structure that is not a planar subdivision is modelled as follows:
     ///
-    /// - **Without lists of inner boundary components** ([`Part::Holes`]), faces are discs. Each cycle is a face with one
-    ///   boundary component, on a surface of whatever genus. A map on closed surfaces is given by its half-edges, `twin` and `next` alone
-    ///   (Edmonds; see Lando and Zvonkin, *Graphs on Surfaces and Their Applications*, 2004, section 1.3), and the operators change
-    ///   these as they do in the plane, since they only look at the faces at the edge. Refused as
-    ///   [`Refusal::NotDisc`](crate::program::Refusal::NotDisc), last of all reasons, is what would make another face than a disc: adding an
-    ///   isolated vertex, removing an edge whose two sides are the same face, contracting the only edge of a component.
-    ///   Isolated vertices of the view are left out.
-    /// - **Without faces** ([`Part::Faces`]), each cycle is a face, but where half-edges have no `next`, there is a border.
-    /// - **Where a half-edge has no face** (a border), the model has one that closes the surface, marked as outside. So the
-    ///   surface is closed in the model, and genus and neighbours are those of the closed one. What needs that face is refused as
-    ///   [`Refusal::Border`](crate::program::Refusal::Border), after stale handles and before other reasons:
-    ///   connecting or flipping there, removing an edge of the border, splitting a vertex between two corners of
-    ///   the border. If a half-edge of the border has no `next`, it is followed by the one where the next gap at
-    ///   its target is.
-    /// - **Without unbounded face** ([`Part::UnboundedFace`]) but with holes, the unbounded face of the model is marked as
-    ///   outside, too.
+    /// - **Without lists of inner boundary components** ([`Part::Holes`]), faces are discs. Each cycle is a face with one boundary
+    ///   component, on a surface of any genus. A map on closed surfaces is given by its half-edges, `twin` and `next` alone (Edmonds;
+    ///   see Lando and Zvonkin, *Graphs on Surfaces and Their Applications*, 2004, section 1.3). The operators change these as in the
+    ///   plane, since they only look at the faces at the edge. An operator that would make a face other than a disc is refused as
+    ///   [`Refusal::NotDisc`](crate::program::Refusal::NotDisc), after all other reasons: adding an isolated vertex, removing an edge
+    ///   with the same face on both sides, contracting the only edge of a component. Isolated vertices of the view are omitted.
+    /// - **Without faces** ([`Part::Faces`]), each cycle is a face, and half-edges without `next` form a border.
+    /// - **Where a half-edge has no face** (a border), a face marked as outside closes the surface, so genus and neighbours belong to
+    ///   the closed surface. Operators that need that face are refused as [`Refusal::Border`](crate::program::Refusal::Border), after
+    ///   stale handles and before other reasons: connecting or flipping there, removing an edge of the border, splitting a vertex
+    ///   between two corners of the border. A border half-edge without `next` is followed by the half-edge at the next gap around its
+    ///   target.
+    /// - **Without unbounded face** ([`Part::UnboundedFace`]) but with holes, the unbounded face of the model is also marked as
+    ///   outside.
     ///
     /// O(n²).
     ///
@@ -77,7 +75,7 @@ impl PointerModel {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_view<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<PointerModelStart, StartError> {
-        // Compiled once for all views.
+        // A trait object, so that this is compiled once for all views.
         Self::start(&view, expectation.looks_at(view.parts()), expectation.is_open())
     }
 
@@ -102,11 +100,10 @@ impl PointerModel {
     }
 }
 
-/// The records of the model, by the indices of the half-edges in the view.
+/// The model's half-edges, by index in the view.
 type Records = BTreeMap<usize, Owned<super::HalfEdge>>;
 
 impl PointerModelStart {
-    /// Makes half-edges and their origins, and links them.
     fn join(&mut self, view: &dyn View) -> Result<Records, StartError> {
         let live = || (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h));
         let mut vertices = BTreeMap::new();
@@ -142,7 +139,6 @@ impl PointerModelStart {
         Ok(records)
     }
 
-    /// Makes each cycle a face.
     fn close(&mut self, view: &dyn View, records: &Records, has_faces: bool) {
         for (h, record) in records {
             if record.borrow().face.upgrade().is_none() {
@@ -154,11 +150,11 @@ impl PointerModelStart {
         }
     }
 
-    /// Makes the faces that the view has, with their boundary components and isolated vertices.
+    /// Makes the faces of the view, with their boundary components and isolated vertices.
     fn nest(&mut self, view: &dyn View, records: &Records, parts: Parts) -> Result<(), StartError> {
         let unbounded = self.model.faces[0].clone();
         unbounded.borrow_mut().border = !parts.has(Part::UnboundedFace);
-        // A boundary component in no face lies outside.
+        // A boundary component without a face lies outside.
         for record in records.values() {
             label(record, &unbounded, false);
         }
@@ -196,8 +192,8 @@ impl PointerModelStart {
     }
 }
 
-/// The half-edge after each half-edge. Where the view does not say, on the border, it is the half-edge before which there is a gap
-/// at the target.
+/// The half-edge after each half-edge. A border half-edge without `next` is followed by the half-edge before which there is a gap at
+/// its target.
 fn successors(view: &dyn View, records: &Records) -> Result<BTreeMap<usize, usize>, StartError> {
     let mut next: BTreeMap<usize, usize> = BTreeMap::new();
     let mut prev: BTreeMap<usize, usize> = BTreeMap::new();

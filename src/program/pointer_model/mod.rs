@@ -9,18 +9,17 @@
 //!                                                 boundary ·····►
 //! ```
 //!
-//! Records are owned by the four lists of the model and by nothing else (`Rc`); every link is `Weak`, so that links that run
-//! in circles keep nothing alive.
+//! The four lists of the model own all records (`Rc`); every link is `Weak`, so cycles of links keep nothing alive.
 //!
-//! It is the reference with which other structures are compared, step by step. It shares only the meaning of the operators
-//! with [`dcel`](crate::dcel), and it is written for clarity rather than for speed:
+//! The model is the reference with which other structures are compared, step by step. It shares only the meaning of the
+//! operators with [`dcel`](crate::dcel), and is written for clarity rather than speed:
 //!
 //! - Two moves make all changes to `next` and `prev`: one end of an edge is [taken out](operators) of the rotation of its
 //!   vertex, or put into one.
-//! - Each half-edge says for itself which face is to its left and whether it is on the outer cycle of that face; an isolated
-//!   vertex says in which face it lies. An operator changes these where its definition says so.
-//! - Everything else (boundary components, the lists of the faces, the half-edge kept by a vertex, indices) is thrown away
-//!   after each operator and [built anew](PointerModel::rebuild) from that. So every operator is O(n), and some are O(n²).
+//! - Each half-edge stores the face to its left and whether it is on the outer cycle of that face; an isolated vertex stores
+//!   its face. Operators change these as their definitions say.
+//! - Everything else (boundary components, the lists of the faces, the half-edge kept by a vertex, indices) is discarded
+//!   after each operator and [rebuilt](PointerModel::rebuild). Every operator is O(n), and some are O(n²).
 
 mod from_view;
 mod operators;
@@ -34,9 +33,8 @@ use alloc::vec::Vec;
 use core::any::Any;
 use core::cell::{Ref, RefCell};
 
-/// A record, as its list owns it. Operators have others, for as long as they run.
+/// A record, owned by its list and temporarily by running operators.
 type Owned<T> = Rc<RefCell<T>>;
-/// A link to a record.
 type Pointer<T> = Weak<RefCell<T>>;
 
 /// Names a vertex of a [`PointerModel`]; never reused.
@@ -54,10 +52,10 @@ pub struct PointerModelFace(u64);
 #[derive(Debug)]
 struct Vertex {
     name: PointerModelVertex,
-    /// If isolated: the face in which it lies.
+    /// The face of an isolated vertex.
     face: Option<Pointer<Face>>,
 
-    // Built anew after each operator:
+    // Rebuilt after each operator:
     leaving: Option<Pointer<HalfEdge>>,
     isolated: Option<Pointer<Boundary>>,
     index: usize,
@@ -72,15 +70,14 @@ struct HalfEdge {
     prev: Pointer<HalfEdge>,
     /// The face to its left.
     face: Pointer<Face>,
-    /// True if it is on the outer cycle of that face.
+    /// True on the outer cycle of that face.
     outer: bool,
 
-    // Built anew after each operator:
+    // Rebuilt after each operator:
     boundary: Pointer<Boundary>,
     index: usize,
 }
 
-/// The start of a boundary component.
 #[derive(Debug)]
 enum Beginning {
     HalfEdge(Pointer<HalfEdge>),
@@ -98,10 +95,10 @@ struct Boundary {
 #[derive(Debug)]
 struct Face {
     name: PointerModelFace,
-    /// True for a face that stands for the outside: the original structure has no face there.
+    /// True for a face that stands for the outside, where the original structure has no face.
     border: bool,
 
-    // Built anew after each operator:
+    // Rebuilt after each operator:
     outer: Option<Pointer<Boundary>>,
     inner: Vec<Pointer<Boundary>>,
     index: usize,
@@ -109,7 +106,7 @@ struct Face {
 
 /// The record to which a link leads.
 ///
-/// Every link that is followed leads to a record in the lists of the model: what an operator removes it has unlinked before.
+/// Always succeeds: an operator unlinks a record before removing it.
 fn to<T>(link: &Pointer<T>) -> Owned<T> {
     link.upgrade().expect("a link leads to a record of the model")
 }
@@ -146,7 +143,6 @@ fn contains<T>(list: &[Owned<T>], record: &Owned<T>) -> bool {
     list.iter().any(|other| same(other, record))
 }
 
-/// The half-edges of a cycle.
 fn cycle(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
     let mut found = vec![start.clone()];
     let mut h = next(start);
@@ -157,7 +153,6 @@ fn cycle(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
     found
 }
 
-/// All half-edges of a component.
 fn component(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
     let mut found = vec![start.clone()];
     let mut done = 0;
@@ -178,14 +173,13 @@ fn label(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
     h.borrow_mut().outer = outer;
 }
 
-/// Makes all half-edges of a cycle say so.
 fn label_cycle(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
     for side in cycle(h) {
         label(&side, f, outer);
     }
 }
 
-/// An independent model of the structure, to be compared with step by step.
+/// An independent model of the structure, for step-by-step comparison.
 ///
 /// ```
 /// use twinedge::program::{Call, Corner, Handle, PointerModel, Side, Subject};
@@ -209,7 +203,6 @@ pub struct PointerModel {
     faces: Vec<Owned<Face>>,
     /// True if all faces are discs: they have one boundary component, which is a cycle.
     discs: bool,
-    /// The number of names that were given.
     names: u64,
 }
 
@@ -220,7 +213,7 @@ impl Default for PointerModel {
 }
 
 impl PointerModel {
-    /// The empty map: one unbounded face, nothing in it.
+    /// The empty map: one unbounded face and nothing else.
     #[must_use]
     pub fn new() -> Self {
         let mut model = Self::without_faces(false);
@@ -239,9 +232,9 @@ impl PointerModel {
         }
     }
 
-    /// All records, watched: whether they are still there, how many own them, and how many links lead to them.
+    /// Returns weak pointers to all records, to observe their lifetimes and counts.
     ///
-    /// As long as a record is in its list, `strong_count` is 1; once it is removed, or the model is dropped, it is 0.
+    /// `strong_count` is 1 while a record is in its list, and 0 once it is removed or the model is dropped.
     #[must_use]
     pub fn records(&self) -> Vec<Weak<dyn Any>> {
         fn watch<T: 'static>(list: &[Owned<T>]) -> impl Iterator<Item = Weak<dyn Any>> {
@@ -289,8 +282,8 @@ impl PointerModel {
         f
     }
 
-    /// Makes all that follows from the rest: boundary components and their places in the lists of the faces, what the
-    /// vertices keep, and the indices.
+    /// Rebuilds the derived data: boundary components and their places in the lists of the faces, the links of the vertices,
+    /// and the indices.
     fn rebuild(&mut self) {
         for f in &self.faces {
             f.borrow_mut().outer = None;
@@ -304,7 +297,7 @@ impl PointerModel {
             h.borrow_mut().boundary = Weak::new();
         }
         self.boundaries.clear();
-        // A cycle is a boundary component. The face to its left lists it.
+        // A cycle is a boundary component, listed by the face to its left.
         for h in self.half_edges.clone() {
             origin(&h).borrow_mut().leaving.get_or_insert_with(|| Rc::downgrade(&h));
             if h.borrow().boundary.upgrade().is_none() {
@@ -314,7 +307,7 @@ impl PointerModel {
                 }
             }
         }
-        // So is an isolated vertex.
+        // An isolated vertex also is one.
         for v in self.vertices.clone() {
             let lies_in = v.borrow().face.as_ref().map(to);
             if let Some(f) = lies_in {
@@ -341,17 +334,15 @@ impl PointerModel {
     }
 }
 
-/// The record with this index, read.
 fn read<T, U>(list: &[Owned<T>], index: usize, answer: impl FnOnce(Ref<'_, T>) -> Option<U>) -> Option<U> {
     answer(list.get(index)?.borrow())
 }
 
-/// The index of the record to which a link leads, and nil if it leads nowhere.
 fn index<T>(link: &Pointer<T>, of: impl FnOnce(Ref<'_, T>) -> usize) -> Link {
     Some(of(link.upgrade()?.borrow()))
 }
 
-/// The model as the validator sees it: the index of a record is its place in its list.
+/// The model as a view: the index of a record is its place in its list.
 impl View for PointerModel {
     fn parts(&self) -> Parts {
         Parts::ALL

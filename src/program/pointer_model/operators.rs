@@ -1,6 +1,6 @@
 //! The operators of the model, each written from its definition.
 //!
-//! All surgery is made of two moves, each the other's inverse:
+//! All surgery consists of two moves, inverses of each other:
 //!
 //! ```text
 //!        \   /  a                    \   /  a
@@ -10,7 +10,7 @@
 //!     · x ─────       take_out(x)
 //! ```
 //!
-//! No case is special: loops, leaves and last edges come out right because each move reads what the one before it has left.
+//! There are no special cases: loops, leaves and last edges work because each move reads the result of the move before it.
 
 use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex, Vertex};
 use super::{component, contains, cycle, face, is_outer, label, label_cycle, next, origin, prev, same, to, twin};
@@ -24,25 +24,23 @@ use alloc::vec::Vec;
 /// A corner whose handle has been found.
 type Spot = Corner<Owned<HalfEdge>, Owned<Vertex>>;
 
-/// Makes `n` follow `h` on its cycle.
 fn follow(h: &Owned<HalfEdge>, n: &Owned<HalfEdge>) {
     h.borrow_mut().next = Rc::downgrade(n);
     n.borrow_mut().prev = Rc::downgrade(h);
 }
 
-/// Takes the end where `x` leaves out of the rotation of its vertex. What is left there closes up.
+/// Takes the origin end of `x` out of the rotation of its vertex, and closes the gap.
 fn take_out(x: &Owned<HalfEdge>) {
     follow(&prev(x), &next(&twin(x)));
 }
 
-/// Puts the end where `x` leaves, which is in no rotation, into the rotation of `a`: next counter-clockwise of it.
+/// Puts the origin end of `x`, which is in no rotation, into the rotation of `a`, next counter-clockwise of it.
 fn put_in(x: &Owned<HalfEdge>, a: &Owned<HalfEdge>) {
     follow(&prev(a), x);
     follow(&twin(x), a);
     x.borrow_mut().origin = Rc::downgrade(&origin(a));
 }
 
-/// The half-edge that leaves the same vertex and comes next counter-clockwise.
 fn counter_clockwise(h: &Owned<HalfEdge>) -> Owned<HalfEdge> {
     twin(&prev(h))
 }
@@ -58,7 +56,6 @@ fn spot_vertex(spot: &Spot) -> Owned<Vertex> {
     }
 }
 
-/// The face in which the corner lies, and whether its boundary component is the outer one.
 fn spot_side(spot: &Spot) -> Result<(Owned<Face>, bool), Refusal> {
     match spot {
         Corner::At(h) => Ok((face(h), is_outer(h))),
@@ -66,7 +63,7 @@ fn spot_side(spot: &Spot) -> Result<(Owned<Face>, bool), Refusal> {
     }
 }
 
-/// Refuses to change what lies outside.
+/// Refuses to change the outside.
 fn no_border<'a>(faces: impl IntoIterator<Item = &'a Owned<Face>>) -> Result<(), Refusal> {
     if faces.into_iter().any(|f| f.borrow().border) { Err(Refusal::Border) } else { Ok(()) }
 }
@@ -79,7 +76,7 @@ fn same_boundary(a: &Spot, b: &Spot) -> bool {
     }
 }
 
-/// Gives the inner boundary component of a corner to another face.
+/// Moves the inner boundary component of a corner to another face.
 fn give(spot: &Spot, f: &Owned<Face>) {
     match spot {
         Corner::At(h) => label_cycle(h, f, false),
@@ -87,7 +84,7 @@ fn give(spot: &Spot, f: &Owned<Face>) {
     }
 }
 
-/// The record of this name. Names rise along each list: what is made comes last, and keeps its name.
+/// Finds a record by name. Names rise along each list: new records come last.
 fn find<T, N: Ord>(list: &[Owned<T>], name: &N, of: impl Fn(&T) -> N) -> Result<Owned<T>, Refusal> {
     let position = list.binary_search_by(|record| of(&record.borrow()).cmp(name));
     position.map(|position| list[position].clone()).map_err(|_| Refusal::Stale)
@@ -115,7 +112,7 @@ impl PointerModel {
         Ok(spot)
     }
 
-    /// Makes an edge whose ends are in no rotation yet. Returns its two half-edges.
+    /// Makes an edge whose ends are in no rotation yet, and returns its two half-edges.
     fn make_edge(&mut self, from: &Owned<Vertex>, to: &Owned<Vertex>) -> (Owned<HalfEdge>, Owned<HalfEdge>) {
         let (n, t) = (self.make_half_edge(from), self.make_half_edge(to));
         n.borrow_mut().twin = Rc::downgrade(&t);
@@ -137,7 +134,7 @@ impl PointerModel {
         self.half_edges.iter().any(|h| same(&origin(h), v))
     }
 
-    /// The faces inside a component: those it bounds from outside, and those inside the components that lie in these.
+    /// The faces inside a component: the faces it bounds from outside, and the faces inside components that lie in these.
     fn faces_inside(&self, of: &Owned<HalfEdge>) -> Vec<Owned<Face>> {
         let mut inside = Vec::new();
         let mut half_edges = component(of);
@@ -153,7 +150,6 @@ impl PointerModel {
         inside
     }
 
-    /// An edge with two faces is gone: what bounded the one bounds the other.
     fn merge_faces(&mut self, kept: &Owned<Face>, dropped: &Owned<Face>) {
         for h in self.half_edges.iter().filter(|h| same(&face(h), dropped)) {
             h.borrow_mut().face = Rc::downgrade(kept);
@@ -227,7 +223,6 @@ impl Subject for PointerModel {
     }
 }
 
-/// The operators.
 impl PointerModel {
     fn add_isolated_vertex(&mut self, face: PointerModelFace) -> Result<PointerModelVertex, Refusal> {
         let f = self.find_face(face)?;
@@ -317,7 +312,7 @@ impl PointerModel {
         let outer = is_outer(&n) && is_outer(&t);
         // The rest of the boundary at either end; the same cycle, if two cycles become one.
         let rests: Vec<_> = [next(&n), next(&t)].into_iter().filter(|h| !same(h, &n) && !same(h, &t)).collect();
-        // The face around the other stays, and of two that lie side by side the left one.
+        // The surrounding face survives; of two faces side by side, the left one.
         let kept = if is_outer(&n) && !is_outer(&t) { &right } else { &left };
         let dropped = if same(kept, &left) { &right } else { &left };
 
@@ -325,7 +320,7 @@ impl PointerModel {
         take_out(&t);
         self.drop_edge(&n, &t);
         for rest in &rests {
-            // Of two parts of an outer cycle, that of the component which has its outside elsewhere stays outer.
+            // If an outer cycle falls into two parts, the part whose component has its outside elsewhere stays outer.
             let stays_outer = outer && (!parts || component(rest).iter().any(|h| !is_outer(h)));
             label_cycle(rest, kept, stays_outer);
         }
@@ -344,7 +339,7 @@ impl PointerModel {
         let t = twin(&h);
         let w = self.make_vertex();
         let (n, m) = self.make_edge(&w, &origin(&t));
-        // The new edge takes the place of the old one, which ends at the new vertex instead.
+        // The new edge takes the place of the old one, which now ends at the new vertex.
         put_in(&m, &t);
         take_out(&t);
         put_in(&t, &n);

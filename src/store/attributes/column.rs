@@ -1,4 +1,4 @@
-//! The values of one attribute, and their moves.
+//! The values of one attribute, and the changes that operators make to them.
 
 use super::kind::{Attributed, Kind};
 use super::policy::{Merging, Policy, Reason, Splitting};
@@ -12,55 +12,54 @@ use core::mem;
 use hashbrown::HashMap;
 use slotmap::{Key, KeyData, SecondaryMap};
 
-/// One thing that an operator does to the records of a kind. Those that it makes get their values once they are there, in the order in which
+/// One effect of an operator on the records of a kind. New records get their values once they exist, in the order in which
 /// the steps that make them were announced.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Step {
-    /// Makes one.
+    /// Makes a record.
     Make,
-    /// Makes a vertex on the edge between two.
+    /// Makes a vertex on the edge between two vertices.
     Between(KeyData, KeyData),
-    /// Makes the other part of this one.
+    /// Makes the other part of this record.
     Split(KeyData),
-    /// Gives the place of this one to one that is made.
+    /// Moves the value of this record to a new one.
     Move(KeyData),
-    /// Gives the place of one to another one that is there.
+    /// Moves the value of the first record to the second, existing one.
     Rename(KeyData, KeyData),
-    /// Keeps the first and drops the second.
+    /// Merges the second record into the first.
     Merge(KeyData, KeyData),
-    /// Drops this one.
+    /// Drops this record.
     Drop(KeyData),
 }
 
-/// The values of an attribute whose type is not known.
 pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     fn id(&self) -> u32;
     fn kind(&self) -> Kind;
-    /// Does what an operator is about to do.
+    /// Prepares the values for a step of an operator.
     fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason>;
-    /// Gives its value to a record that was made.
+    /// Sets the announced value of a new record.
     fn settle(&mut self, made: KeyData, log: &mut Vec<Saved>);
-    /// Forgets what was announced.
+    /// Discards the announced values.
     fn forget_announced(&mut self);
     fn shares(&self) -> bool;
     fn is_by_measure(&self) -> bool;
     fn interpolates(&self) -> bool;
-    /// Shares out by measures what the first of two parts still has.
+    /// Shares the remaining value of the first part with the second by measure.
     fn share(&mut self, parts: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
     fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64, log: &mut Vec<Saved>);
-    /// Gives the values of some records to others, or drops them.
+    /// Moves the values of some records to others, or drops them.
     fn transfer(&mut self, moves: &mut dyn Iterator<Item = (KeyData, Option<KeyData>)>, log: &mut Vec<Saved>);
-    /// Gives the values of the same attribute of another structure to records that have none.
+    /// Copies values of the same attribute of another structure to records without a value.
     fn absorb(&mut self, other: &dyn AnyColumn, log: &mut Vec<Saved>);
-    /// Gives other keys to all values; those that get none are dropped.
+    /// Changes the keys of all values; a value without a new key is dropped.
     fn rename(&mut self, key: &dyn Fn(KeyData) -> Option<KeyData>);
     fn copied(&self) -> Box<dyn AnyColumn>;
     fn as_any(&self) -> &dyn Any;
     fn as_any_mut(&mut self) -> &mut dyn Any;
 }
 
-/// A value that was overwritten.
+/// An overwritten value.
 #[derive(Debug)]
 pub struct Saved(Box<dyn AnySaved>);
 
@@ -71,12 +70,10 @@ impl Clone for Saved {
 }
 
 impl Saved {
-    /// The attribute that it is of.
     pub(super) fn id(&self) -> u32 {
         self.0.id()
     }
 
-    /// Exchanges it for the value that is there.
     pub(super) fn exchange(&mut self, column: &mut dyn AnyColumn) {
         self.0.exchange(column);
     }
@@ -111,7 +108,7 @@ impl<K: Attributed, T: Value> AnySaved for SavedValue<K, T> {
     }
 }
 
-/// A type of values: any that is cloned, sent and shared, and borrows nothing.
+/// A type of values: cloneable, `Send`, `Sync` and without borrows.
 pub trait Value: Clone + Debug + Send + Sync + 'static {}
 
 impl<T: Clone + Debug + Send + Sync + 'static> Value for T {}
@@ -121,11 +118,10 @@ pub(super) struct Column<K: Attributed, T> {
     id: u32,
     policy: Arc<Policy<K, T>>,
     pub(super) values: SecondaryMap<K::Key, T>,
-    /// By number of the value its record, if records are found by it.
+    /// The record for each number of a value, if records are found by value.
     index: HashMap<u128, K::Key>,
-    /// The other records with such a number, until each has one of its own again.
+    /// Further records with the same number, until their numbers are unique again.
     others: HashMap<u128, BTreeSet<K::Key>>,
-    /// The values of records that will be made.
     announced: VecDeque<Option<T>>,
 }
 
@@ -135,7 +131,6 @@ impl<K: Attributed, T: Value> Column<K, T> {
         Self { id, policy: Arc::new(policy), values: SecondaryMap::new(), index, others, announced: VecDeque::new() }
     }
 
-    /// The record with this value.
     pub(super) fn find(&self, value: &T) -> Option<K::Key> {
         self.policy.number.and_then(|number| self.index.get(&number(value)).copied())
     }
@@ -144,7 +139,6 @@ impl<K: Attributed, T: Value> Column<K, T> {
         self.policy.next_id()
     }
 
-    /// Exchanges the value of a record.
     fn replace(&mut self, key: K::Key, value: Option<T>) -> Option<T> {
         let had = self.values.remove(key);
         if let Some(number) = self.policy.number {
@@ -157,7 +151,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         had
     }
 
-    /// Has a record found by this number.
+    /// Makes this number find this record.
     fn list(&mut self, number: u128, key: K::Key) {
         self.policy.count_on_from(number);
         if let Some(other) = self.index.insert(number, key) {
@@ -165,7 +159,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         }
     }
 
-    /// Has another record with this number found by it, if there is one.
+    /// Makes this number find another record with the same number, if there is one.
     fn unlist(&mut self, number: u128, key: K::Key) {
         let mut others = self.others.remove(&number).unwrap_or_default();
         if self.index.get(&number) != Some(&key) {
@@ -180,7 +174,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         }
     }
 
-    /// Writes a value, or takes it away. Returns the one that was there.
+    /// Sets or removes a value, and returns the previous one.
     pub(super) fn put(&mut self, key: K::Key, value: Option<T>, log: &mut Vec<Saved>) -> Option<T> {
         let writes = value.is_some();
         let had = self.replace(key, value);
@@ -194,7 +188,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         self.policy.making.as_ref().map(|make| make()).transpose()
     }
 
-    /// Gives the next id to a record that has no value.
+    /// Assigns the next id to a record without a value.
     pub(super) fn number(&mut self, key: K::Key, log: &mut Vec<Saved>) {
         if self.values.contains_key(key) {
             return;
@@ -203,7 +197,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         self.put(key, value, log);
     }
 
-    /// The value of the other part.
+    /// Splits a value, and returns the other part's.
     fn split(&mut self, key: K::Key, log: &mut Vec<Saved>) -> Result<Option<T>, Reason> {
         let policy = self.policy.clone();
         if let Splitting::Make = policy.splitting {
@@ -213,7 +207,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         Ok(match &policy.splitting {
             Splitting::Keep | Splitting::Make => None,
             Splitting::Copy => Some(value.clone()),
-            // Nothing is measured yet.
+            // Nothing has been measured yet.
             Splitting::Share(share) => Some(share(value, 0.0)[1].clone()),
             Splitting::Call(split) => {
                 let [kept, other] = split(value.clone())?;
@@ -237,7 +231,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
 }
 
 impl<K: Attributed, T: Value> Column<K, T> {
-    /// Gives a value to several records, as if they had been one that was split: each with its measure, the largest first.
+    /// Distributes a value to several records, each with its measure, the largest first, as if one record had been split.
     pub(super) fn spread(&mut self, value: T, parts: &[(KeyData, f64)], log: &mut Vec<Saved>) -> Result<(), Reason> {
         let policy = self.policy.clone();
         let (mut left, mut rest) = (Some(value), parts.iter().map(|(_, measure)| measure).sum::<f64>());
@@ -258,7 +252,7 @@ impl<K: Attributed, T: Value> Column<K, T> {
         parts.first().map_or(Ok(()), |(largest, _)| self.give((*largest).into(), left, log))
     }
 
-    /// Gives a value to a record, if there is one. If it has one, they are merged.
+    /// Sets the value of a record, merging it with an existing value.
     fn give(&mut self, key: K::Key, given: Option<T>, log: &mut Vec<Saved>) -> Result<(), Reason> {
         let Some(given) = given else { return Ok(()) };
         let value = match (self.values.get(key).cloned(), &self.policy.merging) {

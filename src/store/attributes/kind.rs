@@ -4,7 +4,6 @@ use crate::store::keys::{FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 use slotmap::Key;
 
-/// A kind of record that has attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
@@ -18,12 +17,12 @@ pub enum Kind {
     Corner,
     /// Faces.
     Face,
-    /// Records that a structure around the [`Dcel`](crate::dcel::Dcel) has, such as the features of a map. No operator writes to them.
+    /// Records of a structure around the [`Dcel`](crate::dcel::Dcel), such as the features of a map. No operator writes to them.
     Other,
 }
 
-/// A kind of record that has [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`], [`Faces`], or a kind of
-/// a structure around a [`Dcel`](crate::dcel::Dcel), which is [`Kind::Other`].
+/// A kind of record with [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`], [`Faces`], or a kind
+/// defined by a structure around a [`Dcel`](crate::dcel::Dcel), which is [`Kind::Other`].
 pub trait Attributed: Debug + Send + Sync + 'static {
     /// The keys of these records.
     type Key: Key + Send + Sync;
@@ -47,15 +46,15 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// Vertices have the attribute.
+    /// Attributes of vertices.
     Vertices Vertex VertexKey;
-    /// Half-edges have the attribute: each side of an edge a value of its own.
+    /// Attributes of half-edges: each side of an edge has its own value.
     HalfEdges HalfEdge HalfEdgeKey;
-    /// Edges have the attribute. Either half-edge names the edge; values are kept under the one with the smaller index.
+    /// Attributes of edges. Either half-edge names the edge; values are stored under the one with the smaller index.
     Edges Edge HalfEdgeKey;
-    /// [Corners](crate::dcel::Corner) between half-edges have the attribute, each by the half-edge to whose left it is, at its origin. The
-    /// corner of an isolated vertex has none.
+    /// Attributes of [corners](crate::dcel::Corner), each named by the half-edge at whose origin and to whose left it lies. The corner
+    /// of an isolated vertex has no attributes.
     Corners Corner HalfEdgeKey;
-    /// Faces have the attribute, and the unbounded one may have a value, too.
+    /// Attributes of faces, including the unbounded face.
     Faces Face FaceKey;
 }

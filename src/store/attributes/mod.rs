@@ -1,7 +1,7 @@
-//! Values that belong to records, and follow what operators do to them.
+//! Values that belong to records and follow operators.
 //!
-//! An operator announces what it does to the records of each kind before it writes anything, and says afterwards which records it made. So
-//! a policy that refuses is heard while nothing has changed but values, and these are taken back by the log.
+//! An operator announces its effects on the records of each kind before it writes anything, and reports the new records afterwards.
+//! When a policy refuses, only values have changed, and the log restores them.
 
 mod column;
 mod kind;
@@ -22,9 +22,9 @@ use core::marker::PhantomData;
 use core::{fmt, mem};
 use slotmap::{KeyData, SecondaryMap};
 
-/// The name of an attribute of a structure: of values of type `T` that records of one kind have.
+/// Names an attribute of a structure: values of type `T` for records of one kind.
 ///
-/// Clones of the structure accept it, and so do those that took over its attributes; other structures do not.
+/// Clones of the structure, and structures that copied its attributes, accept the name; other structures do not.
 pub struct Attribute<K, T> {
     id: u32,
     of: PhantomData<fn() -> (K, T)>,
@@ -44,18 +44,18 @@ impl<K, T> fmt::Debug for Attribute<K, T> {
     }
 }
 
-/// The attributes of a structure, with their values. A structure around a [`Dcel`](crate::dcel::Dcel) says here what it does to records of its own,
-/// and by which measures values are shared out.
+/// The attributes of a structure, with their values. A structure around a [`Dcel`](crate::dcel::Dcel) announces effects on its own
+/// records here, and the measures by which values are shared.
 #[derive(Debug, Default)]
 pub struct Attributes {
     columns: Vec<Box<dyn AnyColumn>>,
-    /// The values that were overwritten: by the last operator, or by the change that is being made if it is recorded.
+    /// The values overwritten by the last operator, or by the current change if it is recorded.
     log: Vec<Saved>,
-    /// Of two faces that are about to be merged, the one whose area is larger.
+    /// The face with the larger area, of two about to be merged.
     larger: Option<KeyData>,
 }
 
-/// A clone has the values, and no log.
+/// Clones the values, but not the log.
 impl Clone for Attributes {
     fn clone(&self) -> Self {
         let columns = self.columns.iter().map(|column| column.copied()).collect();
@@ -64,7 +64,7 @@ impl Clone for Attributes {
 }
 
 impl Attributes {
-    /// Adds an attribute with these values. If the policy gives ids, the other `records` get theirs.
+    /// Adds an attribute with these values. If the policy assigns ids, the other `records` get ids.
     pub(crate) fn add<K: Attributed, T: Value>(
         &mut self,
         policy: Policy<K, T>,
@@ -87,22 +87,19 @@ impl Attributes {
         self.columns.iter().find(|column| column.id() == of.id)?.as_any().downcast_ref()
     }
 
-    /// The values of an attribute; none if it is one of another structure.
     pub(crate) fn values<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&SecondaryMap<K::Key, T>> {
         self.column(of).map(|column| &column.values)
     }
 
-    /// The record with this value, if records are found by it.
     pub(crate) fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
         self.column(of)?.find(value)
     }
 
-    /// The number that the next record gets, if the attribute gives ids.
     pub(crate) fn next_id<K: Attributed>(&self, of: Attribute<K, u64>) -> Option<u64> {
         self.column(of)?.next_id()
     }
 
-    /// Writes a value, or takes it away. Returns the one that was there; an error if the attribute is one of another structure.
+    /// Sets or removes a value, and returns the previous one; an error if the attribute belongs to another structure.
     pub(crate) fn put<K: Attributed, T: Value>(
         &mut self,
         of: Attribute<K, T>,
@@ -114,7 +111,7 @@ impl Attributes {
         Ok(column.put(key, value, &mut self.log))
     }
 
-    /// Does the first part of what an operator is about to do. If a policy refuses, everything is as it was.
+    /// Prepares the values for an operator. If a policy refuses, nothing changes.
     ///
     /// # Errors
     /// The reason of the policy that refuses.
@@ -135,7 +132,7 @@ impl Attributes {
         Ok(())
     }
 
-    /// Gives their values to records that were made, in the order in which they were announced.
+    /// Sets the values of new records, given in the order in which they were announced.
     #[cold]
     pub fn settle(&mut self, made: &[(Kind, KeyData)]) {
         for (kind, key) in made {
@@ -145,8 +142,8 @@ impl Attributes {
         }
     }
 
-    /// Takes over the attributes of another structure. Where both have the same one, a record that has a value of its own keeps it,
-    /// and a number that a record has is not given to another one.
+    /// Adds the attributes of another structure. Where both have the same attribute, records keep their own values, and a number
+    /// already in use is not given to another record.
     pub fn extend(&mut self, other: Self) {
         for new in other.columns {
             if !self.columns.iter().any(|column| column.id() == new.id()) {
@@ -160,43 +157,43 @@ impl Attributes {
         }
     }
 
-    /// Takes back all that was overwritten after so many values.
+    /// Restores all values logged after the first `start`.
     fn rewind(&mut self, start: usize) {
         let mut failed = self.log.split_off(start);
         failed.iter_mut().rev().for_each(|saved| self.exchange(saved));
     }
 
-    /// Exchanges a value for the one that is there.
+    /// Exchanges a saved value with the current one.
     pub fn exchange(&mut self, saved: &mut Saved) {
         if let Some(column) = self.columns.iter_mut().find(|column| column.id() == saved.id()) {
             saved.exchange(&mut **column);
         }
     }
 
-    /// The values that were overwritten, for good.
+    /// Takes all overwritten values out of the log.
     #[must_use]
     pub fn take_log(&mut self) -> Vec<Saved> {
         mem::take(&mut self.log)
     }
 
-    /// The number of values that were overwritten. O(1).
+    /// Returns the number of overwritten values. O(1).
     #[must_use]
     pub fn log_len(&self) -> usize {
         self.log.len()
     }
 
-    /// The values that were overwritten after so many others, for good.
+    /// Takes the overwritten values after the first `at` out of the log.
     #[must_use]
     pub fn split_log(&mut self, at: usize) -> Vec<Saved> {
         self.log.split_off(at)
     }
 
-    /// Forgets which values were overwritten.
+    /// Clears the log.
     pub fn clear_log(&mut self) {
         self.log.clear();
     }
 
-    /// Gives other keys to all values of all records that have one.
+    /// Changes the keys of all values; a value without a new key is dropped.
     pub(crate) fn rename(&mut self, key: &dyn Fn(Kind, KeyData) -> Option<KeyData>) {
         self.log.clear();
         for column in &mut self.columns {
@@ -207,45 +204,45 @@ impl Attributes {
 }
 
 impl Attributes {
-    /// True if there is a value to be shared out by measures when a record of this kind is split.
+    /// Tells whether splitting a record of this kind shares out a value by measures.
     #[must_use]
     pub fn shares(&self, kind: Kind) -> bool {
         self.columns.iter().any(|column| column.kind() == kind && column.shares())
     }
 
-    /// True if the areas of merged faces make a difference.
+    /// Tells whether the areas of merged faces matter.
     #[must_use]
     pub fn is_by_area(&self) -> bool {
         self.columns.iter().any(|column| column.is_by_measure())
     }
 
-    /// True if a vertex on an edge has a value between those of its ends.
+    /// Tells whether a vertex on an edge interpolates values of the ends.
     #[must_use]
     pub fn interpolates(&self) -> bool {
         self.columns.iter().any(|column| column.interpolates())
     }
 
-    /// Says which face has the larger area, if one has, of two that are about to be merged.
+    /// Sets the face with the larger area, if one is larger, of two about to be merged.
     pub const fn set_larger(&mut self, face: Option<KeyData>) {
         self.larger = face;
     }
 
-    /// Shares out the values of a record that was split, of which the second of its parts gets this part.
+    /// Shares the values of a split record: the second part gets the fraction `part`.
     pub fn share(&mut self, kind: Kind, parts: [KeyData; 2], part: f64) {
         for column in self.columns.iter_mut().filter(|column| column.kind() == kind) {
             column.share(parts, part, &mut self.log);
         }
     }
 
-    /// Gives to a vertex on an edge the values at this part of the way between its ends.
+    /// Interpolates the values of a vertex on an edge, at the fraction `part` of the way between its ends.
     pub fn interpolate(&mut self, vertex: KeyData, ends: [KeyData; 2], part: f64) {
         for column in self.columns.iter_mut().filter(|column| column.kind() == Kind::Vertex) {
             column.interpolate(vertex, ends, part, &mut self.log);
         }
     }
 
-    /// Gives to faces the values of other records that cover them: each value, and the faces, the largest first, with their areas. If the
-    /// policy refuses, everything is as it was. An error if the attribute is one of another structure.
+    /// Distributes values of other records to the faces that they cover: each value with its faces, the largest first, and their areas.
+    /// If the policy refuses, nothing changes. An error if the attribute belongs to another structure.
     pub(crate) fn spread<T: Value>(
         &mut self,
         of: Attribute<Faces, T>,
@@ -261,8 +258,8 @@ impl Attributes {
         Ok(outcome)
     }
 
-    /// The same attributes for other faces, into which these were cut: each with its parts, the largest first, and their areas; and for other
-    /// records that are not those of a [`Dcel`](crate::dcel::Dcel). Nothing else has a value then.
+    /// Returns the same attributes for faces cut into parts, given with their areas, the largest first, and for other records that are
+    /// not part of a [`Dcel`](crate::dcel::Dcel). All remaining records have no value.
     ///
     /// # Errors
     /// The reason of the policy that refuses.
@@ -302,7 +299,7 @@ impl Attributes {
         Ok(all)
     }
 
-    /// Gives the values of records to others, or drops them: all at once, and policies are not asked.
+    /// Moves values between records, or drops them, all at once and without consulting policies.
     pub fn transfer(&mut self, moves: &[(Kind, KeyData, Option<KeyData>)]) {
         for column in &mut self.columns {
             let kind = column.kind();

@@ -1,4 +1,4 @@
-//! Policies: the rules by which the values of an attribute follow.
+//! Policies: the rules by which attribute values follow operators.
 
 use super::kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
 use super::quantity::Quantity;
@@ -7,37 +7,35 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::sync::atomic::{AtomicU64, Ordering};
 
-/// The reason for which a policy refuses.
 pub(super) type Reason = &'static str;
 
-/// The values of the two parts.
 type Part<T> = dyn Fn(T) -> Result<[Option<T>; 2], Reason> + Send + Sync;
 
 pub(super) type Making<T> = dyn Fn() -> Result<T, Reason> + Send + Sync;
 pub(super) type Dropping<T> = dyn Fn(&T) -> Result<(), Reason> + Send + Sync;
 pub(super) type Join<T> = dyn Fn(Option<T>, Option<T>) -> Result<Option<T>, Reason> + Send + Sync;
 
-/// The two parts of a record that is split: the one that keeps the key, and the other.
+/// Splits a record: the first part keeps the key.
 pub(super) enum Splitting<T> {
     Keep,
     Copy,
     Share(fn(&T, f64) -> [T; 2]),
-    /// As for a record that is made, also if the other part has no value.
+    /// The value of a new record, even if the first part has no value.
     Make,
     Call(Arc<Part<T>>),
 }
 
 pub(super) enum Merging<T> {
     Keep,
-    /// That of the record with the larger measure.
+    /// The value of the record with the larger measure.
     Larger,
     Call(Arc<Join<T>>),
 }
 
 /// The rules by which the values of an [attribute](super::Attribute) follow when records are made, split, merged and dropped.
 ///
-/// By default the part of a split record that keeps its key keeps the value, and the other part has none; of two merged records the value
-/// of the one that is kept stays; a record that is made has none; that of a record that is dropped is dropped.
+/// By default a split record keeps its value, and the other part has none; a merged record keeps the value of the surviving record; a
+/// new record has no value; and a dropped record's value is dropped.
 ///
 /// | event | vertices | half-edges, edges | corners | faces | features |
 /// | --- | --- | --- | --- | --- | --- |
@@ -46,17 +44,17 @@ pub(super) enum Merging<T> {
 /// | merged | `contract_edge` | `join_edges` | an edge is erased there | the edge between is erased | `merge_features` |
 /// | dropped | removed, or between joined edges | erased, or contracted | with its vertex, or its last edge | | `remove_feature` |
 ///
-/// The functions may refuse, with a reason: the operator or the edit is then [refused](crate::dcel::OperatorError::Refused), and nothing has
-/// changed. They are called while an operator runs, and must not panic.
+/// The functions may refuse, with a reason: the operator or the edit is then [refused](crate::dcel::OperatorError::Refused), and
+/// nothing changes. They run inside operators, and must not panic.
 pub struct Policy<K: Attributed, T> {
     pub(super) splitting: Splitting<T>,
     pub(super) merging: Merging<T>,
     pub(super) making: Option<Arc<Making<T>>>,
     pub(super) between: Option<fn(&T, &T, f64) -> T>,
     pub(super) dropping: Option<Arc<Dropping<T>>>,
-    /// A number of the value, by which its record is found.
+    /// The number of a value, by which its record is found.
     pub(super) number: Option<fn(&T) -> u128>,
-    /// The next id, if ids are given.
+    /// The next id, if the policy assigns ids.
     pub(super) counter: Option<Arc<AtomicU64>>,
     of: PhantomData<K>,
 }
@@ -68,7 +66,7 @@ impl<K: Attributed, T> Default for Policy<K, T> {
 }
 
 impl<K: Attributed, T> Policy<K, T> {
-    /// The default policy, for an attribute of records of any kind.
+    /// Creates the default policy, for an attribute of any kind of record.
     #[must_use]
     pub const fn new() -> Self {
         let (splitting, merging) = (Splitting::Keep, Merging::Keep);
@@ -76,22 +74,22 @@ impl<K: Attributed, T> Policy<K, T> {
         Self { splitting, merging, making, between, dropping, number, counter, of: PhantomData }
     }
 
-    /// Gives a copy to the other part of a record that is split.
+    /// Copies the value of a split record to the other part.
     #[must_use]
     pub fn split_copy(mut self) -> Self {
         self.splitting = Splitting::Copy;
         self
     }
 
-    /// Gives to the other part of a record that is split what [a record that is made](Self::make_with) gets, whether the first part has a value or not.
+    /// Gives the other part of a split record the value of [a new record](Self::make_with), even if the first part has no value.
     #[must_use]
     pub fn split_make(mut self) -> Self {
         self.splitting = Splitting::Make;
         self
     }
 
-    /// Gives to the parts of a record that is split what a function makes of its value, if anything: first that of the part that keeps the
-    /// key. It may refuse.
+    /// Splits the value of a split record, if it has one, with a function, which returns the value of the part that keeps the key, then
+    /// the other value. The function may refuse.
     #[must_use]
     pub fn split_with(
         mut self,
@@ -101,8 +99,8 @@ impl<K: Attributed, T> Policy<K, T> {
         self
     }
 
-    /// Gives to a merged record what a function makes of the values of both, if they have one: first that of the one that keeps its
-    /// key. It may refuse.
+    /// Merges the values of two records, if they have any, with a function, whose first argument belongs to the surviving record. The
+    /// function may refuse.
     #[must_use]
     pub fn merge_with(
         mut self,
@@ -112,7 +110,7 @@ impl<K: Attributed, T> Policy<K, T> {
         self
     }
 
-    /// Refuses to merge records that do not have the same value. That one has none, and the other one has, counts as a difference.
+    /// Refuses to merge records with different values. A missing value differs from any value.
     #[must_use]
     pub fn merge_equal(self) -> Self
     where
@@ -125,7 +123,7 @@ impl<K: Attributed, T> Policy<K, T> {
         )
     }
 
-    /// Gives the sum of both values to a merged record.
+    /// Sums the values of merged records.
     #[must_use]
     pub fn merge_sum(self) -> Self
     where
@@ -139,7 +137,7 @@ impl<K: Attributed, T> Policy<K, T> {
         })
     }
 
-    /// Gives a default value to a record that is made.
+    /// Gives new records the default value.
     #[must_use]
     pub fn make_default(self) -> Self
     where
@@ -148,14 +146,14 @@ impl<K: Attributed, T> Policy<K, T> {
         self.make_with(T::default)
     }
 
-    /// Gives to a record that is made what a function returns.
+    /// Gives new records the value that a function returns.
     #[must_use]
     pub fn make_with(mut self, make: impl Fn() -> T + Send + Sync + 'static) -> Self {
         self.making = Some(Arc::new(move || Ok(make())));
         self
     }
 
-    /// Shows a function each value that is dropped with its record. It may refuse.
+    /// Calls a function with each value that is dropped with its record. The function may refuse.
     #[must_use]
     pub fn drop_with(mut self, dropped: impl Fn(&T) -> Result<(), &'static str> + Send + Sync + 'static) -> Self {
         self.dropping = Some(Arc::new(dropped));
@@ -164,10 +162,10 @@ impl<K: Attributed, T> Policy<K, T> {
 }
 
 impl<K: Attributed, T> Policy<K, T> {
-    /// Keeps an index of numbers of the values, by which [`find`](crate::dcel::Dcel::find) finds records. No two records should have the same:
-    /// of these it finds one at most.
+    /// Indexes the values by number, so that [`find`](crate::dcel::Dcel::find) finds their records. Numbers should be unique: of
+    /// several records with the same number, at most one is found.
     ///
-    /// A UUID is a number of this size. Here a function that issues such ids numbers the faces; [`ids`](Self::ids) is shorter.
+    /// A UUID is a number of this size. In this example a function issues ids for faces; [`ids`](Self::ids) is shorter.
     ///
     /// ```
     /// use std::sync::atomic::{AtomicU64, Ordering};
@@ -201,13 +199,13 @@ impl<K: Attributed, T> Policy<K, T> {
         self.counter.as_ref().map(|next| next.load(Ordering::Relaxed))
     }
 
-    /// True if it numbers records.
+    /// Tells whether the policy assigns ids.
     #[must_use]
     pub const fn counts(&self) -> bool {
         self.counter.is_some()
     }
 
-    /// Has records numbered from above this number, so that none gets it once more.
+    /// Assigns only ids above this number from now on.
     pub(super) fn count_on_from(&self, number: u128) {
         if let (Some(next), Ok(number)) = (&self.counter, u64::try_from(number)) {
             next.fetch_max(number.saturating_add(1), Ordering::Relaxed);
@@ -216,19 +214,18 @@ impl<K: Attributed, T> Policy<K, T> {
 }
 
 impl<K: Attributed> Policy<K, u64> {
-    /// Gives the next number, from `first` on, to each record that is there when the attribute is added, to each record that is made, and to
-    /// the other part of one that is split. So a record keeps its number as long as its key, and beyond: when keys change, as by
+    /// Assigns numbers, from `first` on, to all existing records when the attribute is added, to new records, and to the other part of
+    /// split records. A record keeps its number as long as its key, and beyond: when keys change, as by
     /// [`compact`](crate::dcel::Dcel::compact), and when it is saved.
     ///
-    /// No number is given twice: not after undoing, not by clones, and not if it was set by hand, after which the next one is larger. The last
-    /// number, [`u64::MAX`], is not given: once it is the next one, operators that make records are
-    /// [refused](crate::dcel::OperatorError::Refused), and a feature that is added has no number. Records are
-    /// [found](Self::identified_by) by it. To go on where a structure was saved, save the numbers and the
-    /// [next number](crate::dcel::Dcel::next_id) with it: the next number is the `first` of the loaded structure, whose attribute is added
-    /// [with the saved numbers](crate::dcel::Dcel::add_attribute_with).
+    /// Numbers are never reused, even after undo or by clones; setting a number by hand raises the next one above it. The last number,
+    /// [`u64::MAX`], is not assigned: once it is next, operators that make records are [refused](crate::dcel::OperatorError::Refused),
+    /// and an added feature has no number. Records are [found](Self::identified_by) by number. To continue in a loaded structure, save
+    /// the numbers and the [next number](crate::dcel::Dcel::next_id); pass the latter as `first`, and add the attribute [with the saved
+    /// numbers](crate::dcel::Dcel::add_attribute_with).
     ///
-    /// Of two merged faces the one that keeps its key keeps its number; by [`merge_larger`](Self::merge_larger) it is that of the larger one. The unbounded
-    /// face has no number, unless it is given one.
+    /// Of two merged faces the survivor keeps its number; with [`merge_larger`](Self::merge_larger) the merged face gets the number of
+    /// the larger one. The unbounded face has no number unless one is set.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, OperatorError, Policy};
@@ -281,7 +278,7 @@ macro_rules! shares {
         impl<T> Policy<$kind, T> {
             #[doc = concat!("Shares the value of a record that is split out by ", $measure, ".")]
             ///
-            /// A `Dcel` without coordinates measures nothing: there the part that keeps the key keeps everything.
+            /// Without coordinates a `Dcel` measures nothing: the part that keeps the key keeps everything.
             #[must_use]
             pub fn split_share(mut self) -> Self
             where
@@ -301,9 +298,9 @@ shares! {
 }
 
 impl<T> Policy<Faces, T> {
-    /// Gives to a merged face the value of the one that had the larger area (that of the unbounded face is infinite).
+    /// Gives a merged face the value of the face with the larger area (the unbounded face has infinite area).
     ///
-    /// On a tie, and on a `Dcel` without coordinates, it is that of the one that keeps its key.
+    /// On a tie, and on a `Dcel` without coordinates, the surviving face keeps its value.
     #[must_use]
     pub fn merge_larger(mut self) -> Self {
         self.merging = Merging::Larger;
@@ -312,9 +309,9 @@ impl<T> Policy<Faces, T> {
 }
 
 impl<T: Quantity> Policy<Vertices, T> {
-    /// Gives to a vertex that splits an edge the value between those of the two ends, by its distance from each.
+    /// Gives a vertex that splits an edge a value interpolated between the two ends by distance.
     ///
-    /// On a `Dcel` without coordinates it is the mean. Where an end has no value, the vertex gets that of any vertex that is made.
+    /// On a `Dcel` without coordinates it is the mean. If an end has no value, the vertex gets the value of a new vertex.
     #[must_use]
     pub fn interpolate(mut self) -> Self {
         self.between = Some(T::between);

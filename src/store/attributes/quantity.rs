@@ -1,8 +1,8 @@
-//! Quantities, which are shared out and summed.
+//! Quantities, which can be shared and summed.
 
-/// A value that is shared out where a record is split, and summed where two are merged.
+/// A value that can be shared between the parts of a split record, and summed when records merge.
 ///
-/// Implemented for the usual numbers; implement it for types of your own.
+/// Implemented for the usual numbers; you can implement it for your own types.
 ///
 /// ```
 /// use twinedge::dcel::Quantity;
@@ -12,15 +12,15 @@
 /// assert_eq!(7_u32.share(0.5), [3, 4]);
 /// ```
 pub trait Quantity: Sized {
-    /// The shares of the part that stays and of the other one, which gets `part` of it, from 0 to 1.
+    /// Returns the shares of the remaining part and of the other part, which gets the fraction `part`, from 0 to 1.
     #[must_use]
     fn share(&self, part: f64) -> [Self; 2];
 
-    /// The sum. That of integers stops at the largest.
+    /// Returns the sum. Integers saturate.
     #[must_use]
     fn sum(&self, other: &Self) -> Self;
 
-    /// The value between this and another one, at `part` of the way, from 0 to 1.
+    /// Returns the value at the fraction `part`, from 0 to 1, of the way to another value.
     #[must_use]
     fn between(&self, other: &Self, part: f64) -> Self {
         self.share(part)[0].sum(&other.share(part)[1])
@@ -47,7 +47,7 @@ macro_rules! integers {
         impl Quantity for $name {
             #[allow(clippy::cast_lossless, clippy::cast_sign_loss, reason = "for all integers; the share of a number without sign has none")]
             fn share(&self, part: f64) -> [Self; 2] {
-                // The cast stops at the largest number; adding a half rounds, without the standard library.
+                // The cast saturates; adding a half rounds, without the standard library.
                 let given = (*self as f64 * part + if *self < 0 as $name { -0.5 } else { 0.5 }) as $name;
                 let given = if part >= 1.0 { *self } else if part <= 0.0 { 0 } else { given };
                 [self.saturating_sub(given), given]

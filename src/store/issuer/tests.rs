@@ -5,7 +5,7 @@ use crate::store::keys::{VertexKey, parts};
 use quickcheck::quickcheck;
 use slotmap::SlotMap;
 
-/// Issues where a step is even, and retires one of the live keys where it is odd, here and in a `SlotMap`.
+/// Issues a key for each even step, and retires a live key for each odd step, here and in a `SlotMap`.
 fn issues_the_keys_of_slotmap(steps: Vec<u8>) -> bool {
     let (mut map, mut issuer) = (SlotMap::<VertexKey, ()>::with_key(), Issuer::with_room(0, 0));
     let (mut live, mut retired): (Vec<VertexKey>, Vec<VertexKey>) = (Vec::new(), Vec::new());
