@@ -15,7 +15,7 @@ use twinedge_geometry::Point;
 
 /// # Attributes
 ///
-/// Values that follow what edits do, by a [`Policy`] each: the owners of parcels, their taxes, the heights of vertices.
+/// Values that follow edits, each by a [`Policy`]: owners of parcels, their taxes, heights of vertices.
 ///
 /// ```
 /// use twinedge::dcel::{Attribute, Faces, History, Policy};
@@ -47,19 +47,20 @@ use twinedge_geometry::Point;
 /// # Ok::<(), twinedge_map::edit::EditError>(())
 /// ```
 ///
-/// All edits carry them, overlays those of faces and features, and convex decomposition; see [`Dcel`](twinedge::dcel::Dcel#attributes) for what
-/// is true of them. On a map that was [built](super::Builder), features have values first, and faces [get](Self::cover_values) theirs from
-/// these; one that was made [of another structure](Self::from_view) [takes over](Self::carry_values) what that had.
+/// All edits carry values. Overlays carry the values of faces and features, and so does convex decomposition. See
+/// [`Dcel`](twinedge::dcel::Dcel#attributes) for the general rules. On a [built](super::Builder) map, features have values first,
+/// and faces [get](Self::cover_values) theirs from these. A map made [from another structure](Self::from_view) [takes
+/// over](Self::carry_values) its values.
 ///
-/// [`Edited`](super::edit::Edited) names the records, for data that is kept in another way. What rounding moves in
-/// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) is split, dropped and drawn anew: where an edge comes to lie on vertices that
-/// were there, values follow these steps.
+/// [`Edited`](super::edit::Edited) names the records, for data stored in another way.
+/// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) splits, drops and redraws edges that rounding moves. Values
+/// follow these steps, also when an edge comes to lie on existing vertices.
 ///
-/// As a map with attributes may have to take an edit back that is refused halfway, it notes what edits overwrite, as a
-/// [`History`](twinedge::dcel::History) does.
+/// A map with attributes keeps a log of overwritten links, as a [`History`](twinedge::dcel::History) does: it may have to undo an
+/// edit that is refused halfway.
 impl PlanarMap {
-    /// Adds an attribute: records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised; O(n) if the
-    /// policy gives [ids](Policy::ids), which the n records that are there get at once, except the unbounded face.
+    /// Adds an attribute. Records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised.
+    /// If the policy assigns [ids](Policy::ids), the n existing records get theirs at once, except the unbounded face, in O(n).
     ///
     /// ```
     /// use twinedge::dcel::Policy;
@@ -77,8 +78,8 @@ impl PlanarMap {
         self.add_attribute_with(policy, SecondaryMap::new())
     }
 
-    /// Adds an attribute with the [`values`](Self::values) of a map that was saved; for an example see
-    /// [saving](#impl-Serialize-for-PlanarMap). Values under stale keys are left out. O(values), and as [`add_attribute`](Self::add_attribute).
+    /// Adds an attribute with the [`values`](Self::values) of a saved map; [saving](#impl-Serialize-for-PlanarMap) has an
+    /// example. Values under stale keys are left out. O(values), plus the cost of [`add_attribute`](Self::add_attribute).
     pub fn add_attribute_with<K: Attributed, T: Value>(
         &mut self,
         policy: Policy<K, T>,
@@ -97,31 +98,32 @@ impl PlanarMap {
         self.dcel.add_attribute_with(policy, values)
     }
 
-    /// Returns the value that a record has, if it has one. O(1).
+    /// Returns the value of a record, if it has one. O(1).
     #[must_use]
     pub fn value<K: Attributed, T: Value>(&self, of: Attribute<K, T>, key: K::Key) -> Option<&T> {
         self.dcel.value(of, key)
     }
 
-    /// Returns all values of an attribute by key; none if it is one of another map. O(attributes).
+    /// Returns all values of an attribute by key, or `None` for an attribute of another map. O(attributes).
     #[must_use]
     pub fn values<K: Attributed, T: Value>(&self, of: Attribute<K, T>) -> Option<&SecondaryMap<K::Key, T>> {
         self.dcel.values(of)
     }
 
-    /// Returns the record with this value, if the policy [says](Policy::identified_by) that records are found by it. O(1), expected.
+    /// Returns the record with this value, if the policy [identifies](Policy::identified_by) records by it. O(1), expected.
     #[must_use]
     pub fn find<K: Attributed, T: Value>(&self, of: Attribute<K, T>, value: &T) -> Option<K::Key> {
         self.dcel.find(of, value)
     }
 
-    /// Returns the number that [`Policy::ids`] gives to the next record; none if the attribute gives no ids. O(attributes).
+    /// Returns the number that [`Policy::ids`] assigns to the next record, or `None` if the attribute assigns no ids.
+    /// O(attributes).
     #[must_use]
     pub fn next_id<K: Attributed>(&self, of: Attribute<K, u64>) -> Option<u64> {
         self.dcel.next_id(of)
     }
 
-    /// Gives a value to a record. Returns the previous value. O(1).
+    /// Sets the value of a record and returns the previous one. O(1).
     ///
     /// The value converts to the type of the attribute: `"Ada"` is a value of an attribute of `String`s.
     ///
@@ -148,7 +150,7 @@ impl PlanarMap {
         self.put_value(of, key, Some(value.into()))
     }
 
-    /// Takes the value of a record away, and returns it. O(1).
+    /// Removes and returns the value of a record. O(1).
     ///
     /// # Errors
     /// As for [`set_value`](Self::set_value).
@@ -167,7 +169,7 @@ impl PlanarMap {
         value: Option<T>,
     ) -> Result<Option<T>, EditError> {
         if K::KIND == Kind::Other {
-            // Of whatever version the key is, it is the number that counts.
+            // Versions of keys are ignored: only the number counts.
             let known = self.present(FeatureId::new(FeatureId::from(key.data()).number()))?;
             return Ok(self.dcel.put_other_value(of, known.data().into(), value)?);
         }
@@ -177,19 +179,20 @@ impl PlanarMap {
         })
     }
 
-    /// Adds the attributes of another map, without values: they are the same ones, with the same policies. O(attributes).
+    /// Adds the attributes of another map, with their identities and policies but without values. O(attributes).
     ///
-    /// So values are given to a map that was [loaded](#impl-Serialize-for-PlanarMap), and two that were loaded apart can be
-    /// [compared](mod@super::diff).
+    /// Use it to give values to a map that was [loaded](#impl-Serialize-for-PlanarMap), or to [compare](mod@super::diff) two maps
+    /// that were loaded separately.
     pub fn add_attributes_of(&mut self, other: &Self) {
         self.dcel.add_attributes_of(&other.dcel);
     }
 
-    /// Gives to faces what features have that cover them, as on a map that was [built](super::Builder) of features with values.
+    /// Gives each face the values of the features that cover it, as on a [built](super::Builder) map whose features have values.
     ///
-    /// A feature that covers several faces is split among them, by the policy for faces: the largest stands for the feature, and the others
-    /// are split off it. Where several features cover a face, their values are merged in the order of the features, and with the value that it
-    /// had. By the default policy the largest face of a feature gets the value, and the first of several stays.
+    /// If a feature covers several faces, the policy for faces splits its value: the largest face inherits, and the others are
+    /// split off it. If several features cover a face, their values are merged in the order of the features, together with the
+    /// face's own value. By the default policy, the largest face of a feature gets the value, and the first of several values
+    /// stays.
     ///
     /// O(faces · features of each · log n).
     ///
@@ -217,7 +220,7 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`Refused`](OperatorError::Refused), and nothing changes; [`OperatorError::NoSuchAttribute`].
+    /// [`Refused`](OperatorError::Refused), with nothing changed; [`OperatorError::NoSuchAttribute`].
     pub fn cover_values<T: Value>(
         &mut self,
         from: Attribute<Features, T>,
@@ -240,22 +243,24 @@ impl PlanarMap {
         self.dcel.spread_values(to, pieces)
     }
 
-    /// Takes over the attributes of a map from which this one was [made](Self::from_view), with the values of its records: `keys` are the keys
-    /// that came of it. Features keep theirs if this map has as many. Values that records have of the same attribute stay.
+    /// Takes over the attributes, with values, of the map from which this one was [made](Self::from_view). `keys` are the keys
+    /// returned then. Features keep their values if both maps have the same number of features. Existing values of the same
+    /// attribute stay.
     ///
-    /// O(values). For an example see [`Dcel::carry_values`](twinedge::dcel::Dcel::carry_values).
+    /// O(values). [`Dcel::carry_values`](twinedge::dcel::Dcel::carry_values) has an example.
     pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
         let count = self.names.len();
         let feature = |old: KeyData| (FeatureId::from(old).index() < count).then_some(old);
         self.dcel.carry_all_values(&other.dcel, keys, feature);
     }
 
-    /// Takes over the attributes of another map, and the values of its features and faces. Each face was cut into faces of this one:
-    /// `within` names the face of the other map in which a face lies, if it lies in one. `feature` names that of this map for one of the other.
+    /// Takes over the attributes of another map, with the values of its features and faces, where this map cuts each of its faces
+    /// into parts. `within` returns the other map's face that contains a face of this map, if any does. `feature` returns this
+    /// map's feature for a feature of the other map.
     ///
-    /// The largest part stands for the face that is split, and the others are split off it by the policy; a face of which nothing is
-    /// left is dropped, and so is a feature that this map has not. Records that have a value of the same attribute keep it. So this is for maps
-    /// that are built anew, as overlays are (`twinedge_algorithm::overlay`). O(n log n).
+    /// The largest part inherits a face's value; the policy splits the other parts off it. Values of faces without parts and of
+    /// features unknown to this map are dropped. Existing values of the same attribute stay. This serves maps that are built
+    /// anew, such as overlays (`twinedge_algorithm::overlay`). O(n log n).
     ///
     /// ```
     /// use twinedge::dcel::{Faces, Policy};
@@ -279,7 +284,7 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`Refused`](OperatorError::Refused), and nothing is taken over.
+    /// [`Refused`](OperatorError::Refused), with nothing taken over.
     pub fn carry_parts(
         &mut self,
         other: &Self,
@@ -310,30 +315,30 @@ impl PlanarMap {
         self.dcel.attributes()
     }
 
-    /// Does to the values of features what is about to be done to these.
+    /// Applies a step to the values of features, before the features themselves change.
     pub(super) fn announce_feature(&mut self, step: Step) -> Result<(), OperatorError> {
         let Some(attributes) = self.dcel.attributes_to_change() else { return Ok(()) };
         attributes.announce(&[(Kind::Other, step)]).map_err(OperatorError::Refused)
     }
 
-    /// Gives their values to a feature that was made.
+    /// Gives a new feature its values.
     pub(super) fn give_made_feature(&mut self, feature: FeatureId) {
-        // A feature is added even if all ids are given away.
+        // A feature is added even if all ids are used up.
         if let (Ok(()), Some(attributes)) = (self.announce_feature(Step::Make), self.dcel.attributes_mut()) {
             attributes.settle(&[(Kind::Other, feature.data())]);
         }
     }
 
-    /// Runs several edits as one. If the policy of an attribute refuses one of them, those before it are taken back. A map without attributes
-    /// takes nothing back.
+    /// Runs several edits as one. If an attribute's policy refuses one of them, the earlier ones are undone. A map without
+    /// attributes undoes nothing.
     ///
     /// # Errors
-    /// That of the edits.
+    /// Returns the error of the closure.
     pub fn atomically<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         if self.attributes().is_some() { self.rewinding(edit) } else { edit(self) }
     }
 
-    /// The same for any map.
+    /// Runs an edit and undoes it on error, on a map with or without attributes.
     #[cold]
     pub(super) fn rewinding<T, E>(&mut self, edit: impl FnOnce(&mut Self) -> Result<T, E>) -> Result<T, E> {
         let is_logged = self.dcel.log_place().is_some();
@@ -352,7 +357,7 @@ impl PlanarMap {
         outcome
     }
 
-    /// Takes back what was written since a place in the log of links: all but the first entries of the logs of others and values.
+    /// Undoes all writes since a place in the log of links, and all but the first entries of the logs of features and values.
     fn rewind(&mut self, links: LogPlace, entries: usize, values: usize) {
         let mut others = self.notes.split_off(entries);
         if let Some(attributes) = self.dcel.attributes_mut() {
@@ -362,7 +367,7 @@ impl PlanarMap {
         self.rewrite(links, &mut others);
     }
 
-    /// Shares out by length what an edge had that was split, and gives to the vertex what lies between.
+    /// Divides the value of a split edge between its two parts by length, and interpolates a value for the new vertex.
     pub(super) fn measure_split_edge(&mut self, h: HalfEdgeKey, made: SplitEdge) -> Result<(), StaleKey> {
         let Some(attributes) = self.attributes() else { return Ok(()) };
         let is_measured =
@@ -388,7 +393,7 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Shares out by area what a face had that was split.
+    /// Divides the value of a split face between its two parts by area.
     pub(super) fn measure_connected(&mut self, connected: Connected) -> Result<(), StaleKey> {
         let Some(made) = connected.new_face().filter(|_| self.attributes().is_some_and(|all| all.shares(Kind::Face)))
         else {
@@ -405,7 +410,7 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Says which of the two faces beside an edge is the larger, if one is.
+    /// Records which of the two faces of an edge is larger, if either is.
     pub(super) fn measure_beside(&mut self, h: HalfEdgeKey) -> Result<(), StaleKey> {
         if !self.attributes().is_some_and(Attributes::is_by_area) {
             return Ok(());
@@ -420,7 +425,7 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// The area of a face, by the shoelace formula over triangles that share a point. That of the unbounded face is infinite.
+    /// The area of a face, by the shoelace formula over triangles that share a point. The unbounded face has an infinite area.
     fn area(&self, face: Face<'_>) -> f64 {
         let Some(first) = face.outer_half_edge() else { return f64::INFINITY };
         let o = self.points[first.origin().index()];
@@ -436,7 +441,7 @@ fn largest_first(parts: &mut [(KeyData, f64)]) {
     parts.sort_by(|a, b| b.1.total_cmp(&a.1));
 }
 
-/// Returns the fraction that one of two measures is of both. Beside an infinite one, it is nothing.
+/// Returns `one / (one + other)`, or 0 if the quotient is not finite.
 fn fraction(one: f64, other: f64) -> f64 {
     let part = one / (one + other);
     if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }

@@ -1,7 +1,7 @@
-//! Certificates of drawings: a triangulation that has the edges of a map among its own.
+//! Certificates of drawings: a triangulation that contains the edges of a map.
 //!
-//! [`draw`] makes it, [`check_drawing`](twinedge_certificate::check_drawing) checks it, and so does the program that is proved in Coq.
-//! Nothing here has to be right for these to be.
+//! [`draw`] makes a certificate. [`check_drawing`](twinedge_certificate::check_drawing) and the program proved in Coq check it,
+//! without relying on any code in this module.
 
 use crate::Embedding;
 use crate::numbers::NIL;
@@ -11,11 +11,12 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation as _};
 use twinedge::validate::Part;
 use twinedge_certificate::{Column, Drawing, Labels};
 
-/// Why a map has no certificate of its drawing.
+/// The reason why a map has no certificate of its drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// No grid has all coordinates: in steps that are a power of two they are too large, or not finite. Snapping to a grid helps.
+    /// No grid contains all coordinates: as multiples of a power of two they are too large, or they are not finite. Snapping to a
+    /// grid helps.
     #[error("the coordinates are on no grid on which they are at most 2^51 steps")]
     NoGrid,
     /// An edge has bends.
@@ -34,15 +35,15 @@ pub enum DrawingError {
 
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// Coordinates are at most so many steps, so that a triangle around everything has room.
+/// The largest coordinate in steps, which leaves room for a triangle around all points.
 const REACH: i64 = 1 << 51;
 
 /// Triangulates a map, holes and the outside included, for a certificate that it is drawn in the plane.
 ///
-/// Coordinates are doubles, so all of them are integers in steps of some power of two. These integers are the coordinates of the
-/// drawing. They must be at most 2^51, as they are in a map that was snapped to a grid ([`Noding::Snap`](super::Noding::Snap)).
+/// Coordinates are doubles, so all of them are integer multiples of some power of two. These integers are the coordinates of the
+/// drawing. They must be at most 2^51 in magnitude, as in a map snapped to a grid ([`Noding::Snap`](super::Noding::Snap)).
 ///
-/// Cost: O(n log n), expected, nearly all of it in `spade`.
+/// Cost: O(n log n), expected, mostly spent in `spade`.
 ///
 /// # Errors
 /// [`DrawingError`].
@@ -74,7 +75,8 @@ pub fn draw<E: Embedding + ?Sized>(map: &E) -> Result<Drawing, DrawingError> {
     Ok(Drawing { columns: darts.into_columns(), points, exponent })
 }
 
-/// The points of all slots for vertices, and the corners of a big triangle around them, in steps of two to some exponent.
+/// Returns the points of all vertex slots and the corners of a big triangle around them, as multiples of a power of two, with its
+/// exponent.
 fn points<E: Embedding + ?Sized>(map: &E) -> Result<(Vec<[i64; 2]>, i32), DrawingError> {
     let live = (0..map.vertex_slots()).filter(|v| map.is_vertex(*v));
     let coordinates = |v: usize| [map.point(v).x, map.point(v).y].map(Binary::of);
@@ -92,7 +94,7 @@ fn points<E: Embedding + ?Sized>(map: &E) -> Result<(Vec<[i64; 2]>, i32), Drawin
     Ok((points, exponent))
 }
 
-/// A double as an odd number, or 0, times a power of two.
+/// A double as a power of two times an odd number or 0.
 #[derive(Clone, Copy, Default)]
 struct Binary {
     odd: i64,
@@ -114,7 +116,7 @@ impl Binary {
         Ok(Self { odd, exponent: biased.max(1) - 1075 + zeros.cast_signed() })
     }
 
-    /// The number in steps of two to this exponent, which is not greater than its own.
+    /// Returns the number as a multiple of two to this exponent, which is at most its own.
     fn steps(self, exponent: i32) -> Result<i64, DrawingError> {
         let shift = if self.odd == 0 { 0 } else { (self.exponent - exponent).unsigned_abs() };
         let steps = 1_i64.checked_shl(shift).filter(|_| shift < 52).and_then(|step| self.odd.checked_mul(step));
@@ -130,14 +132,14 @@ struct Darts {
     ahead: Vec<u32>,
     face: Vec<u32>,
     rank: Vec<u32>,
-    /// By half-edge, vertex and face.
+    /// One dart by half-edge, vertex and face.
     of_half_edge: Vec<u32>,
     of_vertex: Vec<u32>,
     of_face: Vec<u32>,
 }
 
 impl Darts {
-    /// The constrained Delaunay triangulation of the points. Its outer face is triangle 0.
+    /// Triangulates the points by constrained Delaunay triangulation. The outer face is triangle 0.
     fn new<E: Embedding + ?Sized>(map: &E, points: &[[i64; 2]]) -> Result<Self, DrawingError> {
         let slots = map.vertex_slots();
         // Points of vacant slots are left out. `spade` keeps the order of all others.
@@ -165,7 +167,8 @@ impl Darts {
         if count >= NIL as usize {
             return Err(DrawingError::TooLarge);
         }
-        // In the order of the vertices, where neighbours in most maps are neighbours, so that whoever checks the drawing has them at hand.
+        // In the order of the vertices: neighbours in the map are mostly neighbours here, so a checker of the drawing finds them
+        // in the cache.
         let mut is_numbered = vec![false; cdt.num_all_faces()];
         let mut of_edge = vec![NIL; count];
         let mut sides = Vec::with_capacity(count);
@@ -198,13 +201,13 @@ impl Darts {
         Ok(darts)
     }
 
-    /// Each half-edge lies on the dart between its ends. Half-edges and darts are passed together, clockwise around each vertex.
+    /// Places each half-edge on the dart between its ends, passing half-edges and darts together clockwise around each vertex.
     fn place_half_edges<E: Embedding + ?Sized>(&mut self, map: &E) -> Result<(), DrawingError> {
         if let Some(half_edge) = half_edges(map).find(|h| map.bends(*h) > 0) {
             return Err(DrawingError::Bends { half_edge });
         }
-        // Around each vertex once to find its first half-edge, and once more to place all; and each half-edge is placed once. Where a
-        // rotation is wrong it can take longer.
+        // Each vertex is passed once to find its first half-edge and once to place them all, and each half-edge is placed once.
+        // An invalid rotation can take longer.
         let mut steps = 3 * self.twin.len();
         let mut step = || -> Result<(), DrawingError> {
             steps = steps.checked_sub(1).ok_or(DrawingError::NotPlane)?;
@@ -231,7 +234,6 @@ impl Darts {
         Ok(())
     }
 
-    /// A dart that starts at the vertex.
     fn dart_from(&self, v: usize) -> Result<usize, DrawingError> {
         let dart = self.of_vertex.get(v).map(|d| *d as usize);
         dart.filter(|d| self.point[*d] as usize == v).ok_or(DrawingError::NotPlane)
@@ -241,8 +243,8 @@ impl Darts {
         self.half_edge[self.of_half_edge[h] as usize] as usize == h
     }
 
-    /// The faces of the darts, and ranks: from the outer triangle over the unbounded face, and from a half-edge of each other face over
-    /// that one.
+    /// Finds the faces of the darts, and ranks: across the unbounded face from the outer triangle, and across each other face
+    /// from one of its half-edges.
     fn find_faces<E: Embedding + ?Sized>(&mut self, map: &E) {
         let by_record = map.parts().has(Part::BoundaryComponents);
         let is_unbounded =
@@ -260,7 +262,7 @@ impl Darts {
         }
     }
 
-    /// Fills a face, from one of its darts on.
+    /// Fills a face, starting at one of its darts.
     fn fill(&mut self, from: usize, face: usize, rank: &mut u32) {
         if let Some(of_face) = self.of_face.get_mut(face) {
             *of_face = from as u32;
@@ -273,7 +275,7 @@ impl Darts {
             self.rank[d] = *rank;
             self.face[d] = face as u32;
             *rank += 1;
-            // Those to which this one has a lower neighbour.
+            // Both further neighbours have this triangle as a lower neighbour.
             stack.push(next(next(d)));
             if self.half_edge[d] == NIL {
                 stack.push(self.twin[d] as usize);
@@ -281,7 +283,7 @@ impl Darts {
         }
     }
 
-    /// From each half-edge clockwise over added edges to the half-edge before.
+    /// Follows the added edges clockwise from each half-edge to the previous half-edge.
     fn look_ahead(&mut self) {
         for dart in (0..self.twin.len()).filter(|d| self.half_edge[*d] != NIL).collect::<Vec<_>>() {
             let mut d = dart;
@@ -318,7 +320,6 @@ fn half_edges<E: Embedding + ?Sized>(map: &E) -> impl Iterator<Item = usize> {
     (0..map.half_edge_slots()).filter(|h| map.is_half_edge(*h))
 }
 
-/// The next dart of the triangle.
 const fn next(d: usize) -> usize {
     if d % 3 == 2 { d - 2 } else { d + 1 }
 }

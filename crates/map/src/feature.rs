@@ -1,26 +1,26 @@
-//! Features: what a map file says, before anything is built from it, and their numbers on a map.
+//! Features as read from a map file, before a map is built from them.
 
 use alloc::string::String;
 use alloc::vec::Vec;
 
 use twinedge_geometry::Point;
 
-/// One part of a feature, as its file gives it.
+/// One part of a feature, as in its file.
 ///
-/// Nothing is repaired or refused here: rings may be open, wind either way, cross themselves or have no area. The
-/// [`Builder`](super::Builder) handles and counts that.
+/// Shapes are neither repaired nor refused here: rings may be open, wind either way, cross themselves or have no area. The
+/// [`Builder`](super::Builder) handles and counts such cases.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The outer ring, then the rings of the holes. The last point of a ring should repeat its first: C6 reports an open ring.
     Polygon(Vec<Vec<Point>>),
     /// A chain of straight segments.
     Line(Vec<Point>),
-    /// A point alone.
+    /// A single point.
     Point(Point),
 }
 
 impl Shape {
-    /// The polygon with this outer ring, and no holes. The ring is closed if its last point does not repeat the first.
+    /// Creates a polygon with this outer ring and no holes. Repeats the first point at the end if the ring is open.
     ///
     /// ```
     /// use twinedge_map::Shape;
@@ -34,7 +34,7 @@ impl Shape {
         Self::Polygon(alloc::vec![closed(outer)])
     }
 
-    /// The same polygon with one more hole, closed in the same way. Lines and points stay as they are.
+    /// Adds a hole to a polygon, closed in the same way. Lines and points are unchanged.
     #[must_use]
     pub fn hole(mut self, ring: impl IntoIterator<Item = impl Into<Point>>) -> Self {
         if let Self::Polygon(rings) = &mut self {
@@ -43,7 +43,7 @@ impl Shape {
         self
     }
 
-    /// The chain of segments through these points.
+    /// Creates a chain of segments through these points.
     #[must_use]
     pub fn line(along: impl IntoIterator<Item = impl Into<Point>>) -> Self {
         Self::Line(points(along))
@@ -63,10 +63,10 @@ fn points(from: impl IntoIterator<Item = impl Into<Point>>) -> Vec<Point> {
 /// Shapes that belong together, such as the parts of one country.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feature {
-    /// Its name.
+    /// The name.
     pub name: Option<String>,
-    /// Its id in the file.
+    /// The id in the file.
     pub id: Option<String>,
-    /// Its parts, in the order of the file; none if it has no place on the map.
+    /// The parts, in the order of the file; empty if the feature has no geometry.
     pub shapes: Vec<Shape>,
 }

@@ -11,27 +11,27 @@ new_key_type! {
 }
 
 impl FeatureId {
-    /// The feature with this number, whether a map has it or not.
+    /// Creates the key of the feature with this number, even if no map has such a feature.
     #[must_use]
     pub fn new(number: u32) -> Self {
-        // Slots of other records begin at 1, too.
+        // Slots of other records also begin at 1.
         KeyData::from_ffi(1 << 32 | u64::from(number.wrapping_add(1))).into()
     }
 
-    /// The number in order of input, counted from 0.
+    /// Returns the number in order of input, counted from 0.
     #[must_use]
     pub fn number(self) -> u32 {
         (self.data().as_ffi() as u32).wrapping_sub(1)
     }
 
-    /// The place in order of input, counted from 0.
+    /// Returns the index in order of input, counted from 0.
     #[must_use]
     pub fn index(self) -> usize {
         self.number() as usize
     }
 }
 
-/// Features have the attribute. Only a [`PlanarMap`](crate::PlanarMap) has some, and gives them values.
+/// The kind of attributes of features. Only a [`PlanarMap`](crate::PlanarMap) has features.
 #[derive(Clone, Copy, Debug)]
 pub enum Features {}
 

@@ -1,8 +1,8 @@
-//! The features that cover each face, and those that run along each edge.
+//! The features that cover each face, and the features that run along each edge.
 //!
-//! Few sets of features occur on a map, and most of them on many faces or edges: a country on each of its faces, two
-//! countries along their border. So every set is kept once, for good, and a face or an edge holds its number. Giving a new
-//! face the set of another is a copy of one number, which is what edits do most.
+//! A map contains few distinct sets of features, mostly shared by many faces or edges: a country on each of its faces, two
+//! countries along their border. So every set is stored once, permanently, and a face or an edge holds its number. Copying the
+//! features of a face, the most common step of edits, copies one number.
 
 use super::feature_tries::{FeatureTries, Members, SetId, SetOperation};
 use crate::FeatureId;
@@ -13,24 +13,24 @@ use std::collections::BTreeSet;
 pub(super) struct FeatureSets {
     sets: FeatureTries,
     faces: Vec<SetId>,
-    /// By half the index of either half-edge.
+    /// Indexed by half the index of either half-edge.
     edges: Vec<SetId>,
-    /// The features that were removed: their numbers are not given to others.
+    /// The removed features, whose numbers are not reused.
     pub(super) removed: BTreeSet<FeatureId>,
 }
 
 impl FeatureSets {
-    /// The number of the set of one feature. O(1), expected.
+    /// Returns the number of the set of one feature. O(1), expected.
     pub(super) fn single(&mut self, feature: FeatureId) -> SetId {
         self.sets.single(feature)
     }
 
-    /// The number of the set of these features. O(features · log), expected.
+    /// Returns the number of the set of these features. O(features · log), expected.
     pub(super) fn number(&mut self, features: impl IntoIterator<Item = FeatureId>) -> SetId {
         self.sets.number(features)
     }
 
-    /// The features of a set, in order. O(log features) for the first, O(1) for each other on average.
+    /// Returns the features of a set, in order. O(log features) for the first, O(1) on average for each other.
     pub(super) fn set(&self, number: SetId) -> Members<'_> {
         self.sets.members(number)
     }
@@ -53,17 +53,16 @@ impl FeatureSets {
         put(&mut self.edges, half_edge / 2, set);
     }
 
-    /// The set of those in both. O(log features) for each feature in one only, as for the next two.
+    /// Returns the intersection. O(log features) for each feature in only one set, as for the next two operations.
     pub(super) fn common(&mut self, a: SetId, b: SetId) -> SetId {
         self.sets.combined(SetOperation::Common, a, b)
     }
 
-    /// The set of those in either.
     pub(super) fn either(&mut self, a: SetId, b: SetId) -> SetId {
         self.sets.combined(SetOperation::Either, a, b)
     }
 
-    /// The set of those in one and not in the other.
+    /// Returns the symmetric difference.
     pub(super) fn differing(&mut self, a: SetId, b: SetId) -> SetId {
         self.sets.combined(SetOperation::Differing, a, b)
     }

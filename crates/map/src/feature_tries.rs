@@ -1,8 +1,8 @@
-//! Sets of features, each kept once, that share what they have in common.
+//! Sets of features, each stored once, with common parts shared.
 //!
-//! A set is a binary trie over the numbers of its features, with 64 of them in a leaf. Equal parts of sets are one node
-//! (hash-consing), so sets are equal if their nodes are, and a set that differs from another in one feature costs
-//! O(log features) nodes, however large both are. With ten thousand polygons inside each other, each face has its set.
+//! A set is a binary trie over the numbers of its features, with 64 numbers per leaf. Equal parts of sets are one node
+//! (hash-consing), so sets are equal if their nodes are, and adding a set that differs from another in one feature costs O(log
+//! features) nodes, independent of its size. So even with ten thousand nested polygons, each face has its own set.
 //!
 //! Source: Okasaki and Gill, "Fast mergeable integer maps", 1998.
 
@@ -15,24 +15,24 @@ pub struct SetId(u32);
 
 const EMPTY: SetId = SetId(0);
 
-/// The bits of a feature's number that choose one of the 64 of a leaf.
+/// The low bits of a feature's number, which select one of the 64 features of a leaf.
 const LEAF_BITS: u32 = 6;
 
-/// As many nodes lie side by side on the way to a leaf, one for each bit left, and the leaf.
+/// The maximum depth: one node for each remaining bit, and the leaf.
 const DEPTH: usize = (u32::BITS - LEAF_BITS) as usize + 1;
 
-/// Part of a set. The upper bits of all its features are those of `prefix`.
+/// Part of a set. All its features share the upper bits of `prefix`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Node {
     Leaf {
         prefix: u32,
-        /// A bit for each of the 64 features that is in the set; 0 in the empty set only.
+        /// One bit for each of the 64 features; 0 only in the empty set.
         bits: u64,
     },
     /// Neither side is empty.
     Branch {
         prefix: u32,
-        /// The bit in which the features of both sides differ.
+        /// The bit in which the features of the two sides differ.
         bit: u32,
         sides: [SetId; 2],
     },
@@ -53,7 +53,7 @@ impl Node {
         }
     }
 
-    /// Returns the number of lower bits in which its features may differ.
+    /// Returns the number of lower bits in which the node's features may differ.
     const fn width(self) -> u32 {
         match self {
             Self::Leaf { .. } => LEAF_BITS,
@@ -62,7 +62,6 @@ impl Node {
     }
 }
 
-/// An operation on two sets.
 #[derive(Clone, Copy)]
 pub(super) enum SetOperation {
     Common,
@@ -73,7 +72,7 @@ pub(super) enum SetOperation {
 /// All sets that have occurred.
 #[derive(Clone, Debug)]
 pub(super) struct FeatureTries {
-    /// By number of set.
+    /// Indexed by the number of the set.
     nodes: Vec<Node>,
     numbers: NumberTable,
 }
@@ -84,20 +83,20 @@ impl Default for FeatureTries {
     }
 }
 
-/// The bits of a number from this one upwards.
+/// Clears the bits of a number below `width`.
 const fn above(number: u32, width: u32) -> u32 {
     if width >= u32::BITS { 0 } else { number >> width << width }
 }
 
 impl FeatureTries {
-    /// The set of one feature. O(1), expected.
+    /// Returns the set of one feature. O(1), expected.
     pub(super) fn single(&mut self, feature: FeatureId) -> SetId {
         let number = feature.number();
         let prefix = above(number, LEAF_BITS);
         self.leaf(prefix, 1 << (number - prefix))
     }
 
-    /// The set of these features. O(features · log), expected.
+    /// Returns the set of these features. O(features · log), expected.
     pub(super) fn number(&mut self, features: impl IntoIterator<Item = FeatureId>) -> SetId {
         features.into_iter().fold(EMPTY, |set, feature| {
             let single = self.single(feature);
@@ -105,14 +104,14 @@ impl FeatureTries {
         })
     }
 
-    /// The features of a set, in order. O(log features) for the first, O(1) for each other on average.
+    /// Returns the features of a set, in order. O(log features) for the first, O(1) on average for each other.
     pub(super) fn members(&self, set: SetId) -> Members<'_> {
         let mut rest = [EMPTY; DEPTH];
         rest[0] = set;
         Members { nodes: &self.nodes, rest, left: 1, prefix: 0, bits: 0 }
     }
 
-    /// The set of those in both, in either, or in one only. O(log features) for each feature in one set only.
+    /// Returns the features in both sets, in either, or in only one of them. O(log features) for each feature in only one set.
     pub(super) fn combined(&mut self, operation: SetOperation, a: SetId, b: SetId) -> SetId {
         let all = !matches!(operation, SetOperation::Common);
         if a == b {
@@ -150,7 +149,7 @@ impl FeatureTries {
                 self.inside(operation, (prefix, bit, sides), b, inside)
             }
             (inside, Node::Branch { prefix, bit, sides }) => self.inside(operation, (prefix, bit, sides), a, inside),
-            // A leaf is the narrowest of all, so a branch on the left is the wider one.
+            // A leaf is narrowest, so a branch on the left is the wider node.
             (Node::Branch { .. }, Node::Leaf { .. }) => EMPTY,
         }
     }
@@ -172,7 +171,7 @@ impl FeatureTries {
         self.branch(prefix, bit, sides)
     }
 
-    /// All of two sets whose prefixes differ.
+    /// Returns the union of two sets whose prefixes differ.
     fn side_by_side(&mut self, a: SetId, b: SetId) -> SetId {
         let [one, other] = [a, b].map(|set| self.nodes[set.0 as usize].prefix());
         let bit = (one ^ other).ilog2();
@@ -202,7 +201,7 @@ impl FeatureTries {
     }
 }
 
-/// The features of a set, in order.
+/// An iterator over the features of a set, in order.
 #[derive(Clone)]
 pub(super) struct Members<'a> {
     nodes: &'a [Node],

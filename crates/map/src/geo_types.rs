@@ -30,7 +30,7 @@ impl From<&geo::Polygon<f64>> for Shape {
     }
 }
 
-/// A polygon gets closed rings, whatever the shape had; one without rings is empty.
+/// A polygon gets closed rings; a polygon without rings is empty.
 impl From<&Shape> for geo::Geometry<f64> {
     fn from(shape: &Shape) -> Self {
         match shape {
@@ -45,8 +45,8 @@ impl From<&Shape> for geo::Geometry<f64> {
     }
 }
 
-/// All shapes of the geometry, collections inside collections included; empty lines and polygons draw nothing. O(coordinates),
-/// however deep the collections are nested.
+/// Takes all shapes of the geometry, including nested collections; empty lines and polygons draw nothing. O(coordinates), even
+/// for deeply nested collections.
 impl From<&geo::Geometry<f64>> for Feature {
     fn from(geometry: &geo::Geometry<f64>) -> Self {
         let mut shapes = Vec::new();
@@ -74,7 +74,7 @@ impl From<&geo::Geometry<f64>> for Feature {
     }
 }
 
-/// One geometry for each shape.
+/// Makes one geometry for each shape.
 impl From<&Feature> for geo::GeometryCollection<f64> {
     fn from(feature: &Feature) -> Self {
         Self(feature.shapes.iter().map(geo::Geometry::from).collect())

@@ -1,4 +1,4 @@
-//! Bringing in a structure with coordinates that exists already.
+//! Importing an existing structure with coordinates.
 
 use super::planar_map::PlanarMap;
 use crate::{Embedding, validate_embedding};
@@ -8,23 +8,23 @@ use twinedge::dcel::{Dcel, ImportError, Keys, Outside};
 use twinedge::validate::{Collect, Expectation, Report};
 use twinedge_geometry::Point;
 
-/// The error of [`PlanarMap::from_view`], which refused a structure.
+/// The error of [`PlanarMap::from_view`]: the structure was refused.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum MapImportError {
-    /// It breaks a rule from R1 to G5. The report names the records by their indices in the view.
+    /// The structure breaks a rule from R1 to G5. The report names records by their indices in the view.
     #[error("the structure is not valid:\n{0}")]
     Invalid(Box<Report>),
-    /// It is valid, but its topology is not that of a planar subdivision with this outside.
+    /// The structure is valid, but its topology is not a planar subdivision with this outside.
     #[error(transparent)]
     Topology(#[from] ImportError),
-    /// Its topology is that of a planar subdivision, but with this outside the coordinates do not draw it. The report names
-    /// the records by their indices in the map that it would have become.
+    /// The topology is a planar subdivision, but the coordinates do not draw it with this outside. The report names records by
+    /// their indices in the refused map.
     #[error("with that outside, the coordinates do not draw the structure:\n{0}")]
     NotDrawn(Box<Report>),
 }
 
-/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+/// Formats like `Display`, so that a failed `unwrap` or `main` prints readable lines.
 impl fmt::Debug for MapImportError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -32,7 +32,7 @@ impl fmt::Debug for MapImportError {
 }
 
 impl MapImportError {
-    /// The report of the validator, if it was the validator that refused.
+    /// Returns the validator's report, if the validator refused.
     #[must_use]
     pub fn report(&self) -> Option<&Report> {
         match self {
@@ -43,12 +43,11 @@ impl MapImportError {
 }
 
 impl PlanarMap {
-    /// Builds the map that a structure with coordinates describes, and tells which of its records became which.
+    /// Builds the map that a structure with coordinates describes. Also returns the keys of its records.
     ///
-    /// The structure is validated first, R1 … G5, and so is the map that comes of it: whatever the view answers, the map keeps
-    /// every rule. The expectation and the outside are those of [`Dcel::from_view`]. The map has no features;
-    /// [`add_feature`](Self::add_feature) and [`set_features_of`](Self::set_features_of) with the keys give it some. −0
-    /// becomes 0.
+    /// Validates the structure first, R1 … G5, and then the resulting map: the map keeps every rule, even if the view answers
+    /// inconsistently. [`Dcel::from_view`] explains the expectation and the outside. The map has no features; add them with
+    /// [`add_feature`](Self::add_feature) and [`set_features_of`](Self::set_features_of), using the keys. −0 becomes 0.
     ///
     /// O(n log n) time and O(n) memory for n slots of the view.
     ///
@@ -92,15 +91,15 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`MapImportError::Invalid`] if the structure breaks a rule; [`MapImportError::Topology`] for what
-    /// [`Dcel::from_view`] refuses; [`MapImportError::NotDrawn`] if its coordinates do not draw the map with that outside,
-    /// or change while they are read.
+    /// [`MapImportError::Invalid`] if the structure breaks a rule; [`MapImportError::Topology`] for the errors of
+    /// [`Dcel::from_view`]; [`MapImportError::NotDrawn`] if its coordinates do not draw the map with that outside, or change
+    /// while they are read.
     pub fn from_view<V: Embedding + ?Sized>(
         view: &V,
         expectation: &Expectation,
         outside: Outside,
     ) -> Result<(Self, Keys), MapImportError> {
-        // A closed mesh has no face outside; its coordinates are judged once it has one.
+        // A closed mesh has no unbounded face; its coordinates are validated once it has one.
         if !matches!(outside, Outside::Face(_)) {
             let report = validate_embedding(view, expectation, Collect::All);
             if !report.is_valid() {

@@ -1,7 +1,7 @@
-//! A `Dcel` with coordinates: building, features, edits, location, the faces cut by a line.
+//! A `Dcel` with coordinates: building, features, edits, location, and the faces cut by a line.
 //!
 //! A [`PlanarMap`] is a [`Dcel`](twinedge::dcel::Dcel) whose vertices have coordinates. [`Builder`] makes one from rings, lines
-//! and points in O(n log n). [`PlanarMap::from_view`] makes one from a half-edge structure that exists already.
+//! and points in O(n log n). [`PlanarMap::from_view`] makes one from an existing half-edge structure.
 //!
 //! ```
 //! use twinedge_geometry::Point;
@@ -24,16 +24,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A [`History`](twinedge::dcel::History) has edits that are undone and redone, [`Audited`](twinedge::dcel::Audited) validates after each, and
-//! [attributes](PlanarMap#attributes) follow them. The example `undo_owners_ids` is the core of an editor in short.
+//! A [`History`](twinedge::dcel::History) undoes and redoes edits, [`Audited`](twinedge::dcel::Audited) validates after each
+//! edit, and [attributes](PlanarMap#attributes) follow edits. The example `undo_owners_ids` is a minimal editor core.
 //!
 //! | module | purpose |
 //! | --- | --- |
-//! | [`certificate`] | a triangulation by which anyone can check that a map is drawn in the plane |
-//! | [`mod@diff`] | the changes from one map to another, by ids: shown, saved, applied, merged |
-//! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
-//! | [`locate`] | where a point lies, by an index |
-//! | [`zone`] | what a line meets, in order |
+//! | [`certificate`] | a triangulation that proves a map to be drawn in the plane |
+//! | [`mod@diff`] | the changes from one map to another, by ids: displayed, saved, applied, merged |
+//! | [`edit`] | drawing and erasing points, segments and rings one by one |
+//! | [`locate`] | point location by an index |
+//! | [`zone`] | the elements along a line, in order |
 //! | [`program`] | sequences of edits as data |
 //! | [`drawing`], [`near`] | rules G1 … G5 for any structure with coordinates, and after a change |
 

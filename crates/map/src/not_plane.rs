@@ -1,4 +1,4 @@
-//! Why a map is not plane, and where.
+//! The place where a map is not plane.
 
 use core::fmt;
 use thiserror::Error;
@@ -6,16 +6,16 @@ use twinedge_geometry::Point;
 use twinedge_geometry::crossing::Clash;
 use twinedge_geometry::predicates::on_segment;
 
-/// Edges of a map meet where no vertex is, so nothing is known of what lies where. `Display` says what to do.
+/// Edges of a map meet where there is no vertex, so locations on it are undefined. `Display` suggests a remedy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Error)]
 #[non_exhaustive]
 pub struct NotPlane {
-    /// Such a place, rounded: there may be more.
+    /// A meeting point, rounded; there may be more.
     pub at: Option<Point>,
 }
 
 impl NotPlane {
-    /// The place of a clash of segments.
+    /// Locates a clash of segments.
     pub(super) fn at(clash: Clash, points: &[Point], segments: &[[u32; 2]]) -> Self {
         let point = |v: u32| points[v as usize];
         let ends = |segment: u32| segments[segment as usize].map(point);
@@ -33,7 +33,7 @@ impl NotPlane {
     }
 }
 
-/// The point, rounded, at which segments cross.
+/// Returns the rounded point at which segments cross.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Point {
     let side = |p: Point| (d.x - c.x) * (p.y - c.y) - (d.y - c.y) * (p.x - c.x);
     let (before, after) = (side(a), side(b));

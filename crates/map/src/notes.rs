@@ -1,37 +1,35 @@
-//! The log of what edits overwrite beside the links of the structure: points, features and their names, values.
+//! The log of all data that edits overwrite apart from links: points, features and their names, values.
 
 use super::feature_tries::SetId;
 use twinedge::dcel::extend::Saved;
 use twinedge_geometry::Point;
 
-/// The entries that the change that is being made has logged, if the log is on. A clone of the map goes on without.
+/// The log entries of the current change, if the log is on. A clone of the map has no log.
 #[derive(Default)]
 pub(super) struct Notes(Option<Vec<MapEntry>>);
 
 impl Notes {
-    /// Notes something that is about to be overwritten, if it is to.
+    /// Logs a value that is about to be overwritten, if the log is on.
     pub(super) fn write(&mut self, entry: impl FnOnce() -> MapEntry) {
         if let Some(entries) = &mut self.0 {
             entries.push(entry());
         }
     }
 
-    /// Notes from now on, and forgets earlier entries.
+    /// Turns the log on and clears it.
     pub(super) fn begin(&mut self) {
         self.0 = Some(Vec::new());
     }
 
-    /// Notes nothing any more.
     pub(super) fn end(&mut self) {
         self.0 = None;
     }
 
-    /// The number of entries.
     pub(super) fn len(&self) -> usize {
         self.0.as_ref().map_or(0, Vec::len)
     }
 
-    /// Takes the entries off but for the first.
+    /// Removes and returns all entries but the first ones.
     pub(super) fn split_off(&mut self, first: usize) -> Vec<MapEntry> {
         self.0.as_mut().map(|entries| entries.split_off(first)).unwrap_or_default()
     }
@@ -43,7 +41,7 @@ impl Clone for Notes {
     }
 }
 
-/// Something of a map, other than a link, that was overwritten: its index, and what is not there.
+/// An overwritten value of a map, other than a link: its index and the value to exchange.
 #[derive(Clone, Debug)]
 pub enum MapEntry {
     /// The point of a vertex.
@@ -52,7 +50,7 @@ pub enum MapEntry {
     OfFace(u32, SetId),
     /// The set of features along an edge, by either half-edge.
     Along(u32, SetId),
-    /// The last feature, with the name that it has when it is there again.
+    /// The last feature, with its name once it has been removed.
     Feature(Option<Box<str>>),
     /// The name of a feature that is removed.
     Name(u32, Option<Box<str>>),
@@ -61,7 +59,7 @@ pub enum MapEntry {
 }
 
 impl MapEntry {
-    /// The vertex whose point it is.
+    /// Returns the vertex whose point was overwritten.
     pub(super) const fn vertex(&self) -> Option<usize> {
         if let Self::Point(v, _) = self { Some(*v as usize) } else { None }
     }

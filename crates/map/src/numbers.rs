@@ -1,9 +1,9 @@
-//! Numbers of slots in 32 bits, as this crate keeps them in columns: nil, disjoint sets, the cycles of a permutation.
+//! 32-bit slot numbers in columns: nil, disjoint sets, the cycles of a permutation.
 
 /// Nil in a column.
 pub(crate) const NIL: u32 = u32::MAX;
 
-/// A column of so many entries, if there is memory for it.
+/// Allocates `n` copies of `value`; `None` if memory runs out.
 pub(crate) fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     let mut column = Vec::new();
     column.try_reserve_exact(n).ok()?;
@@ -11,23 +11,22 @@ pub(crate) fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     Some(column)
 }
 
-/// Disjoint sets of the numbers below some number. Numbers beyond are in no set. n calls take O(n α(n)), where α is the inverse of
+/// Disjoint sets of the numbers below some count. Larger numbers are in no set. n calls take O(n α(n)), where α is the inverse of
 /// Ackermann's function.
 pub(crate) struct Sets {
-    /// Another member of the same set, or for the one that stands for the set, itself.
+    /// Another member of the same set, or the number itself for the representative of the set.
     towards: Vec<u32>,
     rank: Vec<u8>,
-    /// The number of sets.
     pub(crate) count: usize,
 }
 
 impl Sets {
-    /// Sets of one number each.
+    /// Creates `count` sets of one number each.
     pub(crate) fn new(count: usize) -> Self {
         Self { towards: (0..count as u32).collect(), rank: alloc::vec![0; count], count }
     }
 
-    /// The same, if there is memory for them.
+    /// Creates `count` sets of one number each; `None` if memory runs out.
     pub(crate) fn try_new(count: usize) -> Option<Self> {
         let mut towards = Vec::new();
         towards.try_reserve_exact(count).ok()?;
@@ -35,7 +34,7 @@ impl Sets {
         Some(Self { towards, rank: column(count, 0)?, count })
     }
 
-    /// The number that stands for the set of `i`. Every second step on the way is shortened.
+    /// Returns the representative of the set of `i`, halving the path to it.
     pub(crate) fn find(&mut self, mut i: u32) -> u32 {
         while let Some(next) = self.towards.get(i as usize).copied().filter(|next| *next != i) {
             let after = self.towards[next as usize];
@@ -45,7 +44,7 @@ impl Sets {
         i
     }
 
-    /// Joins two sets, the one of lower rank to the other.
+    /// Joins two sets by rank.
     pub(crate) fn join(&mut self, i: u32, j: u32) {
         let (i, j) = (self.find(i), self.find(j));
         let (Some(rank_i), Some(rank_j)) = (self.rank.get(i as usize).copied(), self.rank.get(j as usize).copied())
@@ -59,7 +58,7 @@ impl Sets {
     }
 }
 
-/// The cycles of a permutation: for each number that of its cycle, and for each cycle its smallest number.
+/// Returns the cycles of a permutation: for each number its cycle, and for each cycle its smallest number.
 pub(crate) fn cycles(next: &[u32]) -> (Vec<u32>, Vec<u32>) {
     let mut of = alloc::vec![NIL; next.len()];
     let mut starts = Vec::new();

@@ -14,12 +14,11 @@ use twinedge::validate::{Collect, Expectation, HalfEdgeColumns, Report, View};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::NodingSummary;
 
-/// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
-/// faces.
+/// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its faces.
 ///
-/// Made all at once by [`Builder`](super::Builder), or step by step from [`PlanarMap::new`] by [edits](super::edit), or of a
-/// structure that exists by [`PlanarMap::from_view`]. The topology is read through [`PlanarMap::dcel`]; coordinates and
-/// features by key.
+/// [`Builder`](super::Builder) makes one all at once, [edits](super::edit) change one step by step from [`PlanarMap::new`], and
+/// [`PlanarMap::from_view`] converts an existing structure. [`PlanarMap::dcel`] returns the topology; coordinates and features
+/// are read by key.
 ///
 /// ```text
 ///   ┌──────────┐ ┌──────┐    dcel      vertices, half-edges, faces and what lies in what
@@ -57,14 +56,12 @@ use twinedge_geometry::noding::NodingSummary;
 #[derive(Clone, Default)]
 pub struct PlanarMap {
     pub(super) dcel: Dcel,
-    /// By index of vertex.
     pub(super) points: Vec<Point>,
-    /// By number of feature.
     pub(super) names: Vec<Option<String>>,
     pub(super) features: FeatureSets,
     pub(super) summary: BuildSummary,
     pub(super) noding: Option<NodingSummary>,
-    /// A place where edges meet and no vertex is, if there is one.
+    /// A place where edges meet without a vertex, if there is one.
     pub(super) not_plane: Option<NotPlane>,
     pub(super) index: KeptIndex,
     pub(super) notes: Notes,
@@ -83,8 +80,8 @@ impl fmt::Debug for PlanarMap {
     }
 }
 
-/// Two maps are equal if their structures are, with the same keys, and their vertices lie at the same points and their faces and edges
-/// have the same features, with the same names. What was found while a map was built makes no difference. O(n), and the features.
+/// Maps are equal if their structures have the same keys and links, their vertices have the same points, and their faces and
+/// edges have the same features with the same names. The builder's findings are ignored. O(n), plus the features.
 ///
 /// ```
 /// use twinedge_map::PlanarMap;
@@ -115,7 +112,7 @@ impl PartialEq for PlanarMap {
     }
 }
 
-/// The coordinates of a vertex, as [`position`](PlanarMap::position) returns them.
+/// Returns the coordinates of a vertex, like [`position`](PlanarMap::position).
 ///
 /// # Panics
 /// Panics if the key is stale.
@@ -139,13 +136,13 @@ impl Index<VertexKey> for PlanarMap {
 }
 
 impl PlanarMap {
-    /// The empty map: the unbounded face, and nothing in it. O(1).
+    /// Creates an empty map, which has only the unbounded face. O(1).
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The topology. O(1).
+    /// Returns the topology. O(1).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -180,7 +177,7 @@ impl PlanarMap {
         Ok(self.point(self.dcel.vertex(vertex)?.index()))
     }
 
-    /// The features that cover a face, in order. O(log features) for the first, O(1) for each other on average.
+    /// Returns the features that cover a face, in order. O(log features) for the first, O(1) on average for each other.
     ///
     /// ```
     /// use twinedge_map::{Builder, Shape};
@@ -202,8 +199,8 @@ impl PlanarMap {
         Ok(self.features.set(set))
     }
 
-    /// The features whose rings or lines run along an edge, in order. O(log features) for the first, O(1) for each other on
-    /// average.
+    /// Returns the features whose rings or lines run along an edge, in order. O(log features) for the first, O(1) on average for
+    /// each other.
     ///
     /// ```
     /// use twinedge_map::Builder;
@@ -224,7 +221,7 @@ impl PlanarMap {
         Ok(self.features.set(set))
     }
 
-    /// The feature with this number, counted from 0 in order of input; none beyond the last. O(1).
+    /// Returns the feature with this number, counted from 0 in order of input, or `None` beyond the last. O(1).
     ///
     /// ```
     /// use twinedge_map::Builder;
@@ -241,12 +238,12 @@ impl PlanarMap {
         (index < self.names.len()).then_some(FeatureId::new(index as u32))
     }
 
-    /// All features, in order of input. A feature that was [removed](Self::remove_feature) keeps its number, and is among them.
+    /// Returns all features, in order of input. A [removed](Self::remove_feature) feature keeps its number and is included.
     pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
         (0..self.names.len() as u32).map(FeatureId::new)
     }
 
-    /// The name of a feature, if it has one. O(1).
+    /// Returns the name of a feature, if it has one. O(1).
     #[must_use]
     pub fn name(&self, feature: FeatureId) -> Option<&str> {
         self.names.get(feature.index())?.as_deref()
@@ -258,16 +255,16 @@ impl PlanarMap {
         &self.summary
     }
 
-    /// Returns the changes that noding made to the segments; none if the map was built without noding.
+    /// Returns the changes that noding made to the segments, or `None` if the map was built without noding.
     #[must_use]
     pub const fn noding(&self) -> Option<&NodingSummary> {
         self.noding.as_ref()
     }
 
-    /// Returns true if edges meet at shared endpoints only. O(1).
+    /// Returns true if edges meet only at shared endpoints. O(1).
     ///
-    /// The builder finds out, and edits keep it so: they refuse a map that is not plane. On such a map the links are as they
-    /// should be, but nothing is known of what lies where.
+    /// The builder determines this, and edits preserve it: they refuse a map that is not plane. The links of such a map are
+    /// valid, but locations on it are undefined.
     ///
     /// ```
     /// use twinedge_map::{Builder, Noding};
@@ -305,18 +302,19 @@ impl PlanarMap {
         self.not_plane
     }
 
-    /// Refuses a map that is not plane. O(1).
+    /// Returns an error if the map is not plane. O(1).
     ///
     /// # Errors
-    /// The reason.
+    /// [`NotPlane`], with the place.
     pub fn plane(&self) -> Result<(), NotPlane> {
         self.not_plane.map_or(Ok(()), Err)
     }
 
-    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; with the number of pairs of edges whose boxes meet
-    /// for another.
+    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; otherwise plus the number of pairs of edges whose
+    /// boxes meet.
     ///
-    /// No edit breaks a rule; useful in tests, and for maps built of segments that cross ([`is_plane`](Self::is_plane)).
+    /// Edits never break a rule. This is useful in tests, and for maps built from crossing segments
+    /// ([`is_plane`](Self::is_plane)).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -335,8 +333,8 @@ impl PlanarMap {
 }
 
 impl PlanarMap {
-    /// The map of a structure and the coordinates of its vertices, by index. Nothing is checked but that each vertex has coordinates: that these
-    /// draw the structure, [`validate`](Self::validate) says, or [`from_view`](Self::from_view), which checks it. O(1).
+    /// Makes a map from a structure and the coordinates of its vertices, by index. Checks only that each vertex has coordinates;
+    /// [`validate`](Self::validate) checks that they draw the structure. [`from_view`](Self::from_view) checks everything. O(1).
     #[must_use]
     pub fn assembled(dcel: Dcel, points: Vec<Point>) -> Option<Self> {
         (points.len() >= dcel.vertex_slots()).then(|| Self { dcel, points, ..Self::default() })
@@ -344,7 +342,7 @@ impl PlanarMap {
 }
 
 impl PlanarMap {
-    /// The index of the edges and isolated vertices, which is built if there is none. O(n log n) then.
+    /// Returns the index of the edges and isolated vertices, building it in O(n log n) if necessary.
     pub(super) fn index(&self) -> &RecordIndex {
         self.index.get(&self.dcel, &self.points)
     }
@@ -356,7 +354,7 @@ impl Embedding for PlanarMap {
     }
 }
 
-/// Indices are those of the [`Dcel`].
+/// Indices are the indices of the [`Dcel`].
 impl View for PlanarMap {
     delegate_view!(|this| &this.dcel);
 

@@ -1,4 +1,4 @@
-//! The log of a map: the interface to histories and audits of its changes.
+//! The log of a map: the interface for undo histories and audits.
 
 use super::index::IndexedEdge;
 use super::notes::MapEntry;
@@ -74,7 +74,7 @@ impl Auditable for PlanarMap {
 }
 
 impl PlanarMap {
-    /// Notes what edits overwrite beside links from now on, and forgets earlier notes; or notes nothing any more.
+    /// Turns the log of overwritten data other than links on, clearing it, or off.
     pub(super) fn note(&mut self, on: bool) {
         if on {
             self.notes.begin();
@@ -86,19 +86,18 @@ impl PlanarMap {
         }
     }
 
-    /// Begins to log what edits overwrite, links and all else.
+    /// Turns all logs on, of links and of other data.
     pub(super) fn begin_logs(&mut self) {
         self.note(true);
         self.dcel.begin_log();
     }
 
-    /// Keeps no log any more.
     pub(super) fn end_logs(&mut self) {
         self.note(false);
         self.dcel.end_log();
     }
 
-    /// The records that were written since the logs were begun at this place, which begin anew.
+    /// Returns the records written since `since`, the beginning of the logs, and clears the logs.
     pub(super) fn take_written(&mut self, since: LogPlace) -> WriteSet {
         let mut written = self.dcel.written_since(since);
         written.vertices.extend(self.notes.split_off(0).iter().filter_map(MapEntry::vertex));
@@ -106,7 +105,7 @@ impl PlanarMap {
         written
     }
 
-    /// Exchanges what is there for what an entry has.
+    /// Exchanges the current value and the value of an entry.
     fn exchange(&mut self, entry: &mut MapEntry, way: Way) {
         match entry {
             MapEntry::Point(v, point) => mem::swap(&mut self.points[*v as usize], point),
@@ -139,19 +138,20 @@ impl PlanarMap {
     }
 }
 
-/// Records that are drawn differently before and after a change: edges by their even half-edges, and vertices that may be isolated, by index.
+/// Records drawn differently before and after a change: edges by their even half-edges, and vertices that may be isolated, by
+/// index.
 struct Redrawn {
     edges: Vec<usize>,
     vertices: Vec<usize>,
 }
 
 impl Redrawn {
-    /// Of a change that is about to be taken back or done again.
+    /// Collects the records of a change that is about to be undone or redone.
     fn new(map: &PlanarMap, links: &Rewrite, others: &[MapEntry]) -> Self {
         let (mut edges, mut vertices) = links.redrawn(&map.dcel);
         for v in others.iter().filter_map(MapEntry::vertex) {
             vertices.push(v);
-            // Those of its edges that come or go are among them already.
+            // Edges that are added or removed are already included.
             let rotation = map.dcel.vertex_at(v).into_iter().flat_map(|v| v.rotation());
             edges.extend(rotation.map(|h| h.index() & !1));
         }
@@ -162,12 +162,11 @@ impl Redrawn {
         Self { edges, vertices }
     }
 
-    /// Those of its edges that are there.
     fn edges_of<'a>(&'a self, dcel: &'a Dcel) -> impl Iterator<Item = HalfEdge<'a>> {
         self.edges.iter().filter_map(|h| dcel.half_edge_at(*h))
     }
 
-    /// Those of its vertices that are there, and are isolated.
+    /// Returns the vertices that exist and are isolated.
     fn isolated_of<'a>(&'a self, dcel: &'a Dcel) -> impl Iterator<Item = Vertex<'a>> {
         self.vertices.iter().filter_map(|v| dcel.vertex_at(*v)).filter(|v| v.isolated().is_some())
     }

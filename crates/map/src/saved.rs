@@ -1,4 +1,4 @@
-//! Maps as serde saves and loads them.
+//! Saving and loading maps with serde.
 
 use super::certificate::{DrawingError, draw};
 use super::feature_sets::FeatureSets;
@@ -16,7 +16,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::NodingSummary;
 use twinedge_geometry::predicates::in_range;
 
-/// The number of the form that is written here.
+/// The version number of the written form.
 const FORM: u8 = 1;
 
 /// The saved form of a map: its live records in order of their indices.
@@ -25,27 +25,24 @@ const FORM: u8 = 1;
 struct SavedMap<D, C> {
     form: u8,
     dcel: D,
-    /// By vertex.
     points: Vec<Point>,
-    /// By number of feature.
     names: Vec<Option<String>>,
-    /// Each set of features that occurs, in ascending order.
+    /// Each set of features in use, in ascending order.
     sets: Vec<Vec<u32>>,
-    /// By face: the set that covers it.
     faces: Vec<usize>,
-    /// By edge: the set that runs along it.
+    /// The set that runs along each edge.
     edges: Vec<usize>,
     summary: BuildSummary,
     noding: Option<NodingSummary>,
-    /// The features that were removed, in ascending order.
+    /// The removed features, in ascending order.
     #[serde(default)]
     removed: Vec<u32>,
-    /// The certificate of the drawing, if it was saved with one.
+    /// The certificate of the drawing, if it was saved.
     #[serde(default = "Option::default")]
     drawing: Option<C>,
 }
 
-/// A map and the certificate of its drawing, to be saved together: see [`PlanarMap::certified`].
+/// A map to be saved together with a certificate of its drawing: see [`PlanarMap::certified`].
 #[derive(Clone, Debug)]
 pub struct Certified<'m> {
     map: &'m PlanarMap,
@@ -77,13 +74,13 @@ enum LoadError {
     Labels(#[from] LabelsError),
 }
 
-/// Saves the keys, so that data that is saved beside the map by key finds its records again; edges of no feature
-/// and isolated vertices; names and features; the summaries. O(n).
+/// Saves the keys, so that data saved alongside by key still refers to the same records; edges without features and isolated
+/// vertices; names and features; the summaries. O(n).
 ///
-/// Values of [attributes](PlanarMap#attributes) are saved beside it: see the second example.
+/// Values of [attributes](PlanarMap#attributes) are saved separately: see the second example.
 ///
-/// Only plane maps can be saved ([`PlanarMap::is_plane`]). The index of [`locate`](PlanarMap::locate) is not: in JSON, reading one takes as long as
-/// building it.
+/// Only plane maps can be saved ([`PlanarMap::is_plane`]). The index of [`locate`](PlanarMap::locate) is not saved: reading it
+/// from JSON would take as long as building it.
 ///
 /// ```
 /// use twinedge_map::PlanarMap;
@@ -100,7 +97,7 @@ enum LoadError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Ids and owners are saved as maps of keys, and ids go on where they were:
+/// Ids and owners are saved as maps of keys, and ids continue from their last number:
 ///
 /// ```
 /// use twinedge::dcel::{FaceKey, Faces, Policy, SecondaryMap};
@@ -127,7 +124,7 @@ impl Serialize for PlanarMap {
     }
 }
 
-/// Saves the map as without the certificate, and that, which takes some more place. O(n).
+/// Saves the map as without a certificate, followed by the certificate, which takes extra space. O(n).
 impl Serialize for Certified<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.map.save(Some(&self.drawing), serializer)
@@ -135,12 +132,13 @@ impl Serialize for Certified<'_> {
 }
 
 impl PlanarMap {
-    /// Adds a certificate of the drawing to the map, to be saved with it: whoever loads the map then checks the certificate, O(n), and
-    /// does not validate it, O(n log n). It is loaded as a map without one is, and what is wrong is an error all the same.
+    /// Adds a certificate of the drawing, to be saved with the map. Loading then checks the certificate in O(n) instead of
+    /// validating the map in O(n log n). The saved form loads like a map without a certificate, and an invalid map is still an
+    /// error.
     ///
-    /// Checking takes half the time of validating, but there are two and a half times as many bytes to be read: that pays in binary formats.
+    /// Checking takes half the time of validating, but reads two and a half times the bytes: it pays off in binary formats.
     ///
-    /// O(n log n), as [`draw`](super::certificate::draw).
+    /// O(n log n), as for [`draw`](super::certificate::draw).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -193,8 +191,8 @@ impl PlanarMap {
     }
 }
 
-/// Validated, R1 … G5: what is not a plane map is an error that contains the report. O(n log n). O(n) if it was saved
-/// with a [certificate](PlanarMap::certified), which is checked instead.
+/// Validates the map, R1 … G5: an invalid or non-plane map is an error that contains the report. O(n log n). A map saved with a
+/// [certificate](PlanarMap::certified) has it checked instead, in O(n).
 impl<'de> Deserialize<'de> for PlanarMap {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         SavedMap::<Dcel, Drawing>::deserialize(deserializer)?.load().map_err(de::Error::custom)
@@ -257,7 +255,7 @@ impl SavedMap<Dcel, Drawing> {
 }
 
 impl PlanarMap {
-    /// Checks a certificate of the drawing, and that it is that of these points.
+    /// Checks a certificate of the drawing, and that it certifies these points.
     fn check(&self, drawing: &Drawing) -> Result<(), LoadError> {
         let failures = check_drawing(self, &Labels::new(self)?, drawing).err();
         if let Some(first) = failures.iter().flatten().next() {
@@ -276,9 +274,9 @@ impl PlanarMap {
     }
 }
 
-/// So many steps of two to this exponent, exactly. No number if these are not steps of coordinates in range.
+/// Returns `steps` times two to the power `exponent`, exactly, or NaN if coordinates in range cannot have such steps.
 fn scaled(steps: i64, exponent: i32) -> f64 {
-    // Up to 2^53 of them, so nothing is rounded.
+    // At most 2^53, so nothing is rounded.
     match u64::try_from(1023_i64 + i64::from(exponent)) {
         Ok(power) if (-453..=500).contains(&exponent) => steps as f64 * f64::from_bits(power << 52),
         _ => f64::NAN,

@@ -1,4 +1,4 @@
-//! Findings of the builder in its input: counts, and the places of irregularities.
+//! The builder's findings in its input: counts, and the places of irregularities.
 
 use core::fmt;
 use twinedge_geometry::Point;
@@ -32,11 +32,11 @@ pub enum IrregularityKind {
     RepeatedPoint,
     /// The last point of a ring does not repeat the first; the ring was closed.
     OpenRing,
-    /// A ring with fewer than three different points on end encloses nothing.
+    /// A ring with fewer than three consecutive different points encloses nothing.
     DegenerateRing,
     /// An outer ring turns clockwise, or a hole counter-clockwise.
     WoundWrongly,
-    /// A ring visits a point twice, not counting there-and-back along a spike.
+    /// A ring visits a point twice, apart from spikes.
     SelfTouching,
     /// A ring turns straight back.
     Spike,
@@ -55,21 +55,21 @@ impl fmt::Display for IrregularityKind {
     }
 }
 
-/// Something irregular, and where.
+/// An irregularity with its location.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Irregularity {
-    /// Its kind.
+    /// The kind.
     pub kind: IrregularityKind,
-    /// The place in the input: the point that shows it; the first of the ring, if no single one does.
+    /// The place in the input: the point that shows the irregularity, or the first point of the ring if no single point does.
     pub position: Position,
-    /// The place on the map.
+    /// The coordinates.
     pub at: Point,
 }
 
 /// Counts and irregularities that the builder found in its input.
 ///
-/// All of this is legal and is built as given. The counts help to find unintended input.
+/// All of this is legal input and is built as given. The counts help to find mistakes.
 ///
 /// ```
 /// use twinedge_map::{Builder, IrregularityKind, Shape};
@@ -87,30 +87,30 @@ pub struct Irregularity {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BuildSummary {
-    /// Features taken.
+    /// Features added.
     pub features: usize,
-    /// Segments given, of rings and lines, before any was dropped.
+    /// Segments of rings and lines in the input, before any was dropped.
     pub segments: usize,
-    /// Segments that were dropped because they repeat another one, in either direction.
+    /// Segments dropped because they repeat another one, in either direction.
     pub duplicate_segments: usize,
-    /// Segments that were dropped because both ends are the same point.
+    /// Segments dropped because both ends are the same point.
     pub zero_length_segments: usize,
-    /// Rings whose last point does not repeat the first, which were closed.
+    /// Rings whose last point does not repeat the first, and which were closed.
     pub open_rings: usize,
-    /// Rings with fewer than three different points on end, which enclose nothing.
+    /// Rings with fewer than three consecutive different points, which enclose nothing.
     pub degenerate_rings: usize,
-    /// Outer rings that turn clockwise and holes that turn counter-clockwise; what a polygon covers does not depend on it.
+    /// Outer rings that turn clockwise and holes that turn counter-clockwise; the area of a polygon does not depend on it.
     pub rings_wound_wrongly: usize,
-    /// Rings that visit a point twice, not counting there-and-back along a spike.
+    /// Rings that visit a point twice, apart from spikes.
     pub self_touching_rings: usize,
     /// Points at which a ring turns straight back, except in rings that enclose nothing.
     pub spikes: usize,
-    /// The places: the first [`BuildSummary::LISTED`] of each kind, in order of input.
+    /// The first [`BuildSummary::LISTED`] irregularities of each kind, in order of input.
     pub irregularities: Vec<Irregularity>,
 }
 
 impl BuildSummary {
-    /// The greatest number of irregularities of each kind that are listed.
+    /// The greatest number of listed irregularities of each kind.
     pub const LISTED: usize = 20;
 
     /// Lists an irregularity, the `count`-th of its kind.

@@ -1,4 +1,4 @@
-//! From points and segments to a subdivision: rotations, cycles, faces, and what lies in what.
+//! From points and segments to a subdivision: rotations, cycles, faces and their nesting.
 //!
 //! ```text
 //!   segments ─► rotations, sorted by angle ─► next ─► cycles ─► outer ones get a face each
@@ -19,24 +19,23 @@ use twinedge_geometry::predicates::{compare_angle, compare_lexicographic};
 use twinedge_geometry::sweep::sweep_all;
 use twinedge_geometry::{Point, threads};
 
-/// Fewer darts are not divided among threads.
+/// Below this number of darts, the work is not divided among threads.
 const MANY: usize = 1 << 14;
 
-/// The number of the unbounded face.
 const UNBOUNDED: u32 = 0;
 
 /// The result of one sweep over points and segments.
 pub(super) struct Placement {
     /// The lexicographically smallest point of each component, from left to right.
     lowest: Vec<u32>,
-    /// For each of these, the segment directly below.
+    /// The segment directly below each of these points.
     below: Vec<Option<u32>>,
-    /// The first place where segments meet elsewhere than at shared endpoints; none if they do not.
+    /// The first place where segments meet other than at shared endpoints, or `None`.
     pub(super) clash: Option<Clash>,
 }
 
 impl Placement {
-    /// Sweeps over points and segments, which are distinct and in range. O(n log n).
+    /// Sweeps over distinct points and distinct segments in range. O(n log n).
     pub(super) fn new(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, BuildError> {
         let (lowest, swept) = threads::join(|| lowest_points(points, segments), || sweep_all(points, segments));
         let (below, clash) = swept.map_err(|_| BuildError::Full(RecordKind::Vertex))?;
@@ -44,12 +43,11 @@ impl Placement {
     }
 }
 
-/// The index of the half-edge of a dart.
 pub(super) const fn half_edge(dart: Dart) -> u32 {
     Assembly::half_edge_index(dart)
 }
 
-/// The points by index of their vertex.
+/// Returns the points by index of their vertex.
 pub(super) fn points_by_vertex(mut points: Vec<Point>) -> Vec<Point> {
     let unused = Assembly::vertex_index(0) as usize;
     points.reserve_exact(unused);
@@ -93,8 +91,8 @@ impl Rotations {
     }
 }
 
-/// Sorts the darts that leave each point, from the point with this number on; `first` has the place of the first dart of each, and
-/// of the end, counted from the first dart of all, as far as the darts are at hand.
+/// Sorts the darts that leave each point, starting with point number `from`. `first` holds the index of each point's first dart,
+/// and the end, counted from the first dart of all.
 fn sort_by_angle(points: &[Point], segments: &[[u32; 2]], from: usize, first: &[u32], darts: &mut [Dart]) {
     let of = first.len() - 1;
     let place = |i: usize| (first[i] - first[0]) as usize;
@@ -117,7 +115,6 @@ fn sort_by_angle(points: &[Point], segments: &[[u32; 2]], from: usize, first: &[
     }
 }
 
-/// The cycles of `next`.
 struct Cycles {
     next: Vec<Dart>,
     of: Vec<u32>,
@@ -131,7 +128,7 @@ impl Cycles {
         for v in 0..points {
             let leaving = rotations.leaving(v);
             let Some(last) = leaving.last() else { continue };
-            // Next after arriving is the dart clockwise of the one that goes back.
+            // The next dart after an arriving dart is the dart clockwise of its twin.
             let mut clockwise = *last;
             for dart in leaving {
                 next[*dart as usize ^ 1] = clockwise;
@@ -158,7 +155,7 @@ impl CombinatorialMap {
     }
 }
 
-/// Connected components, by their lexicographically smallest point each, smallest component first.
+/// Returns the lexicographically smallest point of each connected component, smallest first.
 fn lowest_points(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
     let is_less = |a: u32, b: u32| compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
     let mut sets = Sets::new(points.len());
@@ -177,8 +174,8 @@ fn lowest_points(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
     lowest
 }
 
-/// The dart at the lowest point of a component whose corner holds the direction straight to the left: it lies on the
-/// outside of the component.
+/// Returns the dart at the lowest point of a component whose corner contains the direction straight left. It lies on the outside
+/// of the component.
 fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], low: u32) -> Option<Dart> {
     let at = points[low as usize];
     let leaving = rotations.leaving(low as usize);
@@ -190,8 +187,8 @@ fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], 
     leaving.get(upper.wrapping_sub(1)).or(leaving.last()).copied()
 }
 
-/// Arranges the points and segments, which are distinct and in range, into a subdivision, with what the sweep said about
-/// them and their rotations. O(n log n).
+/// Arranges distinct points and distinct segments in range into a subdivision, from the result of the sweep and from the
+/// rotations. O(n log n).
 pub(super) fn arrange(
     points: &[Point],
     segments: &[[u32; 2]],
@@ -201,14 +198,14 @@ pub(super) fn arrange(
     let Placement { lowest, below, .. } = swept;
     let CombinatorialMap { rotations, cycles } = turned;
 
-    // The cycles that are the outside of their component, and for each the face where that lies.
+    // Marks each cycle on the outside of its component and finds the face that contains the component.
     let mut outside = vec![false; cycles.starts.len()];
     let outside_darts: Vec<_> = lowest.iter().map(|v| outside_dart(&rotations, points, segments, *v)).collect();
     for dart in outside_darts.iter().flatten() {
         outside[cycles.of[*dart as usize] as usize] = true;
     }
 
-    // Each cycle bounds a face of its own, unless it is the outside of its component: then that lies in a face.
+    // Each cycle bounds a face of its own, unless it is the outside of its component; the component then lies in another face.
     let mut outer = Vec::with_capacity(outside.len());
     let mut face_of = vec![UNBOUNDED; outside.len()];
     for (cycle, _) in (0..).zip(&outside).filter(|(_, outside)| !**outside) {
@@ -220,7 +217,7 @@ pub(super) fn arrange(
     drop(rotations);
     let mut starts: Vec<BoundaryStart<u32, u32>> = cycles.starts.iter().copied().map(BoundaryStart::HalfEdge).collect();
     let mut inner = Vec::with_capacity(lowest.len());
-    // From left to right, so that the face of what lies below a component is known.
+    // Left to right, so the face of the segment below a component is already known.
     for ((low, dart), below) in lowest.iter().zip(&outside_darts).zip(below) {
         let face = below.map_or(UNBOUNDED, |segment| {
             let [a, b] = segments[segment as usize];
@@ -252,7 +249,7 @@ pub(super) fn arrange(
     };
     assembly.assemble().map_err(|error| match error {
         AssemblyError::Full(kind) => BuildError::Full(kind),
-        // The columns are right by their making.
+        // These columns are valid by construction.
         _ => BuildError::Full(RecordKind::Vertex),
     })
 }

@@ -1,4 +1,4 @@
-//! Gathering rings, lines and points, and building the map of them all at once.
+//! Gathering rings, lines and points, and building a map from all of them at once.
 
 use super::arrange::{CombinatorialMap, Placement, arrange, points_by_vertex};
 use super::cover::cover;
@@ -26,16 +26,15 @@ const LOOKED_UP: usize = 64;
 /// A step along a chain, to a vertex.
 struct Step {
     to: u32,
-    /// True if the vertex is there since this step.
     is_new: bool,
 }
 
 /// Gathers rings, lines and points, and builds the map of them.
 ///
-/// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
-/// are dropped; all of it is counted ([`BuildSummary`]). Segments should meet at shared endpoints only. Where they do not,
-/// [`build_with`](Self::build_with) can cut them. [`build`](Self::build) leaves them as they are, and
-/// [`PlanarMap::not_plane`] says where. Queries and edits refuse such a map.
+/// Vertices with equal coordinates are merged (−0 equals 0), as are repeated segments; segments without length are dropped.
+/// [`BuildSummary`] counts all of these. Segments should meet only at shared endpoints. [`build_with`](Self::build_with) can cut
+/// segments that do not. [`build`](Self::build) leaves them as they are, and [`PlanarMap::not_plane`] reports where; queries and
+/// edits refuse such a map.
 ///
 /// ```
 /// use twinedge_map::{Builder, Shape};
@@ -58,18 +57,18 @@ pub struct Builder {
     segment_numbers: NumberTable,
     pub(super) features: GatheredFeatures,
     summary: BuildSummary,
-    /// The number of cuts allowed, if one was set.
+    /// The allowed number of cuts, if set.
     cuts: Option<usize>,
 }
 
 impl Builder {
-    /// A builder with nothing in it.
+    /// Creates an empty builder.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes a feature. O(its points), expected.
+    /// Adds a feature. O(its points), expected.
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -89,14 +88,14 @@ impl Builder {
     /// ```
     ///
     /// # Errors
-    /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
+    /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is added then.
     pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
         let id = FeatureId::new(self.features.names.len() as u32);
         for (shape, what) in feature.shapes.iter().enumerate() {
             let at = Position { feature: id.index(), shape, ..Position::default() };
             Self::check(what, at)?;
         }
-        // A builder that came back has no tables.
+        // A builder that was returned has no tables.
         self.places.extend(self.points.len(), |number| hash_of_point(self.points[number as usize]));
         self.segment_numbers.extend(self.segments.len(), |number| hash_of_segment(self.segments[number as usize]));
         let [darts, parts] = [self.features.darts.len(), self.features.parts.len()];
@@ -113,7 +112,7 @@ impl Builder {
         Ok(id)
     }
 
-    /// Takes a shape, as a feature without name.
+    /// Adds a shape as an unnamed feature.
     ///
     /// # Errors
     /// As for [`Builder::feature`].
@@ -121,7 +120,7 @@ impl Builder {
         self.feature(&Feature { shapes: vec![shape.clone()], ..Feature::default() })
     }
 
-    /// Takes a single segment, as a feature without name.
+    /// Adds a single segment as an unnamed feature.
     ///
     /// # Errors
     /// As for [`Builder::feature`].
@@ -147,9 +146,8 @@ impl Builder {
         &self.summary
     }
 
-    /// Says how often [`Noding::Snap`] may cut segments, each once at each vertex between its ends. Otherwise it is 2^20
-    /// times, and 16 times for each distinct segment: most drawings are cut far less often, and memory grows with every cut.
-    /// O(1).
+    /// Limits the number of cuts by [`Noding::Snap`]: each segment is cut once at each vertex between its ends. The default is
+    /// 2^20 plus 16 for each distinct segment. Most drawings need far fewer cuts, and memory grows with every cut. O(1).
     ///
     /// ```
     /// use twinedge_geometry::noding::Snap;
@@ -210,7 +208,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Takes the segments of a ring, closes it, and looks at it.
+    /// Adds the segments of a ring, closes it, and checks it.
     fn ring(&mut self, ring: &[Point], at: Position) -> Result<(), BuildError> {
         let (Some(first), Some(last)) = (ring.first(), ring.last()) else {
             self.summary.degenerate_rings += 1;
@@ -248,7 +246,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Takes the segments of a chain of points, with the place where each starts; one point alone is an isolated vertex.
+    /// Adds the segments of a chain of points and records where each starts. A single point is an isolated vertex.
     fn chain(&mut self, points: &[Point], at: Position, starts: &mut Vec<u32>) -> Result<(), BuildError> {
         let Some((first, rest)) = points.split_first() else { return Ok(()) };
         let (mut from, mut last) = (self.vertex(*first, 0)?, 0);
@@ -264,7 +262,7 @@ impl Builder {
                     continue;
                 }
                 let ends = ends(from, to);
-                // No segment leads to a point that is new.
+                // No segment leads to a new point yet.
                 let known = if is_new { None } else { self.known_segment(ends, last) };
                 self.summary.duplicate_segments += usize::from(known.is_some());
                 let number = known.map_or_else(|| self.new_segment(ends), Ok)?;
@@ -277,8 +275,8 @@ impl Builder {
         Ok(())
     }
 
-    /// Finds the vertices of points, or adds them: the steps along a chain that comes from `from`. Tables are read ahead, since waiting for memory
-    /// at each of them takes most of the time of large maps.
+    /// Finds or adds the vertices of points, and appends the steps of a chain that comes from `from`. Tables are prefetched:
+    /// waiting for memory at each lookup takes most of the time of large maps.
     fn walk(&mut self, from: u32, points: &[Point], steps: &mut Vec<Step>) -> Result<(), BuildError> {
         self.places.read_ahead(points.iter().map(|p| hash_of_point(without_sign_of_zero(*p))));
         steps.clear();
@@ -293,7 +291,7 @@ impl Builder {
         Ok(())
     }
 
-    /// The number of a segment, which is mostly beside another one: borders are followed from both sides.
+    /// Returns the number of a segment, often adjacent to the given one, since borders are followed from both sides.
     fn known_segment(&self, ends: [u32; 2], beside: u32) -> Option<u32> {
         let is = |number: u32| self.segments.get(number as usize) == Some(&ends);
         let near = [beside + 1, beside.wrapping_sub(1)].into_iter().find(|number| is(*number));
@@ -310,7 +308,7 @@ impl Builder {
         Ok(number)
     }
 
-    /// The number of a point, which is mostly beside that of another one.
+    /// Returns the number of a point, often adjacent to the given one.
     fn vertex(&mut self, p: Point, beside: u32) -> Result<u32, BuildError> {
         let p = without_sign_of_zero(p);
         let is = |number: u32| self.points.get(number as usize) == Some(&p);
@@ -327,7 +325,7 @@ impl Builder {
         Ok(number)
     }
 
-    /// Builds the map of the segments as they are, [`Noding::None`]. O(n log n).
+    /// Builds the map from the segments as they are, [`Noding::None`]. O(n log n).
     ///
     /// # Errors
     /// [`BuildError::Full`].
@@ -335,11 +333,10 @@ impl Builder {
         self.build_with(Noding::None)
     }
 
-    /// Cuts the segments where they meet, as [`Noding`] says, and builds the map. [`PlanarMap::noding`] counts what cutting
-    /// did.
+    /// Cuts the segments where they meet, as [`Noding`] says, and builds the map. [`PlanarMap::noding`] counts the cuts.
     ///
-    /// O(n log n) without noding; see [`noding`](twinedge_geometry::noding#cost) for what that adds.
-    /// With the feature `rayon`, the work is divided among the threads of its current pool; the map is the same.
+    /// O(n log n) without noding; see [`noding`](twinedge_geometry::noding#cost) for its cost. With the feature `rayon`, the work
+    /// is divided among the threads of the current pool; the map is the same.
     ///
     /// ```
     /// use twinedge_geometry::noding::Snap;
@@ -364,7 +361,7 @@ impl Builder {
     pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
         let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
         drop((places, segment_numbers));
-        // A plane drawing is not cut.
+        // A plane drawing needs no cuts.
         let plane = if noding == Noding::Exact { Some(Placement::new(&points, &segments)?) } else { None };
         let plane = plane.filter(|swept| swept.clash.is_none());
         let (points, segments, noded) = match noding {
@@ -392,8 +389,8 @@ impl Builder {
         Ok(PlanarMap { summary, noding: noded, points: points_by_vertex(points), ..map })
     }
 
-    /// Builds the map of the segments as they are. If it is not plane, the builder comes back, so that they can be cut without
-    /// being gathered again. Nothing is copied of a plane map. O(n log n).
+    /// Builds the map from the segments as they are. If it is not plane, also returns the builder, so the segments can be cut
+    /// without being gathered again. A plane map copies nothing. O(n log n).
     ///
     /// ```
     /// use twinedge_map::{Builder, Noding};
@@ -424,12 +421,11 @@ impl Builder {
     }
 }
 
-/// −0 as 0.
+/// Replaces −0 by 0.
 fn without_sign_of_zero(p: Point) -> Point {
     Point::new(p.x + 0.0, p.y + 0.0)
 }
 
-/// The ends of a segment, in order.
 fn ends(from: u32, to: u32) -> [u32; 2] {
     [from.min(to), from.max(to)]
 }
@@ -442,7 +438,8 @@ fn hash_of_segment([a, b]: [u32; 2]) -> u64 {
     hash([a.into(), b.into()])
 }
 
-/// The map of segments, but for its points. Takes the names of the features. `refuse` is asked about segments that meet elsewhere than at their ends.
+/// Assembles the map of the segments, without its points. Moves the features' names out. `refuse` decides about segments that
+/// meet other than at their ends.
 fn assembled(
     points: &[Point],
     segments: &[[u32; 2]],
@@ -450,7 +447,7 @@ fn assembled(
     swept: Option<Placement>,
     refuse: impl FnOnce(Clash) -> Result<(), BuildError>,
 ) -> Result<PlanarMap, BuildError> {
-    // Neither needs the other.
+    // The two are independent.
     let (swept, turned) = threads::join(
         || swept.map_or_else(|| Placement::new(points, segments), Ok),
         || CombinatorialMap::new(points, segments),

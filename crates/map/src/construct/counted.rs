@@ -1,4 +1,4 @@
-//! Counting the irregularities of features one by one, of a map that is too large to be gathered as a whole.
+//! Counting the irregularities of features one by one, for a map too large to be gathered as a whole.
 
 use super::builder::Builder;
 use super::error::BuildError;
@@ -6,8 +6,8 @@ use crate::feature::Feature;
 use crate::summary::{BuildSummary, Irregularity, Position};
 
 impl BuildSummary {
-    /// Counts the next feature, as [`Builder::feature`] does, and gathers nothing. Of the segments that repeat others only those are counted that
-    /// repeat one of the same feature. O(its points), expected.
+    /// Counts the next feature as [`Builder::feature`] does, without gathering it. Repeated segments are counted only within one
+    /// feature. O(its points), expected.
     ///
     /// ```
     /// use twinedge_map::{BuildSummary, Feature, Shape};
@@ -23,7 +23,7 @@ impl BuildSummary {
     /// ```
     ///
     /// # Errors
-    /// As for [`Builder::feature`]. Nothing of the feature is counted then.
+    /// As for [`Builder::feature`]; nothing of the feature is counted then.
     pub fn count(&mut self, feature: &Feature) -> Result<(), BuildError> {
         let number = self.features;
         let of_map = |position: Position| Position { feature: number, ..position };
@@ -33,7 +33,7 @@ impl BuildSummary {
             BuildError::OutOfRange { position, x, y } => BuildError::OutOfRange { position: of_map(position), x, y },
             other => other,
         })?;
-        // All are named, so that none is forgotten.
+        // All fields are named, so none is forgotten.
         let BuildSummary {
             features,
             segments,

@@ -1,8 +1,8 @@
-//! The features that cover each face, and those that run along each edge.
+//! The features that cover each face, and the features that run along each edge.
 //!
-//! A point belongs to a polygon if a ray from it crosses the rings an odd number of times. So from face to face, across an
-//! edge, the polygons that the point belongs to change by those that use the edge an odd number of times. One walk over all
-//! faces, from the unbounded one, which nothing covers, tells all of them.
+//! A point belongs to a polygon if a ray from it crosses the rings an odd number of times. So crossing an edge enters or leaves
+//! exactly the polygons that use the edge an odd number of times. One walk over all faces finds the features of each, starting
+//! from the unbounded face, which nothing covers:
 //!
 //! ```text
 //!   ┌─────────────┐     outside            nothing
@@ -12,8 +12,8 @@
 //!        └───────────┘
 //! ```
 //!
-//! The walk goes back as it came, so that there is one state to keep: for each polygon whether the place belongs to it, and
-//! for each feature how many of its polygons that are. O(segments of all features · log features), expected.
+//! The walk returns the way it came, so one state suffices: for each polygon, whether the walk is inside it, and for each
+//! feature, the number of such polygons. O(segments of all features · log features), expected.
 
 use super::arrange::half_edge;
 use super::gathered::{GatheredFeatures, Part};
@@ -34,21 +34,20 @@ impl Uses {
     }
 }
 
-/// A step of the walk.
 enum Step {
-    /// Into the face of the half-edge with this index, unless it is known.
+    /// Into the face of the half-edge with this index, unless its features are known.
     Enter(usize),
     /// Back across this segment.
     Leave(usize),
 }
 
-/// The position of the walk: the polygons that it is in, and their number for each feature.
+/// The state of the walk: the polygons that contain the current face, and their number for each feature.
 struct State {
     inside: Vec<bool>,
     polygons: Vec<u32>,
 }
 
-/// The features of the faces and edges of a map that was made of `segments` segments.
+/// Computes the features of the faces and edges of a map made of `segments` segments.
 pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -> FeatureSets {
     let GatheredFeatures { names, parts, .. } = gathered;
     let uses = uses(segments, gathered);
@@ -75,7 +74,7 @@ pub(super) fn cover(dcel: &Dcel, segments: usize, gathered: &GatheredFeatures) -
 }
 
 fn uses(segments: usize, gathered: &GatheredFeatures) -> Uses {
-    // Summed up, `first[s + 1]` is where those of segment s begin, and filing them moves it to where they end.
+    // After summation, `first[s + 1]` is the start of segment s; filing moves it to the end of the segment.
     let mut first = vec![0; segments + 2];
     for dart in &gathered.darts {
         first[(dart >> 1) as usize + 2] += 1;
@@ -118,7 +117,7 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
             continue;
         }
         let segment = (h.index() - first_half_edge(0)) / 2;
-        // Those that begin come last: most faces have one feature, and no set of two is looked up between.
+        // Beginning features are added last: most faces have one feature, so this avoids looking up sets of two in between.
         let (mut set, mut begun) = (sets.of_face(h.twin().face().index()), SetId::default());
         state.cross(uses.of(segment), parts, |feature, begins| {
             let changed = if begins { &mut begun } else { &mut set };
@@ -134,7 +133,7 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, single
 }
 
 impl State {
-    /// Crosses a segment, and gives the features that begin (true) or end there; one that does both is given twice.
+    /// Crosses a segment. Reports the features that begin (true) or end (false) there; a feature may do both.
     fn cross(&mut self, uses: &[u32], parts: &[Part], mut changes: impl FnMut(u32, bool)) {
         for same in uses.chunk_by(|a, b| a == b) {
             let part = parts[same[0] as usize];

@@ -1,4 +1,4 @@
-//! Cutting gathered segments where they meet, before a map is built of them.
+//! Cutting gathered segments where they meet, before a map is built from them.
 
 use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeatures};
@@ -10,7 +10,7 @@ use twinedge_geometry::boxes::Boxes;
 use twinedge_geometry::noding::{NodingError, NodingSummary, Snap, node_numbered};
 use twinedge_geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
 
-/// The treatment of segments that meet elsewhere than at shared endpoints.
+/// The treatment of segments that meet other than at shared endpoints.
 ///
 /// ```text
 ///            \ /               \ /              \ /
@@ -22,15 +22,15 @@ use twinedge_geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_se
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Noding {
-    /// Nothing: the map is built of the segments as they are, and [`PlanarMap::validate`](crate::PlanarMap::validate)
-    /// says where it is not plane.
+    /// Builds the map from the segments as they are; [`PlanarMap::validate`](crate::PlanarMap::validate) reports where it is not
+    /// plane.
     #[default]
     None,
-    /// Segments are cut at the points of the input that lie on them, exactly. Nothing moves and no point is made, so two
-    /// segments that cross where the input has no point are an error, [`BuildError::Crossing`].
+    /// Cuts segments at the input points that lie exactly on them. Nothing moves and no point is added, so two segments that
+    /// cross where the input has no point are an error, [`BuildError::Crossing`].
     Exact,
-    /// Segments are cut wherever they meet, and everything is rounded to a grid, by [snap rounding](twinedge_geometry::noding). On
-    /// finite input this fails only if coordinates are out of reach of the grid.
+    /// Cuts segments wherever they meet and rounds everything to a grid, by [snap rounding](twinedge_geometry::noding). On finite
+    /// input this fails only if coordinates are out of reach of the grid.
     Snap(Snap),
 }
 
@@ -41,7 +41,7 @@ pub(super) struct CutSegments {
     pub(super) summary: NodingSummary,
 }
 
-/// The darts that each segment became, in the direction from its first end to its second.
+/// The pieces of each segment as darts, in the direction from its first end to its second.
 struct Pieces {
     darts: Vec<Dart>,
     starts: Vec<usize>,
@@ -52,7 +52,7 @@ impl Pieces {
         Self { darts: Vec::with_capacity(segments), starts: vec![0] }
     }
 
-    /// Takes the next segment, as the vertices along it, and the number of each piece by its ends, the smaller one first.
+    /// Adds the next segment, given by the vertices along it. `number` returns the number of a piece by its ends, smaller first.
     fn push(&mut self, chain: impl Iterator<Item = u32>, mut number: impl FnMut([u32; 2]) -> Option<u32>) {
         let mut last = None;
         for to in chain {
@@ -78,10 +78,10 @@ impl Pieces {
     }
 }
 
-/// The numbers of segments that are in lexicographical order.
+/// The numbers of segments in lexicographical order.
 struct Numbers<'a> {
     segments: &'a [[u32; 2]],
-    /// The first segment of each point, and how many there are.
+    /// The index of each point's first segment, and the number of segments.
     first: Vec<u32>,
 }
 
@@ -97,7 +97,7 @@ impl<'a> Numbers<'a> {
         Self { segments, first }
     }
 
-    /// The number of the segment with these ends. O(log degree).
+    /// Returns the number of the segment with these ends. O(log degree).
     fn of(&self, ends: [u32; 2]) -> Option<u32> {
         let [from, to] = [0, 1].map(|i| self.first[ends[0] as usize + i]);
         let place = self.segments[from as usize..to as usize].binary_search(&ends).ok()?;
@@ -105,8 +105,8 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// Cuts segments at the points that lie on them. O((n + k) log n) for k points in the bounding boxes of segments, in
-/// practice: a tree of boxes gives no guarantee.
+/// Cuts segments at the points that lie on them. O((n + k) log n) in practice for k points in the bounding boxes of segments; a
+/// tree of boxes has no worst-case guarantee.
 pub(super) fn exact(
     points: Vec<Point>,
     segments: &[[u32; 2]],
@@ -148,7 +148,7 @@ pub(super) fn exact(
     Ok(CutSegments { points, segments: out, summary })
 }
 
-/// The number of cuts that [`Builder`](crate::Builder) allows of so many segments, unless told otherwise. O(1).
+/// Returns the number of cuts that [`Builder`](crate::Builder) allows by default for this number of segments. O(1).
 #[must_use]
 pub const fn usual_cuts(segments: usize) -> usize {
     segments.saturating_mul(16).saturating_add(1 << 20)
@@ -162,7 +162,7 @@ pub(super) fn snapped(
     snap: Snap,
     cuts: usize,
 ) -> Result<CutSegments, BuildError> {
-    // The predicates must be exact on grid points, too.
+    // The predicates must also be exact on grid points.
     if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
         return Err(BuildError::CellSize);
     }

@@ -1,4 +1,4 @@
-//! Errors of the builder: a shape was refused, or no map could be built.
+//! Errors of the builder.
 
 use crate::summary::Position;
 use core::fmt;
@@ -6,7 +6,7 @@ use thiserror::Error;
 use twinedge::dcel::RecordKind;
 use twinedge_geometry::Point;
 
-/// The error of [`Builder`](crate::Builder): a shape was refused, or no map could be built.
+/// The error of [`Builder`](crate::Builder): it refused a shape, or could not build a map.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BuildError {
@@ -20,7 +20,7 @@ pub enum BuildError {
         /// The second coordinate.
         y: f64,
     },
-    /// A coordinate is too large, or too close to zero without being it, for the predicates to be exact.
+    /// A nonzero coordinate is too large or too close to zero for the predicates to be exact.
     #[error(
         "{position}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-400 to 2^500"
     )]
@@ -35,21 +35,21 @@ pub enum BuildError {
     /// There is no room for more records of this kind.
     #[error("there is no room for more {0}")]
     Full(RecordKind),
-    /// Segments cross where the input has no point, and [`Noding::Exact`](crate::Noding::Exact) was asked for.
+    /// Segments cross where the input has no point, although [`Noding::Exact`](crate::Noding::Exact) was requested.
     #[error("the segments {} and {} cross where the input has no point{}: snap to a grid to cut them there",
         Ends(one), Ends(other), FirstOf(*count))]
     Crossing {
-        /// A segment that crosses another.
+        /// A segment that crosses another segment.
         one: [Point; 2],
-        /// The other.
+        /// The other segment.
         other: [Point; 2],
-        /// The number of pairs that cross.
+        /// The number of crossing pairs.
         count: u64,
     },
-    /// Segments meet more often than is allowed ([`Builder::limit_cuts`](crate::Builder::limit_cuts)).
+    /// Segments meet more often than [`Builder::limit_cuts`](crate::Builder::limit_cuts) allows.
     #[error("segments are cut more than {allowed} times: allow more, or see whether they are the right ones")]
     TooManyCuts {
-        /// The number of cuts allowed.
+        /// The allowed number of cuts.
         allowed: usize,
     },
     /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`](crate::Noding::Snap)).
@@ -65,7 +65,6 @@ pub enum BuildError {
     },
 }
 
-/// A segment in a message.
 struct Ends<'a>(&'a [Point; 2]);
 
 impl fmt::Display for Ends<'_> {
@@ -75,7 +74,7 @@ impl fmt::Display for Ends<'_> {
     }
 }
 
-/// That there are more such pairs, if there are.
+/// A note about further crossing pairs, if there are any.
 struct FirstOf(u64);
 
 impl fmt::Display for FirstOf {

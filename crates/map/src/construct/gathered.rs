@@ -1,14 +1,14 @@
-//! The input of the builder before there is a map: darts over distinct segments, and features made of them.
+//! The builder's input before the map exists: darts over distinct segments, and features made of them.
 
-/// A half-edge before there are any: twice the number of its segment, plus 1 if it runs against it.
+/// A future half-edge: twice the number of its segment, plus 1 if it runs against the segment.
 pub(super) type Dart = u32;
 
-/// A polygon of a feature, or lines of it.
+/// A polygon of a feature, or all its lines.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     pub(super) feature: u32,
     pub(super) is_polygon: bool,
-    /// The place after its last dart.
+    /// The index after its last dart.
     end: usize,
 }
 
@@ -16,19 +16,18 @@ pub(super) struct Part {
 #[derive(Clone, Debug, Default)]
 pub(super) struct GatheredFeatures {
     pub(super) names: Vec<Option<String>>,
-    /// In order of the features.
     pub(super) parts: Vec<Part>,
-    /// Of each polygon its rings, one after the other; all segments of lines.
+    /// The rings of each polygon, one after the other; the segments of all lines.
     pub(super) darts: Vec<Dart>,
 }
 
 impl GatheredFeatures {
-    /// The next feature has a part, of the darts since the one before.
+    /// Adds a part to the next feature, made of all darts since the previous part.
     pub(super) fn put_part(&mut self, is_polygon: bool) {
         self.parts.push(Part { feature: self.names.len() as u32, is_polygon, end: self.darts.len() });
     }
 
-    /// The parts with their darts, in order of the features.
+    /// Returns the parts with their darts, in order of the features.
     pub(super) fn all(&self) -> impl Iterator<Item = (Part, &[Dart])> {
         let mut start = 0;
         self.parts.iter().map(move |part| {
@@ -38,12 +37,12 @@ impl GatheredFeatures {
         })
     }
 
-    /// The same of polygons.
+    /// Returns the darts of polygons, each with its feature, in order of the features.
     pub(super) fn polygons(&self) -> impl Iterator<Item = (u32, &[Dart])> {
         self.all().filter(|(part, _)| part.is_polygon).map(|(part, darts)| (part.feature, darts))
     }
 
-    /// Replaces darts: `by` adds to the new ones those for a dart.
+    /// Replaces each dart by the darts that `by` appends for it.
     pub(super) fn replace(&mut self, mut by: impl FnMut(&mut Vec<Dart>, Dart)) {
         let darts = core::mem::take(&mut self.darts);
         self.darts.reserve_exact(darts.len());
@@ -58,12 +57,12 @@ impl GatheredFeatures {
     }
 }
 
-/// The point where a dart starts.
+/// Returns the point where a dart starts.
 pub(super) fn origin(segments: &[[u32; 2]], dart: Dart) -> u32 {
     segments[dart as usize >> 1][dart as usize & 1]
 }
 
-/// The point where a dart ends.
+/// Returns the point where a dart ends.
 pub(super) fn target(segments: &[[u32; 2]], dart: Dart) -> u32 {
     origin(segments, dart ^ 1)
 }

@@ -1,4 +1,4 @@
-//! Building a map of rings, lines and points, all at once.
+//! Building a map from rings, lines and points, all at once.
 //!
 //! ```text
 //!   features ─► gathered: distinct points and segments, rings as darts

@@ -1,11 +1,11 @@
-//! The shape of one ring: which way it turns, where it touches itself, where it turns straight back.
+//! The shape of one ring: its turning direction, where it touches itself, and where it turns straight back.
 
 use super::gathered::{Dart, origin, target};
 use core::cmp::Ordering;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 
-/// The half-edges of a ring before there are any, each with the place of the point where it starts.
+/// The future half-edges of a ring, each with the position of its starting point.
 pub(super) struct Ring<'a> {
     pub(super) points: &'a [Point],
     pub(super) segments: &'a [[u32; 2]],
@@ -13,14 +13,13 @@ pub(super) struct Ring<'a> {
     pub(super) starts: &'a [u32],
 }
 
-/// The shape of a ring.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct RingShape {
-    /// None if it encloses nothing.
+    /// `None` if the ring encloses nothing.
     pub(super) counter_clockwise: Option<bool>,
-    /// The place of the first point at which it has been before.
+    /// The position of the first point that the ring visits again.
     pub(super) touches: Option<u32>,
-    /// The places of the points at which it turns back.
+    /// The positions of the points where the ring turns straight back.
     pub(super) spikes: Vec<u32>,
 }
 
@@ -33,7 +32,7 @@ impl Ring<'_> {
         self.points[vertex as usize]
     }
 
-    /// The shape of the ring. O(n log n).
+    /// Computes the shape of the ring. O(n log n).
     pub(super) fn shape(&self) -> RingShape {
         let count = self.darts.len();
         if count < 3 {
@@ -53,7 +52,7 @@ impl Ring<'_> {
         shape
     }
 
-    /// The first place at which the ring, without its spikes, visits a point again.
+    /// Returns the first position where the ring, without its spikes, visits a point again.
     fn touches(&self) -> Option<u32> {
         let mut trimmed: Vec<(u32, u32)> = Vec::with_capacity(self.darts.len());
         for (i, start) in self.starts.iter().enumerate() {
@@ -79,8 +78,8 @@ impl Ring<'_> {
         rest.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1).min()
     }
 
-    /// At the lexicographically smallest point of a simple ring nothing lies to the left, so it turns there as it does as a
-    /// whole.
+    /// Returns true if a simple ring turns counter-clockwise. At the lexicographically smallest point nothing lies to the left,
+    /// so the turn there has the direction of the whole ring.
     fn simple_turn(&self) -> Option<bool> {
         let low = (0..self.darts.len())
             .min_by(|i, j| compare_lexicographic(self.point(self.tail(*i)), self.point(self.tail(*j))))?;
@@ -88,13 +87,14 @@ impl Ring<'_> {
         Some(orientation(a, b, c) == Orientation::CounterClockwise)
     }
 
-    /// Of the segments that the ring uses an odd number of times, the least steep one at the smallest point has the outside
-    /// below; the ring turns counter-clockwise if it runs to the right there.
+    /// Returns true if the ring turns counter-clockwise. Consider the segments that the ring uses an odd number of times. The
+    /// least steep of them at the smallest point has the outside below; the ring turns counter-clockwise if it runs to the right
+    /// there.
     fn turn(&self) -> Option<bool> {
         let mut sorted = self.darts.to_vec();
         sorted.sort_unstable();
         let odd = sorted.chunk_by(|a, b| a >> 1 == b >> 1).filter(|same| same.len() % 2 == 1);
-        // One direction is used more often than the other.
+        // Of an odd number of uses, the middle one in sorted order has the direction used more often.
         let net = odd.map(|same| same[same.len() / 2]);
         let rises = |d: Dart| {
             let [a, b] = [origin(self.segments, d), target(self.segments, d)].map(|v| self.point(v));

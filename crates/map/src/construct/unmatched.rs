@@ -1,4 +1,4 @@
-//! Vertices of polygons on a border that has no vertex there, of another feature or of another ring of the same one.
+//! Vertices of polygons that lie on a border without a vertex there, of another feature or of another ring of the same feature.
 
 use super::builder::Builder;
 use super::gathered::origin;
@@ -9,27 +9,28 @@ use twinedge_geometry::bounds::Bounds;
 use twinedge_geometry::boxes::Boxes;
 use twinedge_geometry::predicates::{compare_lexicographic, on_segment};
 
-/// A vertex of a feature's polygon in the interior of a segment of another feature's polygon, or of its own.
+/// A vertex of a feature's polygon inside a segment of another feature's polygon, or of its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct UnmatchedVertex {
-    /// The place.
+    /// The coordinates.
     pub at: Point,
     /// The feature that has the vertex.
     pub of: FeatureId,
     /// The feature that lacks it.
     pub lacked_by: FeatureId,
-    /// The segment of that feature on which the vertex lies, the end with the smaller coordinates first.
+    /// The segment of that feature that contains the vertex, the end with the smaller coordinates first.
     pub segment: [Point; 2],
 }
 
 impl Builder {
-    /// The vertices of polygons that lie on the border of a feature, between two vertices of it, exactly. Such borders coincide
-    /// or touch, and are noded differently. Sorted by the two features, then by place. A feature that has the vertex and uses the
-    /// segment lacks its own vertex, and other features that use the segment do not lack it once more.
+    /// Returns the vertices of polygons that lie exactly on the border of a feature, between two of its vertices. Such borders
+    /// coincide or touch but are noded differently. Sorted by the two features, then by coordinates. If the feature that has the
+    /// vertex also uses the segment, it lacks its own vertex, and other users of the segment are not reported again.
     ///
-    /// O(n log n + k) for n segments and k pairs of a vertex and a segment whose bounding box has it, in practice: a tree of boxes gives no guarantee.
+    /// O(n log n + k) in practice for n segments and k pairs of a vertex and a segment whose bounding box contains it; a tree of
+    /// boxes has no worst-case guarantee.
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -83,7 +84,7 @@ impl Builder {
         found
     }
 
-    /// The ends of polygons' segments that lie inside another such segment, by their numbers.
+    /// Returns the ends of polygons' segments that lie inside another such segment, by their numbers.
     fn touches(&self) -> Vec<(u32, u32)> {
         let mut of_polygons = vec![false; self.segments.len()];
         for dart in self.features.polygons().flat_map(|(_, polygon)| polygon) {
@@ -116,7 +117,7 @@ impl Builder {
         found
     }
 
-    /// The ends of a segment, the one with the smaller coordinates first.
+    /// Returns the ends of a segment, the end with the smaller coordinates first.
     fn ends(&self, segment: u32) -> [Point; 2] {
         let mut ends = self.segments[segment as usize].map(|point| self.points[point as usize]);
         ends.sort_by(|a, b| compare_lexicographic(*a, *b));

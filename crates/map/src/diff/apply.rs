@@ -1,4 +1,4 @@
-//! Drawing on one map what makes it the other.
+//! Applying a diff: editing one map until it equals the other.
 
 use super::Diff;
 use super::error::ApplyError;
@@ -15,21 +15,22 @@ use twinedge::dcel::{HalfEdge, HalfEdgeKey, VertexKey};
 use twinedge_geometry::Point;
 
 impl Diff {
-    /// Makes the first map the second one, up to keys: records that stay keep theirs, but for vertices that cannot move straight to where
-    /// they go, and faces that were both split and merged.
+    /// Turns the first map into the second one, up to keys. Surviving records keep their keys, except vertices that cannot move
+    /// straight to their new coordinates, and faces that were both split and merged.
     ///
-    /// [Policies](twinedge::dcel::Policy) of vertices, half-edges, edges, corners and faces are not asked: values that are compared become those of the second map, others stay with
-    /// their records, and new records have none. Features come and go as by [`add_feature`](PlanarMap::add_feature) and
-    /// [`remove_feature`](PlanarMap::remove_feature). In a [`History`](twinedge::dcel::History) it is a change as any other. O(n log n) for the map, beside the edits.
+    /// [Policies](twinedge::dcel::Policy) of vertices, half-edges, edges, corners and faces do not apply: compared values become
+    /// the values of the second map, other values stay with their records, and new records have none. Features are added and
+    /// removed as by [`add_feature`](PlanarMap::add_feature) and [`remove_feature`](PlanarMap::remove_feature). A
+    /// [`History`](twinedge::dcel::History) records an ordinary change. O(n log n) for the map, plus the edits.
     ///
     /// # Errors
-    /// [`ApplyError`]; the map is unchanged then.
+    /// [`ApplyError`], with the map unchanged.
     pub fn apply(&self, map: &mut PlanarMap, ids: &Ids) -> Result<(), ApplyError> {
         let base = Index::new(map, ids)?;
         self.is_of(map, &base, ids)?;
         let contents = self.contents(map, &base, ids);
         map.rewinding(|map| {
-            // While lines come and go nobody owns what lies between.
+            // While lines are erased and drawn, the faces between them have no owners.
             let attributes = map.dcel.replace_attributes(None);
             let mut drawing = Drawing::new(map, base);
             let drawn = drawing.draw(self).and_then(|()| drawing.name_faces(self, &contents));
@@ -43,7 +44,7 @@ impl Diff {
         })
     }
 
-    /// Checks that the map is as the first one was where there are changes.
+    /// Checks that the map equals the first map wherever the diff changes it.
     fn is_of(&self, map: &PlanarMap, base: &Index, ids: &Ids) -> Result<(), ApplyError> {
         if self.features != map.features().count() {
             return Err(super::DiffError::Features(self.features.min(map.features().count())).into());
@@ -69,7 +70,7 @@ impl Diff {
         Ok(())
     }
 
-    /// Gives their ids, features and values to the records.
+    /// Assigns ids, features and values to the records.
     fn label(&self, map: &mut PlanarMap, index: &Index, ids: &Ids) -> Result<(), ApplyError> {
         for name in &self.names {
             map.add_feature(name.clone());
@@ -112,24 +113,24 @@ fn column<'a>(ids: &'a Ids, of: Record, name: &str) -> Option<&'a Column<String>
     ids.values.iter().find(|column| column.name == name && column.kind == of.kind())
 }
 
-/// An edge: the half-edges from the end with the smaller id and from the other one, and the one under which it has values.
+/// An edge: the half-edges from the end with the smaller id and from the other end, and the half-edge whose key holds the edge's
+/// values.
 #[derive(Clone, Copy)]
 struct Sides {
     half_edges: [HalfEdgeKey; 2],
     edge: HalfEdgeKey,
 }
 
-/// A map without attributes on which is drawn.
+/// A map without attributes, while the diff is drawn on it.
 pub(super) struct Drawing<'a> {
     pub(super) map: &'a mut PlanarMap,
     pub(super) index: Index,
-    /// By face: a half-edge on its outer boundary by its ends, and its features.
+    /// For each face, a half-edge on its outer boundary by its ends, and the face's features.
     pub(super) faces: BTreeMap<u128, (u128, u128, SetId)>,
-    /// The features of the unbounded face.
     pub(super) unbounded: SetId,
-    /// Edges that make way for a vertex, by their ends, with their features.
+    /// Edges erased so that a vertex can move, by their ends, with their features.
     lifted: Vec<(u128, u128, Sides, SetId)>,
-    /// The keys of records that were dropped, or that have others.
+    /// The keys of dropped records, and of records that got new keys.
     pub(super) moved: Vec<(Kind, KeyData, Option<KeyData>)>,
 }
 
@@ -145,8 +146,8 @@ impl<'a> Drawing<'a> {
         Self { map, index, faces, unbounded, lifted: Vec::new(), moved: Vec::new() }
     }
 
-    /// Draws in an order in which nothing is in the way that does not stay: first, edges and vertices are dropped. Vertices that cannot move
-    /// straight to where they go are dropped with their edges, too, and drawn anew.
+    /// Draws in an order that keeps the way clear: edges and vertices are dropped first. Vertices that cannot move straight to
+    /// their new coordinates are dropped with their edges and drawn anew.
     fn draw(&mut self, diff: &Diff) -> Result<(), ApplyError> {
         let (mut added, mut drawn) = (Vec::new(), Vec::new());
         for (record, change) in &diff.changes {
@@ -190,7 +191,7 @@ impl<'a> Drawing<'a> {
         self.index.vertices.get(&id).copied().ok_or(ApplyError::AnotherMap(Record::Vertex(id)))
     }
 
-    /// Drops a vertex that has no edges any more.
+    /// Drops a vertex without edges.
     fn drop_vertex(&mut self, id: u128) -> Result<VertexKey, ApplyError> {
         let key = self.vertex(id)?;
         if self.map.dcel.vertex(key)?.isolated().is_none() {
@@ -201,7 +202,7 @@ impl<'a> Drawing<'a> {
         Ok(key)
     }
 
-    /// Drops a vertex that will be elsewhere, and its edges.
+    /// Drops a vertex that will be moved, with its edges.
     fn lift(&mut self, id: u128) -> Result<VertexKey, ApplyError> {
         let around = self.map.dcel.vertex(self.vertex(id)?)?.rotation();
         let edges: Vec<_> = around.map(|h| self.index.ends(h)).collect();
@@ -234,7 +235,7 @@ impl<'a> Drawing<'a> {
         Ok(key)
     }
 
-    /// Erases an edge; says what it was, and its features.
+    /// Erases an edge. Returns its half-edges and its features.
     fn erase(&mut self, a: u128, b: u128) -> Result<(Sides, SetId), ApplyError> {
         let key = self.index.edges.remove(&(a, b)).ok_or(ApplyError::AnotherMap(Record::Edge(a, b)))?;
         let h = self.map.dcel.half_edge(key)?;
@@ -268,7 +269,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// Notes that an edge is another one, or none.
+    /// Records that an edge has new half-edges, or none.
     fn rename_edge(&mut self, old: Sides, new: Option<Sides>) {
         self.moved.push((Kind::Edge, old.edge.data(), new.map(|new| new.edge.data())));
         for side in 0..2 {
@@ -281,7 +282,7 @@ impl<'a> Drawing<'a> {
 }
 
 impl Sides {
-    /// Of the half-edge from the end with the smaller id.
+    /// The sides of the edge of `h`, which leaves the end with the smaller id.
     fn new(h: HalfEdge<'_>) -> Self {
         let twin = h.twin();
         let edge = if h.index() < twin.index() { h } else { twin };

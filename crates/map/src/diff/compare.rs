@@ -6,10 +6,11 @@ use super::ids::{Ids, Index};
 use super::record::{Change, Record};
 use crate::PlanarMap;
 
-/// Compares two maps by the ids of their records: the changes that lead from the first to the second. O(n log n).
+/// Compares two maps by the ids of their records, and returns the changes that lead from the first to the second. O(n log n).
 ///
 /// # Errors
-/// [`DiffError`]: a record has no id, or that of another one; the second map has not the features of the first.
+/// [`DiffError`]: a record has no id, or shares its id with another record; or the second map doesn't have the features of the
+/// first.
 pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> {
     let (old, new) = (Index::new(a, ids)?, Index::new(b, ids)?);
     let features = a.features().count();
@@ -18,7 +19,7 @@ pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> 
         let [was_there, is_there] = [a, b].map(|map| map.present(feature).is_ok());
         match b.feature(i) {
             Some(same) if was_there == is_there && a.name(feature) == b.name(same) => {}
-            // The number stays, without a name.
+            // The feature keeps its number but loses its name.
             Some(_) if was_there && !is_there => changes.push((Record::Feature(i), Change::Dropped)),
             _ => return Err(DiffError::Features(i)),
         }

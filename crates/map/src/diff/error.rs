@@ -14,7 +14,7 @@ pub enum DiffError {
     /// A map is not plane.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),
-    /// A map lacks an attribute: the ids, or one whose values are compared.
+    /// A map lacks an attribute: the ids, or an attribute whose values are compared.
     #[error("a map lacks an attribute of the ids or of the values: `add_attributes_of` adds those of another map")]
     NoSuchAttribute,
     /// A vertex has no id.
@@ -26,7 +26,8 @@ pub enum DiffError {
     /// Two records of a map have the same id.
     #[error("{0} is there twice")]
     SameId(Record),
-    /// The second map does not begin with the features of the first: a feature keeps its number and its name, or is removed.
+    /// The second map doesn't begin with the features of the first. A feature must keep its number, and keep its name or be
+    /// removed.
     #[error("the maps differ in feature {0}")]
     Features(usize),
 }
@@ -38,10 +39,10 @@ pub enum ApplyError {
     /// The records of the map cannot be identified.
     #[error(transparent)]
     Diff(#[from] DiffError),
-    /// The diff is one of another map: this record is not as it was there.
+    /// The diff belongs to another map: this record differs from its state there.
     #[error("the diff is of another map: {0} is not as it was there")]
     AnotherMap(Record),
-    /// The map has no attribute of this name, or its text says no value.
+    /// The map has no attribute of this name, or the text is not a valid value.
     #[error("{record} cannot have the value of {name}")]
     Value {
         /// The record.
@@ -52,21 +53,21 @@ pub enum ApplyError {
     /// A vertex or an edge would lie on another one, or cross it.
     #[error("{drawn} would meet {with}")]
     Overlap {
-        /// The one that is moved, added or drawn.
+        /// The moved, added or drawn record.
         drawn: Record,
-        /// The one that is there.
+        /// The existing record.
         with: Record,
     },
-    /// Two faces would be one.
+    /// Two faces would become one.
     #[error("{0} and {1} would be one face")]
     OneFace(Record, Record),
-    /// The outline of a face would not be that of one face.
+    /// The outline of a face would bound several faces.
     #[error("the outline of {0} would not be that of one face")]
     NotOneFace(Record),
     /// An edge would bound a face that has no id.
     #[error("{0} would bound a face without id")]
     Unnamed(Record),
-    /// An edit is refused.
+    /// An edit was refused.
     #[error(transparent)]
     Edit(#[from] EditError),
 }
@@ -90,18 +91,18 @@ pub enum MergeError {
     /// Both sides changed the same things.
     #[error("conflicts: {}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))]
     Conflicts(Vec<Conflict>),
-    /// No record was changed on both sides, but together they draw no map with these faces.
+    /// No record was changed on both sides, but the combined changes draw no map with these faces.
     #[error("the changes of both sides do not fit: {0}")]
     Together(ApplyError),
 }
 
-/// Two changes, one of each side, that cannot both be done.
+/// Two conflicting changes, one from each side.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Conflict {
     /// The record that our side changed, and the change.
     pub ours: (Record, Change),
-    /// The same of their side.
+    /// The record that their side changed, and the change.
     pub theirs: (Record, Change),
 }
 

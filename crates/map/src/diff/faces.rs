@@ -1,7 +1,7 @@
-//! The face of each id on a map that has been drawn.
+//! Assigning faces to ids on a map that has been drawn.
 //!
-//! Each side says which half-edges bound a face. If two sides cut one face, neither knows the lines of the other: one half-edge may bound a part
-//! with one id for the one side, and with another id for the other.
+//! Each side lists half-edges that bound a face. If two sides cut one face, neither knows the lines of the other, so one
+//! half-edge may bound a part with one id for the first side, and with another id for the second.
 //!
 //! ```text
 //!     ┌─────┬─────┬─────┐     one side draws the left line, and calls the parts 1 and 2,
@@ -9,11 +9,13 @@
 //!     └─────┴─────┴─────┘
 //! ```
 //!
-//! So several ids may claim a face, and an id several faces. A face that only one id claims has this id, and an id that claims only one face has
-//! this face. The other claims on both are dropped, which leaves others alone in turn: here 1 is to the left, 3 to the right, and 2 between.
+//! So several ids may claim a face, and an id may claim several faces. A face claimed by a single id gets this id, and an id that
+//! claims a single face gets this face. Dropping the other claims on both may in turn leave others with a single claim. Here 1 is
+//! to the left, 3 to the right, and 2 between:
 //!
-//! Rings are left: for one side 1 is to the left and 2 to the right, and for the other it is the other way round. Either way gives each face
-//! an id. Both are right if the faces have the same features and values, as then only the ids tell them apart.
+//! Cycles of claims remain: for one side 1 is to the left and 2 to the right, and for the other side the reverse. Both
+//! assignments give each face an id, and both are valid if the faces have the same features and values: then only the ids
+//! distinguish them.
 
 use super::Diff;
 use super::apply::Drawing;
@@ -28,14 +30,14 @@ use std::mem;
 use twinedge::dcel::extend::Kind;
 use twinedge::dcel::{FaceKey, HalfEdge};
 
-/// The ids of the ends of a half-edge. Of those that are said to bound a face, the smallest ones stand for it.
+/// The ids of the ends of a half-edge. The smallest such pair among the half-edges said to bound a face stands for the face.
 type Ends = (u128, u128);
 
-/// By id of a face its features and values.
+/// The features and values of faces, by id.
 pub(super) type Contents = BTreeMap<u128, (Vec<usize>, BTreeMap<String, String>)>;
 
 impl Diff {
-    /// The contents, in the end, of faces that are made, and of those that two sides have reshaped.
+    /// Returns the final contents of new faces and of faces that both sides reshaped.
     pub(super) fn contents(&self, map: &PlanarMap, base: &Index, ids: &Ids) -> Contents {
         let (mut all, mut reshaped) = (Contents::new(), BTreeSet::new());
         for (record, change) in &self.changes {
@@ -65,7 +67,7 @@ impl Diff {
         all
     }
 
-    /// Half-edges that are said to bound the face of each id.
+    /// Returns the half-edges said to bound the face of each id.
     fn outlines(&self, drawing: &Drawing<'_>) -> Result<BTreeMap<u128, Vec<Ends>>, ApplyError> {
         let kept = drawing.faces.iter().map(|(id, (from, to, _))| (*id, vec![(*from, *to)]));
         let mut outlines: BTreeMap<u128, Vec<Ends>> = kept.collect();
@@ -90,7 +92,7 @@ impl Diff {
 }
 
 impl Drawing<'_> {
-    /// Finds the face of each id, and gives the features to it that the id had.
+    /// Finds the face of each id and moves the features of the id to it.
     pub(super) fn name_faces(&mut self, diff: &Diff, contents: &Contents) -> Result<(), ApplyError> {
         let unbounded = self.map.dcel.unbounded_face();
         let mut sets = vec![(unbounded.index(), self.unbounded)];
@@ -118,7 +120,7 @@ impl Drawing<'_> {
         Ok(())
     }
 
-    /// The face of each id. O(n log n).
+    /// Returns the face of each id. O(n log n).
     fn matched(&self, diff: &Diff, contents: &Contents) -> Result<Vec<(u128, FaceKey)>, ApplyError> {
         let mut said = Vec::new();
         let mut ends_of: FxHashMap<FaceKey, Ends> = FxHashMap::default();
@@ -126,7 +128,7 @@ impl Drawing<'_> {
             let mut error = ApplyError::NotOneFace(Record::Face(id));
             let before = said.len();
             for ends in outline {
-                // Of a part of the outline one side knows that it is there.
+                // A side may know only part of the outline of a face.
                 let Some(face) = self.index.half_edge(self.map, ends.0, ends.1).map(HalfEdge::face) else { continue };
                 if face.is_unbounded() {
                     error = ApplyError::OneFace(Record::Unbounded, Record::Face(id));
@@ -157,14 +159,13 @@ impl Drawing<'_> {
     }
 }
 
-/// A face or an id.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Node {
     Face(Ends),
     Id(u128),
 }
 
-/// Faces and ids that still have several of each other.
+/// Faces and ids that still claim several of each other.
 #[derive(Default)]
 struct Open {
     faces_of: BTreeMap<u128, BTreeSet<Ends>>,
@@ -172,12 +173,12 @@ struct Open {
 }
 
 impl Open {
-    /// Gives each id a face. Faces may be left.
+    /// Assigns a face to each id. Some faces may remain.
     fn matched(mut self, are_alike: impl Fn(&BTreeSet<u128>) -> bool) -> Result<Vec<(u128, Ends)>, ApplyError> {
         let mut matched = Vec::new();
         let faces = self.ids_of.iter().filter(|(_, ids)| ids.len() == 1).map(|(face, _)| Node::Face(*face));
         let ids = self.faces_of.iter().filter(|(_, faces)| faces.len() == 1).map(|(id, _)| Node::Id(*id));
-        // Those to which one is left.
+        // Faces and ids with a single claim left.
         let mut ready: BTreeSet<Node> = faces.chain(ids).collect();
         loop {
             let next = match ready.pop_first() {
@@ -210,7 +211,7 @@ impl Open {
         }
     }
 
-    /// The ids that this one reaches over faces.
+    /// Returns the ids reachable from this id through shared faces.
     fn ring(&self, id: u128) -> BTreeSet<u128> {
         let (mut reached, mut ahead) = (BTreeSet::from([id]), vec![id]);
         while let Some(id) = ahead.pop() {

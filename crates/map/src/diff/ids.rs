@@ -1,4 +1,4 @@
-//! The attributes by which records of two maps are the same.
+//! The attributes that identify records across two maps.
 
 use super::error::DiffError;
 use super::record::Record;
@@ -14,13 +14,13 @@ use twinedge::dcel::{
 type Get<V> = dyn Fn(&PlanarMap, KeyData) -> Option<V> + Send + Sync;
 type Put<V> = dyn Fn(&mut PlanarMap, KeyData, Option<V>) -> bool + Send + Sync;
 
-/// An attribute whose values are converted to another type, and back.
+/// An attribute whose values are converted to and from another type.
 pub(super) struct Column<V> {
     pub(super) name: String,
     pub(super) kind: Kind,
     is_of: Box<dyn Fn(&PlanarMap) -> bool + Send + Sync>,
     pub(super) get: Box<Get<V>>,
-    /// False if the value cannot be converted back, or the map has no such attribute.
+    /// Returns false if the value cannot be converted back, or the map has no such attribute.
     pub(super) put: Box<Put<V>>,
 }
 
@@ -51,10 +51,10 @@ impl Compared for Vertices {}
 impl Compared for Edges {}
 impl Compared for Faces {}
 
-/// The attributes by which records of two maps are the same, and those whose values are compared.
+/// The attributes that identify records across two maps, and the attributes whose values are compared.
 ///
-/// Vertices and bounded faces have ids: [`Policy::ids`](twinedge::dcel::Policy::ids) gives them. Edges need none: two vertices are the ends of one
-/// straight edge at most.
+/// Vertices and bounded faces have ids, for example from [`Policy::ids`](twinedge::dcel::Policy::ids). Edges don't need ids: at
+/// most one straight edge joins two vertices.
 pub struct Ids {
     pub(super) vertices: Column<u128>,
     pub(super) faces: Column<u128>,
@@ -62,7 +62,7 @@ pub struct Ids {
 }
 
 impl Ids {
-    /// The ids of vertices and of faces: numbers of up to 128 bits, as of a UUID.
+    /// Identifies vertices and faces by these ids: numbers of up to 128 bits, such as UUIDs.
     #[must_use]
     pub fn new<V, F>(vertices: Attribute<Vertices, V>, faces: Attribute<Faces, F>) -> Self
     where
@@ -76,8 +76,8 @@ impl Ids {
         }
     }
 
-    /// Compares the values of an attribute, too. A diff has them as text, which `show` writes and `read` reads: of the same text, the
-    /// same value.
+    /// Also compares the values of an attribute. A diff stores them as text, written by `show` and read by `read`: equal texts
+    /// must mean equal values.
     #[must_use]
     pub fn values<K: Compared, T: Value>(
         mut self,
@@ -102,9 +102,8 @@ impl fmt::Debug for Ids {
 #[derive(Clone)]
 pub(super) struct Index {
     pub(super) vertices: BTreeMap<u128, VertexKey>,
-    /// By the ids of the ends, the smaller one first: the half-edge from there.
+    /// The ids of both ends, smaller first: the half-edge that leaves the smaller end.
     pub(super) edges: BTreeMap<(u128, u128), HalfEdgeKey>,
-    /// Bounded ones.
     pub(super) faces: BTreeMap<u128, FaceKey>,
     pub(super) ids: SecondaryMap<VertexKey, u128>,
 }
@@ -141,7 +140,6 @@ impl Index {
         Ok(index)
     }
 
-    /// The ids of the ends of a half-edge.
     pub(super) fn ends(&self, h: HalfEdge<'_>) -> (u128, u128) {
         let id = |v: VertexKey| self.ids.get(v).copied().unwrap_or_default();
         (id(h.origin().key()), id(h.target().key()))
@@ -158,20 +156,20 @@ impl Index {
         self.edges.insert(ends, h.key());
     }
 
-    /// The half-edge from one vertex to another.
+    /// Returns the half-edge from one vertex to another.
     pub(super) fn half_edge<'a>(&self, map: &'a PlanarMap, from: u128, to: u128) -> Option<HalfEdge<'a>> {
         let h = map.dcel().half_edge(*self.edges.get(&(from.min(to), from.max(to)))?).ok()?;
         Some(if from < to { h } else { h.twin() })
     }
 
-    /// The vertices around a face, from the smallest pair of neighbours on.
+    /// Returns the vertices around a face, starting at the smallest pair of neighbours.
     pub(super) fn outline(&self, face: Face<'_>) -> Vec<u128> {
         let cycle: Vec<_> = face.outer().into_iter().flat_map(|b| b.half_edges()).map(|h| self.ends(h)).collect();
         let first = (0..cycle.len()).min_by_key(|i| cycle[*i]).unwrap_or_default();
         cycle[first..].iter().chain(&cycle[..first]).map(|(from, _)| *from).collect()
     }
 
-    /// The key under which the values of a record are.
+    /// Returns the key that holds the values of a record.
     pub(super) fn key(&self, map: &PlanarMap, record: Record) -> Option<KeyData> {
         Some(match record {
             Record::Vertex(v) => self.vertices.get(&v)?.data(),
@@ -182,7 +180,7 @@ impl Index {
         })
     }
 
-    /// All records but features.
+    /// Returns all records except features.
     pub(super) fn records(&self) -> impl Iterator<Item = Record> {
         let vertices = self.vertices.keys().map(|v| Record::Vertex(*v));
         let edges = self.edges.keys().map(|(a, b)| Record::Edge(*a, *b));
@@ -190,7 +188,6 @@ impl Index {
         vertices.chain(edges).chain(faces).chain([Record::Unbounded])
     }
 
-    /// The features of a record.
     pub(super) fn features(&self, map: &PlanarMap, record: Record) -> Vec<usize> {
         let Some(key) = self.key(map, record) else { return Vec::new() };
         let set = match record {

@@ -1,4 +1,4 @@
-//! Two sides of changes to one map.
+//! Merging two sets of changes to one map.
 
 use super::Diff;
 use super::compare::diff;
@@ -8,18 +8,21 @@ use super::record::{Change, Record};
 use crate::PlanarMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Merges what two sides did to a map: `base`, with the changes of both.
+/// Merges the changes that two sides made to `base`.
 ///
-/// Values are merged record by record, and no policy is asked: where one side splits a face, and the other gives it another value, the part that
-/// keeps its id has that value, and the other parts have those that their side gave them. Where both split a face, each part has an id that a side
-/// gave to it or to a part around it. A fence that both draw by themselves is two, with ids of their
-/// own, which do not fit. Values of features, half-edges and corners are not compared: those of `base` stay.
+/// Values are merged record by record, without policies. If one side splits a face and the other changes its value, the part that
+/// keeps the id gets the changed value, and the other parts keep the values from the side that split. If both sides split a face,
+/// each part gets an id that a side gave to this part or to a part around it. A fence that both sides draw independently counts
+/// as two conflicting lines, with ids of their own. Values of features, half-edges and corners are not compared: the values of
+/// `base` stay.
 ///
-/// The merged map has the keys of `base` where it has its records. New features of `theirs` come after those of `ours`. O(n log n).
+/// The merged map uses the keys of `base` for surviving records. New features of `theirs` follow the new features of `ours`. O(n
+/// log n).
 ///
 /// # Errors
-/// [`MergeError::Conflicts`] names what both sides changed, and [`MergeError::Together`] what does not fit although no record is the same: lines of
-/// one side that cross those of the other, a face that both cut so that no part has its id for both, if the parts have other values or features.
+/// [`MergeError::Conflicts`] names the records that both sides changed. [`MergeError::Together`] reports changes to different
+/// records that don't fit together: lines of one side cross lines of the other, or both cut a face so that no part has its id for
+/// both and the parts differ in values or features.
 pub fn merge(base: &PlanarMap, ours: &PlanarMap, theirs: &PlanarMap, ids: &Ids) -> Result<PlanarMap, MergeError> {
     let both = diff(base, ours, ids)?.merge(&diff(base, theirs, ids)?)?;
     let mut merged = base.clone();
@@ -28,15 +31,15 @@ pub fn merge(base: &PlanarMap, ours: &PlanarMap, theirs: &PlanarMap, ids: &Ids) 
 }
 
 impl Diff {
-    /// The changes of both diffs, which are of one map. The same change on both sides is done once. O(n log n) for n changes.
+    /// Combines two diffs of the same map. A change made on both sides is applied once. O(n log n) for n changes.
     ///
     /// # Errors
-    /// [`MergeError::Conflicts`], with all of them; [`MergeError::DifferentMaps`], as far as one can tell.
+    /// [`MergeError::Conflicts`], with all of them; [`MergeError::DifferentMaps`], as far as detectable.
     pub fn merge(&self, theirs: &Self) -> Result<Self, MergeError> {
         if self.features != theirs.features {
             return Err(MergeError::DifferentMaps);
         }
-        // New features have no ids: those of both sides are taken for the same only if all else is the same.
+        // New features have no ids: the new features of both sides count as the same only if the diffs are equal.
         if self == theirs {
             return Ok(self.clone());
         }
@@ -65,7 +68,7 @@ impl Diff {
                 conflicts.push(Conflict { ours: (*record, change.clone()), theirs: (*record, other.clone()) });
             }
         }
-        // Edges that one side draws to vertices that the other one drops, and features that it gives.
+        // Edges that one side draws to vertices dropped by the other, and features that one side assigns and the other drops.
         let loose = |changes: &[(Record, Change)], other: &BTreeMap<Record, Vec<Change>>| {
             let mut loose = Vec::new();
             for (record, change) in changes {
@@ -79,7 +82,7 @@ impl Diff {
         conflicts.extend(our_loose.map(|(ours, theirs)| Conflict { ours, theirs }));
         let their_loose = loose(&theirs_changes, &ours).into_iter();
         conflicts.extend(their_loose.map(|(theirs, ours)| Conflict { ours, theirs }));
-        // Edges that both drop, one side for good, and the other to draw another way between the same ends.
+        // Edges that both sides drop, one permanently, the other to redraw them another way between the same ends.
         let drawn = [Ways::new(&self.changes), Ways::new(&theirs.changes)];
         for (record, change) in self.changes.iter().filter(|(_, change)| *change == Change::Dropped) {
             let by_both = others.get(record).is_some_and(|all| all.contains(change));
@@ -108,9 +111,9 @@ impl Diff {
     }
 }
 
-/// The lines that one side draws through vertices that it adds.
+/// The lines that one side draws through its new vertices.
 struct Ways {
-    /// For each vertex where such a line ends, the piece of the lines, and its first edge.
+    /// For each vertex where such a line ends, the connected group of lines and its first edge.
     ends: BTreeMap<u128, BTreeMap<usize, Record>>,
 }
 
@@ -147,7 +150,7 @@ impl Ways {
         Self { ends }
     }
 
-    /// The first edge of a line between two vertices.
+    /// Returns the first edge of a line between two vertices.
     fn first_edge(&self, a: u128, b: u128) -> Option<Record> {
         let (from, to) = (self.ends.get(&a)?, self.ends.get(&b)?);
         from.iter().find(|(piece, _)| to.contains_key(piece)).map(|(_, edge)| *edge)

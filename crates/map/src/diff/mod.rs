@@ -1,7 +1,7 @@
-//! Differences of two maps by the ids of their records: shown, saved, applied and merged.
+//! Differences between two maps by the ids of their records: displayed, saved, applied and merged.
 //!
-//! Somebody edits a copy of a map, and somebody else another one: [`diff`](diff()) tells what each did, and [`merge`](merge()) does both to the map with which they
-//! began, or names the conflicts.
+//! Two people edit copies of a map. [`diff`](diff()) lists the changes that each made, and [`merge`](merge()) applies both to the
+//! original map, or names the conflicts.
 //!
 //! ```
 //! use twinedge::dcel::{Faces, Policy};
@@ -30,13 +30,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Vertices and faces are identified by ids, and edges by their ends. A diff has the outline of each face that was made or reshaped, by which applying
-//! finds it. Ids of records that two sides make must differ: clones of a map share the counter of [`Policy::ids`](twinedge::dcel::Policy::ids), but copies that
-//! were loaded apart begin each at the number that they are given. Give them ids that no two have, as UUIDs are:
-//! [`identified_by`](twinedge::dcel::Policy::identified_by) has an example.
+//! Vertices and faces are identified by ids, edges by their ends. A diff contains the outline of each new or reshaped face, so
+//! that applying the diff can find it. Records made on two sides must have different ids. Clones of a map share the counter of
+//! [`Policy::ids`](twinedge::dcel::Policy::ids), but copies that were loaded separately each start at their given number. Use
+//! globally unique ids there, such as UUIDs: [`identified_by`](twinedge::dcel::Policy::identified_by) has an example.
 //!
-//! All maps have the same attributes, as clones do. Maps that were loaded apart get them by [`add_attributes_of`](PlanarMap::add_attributes_of) the first one,
-//! and then their values by [`set_value`](PlanarMap::set_value).
+//! All maps must have the same attributes, as clones do. Maps that were loaded separately get them from the first map by
+//! [`add_attributes_of`](PlanarMap::add_attributes_of), and then their values by [`set_value`](PlanarMap::set_value).
 
 mod apply;
 mod compare;
@@ -56,37 +56,36 @@ pub use record::{Change, Record};
 use crate::PlanarMap;
 use std::fmt;
 
-/// The changes that lead from one map to another, in the order in which they are applied. It is shown with a change on each line.
+/// The changes that lead from one map to another, in the order in which they are applied. Displays one change per line.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Diff {
     /// The number of features of the first map.
     features: usize,
-    /// The names of the features that are added.
     names: Vec<Option<String>>,
     changes: Vec<(Record, Change)>,
 }
 
 impl Diff {
-    /// The changed records, in the order in which they are changed.
+    /// Returns the changes in the order in which they are applied, each with its record.
     #[must_use]
     pub fn changes(&self) -> &[(Record, Change)] {
         &self.changes
     }
 
-    /// The names of the features that are added.
+    /// Returns the names of the added features.
     #[must_use]
     pub fn names(&self) -> &[Option<String>] {
         &self.names
     }
 
-    /// True if the maps do not differ.
+    /// Returns true if the maps do not differ.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.names.is_empty() && self.changes.is_empty()
     }
 
-    /// The same, with the changes in the order in which they are applied.
+    /// Sorts the changes into the order in which they are applied.
     fn in_order(mut self) -> Self {
         self.changes.sort_by_key(|(record, change)| (change.stage(*record), *record));
         self

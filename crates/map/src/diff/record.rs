@@ -1,4 +1,4 @@
-//! Records by their ids, and what becomes of them.
+//! Records by their ids, and changes to records.
 
 use std::{fmt, mem};
 use twinedge::dcel::extend::Kind;
@@ -48,13 +48,13 @@ impl fmt::Display for Record {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Change {
-    /// A vertex, an edge, a face or a feature is there no more.
+    /// A vertex, an edge, a face or a feature was dropped.
     Dropped,
     /// A vertex moved.
     Moved {
-        /// From here.
+        /// The old coordinates.
         from: Point,
-        /// To here.
+        /// The new coordinates.
         to: Point,
     },
     /// A vertex was added at a point.
@@ -63,28 +63,29 @@ pub enum Change {
     Drawn,
     /// A face was made, with these vertices on its outer boundary, counter-clockwise.
     Made(Vec<u128>),
-    /// A face has other vertices on its outer boundary: these, counter-clockwise.
+    /// The outer boundary of a face changed to these vertices, counter-clockwise.
     Reshaped(Vec<u128>),
-    /// A face or an edge has other features, by their numbers.
+    /// The features of a face or an edge changed. Features are given by number.
     Features {
-        /// It had these.
+        /// The old features.
         from: Vec<usize>,
-        /// It has these.
+        /// The new features.
         to: Vec<usize>,
     },
-    /// A record has another value of an attribute.
+    /// The value of an attribute changed.
     Value {
         /// The name of the attribute.
         name: String,
-        /// It had this, if any.
+        /// The old value, if any.
         from: Option<String>,
-        /// It has this, if any.
+        /// The new value, if any.
         to: Option<String>,
     },
 }
 
 impl Change {
-    /// The place in the order in which changes are applied; none for a change that such a record cannot have.
+    /// Returns the position in the order in which changes are applied, or `None` for a change that does not apply to this kind of
+    /// record.
     pub(super) fn stage(&self, record: Record) -> Option<u8> {
         Some(match (self, record) {
             (Self::Dropped, Record::Edge(..)) => 0,
@@ -95,13 +96,13 @@ impl Change {
             (Self::Dropped | Self::Made(_) | Self::Reshaped(_), Record::Face(_)) => 5,
             (Self::Features { .. }, Record::Edge(..) | Record::Face(_) | Record::Unbounded) => 6,
             (Self::Value { .. }, _) => 7,
-            // Nothing has it any more.
+            // No record has the feature any more.
             (Self::Dropped, Record::Feature(_)) => 8,
             _ => return None,
         })
     }
 
-    /// The records that have to be there for a change to one.
+    /// Returns the records that must exist for a change to a record.
     pub(super) fn needs(&self, record: Record) -> Vec<Record> {
         match (self, record) {
             (Self::Drawn, Record::Edge(a, b)) => vec![Record::Vertex(a), Record::Vertex(b)],
@@ -112,12 +113,12 @@ impl Change {
         }
     }
 
-    /// True if two different changes to one record cannot both be done.
+    /// Returns true if two different changes to one record conflict.
     pub(super) fn excludes(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Dropped, _) | (_, Self::Dropped) => true,
             (Self::Value { name, .. }, Self::Value { name: other, .. }) => name == other,
-            // Each part then has the lines of both.
+            // Each part then has the lines of both sides.
             (Self::Reshaped(_), Self::Reshaped(_)) => false,
             _ => mem::discriminant(self) == mem::discriminant(other),
         }

@@ -1,7 +1,6 @@
 //! G2 angles: half-edges around a vertex are in angular order.
 //!
-//! Turning clockwise once around a vertex, the angle rises exactly once. The direction of an edge with bends is that to the nearest
-//! bend.
+//! In one clockwise turn around a vertex, the angle rises exactly once. An edge with bends has the direction to its nearest bend.
 
 use crate::drawing::columns::Columns;
 use crate::numbers::NIL;
@@ -13,7 +12,7 @@ use twinedge_geometry::predicates::compare_angle;
 pub(crate) fn check(findings: &mut Findings, columns: &Columns) -> Flow {
     let mut seen = vec![false; columns.points.len()];
     let mut checked = 0;
-    // At an open boundary the walk ends, so it begins at the half-edge that follows that border.
+    // A walk ends at an open boundary, so it begins at the half-edge that follows that border.
     let borders = columns.half_edges().filter(|h| columns.twin[*h] == NIL).map(|h| columns.next(h));
     for first in borders.chain(columns.half_edges()) {
         let v = columns.origin(first);

@@ -10,13 +10,13 @@ use twinedge_geometry::Point;
 /// The bends of the edges, in the direction of the half-edge with the smaller index.
 #[derive(Default)]
 pub(crate) struct Bends {
-    /// For each half-edge the place of its first bend, and then their number; empty if no edge has bends.
+    /// For each half-edge, the index of its first bend, followed by the total number of bends. Empty if no edge has bends.
     first: Vec<u32>,
     pub(crate) points: Vec<Point>,
 }
 
 impl Bends {
-    /// Asks the embedding for the bends of these half-edges, which come in order. No more than `most` bends are read.
+    /// Reads the bends of these half-edges, given in order, from the embedding. At most `most` bends are read.
     pub(super) fn read<E: Embedding + ?Sized>(
         embedding: &E,
         slots: usize,
@@ -45,7 +45,7 @@ impl Bends {
         Ok(bends)
     }
 
-    /// The places of the bends of an edge, by its half-edge with the smaller index.
+    /// Returns the index range of the bends of an edge, given its half-edge with the smaller index.
     pub(crate) fn range(&self, h: usize) -> Range<usize> {
         match self.first.get(h..=h + 1) {
             Some(&[from, to]) => from as usize..to as usize,
@@ -53,16 +53,16 @@ impl Bends {
         }
     }
 
-    /// The half-edge with the bend at this place, and its number there.
+    /// Returns the half-edge with the bend at this index, and the number of the bend on it.
     pub(crate) fn owner(&self, place: usize) -> (usize, usize) {
         let h = self.first.partition_point(|first| *first as usize <= place) - 1;
         (h, place - self.range(h).start)
     }
 }
 
-/// The half-edge of an edge that is asked for its bends.
+/// Returns the half-edge of an edge that represents it in calls for bends.
 pub(super) fn asked(h: usize, twin: u32) -> usize {
-    // Nil is larger than any half-edge.
+    // `NIL` is larger than any half-edge.
     debug_assert!(h < NIL as usize);
     h.min(twin as usize)
 }

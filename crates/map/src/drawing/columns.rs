@@ -1,8 +1,7 @@
-//! The embedding as plain columns. The structure is asked once for each link and each point.
+//! The embedding as plain columns, which read each link and each point of the structure once.
 //!
-//! Links must not change during a walk along them. So L1, L2 and L3 are checked once more, in the columns: where they
-//! hold, `next` and `next∘twin` return to where they started, or end at an open boundary, and the walks around two
-//! vertices share no half-edge.
+//! Links must not change during a walk. So L1, L2 and L3 are checked again on the columns. Where they hold, `next` and
+//! `next∘twin` return to their start or end at an open boundary, and walks around two vertices share no half-edge.
 
 use super::bends::{Bends, asked};
 use super::reserved::reserved;
@@ -14,25 +13,22 @@ use twinedge_geometry::Point;
 
 /// Links and points, by slots.
 pub(crate) struct Columns {
-    /// For each half-edge its origin; nil if it is not live.
+    /// The origin of each half-edge; `NIL` if it is not live.
     pub(crate) origin: Vec<u32>,
-    /// For each half-edge its twin; nil at an open boundary.
+    /// The twin of each half-edge; `NIL` at an open boundary.
     pub(crate) twin: Vec<u32>,
-    /// For each half-edge the next.
+    /// The next half-edge of each half-edge.
     pub(crate) next: Vec<u32>,
-    /// True for each live vertex.
     pub(crate) is_vertex: Vec<bool>,
-    /// The coordinates of the vertices.
     pub(crate) points: Vec<Point>,
-    /// The bends of the edges.
     pub(crate) bends: Bends,
 }
 
 impl Columns {
-    /// Reads a structure of which R1 and L hold. An error if they no longer hold, there is no memory for the columns, or there are
-    /// too many bends.
+    /// Reads a structure that satisfies R1 and L. Returns an error if the rules no longer hold, memory runs out, or there are too
+    /// many bends.
     pub(crate) fn read<E: Embedding + ?Sized>(embedding: &E) -> Result<Self, Unchecked> {
-        // A structure that has changed since cannot be relied on.
+        // A structure that has changed since its validation is unreliable.
         let mut columns = Self::of_links(embedding).ok_or(Unchecked::Broken(Rule::R1))?;
         let edges = columns.half_edges().filter(|h| columns.is_asked(*h));
         let most = NIL as usize - 1 - columns.points.len();
@@ -84,33 +80,31 @@ impl Columns {
         })
     }
 
-    /// The live half-edges.
     pub(crate) fn half_edges(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.origin.len()).filter(|h| self.origin[*h] != NIL)
     }
 
-    /// The live vertices.
     pub(crate) fn vertices(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.points.len()).filter(|v| self.is_vertex[*v])
     }
 
-    /// The half-edge that follows on the cycle.
+    /// Returns the next half-edge on the cycle.
     pub(crate) fn next(&self, h: usize) -> usize {
         self.next[h] as usize
     }
 
-    /// The half-edge that leaves the same vertex and comes next clockwise; none at an open boundary.
+    /// Returns the next half-edge clockwise around the origin, or `None` at an open boundary.
     pub(crate) fn clockwise(&self, h: usize) -> Option<usize> {
         let t = self.twin[h];
         (t != NIL).then(|| self.next(t as usize))
     }
 
-    /// The vertex where a half-edge starts.
+    /// Returns the vertex where a half-edge starts.
     pub(crate) fn origin(&self, h: usize) -> usize {
         self.origin[h] as usize
     }
 
-    /// The vertex where a half-edge ends.
+    /// Returns the vertex where a half-edge ends.
     pub(crate) fn target(&self, h: usize) -> usize {
         self.origin(self.next(h))
     }
@@ -125,25 +119,25 @@ impl Columns {
         self.points[self.target(h)]
     }
 
-    /// True if this half-edge of its edge is asked for the bends.
+    /// Returns true if this half-edge represents its edge in calls for bends.
     pub(crate) fn is_asked(&self, h: usize) -> bool {
         asked(h, self.twin[h]) == h
     }
 
-    /// The half-edge of the same edge that is asked for the bends, and the places of these.
+    /// Returns the half-edge that represents the edge in calls for bends, and the indices of the bends.
     pub(crate) fn bends_of(&self, h: usize) -> (usize, Range<usize>) {
         let edge = asked(h, self.twin[h]);
         (edge, self.bends.range(edge))
     }
 
-    /// The points of a half-edge behind its origin: its bends, and the target.
+    /// Returns the points of a half-edge after its origin: its bends and its target.
     pub(crate) fn line(&self, h: usize) -> impl Iterator<Item = Point> + '_ {
         let (edge, places) = self.bends_of(h);
         let (forward, backward) = if edge == h { (places, 0..0) } else { (0..0, places) };
         forward.chain(backward.rev()).map(|place| self.bends.points[place]).chain([self.head(h)])
     }
 
-    /// The point towards which a half-edge leaves its origin.
+    /// Returns the first point of a half-edge after its origin.
     pub(crate) fn towards(&self, h: usize) -> Point {
         let (edge, places) = self.bends_of(h);
         match places.len() {

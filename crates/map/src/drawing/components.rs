@@ -6,18 +6,17 @@ use core::cmp::Ordering;
 use twinedge::validate::Unchecked;
 use twinedge_geometry::predicates::compare_lexicographic;
 
-/// The components of an embedding.
 pub(crate) struct Components {
-    /// For each vertex, its component.
     pub(crate) of: Vec<u32>,
     /// For each component, its lexicographically smallest vertex.
     pub(crate) lowest: Vec<u32>,
-    /// For each component, the place of its lexicographically smallest bend, if that is smaller than all vertices; else nil.
+    /// For each component, the index of its lexicographically smallest bend if that bend is smaller than all vertices, otherwise
+    /// `NIL`.
     pub(crate) lowest_bend: Vec<u32>,
 }
 
 impl Components {
-    /// O(n α(n)) for n half-edges and vertices.
+    /// Finds the components. O(n α(n)) for n half-edges and vertices.
     pub(crate) fn of(columns: &Columns) -> Result<Self, Unchecked> {
         let mut sets = Sets::try_new(columns.points.len()).ok_or(Unchecked::OutOfMemory)?;
         for h in columns.half_edges() {

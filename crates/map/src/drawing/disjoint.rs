@@ -8,7 +8,8 @@ use twinedge::validate::{Findings, Halt, Rule, Unchecked};
 use twinedge_geometry::crossing::clashes;
 use twinedge_geometry::sweep::sweep_plane;
 
-/// Runs G4, and gives the segment below the smallest point of each component. None if G4 is broken or there are too many segments.
+/// Runs G4. Returns the segment below the smallest point of each component, or `None` if G4 is broken or there are too many
+/// segments.
 pub(crate) fn check(
     findings: &mut Findings,
     columns: &Columns,
@@ -22,7 +23,7 @@ pub(crate) fn check(
         place => segments.bend(place as usize),
     };
     let queries: Vec<u32> = lowest.map(number).collect();
-    // The arrays describe segments: G1 holds, and every number was given out by `Segments::of`.
+    // The arrays describe segments: G1 holds, and `Segments::of` issued every number.
     let Ok(swept) = sweep_plane(&segments.points, &segments.ends) else {
         findings.not_checked(Rule::G4, Unchecked::TooLarge);
         return Ok(None);

@@ -5,20 +5,20 @@ use twinedge_geometry::Point;
 
 /// A structure whose vertices have coordinates.
 pub trait Embedding: View {
-    /// Returns the coordinates of the vertex. It is asked of live vertices only.
+    /// Returns the coordinates of the vertex. Called only on live vertices.
     fn point(&self, vertex: usize) -> Point;
 
     /// Returns the number of bends of the half-edge: 0 for a straight edge.
     ///
-    /// It is asked of one half-edge of each edge, the one with the smaller index. Those of its twin are the same in reverse. A bend is
-    /// no vertex: no other edge ends there, and G4 is broken if one does.
+    /// Called only on the half-edge of each edge with the smaller index; its twin has the same bends in reverse. A bend is no
+    /// vertex: an edge that ends there breaks G4.
     fn bends(&self, half_edge: usize) -> usize {
         let _ = half_edge;
         0
     }
 
-    /// Returns the `bend`-th bend of the half-edge on the way from its origin to its target, counted from 0. It is asked for
-    /// numbers below [`bends`](Self::bends) only.
+    /// Returns the `bend`-th bend of the half-edge from its origin to its target, counted from 0. Called only with numbers below
+    /// [`bends`](Self::bends).
     ///
     /// ```
     /// use twinedge_geometry::Point;

@@ -1,6 +1,6 @@
 //! G1 finite: coordinates are finite, and no edge has zero length.
 //!
-//! A coordinate is also refused if it is out of the range in which the predicates are exact. Of an edge with bends no segment has
+//! A coordinate also breaks the rule if the predicates are not exact for it. The segments of an edge with bends must not have
 //! zero length.
 
 use crate::drawing::columns::Columns;

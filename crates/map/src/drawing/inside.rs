@@ -1,6 +1,7 @@
 //! G5 inside: each inner boundary component lies in the face that lists it, and a component that no face lists lies in no face.
 //!
-//! The lowest point may be a bend. A component that no face lists lies outside everything, where the unbounded face has no record.
+//! The lowest point may be a bend. A component that no face lists lies outside everything, in a structure whose unbounded face
+//! has no record.
 
 use crate::Embedding;
 use crate::drawing::columns::Columns;
@@ -22,7 +23,7 @@ pub(crate) struct Inside<'a, E: ?Sized> {
 }
 
 impl<E: Embedding + ?Sized> Inside<'_, E> {
-    /// The face to the left of a half-edge.
+    /// Returns the face to the left of a half-edge.
     fn face_of(&self, h: usize) -> Link {
         let face = if self.parts.has(Part::BoundaryComponents) {
             let b = self.embedding.boundary(h).filter(|b| *b < self.embedding.boundary_slots())?;
@@ -33,7 +34,6 @@ impl<E: Embedding + ?Sized> Inside<'_, E> {
         face.filter(|f| *f < self.embedding.face_slots())
     }
 
-    /// For each component the face in which it lies.
     fn faces_around(&self) -> Vec<Link> {
         let around = |segment: &Option<u32>| match segment {
             Some(segment) => self.segments.above(self.columns, *segment).and_then(|h| self.face_of(h)),
@@ -42,10 +42,9 @@ impl<E: Embedding + ?Sized> Inside<'_, E> {
         self.below.iter().map(around).collect()
     }
 
-    /// Runs G5. Below the lowest vertex of a component there is an edge, and above that edge the face in which the
-    /// component lies, or none; or there is no edge, and it lies in the unbounded face, if there is one. If all components
-    /// that start further to the left lie where they should, the face above that edge is the right one; so one pass proves
-    /// it for all.
+    /// Runs G5. If there is an edge below the lowest point of a component, the component lies in the face above that edge, if
+    /// any. Otherwise it lies in the unbounded face, if there is a record of it. The face above the edge is the correct one if
+    /// all components that start further to the left are in the correct face; so one pass proves all.
     pub(crate) fn check(&self, findings: &mut Findings) -> Flow {
         let lies_in = self.faces_around();
         let mut is_listed = vec![false; lies_in.len()];
@@ -56,7 +55,7 @@ impl<E: Embedding + ?Sized> Inside<'_, E> {
                 Start::Vertex(v) => v,
                 Start::HalfEdge(h) => self.columns.origin(h),
             };
-            // By T1, this is the outside of its component.
+            // By T1, this cycle or vertex is the outside of its component.
             let component = self.components.of[vertex] as usize;
             is_listed[component] = true;
             let found = lies_in[component];
@@ -65,7 +64,7 @@ impl<E: Embedding + ?Sized> Inside<'_, E> {
             }
         }
         findings.checked(Rule::G5, checked);
-        // A component that lies in no face has no inner boundary component. One that lies in a face must be listed by it.
+        // A component that lies in no face has no inner boundary component. Otherwise the face that contains it must list it.
         for (component, found) in lies_in.into_iter().enumerate() {
             let unlisted = !is_listed[component] && found != self.lists.unbounded;
             if let Some(face) = found.filter(|_| unlisted) {

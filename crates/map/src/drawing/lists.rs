@@ -8,21 +8,20 @@ use twinedge::validate::{Part, Parts, Record, Start};
 /// A boundary component, as its face lists it.
 pub(crate) struct Listed {
     pub(crate) face: usize,
-    /// The record by which a report names it.
+    /// The record that a report names.
     pub(crate) boundary: Record,
     pub(crate) start: Start,
     pub(crate) is_outer: bool,
 }
 
-/// The lists of the faces.
 pub(crate) struct Lists {
     pub(crate) all: Vec<Listed>,
-    /// The face without outer boundary component.
+    /// The face without an outer boundary component.
     pub(crate) unbounded: Option<usize>,
 }
 
 impl Lists {
-    /// Reads the lists of the faces, up to the greatest length that they can have where F2 holds. O(n).
+    /// Reads the lists of the faces, up to the maximum length that F2 permits. O(n).
     pub(crate) fn of<E: Embedding + ?Sized>(embedding: &E, parts: Parts, columns: &Columns) -> Self {
         let (vertices, half_edges) = (columns.points.len(), columns.origin.len());
         let by_record = parts.has(Part::BoundaryComponents);

@@ -1,11 +1,11 @@
-//! The places of violations.
+//! Locating violations.
 
 use super::embedding::Embedding;
 use twinedge::validate::{Record, Start, Violation};
 use twinedge_geometry::{MAX_COORDINATE, Point};
 
-/// The records of a violation as points, to show where it is: ends of half-edges, places of vertices. Of an edge with bends, the
-/// bends and the ends of the segments that the violation names.
+/// Returns points that show the location of a violation: the ends of its half-edges and its vertices. For edges with bends,
+/// returns the bends and the ends of the segments that the violation names.
 #[must_use]
 pub fn places<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Vec<Point> {
     let bound = 2.0 * MAX_COORDINATE;

@@ -1,6 +1,6 @@
-//! Memory that is asked for before it is used.
+//! Columns with reserved memory.
 
-/// An empty column with memory for `n` entries, if there is as much.
+/// Returns an empty column with memory for `n` entries, or `None` if memory runs out.
 pub(super) fn reserved<T>(n: usize) -> Option<Vec<T>> {
     let mut column = Vec::new();
     column.try_reserve_exact(n).ok()?;

@@ -1,4 +1,4 @@
-//! The edges of an embedding as segments, for the sweep. An edge with bends is several.
+//! The edges of an embedding as segments, for the sweep. An edge with bends becomes several segments.
 
 use super::columns::Columns;
 use crate::numbers::NIL;
@@ -8,20 +8,19 @@ use twinedge_geometry::Point;
 use twinedge_geometry::crossing::Clash;
 use twinedge_geometry::predicates::compare_lexicographic;
 
-/// The embedding in the form that the sweep takes: live vertices only, then the bends, and each edge once.
+/// The embedding in the form that the sweep takes: live vertices, then the bends, and each edge once.
 pub(crate) struct Segments {
     pub(crate) points: Vec<Point>,
-    /// The vertex of each point that is none of the bends, which follow.
+    /// The vertex of each point; bends follow and have no entry.
     vertices: Vec<u32>,
     /// The point of each vertex.
     pub(crate) numbers: Vec<u32>,
     pub(crate) ends: Vec<[u32; 2]>,
-    /// For each segment the half-edge that runs from its lexicographically smaller end to the larger; at an open boundary
-    /// the only one.
+    /// For each segment, the half-edge that runs from its lexicographically smaller end to the larger; at an open boundary, the
+    /// only half-edge.
     half_edges: Vec<u32>,
-    /// The number of each segment on its edge, in the direction of the half-edge that has the bends; empty if there are none.
+    /// The number of each segment on its edge, in the direction of the half-edge that has the bends. Empty if no edge has bends.
     pieces: Vec<u32>,
-    /// The number of edges.
     pub(crate) edges: usize,
 }
 
@@ -60,7 +59,7 @@ impl Segments {
         found
     }
 
-    /// The segments of an edge with bends, once for its two half-edges.
+    /// Adds the segments of an edge with bends, once for its two half-edges.
     fn bent(&mut self, columns: &Columns, h: usize) {
         let (edge, places) = columns.bends_of(h);
         if edge != h {
@@ -79,21 +78,20 @@ impl Segments {
         }
     }
 
-    /// The point that is the bend at this place.
+    /// Returns the point of the bend at this index.
     pub(crate) fn bend(&self, place: usize) -> u32 {
         (self.vertices.len() + place) as u32
     }
 
-    /// The half-edge that has the region above a segment to its left; none if the boundary is open there.
+    /// Returns the half-edge whose left side is the region above a segment, or `None` if the boundary is open there.
     pub(crate) fn above(&self, columns: &Columns, segment: u32) -> Option<usize> {
         let h = self.half_edge(segment);
         let [from, to] = self.ends[segment as usize].map(|end| self.points[end as usize]);
-        // The ends are in the direction of the half-edge that has the bends, or that has none.
+        // The ends are in the direction of the half-edge that represents the edge in calls for bends, if it has bends.
         let along = columns.bends_of(h).1.is_empty() || columns.is_asked(h);
         (rises(from, to) == along).then_some(h)
     }
 
-    /// A clash of segments as a violation of G4.
     pub(crate) fn violation(&self, columns: &Columns, clash: Clash) -> Violation {
         match clash {
             Clash::SamePlace { a, b } => match (self.spot(columns, a), self.spot(columns, b)) {
@@ -156,7 +154,8 @@ impl Segments {
         columns.bends_of(self.half_edge(segment)).1.is_empty()
     }
 
-    /// The half-edge that is asked for the bends of a segment's edge, and which segment of it this is. Called where there are bends.
+    /// Returns the half-edge that represents the segment's edge in calls for bends, and the number of the segment on the edge.
+    /// The edge must have bends.
     fn piece(&self, columns: &Columns, segment: u32) -> (usize, usize) {
         let (edge, _) = columns.bends_of(self.half_edge(segment));
         (edge, self.pieces[segment as usize] as usize)
@@ -170,7 +169,7 @@ enum Spot {
     Bend(usize, usize),
 }
 
-/// True if the way between two points leads to the lexicographically larger one.
+/// Returns true if the second point is lexicographically larger.
 fn rises(from: Point, to: Point) -> bool {
     compare_lexicographic(from, to) == Ordering::Less
 }

@@ -9,20 +9,20 @@ use crate::drawing::inside::Inside;
 use crate::drawing::{angles, disjoint, finite, winding};
 use twinedge::validate::{Collect, Expectation, Findings, Flow, Part, Report, Rule, Unchecked, validate};
 
-/// The rules of this validator.
 const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
-/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M8 if asked for, as [`validate`] does, and then
-/// G1 … G5.
+/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M8 if requested, as [`validate`] does, and then G1
+/// … G5.
 ///
-/// G rules are checked where the rules of topology that they build on hold, and reported as not checked elsewhere. If edges
-/// clash, all clashes are found and counted, which takes O(n log n + p) for p pairs of edges whose bounding boxes meet;
-/// else the cost is O(n log n). Like [`validate`], it does not panic unless the [`Embedding`] does, and it always ends.
+/// A G rule is checked if the topological rules that it builds on hold, and otherwise reported as not checked. If edges clash,
+/// all clashes are found and counted in O(n log n + p) for p pairs of edges whose bounding boxes meet; otherwise the cost is O(n
+/// log n). Like [`validate`], it always terminates, and panics only if the [`Embedding`] does.
 ///
-/// Edges may have [bends](Embedding::bends). The verdict is that of the same map with a vertex at each bend, and n counts the bends.
+/// Edges may have [bends](Embedding::bends). The verdict equals the verdict on the map with a vertex at each bend, and n counts
+/// the bends.
 ///
-/// Where there is no unbounded face, what lies outside everything must lie in no face ([`Part::UnboundedFace`]), and what
-/// lies in a face must be listed by it.
+/// In a structure without an unbounded face ([`Part::UnboundedFace`]), components outside everything must lie in no face, and a
+/// face must list all components inside it.
 ///
 /// ```
 /// use twinedge_map::{Builder, validate_embedding};
@@ -119,7 +119,7 @@ fn all_rules<E: Embedding + ?Sized>(
     inside.check(findings)
 }
 
-/// Returns the reason why a rule that needs these cannot be checked, if one of them is broken or was not checked.
+/// Returns the reason why a dependent rule cannot be checked, if one of these rules is broken or was not checked.
 fn first_broken(topology: &Report, rules: &[Rule]) -> Option<Unchecked> {
     rules.iter().find_map(|rule| {
         let outcome = topology.outcome(*rule)?;

@@ -12,7 +12,7 @@ pub(crate) fn check(findings: &mut Findings, columns: &Columns, lists: &Lists) -
     let mut checked = 0;
     let mut seen = vec![false; columns.origin.len()];
     for Listed { boundary, start, is_outer, .. } in &lists.all {
-        // By B1, no two start on one cycle.
+        // By B1, no two boundary components start on one cycle.
         let Start::HalfEdge(h) = *start else { continue };
         if seen[h] {
             continue;
@@ -28,8 +28,8 @@ pub(crate) fn check(findings: &mut Findings, columns: &Columns, lists: &Lists) -
     Ok(())
 }
 
-/// True if the face lies around the cycle, not inside it: at the lexicographically smallest point, a vertex or a bend, it lies to
-/// the left. A cycle may pass there more than once.
+/// Returns true if the face lies outside the cycle: at the lexicographically smallest point, a vertex or a bend, the face lies to
+/// the left. A cycle may pass that point more than once.
 fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
     let mut low = columns.tail(start);
     let mut around = false;
@@ -46,7 +46,7 @@ fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
         (before, at) = (at, after);
     };
     let mut h = start;
-    // The first point of the cycle's line is where the walk is at the beginning.
+    // The walk already starts at the first point of the cycle's line.
     let mut skip = 1;
     loop {
         seen[h] = true;
@@ -60,8 +60,8 @@ fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
     }
 }
 
-/// True if the corner to the left of the way `before`, `at`, `after` holds the direction straight to the left, where `at` is the
-/// smallest of the three.
+/// Returns true if the corner to the left of the path `before`, `at`, `after` contains the direction straight left, where `at` is
+/// the smallest of the three points.
 fn corner_opens_left(before: Point, at: Point, after: Point) -> bool {
     before == after || orientation(at, before, after) == Orientation::CounterClockwise
 }

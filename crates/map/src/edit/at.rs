@@ -1,20 +1,21 @@
-//! A point for an edit, with what is known of where it lies.
+//! A point for an edit, with a hint about its location.
 
 use twinedge::dcel::{HalfEdgeKey, VertexKey};
 use twinedge_geometry::Point;
 
-/// A point for an edit, with what is known of where it lies. Points, pairs of coordinates, vertices, and pairs of a point
-/// and a half-edge convert.
+/// A point for an edit, with a hint about its location. Points, pairs of coordinates, vertices, and pairs of a point and a
+/// half-edge convert to it.
 ///
-/// Of several points only the first is searched for, and its hint used: from there on the way leads to the others.
+/// For several points, only the first one is searched, using its hint; walks lead from there to the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum At {
-    /// Anywhere. It is found as by [`PlanarMap::locate`](crate::PlanarMap::locate): by an index that the map keeps once it is needed.
+    /// Anywhere. Found as by [`PlanarMap::locate`](crate::PlanarMap::locate), using an index that the map keeps once it is
+    /// needed.
     Point(Point),
-    /// A point in the face of a half-edge or on its boundary, O(1) if that boundary is short; or elsewhere after all, or in a
-    /// face with a long one, and found as without the hint.
+    /// A point in the face of a half-edge or on its boundary, found in O(1) if that boundary is short. If the point lies
+    /// elsewhere or the boundary is long, it is found as without the hint.
     Near(Point, HalfEdgeKey),
-    /// The place of this vertex. O(1).
+    /// The coordinates of this vertex. O(1).
     Vertex(VertexKey),
 }
 

@@ -11,18 +11,17 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, meeting};
 use twinedge_geometry::sweep::sweep_plane;
 
-/// A chain of which is known that it crosses nothing.
+/// A chain that is known to cross nothing.
 struct ChainPlan {
     points: Vec<Point>,
-    /// The location of each point.
     places: Vec<Located>,
-    /// For each segment the vertices of the map that it passes through.
+    /// For each segment, the vertices of the map on it.
     stops: Vec<Vec<VertexKey>>,
-    /// True if segments of the chain meet at its points only.
+    /// True if segments of the chain meet only at its points.
     simple: bool,
 }
 
-/// Returns a key that is equal for equal points. Callers pass no −0.
+/// Returns a key that is equal for equal points. Callers never pass −0.
 pub(super) fn bits(p: Point) -> [u64; 2] {
     [p.x.to_bits(), p.y.to_bits()]
 }
@@ -53,7 +52,7 @@ impl PlanarMap {
             let stops = if plan.simple {
                 stops
             } else {
-                // A point of the chain may lie on the way, which was no vertex yet when the way was found.
+                // A point of the chain may lie on this segment and may not have been a vertex when the segment was planned.
                 self.trace(Located::Vertex(from), plan.points[i], plan.points[next])?.stops
             };
             for stop in stops.into_iter().chain([to]) {
@@ -93,7 +92,7 @@ impl PlanarMap {
     }
 }
 
-/// Returns true if segments meet at shared ends only; an error if two of them cross. O(m log m) if they do, else O(m²).
+/// Returns true if segments meet only at shared ends, or an error if two of them cross. O(m log m) for true, otherwise O(m²).
 fn is_simple(ways: &[[Point; 2]]) -> Result<bool, EditError> {
     if ways.len() < 2 {
         return Ok(true);

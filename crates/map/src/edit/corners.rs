@@ -6,28 +6,28 @@ use crate::planar_map::PlanarMap;
 use twinedge::dcel::{Corner, HalfEdgeKey, Room, Split};
 
 impl PlanarMap {
-    /// Checks that the map can be edited, and that there is room for so many edges between its vertices. O(1).
+    /// Checks that the map can be edited and has room for this number of edges between existing vertices. O(1).
     ///
     /// # Errors
-    /// The map is not plane, or is full.
+    /// The map is not plane or is full.
     pub fn room_for_edges(&self, edges: usize) -> Result<(), EditError> {
         self.editable()?;
         Ok(self.dcel.room_for(Room { edges, boundaries: edges, faces: edges, vertices: 0 })?)
     }
 
-    /// Draws the straight edge between two corners of a face that are known to see each other: it meets nothing else, and if both
-    /// corners are on one boundary component the face has no other. Nothing of this is checked, so that a diagonal costs no search:
-    /// [`insert_segment`](Self::insert_segment) takes any segment.
+    /// Draws the straight edge between two corners of a face that are known to see each other: the edge meets nothing else, and
+    /// if both corners are on one boundary component, it is the only one of the face. None of this is checked, so a diagonal
+    /// needs no search. [`insert_segment`](Self::insert_segment) draws any segment.
     ///
     /// O(length of the shorter of the two cycles).
     ///
     /// # Errors
-    /// Those of [`Dcel::connect`](twinedge::dcel::Dcel::connect).
+    /// The errors of [`Dcel::connect`](twinedge::dcel::Dcel::connect).
     pub fn connect_corners(&mut self, from: Corner, to: Corner) -> Result<HalfEdgeKey, EditError> {
         let connected = self.connect(from, to, Split::default())?;
         let h = self.dcel.half_edge(connected.half_edge)?;
         let (index, kept) = (h.index(), h.twin().face().index());
-        // A slot may have been that of another edge or face.
+        // The slot may have belonged to another edge or face.
         self.cover_edge(index, SetId::default());
         if let Some(made) = connected.new_face() {
             let made = self.dcel.face(made)?.index();

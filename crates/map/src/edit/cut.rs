@@ -1,4 +1,4 @@
-//! Cutting a face by a line, merging two faces, and joining the edges at a vertex that is needed no more.
+//! Cutting a face by a line, merging two faces, and joining the edges at a superfluous vertex.
 
 use super::at::At;
 use super::error::EditError;
@@ -12,7 +12,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, Orientation, meeting, on_segment, orientation};
 
 impl PlanarMap {
-    /// Splits a face by the line through two points, wherever the line passes through the face.
+    /// Splits a face along the line through two points, wherever the line passes through the face.
     ///
     /// ```text
     ///   ·──────────·               ·────·─────·
@@ -22,11 +22,12 @@ impl PlanarMap {
     ///   ·──────────·               ·────────·─·
     /// ```
     ///
-    /// The points need not lie in the face. In general no double is exactly where a line crosses an edge. [`insert_segment`](Self::insert_segment)
-    /// with a rounded end would leave a gap or cross the edge; here the edge is split at the rounded point, as if a vertex on
-    /// it [moved](Self::move_vertex) there. No other record changes sides; the edit is refused if one would have to.
+    /// The points may lie outside the face. In general no double is exactly on the crossing of a line and an edge.
+    /// [`insert_segment`](Self::insert_segment) with a rounded end would leave a gap or cross the edge. This method splits the
+    /// edge at the rounded point, as if a vertex on it [moved](Self::move_vertex) there. No other record may change sides;
+    /// otherwise the edit is refused.
     ///
-    /// [`Edited::vertices`] has the two ends of each stretch of the line in the face, in the direction of the line.
+    /// [`Edited::vertices`] contains the two ends of each stretch of the line in the face, in the direction of the line.
     ///
     /// The cost of a [`zone`](Self::zone) of the whole line, and of [`insert_segment`](Self::insert_segment) for each stretch.
     ///
@@ -42,9 +43,10 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotThrough`]; [`EditError::NoLength`]; [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`];
-    /// [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] or [`EditError::Crosses`] if something lies within rounding of the line or
-    /// of a crossing; [`EditError::Operator`] for a stale key, a map that is full or a policy that refuses.
+    /// [`EditError::NotThrough`]; [`EditError::NoLength`]; [`EditError::NotPlane`]; [`EditError::NotFinite`];
+    /// [`EditError::OutOfRange`]; [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] or [`EditError::Crosses`] if
+    /// something lies within rounding distance of the line or of a crossing; [`EditError::Operator`] for a stale key, a full map
+    /// or a refusing policy.
     pub fn split_face(
         &mut self,
         face: FaceKey,
@@ -79,7 +81,7 @@ impl PlanarMap {
                 edited.vertices.push(vertex);
             }
             for pair in edited.vertices.clone().chunks_exact(2) {
-                // Both ends of a short edge may be one vertex once they are rounded.
+                // Both ends of a short edge may round to one vertex.
                 if pair[0] != pair[1] {
                     let drawn = map.draw(&[At::Vertex(pair[0]), At::Vertex(pair[1])], false)?;
                     edited.way.extend(drawn.way);
@@ -91,7 +93,7 @@ impl PlanarMap {
         })
     }
 
-    /// Puts a vertex where a line crosses an edge, as nearly as doubles allow.
+    /// Puts a vertex where a line crosses an edge, as exactly as doubles allow.
     fn cut_edge(&mut self, h: HalfEdgeKey, line: [Point; 2], edited: &mut Edited) -> Result<VertexKey, EditError> {
         let edge = self.dcel.half_edge(h)?;
         let ends = self.ends(edge);
@@ -106,13 +108,14 @@ impl PlanarMap {
         self.split(h, p, edited)
     }
 
-    /// Merges two faces: every edge between them is removed, and every vertex that has no other edge. The first face is kept, unless the
-    /// other one lies around it or is the unbounded one. The merged face is covered by the features that covered both ([why](super#features)).
+    /// Merges two faces: removes every edge between them, and every vertex without other edges. The first face is kept, unless
+    /// the other face surrounds it or is unbounded. The merged face is covered by the features that covered both
+    /// ([why](super#features)).
     ///
-    /// [`Edited::vertices`] has the ends of the removed edges that are still there: [`join_edges`](Self::join_edges) drops those that are needed no
-    /// more.
+    /// [`Edited::vertices`] contains the surviving ends of the removed edges; [`join_edges`](Self::join_edges) drops the
+    /// superfluous ones.
     ///
-    /// The cost of removing each of the edges, and O(boundary of the first face).
+    /// The cost of removing each of the edges, plus O(boundary of the first face).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -160,13 +163,13 @@ impl PlanarMap {
         })
     }
 
-    /// Joins the two edges at a vertex to one straight edge, and drops the vertex. Where the edges do not run straight on, this moves the border
-    /// between the faces beside them.
+    /// Joins the two edges at a vertex to one straight edge and drops the vertex. If the edges are not collinear, this moves the
+    /// border between their two faces.
     ///
-    /// The joined edge has the features that run along both. [`Edited::way`] has a half-edge of it, which was that of one of the edges: the
-    /// edge with the smaller indices is kept. The other edge and the vertex are [dropped](Edited::edges_dropped).
+    /// The joined edge has the features that run along both. It reuses the edge with the smaller indices, and [`Edited::way`]
+    /// contains one of its half-edges. The other edge and the vertex are [dropped](Edited::edges_dropped).
     ///
-    /// O(sizes of the two faces), or where one is not small, what the index takes to find what is near.
+    /// O(sizes of the two faces); for larger faces, the cost of finding nearby records in the index.
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -181,20 +184,20 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`OperatorError::DegreeNotTwo`] if the vertex has more edges or fewer; [`OperatorError::Loop`] if both edges join the same vertices;
-    /// [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] if the joined edge would sweep over something; [`EditError::NotPlane`];
-    /// [`EditError::Operator`] for a stale key or a policy that refuses.
+    /// [`OperatorError::DegreeNotTwo`] if the vertex doesn't have exactly two edges; [`OperatorError::Loop`] if both edges join
+    /// the same vertices; [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] if the joined edge would sweep over
+    /// something; [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key or a refusing policy.
     pub fn join_edges(&mut self, vertex: VertexKey) -> Result<Edited, EditError> {
         self.editable()?;
         let v = self.dcel.vertex(vertex)?;
         let leaving: Vec<HalfEdge<'_>> = v.rotation().take(3).collect();
         let [one, other] = leaving[..] else {
-            // Any half-edge that leaves the vertex, or none.
+            // Any half-edge that leaves the vertex, or null.
             return Err(
                 OperatorError::DegreeNotTwo(leaving.first().map_or_else(HalfEdgeKey::default, |h| h.key())).into()
             );
         };
-        // The edge that is kept is most often the older one.
+        // The kept edge is usually the older one.
         let (back, ahead) = if one.index() < other.index() { (one, other) } else { (other, one) };
         let (from, to) = (back.target(), ahead.target());
         if from == to || from == v {
@@ -210,7 +213,7 @@ impl PlanarMap {
         Ok(Edited { way: vec![h], vertices_dropped: vec![vertex], edges_dropped: vec![joined], ..Edited::default() })
     }
 
-    /// Checks that nothing else lies in a triangle, in which edges turn into these segments.
+    /// Checks that nothing else lies in the triangle swept when edges turn into these segments.
     fn sweep(&self, edges: &[HalfEdge<'_>], triangle: [Point; 3], to: &[[Point; 2]]) -> Result<(), EditError> {
         let own = |h: &HalfEdge<'_>| edges.iter().any(|edge| edge.index() / 2 == h.index() / 2);
         for face in [edges[0].face(), edges[0].twin().face()] {
@@ -240,12 +243,12 @@ fn ends<'a>(h: &HalfEdge<'a>) -> [Vertex<'a>; 2] {
     [h.origin(), h.target()]
 }
 
-/// The point where a line crosses a segment, rounded.
+/// Returns the point where a line crosses a segment, rounded.
 fn crossing([from, through]: [Point; 2], [tail, head]: [Point; 2]) -> Point {
     let (d, e) = ([through.x - from.x, through.y - from.y], [head.x - tail.x, head.y - tail.y]);
     let part = ((from.x - tail.x) * d[1] - (from.y - tail.y) * d[0]) / (e[0] * d[1] - e[1] * d[0]);
     let part = if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.5 };
-    // From the nearer end; and on a line along an axis to the digit.
+    // Measured from the nearer end; exact on an axis-parallel line.
     let along = |tail: f64, head: f64, e: f64| if part <= 0.5 { tail + part * e } else { head - (1.0 - part) * e };
     let x = if d[0] == 0.0 { from.x } else { along(tail.x, head.x, e[0]) };
     let y = if d[1] == 0.0 { from.y } else { along(tail.y, head.y, e[1]) };

@@ -1,5 +1,4 @@
-//! The steps of drawing: a vertex where there is none, an edge between two vertices. What is drawn is known to cross
-//! nothing.
+//! The steps of drawing: a vertex where there is none, an edge between two vertices. What is drawn is known to cross nothing.
 
 use super::error::EditError;
 use super::outcome::Edited;
@@ -13,7 +12,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::on_segment;
 
 impl PlanarMap {
-    /// Checks that there is room to draw straight edges through so many vertices, new or existing.
+    /// Checks that there is room to draw straight edges through `vertices` vertices, new or existing.
     pub(super) fn room_for_drawing(&self, vertices: usize) -> Result<(), EditError> {
         // A plane drawing has fewer than 3 edges per vertex, and a vertex may split one edge.
         let edges = vertices.saturating_mul(4);
@@ -64,8 +63,7 @@ impl PlanarMap {
         Ok(made.vertex)
     }
 
-    /// The half-edge from one vertex to another, with nothing between them, save an edge perhaps; it is made unless it is
-    /// there.
+    /// The half-edge from one vertex to another, with nothing between them, save an edge perhaps; it is made unless it is there.
     ///
     /// O(degrees + length of the shorter cycle, and what [`sides`](Self::sides) takes).
     pub(super) fn join(
@@ -95,7 +93,7 @@ impl PlanarMap {
         let (at_v, at_w) = (corner(at_v, from), corner(at_w, to));
         split.inner = &inner;
         let connected = self.connect(at_v, at_w, split)?;
-        // A slot may have been that of another edge or face.
+        // The slot may have belonged to another edge or face.
         let half_edge = connected.half_edge;
         self.cover_edge(self.dcel.half_edge(half_edge)?.index(), SetId::default());
         edited.edges_made.push(half_edge);

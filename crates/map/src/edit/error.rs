@@ -11,11 +11,10 @@ use twinedge_geometry::noding::NodingError;
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EditError {
-    /// A key names nothing, or there is no room for more records.
+    /// A key is stale, or there is no room for more records.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// The map is not plane ([`PlanarMap::is_plane`](crate::PlanarMap::is_plane)), so it is not known what lies
-    /// where.
+    /// The map is not plane ([`PlanarMap::is_plane`](crate::PlanarMap::is_plane)), so locations are undefined.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),
     /// A coordinate is NaN or infinite.
@@ -26,7 +25,7 @@ pub enum EditError {
         /// The second coordinate.
         y: f64,
     },
-    /// A coordinate is too large, or too close to zero without being it, for the predicates to be exact.
+    /// A nonzero coordinate is too large or too close to zero for the predicates to be exact.
     #[error("the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-400 to 2^500")]
     OutOfRange {
         /// The first coordinate.
@@ -42,22 +41,22 @@ pub enum EditError {
         /// The second coordinate.
         y: f64,
     },
-    /// A segment would cross this edge, at a point interior to both. It is the first one on the way, by the half-edge that has
-    /// the face before it. There may be others.
+    /// A segment would cross this edge, at a point interior to both. It is the first such edge on the way, named by the half-edge
+    /// whose face comes before it. There may be others.
     #[error("it would cross the edge of {0:?}")]
     Crosses(HalfEdgeKey),
-    /// A ring of fewer than three points.
+    /// A ring has fewer than three points.
     #[error("a ring needs three points, this one has {points}")]
     NotARing {
-        /// The number of points, not counting a last one that repeats the first.
+        /// The number of points, without a last one that repeats the first.
         points: usize,
     },
     /// Two segments of a ring cross, at a point interior to both.
     #[error("segments {first} and {second} of the ring cross")]
     SelfCrossing {
-        /// The segment that starts at the point of this index.
+        /// The index of the point where one segment starts.
         first: usize,
-        /// The segment that starts at the point of this index.
+        /// The index of the point where the other segment starts.
         second: usize,
     },
     /// The vertex, or one of its edges, would sweep over another vertex.
@@ -66,7 +65,7 @@ pub enum EditError {
     /// The vertex would run into an edge.
     #[error("the edge of {0:?} is in the way")]
     EdgeInTheWay(HalfEdgeKey),
-    /// The vertex is not on the grid to which the edit was to round.
+    /// The vertex is not on the rounding grid of the edit.
     #[error("{0:?} is not on the grid")]
     NotOnGrid(VertexKey),
     /// The size of a cell is not a positive finite number.
@@ -83,7 +82,7 @@ pub enum EditError {
     /// The line does not pass through the face.
     #[error("the line does not pass through {0:?}")]
     NotThrough(FaceKey),
-    /// No edge separates the faces, or they are one.
+    /// No edge separates the faces, or they are the same face.
     #[error("there is no edge between {0:?} and {1:?}")]
     NoEdgeBetween(FaceKey, FaceKey),
     /// The map has no such feature, or it was removed.
@@ -92,7 +91,7 @@ pub enum EditError {
 }
 
 impl EditError {
-    /// The error for points and segments that could not be noded.
+    /// Converts an error of noding points and segments.
     pub(super) fn of_noding(error: NodingError, segments: &[[Point; 2]], points: &[Point]) -> Self {
         match error {
             NodingError::Size => Self::CellSize,

@@ -1,4 +1,4 @@
-//! Saying which features there are, what they cover, and where they run.
+//! Adding and removing features, and assigning them to faces and edges.
 
 use super::error::EditError;
 use crate::FeatureId;
@@ -36,9 +36,9 @@ impl PlanarMap {
         feature
     }
 
-    /// Takes a feature off all faces and edges, and its name away. Returns the name.
+    /// Removes a feature from all faces and edges, and returns its name.
     ///
-    /// Its number is not given to another one: it stays that of a feature without name, which covers nothing and cannot cover anything any more.
+    /// Its number is never reused: it remains the number of an unnamed feature that covers nothing and cannot be assigned again.
     ///
     /// O((faces + edges) · log features).
     ///
@@ -55,15 +55,15 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NoSuchFeature`], also if it was removed before; [`EditError::Operator`] if the policy of an attribute refuses. Nothing
-    /// changes then.
+    /// [`EditError::NoSuchFeature`], even if the feature was removed before; [`EditError::Operator`] if the policy of an
+    /// attribute refuses. Nothing changes then.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
         self.announce_feature(Step::Drop(feature.data()))?;
         Ok(self.replace_feature(feature, SetId::default()))
     }
 
-    /// Merges two features: `dropped` is [removed](Self::remove_feature), and `kept` covers and runs along what it did.
+    /// Merges two features: `dropped` is [removed](Self::remove_feature), and `kept` takes its place on all faces and edges.
     ///
     /// O((faces + edges) · log features).
     ///
@@ -91,7 +91,7 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Puts the features of a set wherever another one was, and takes its name.
+    /// Replaces a feature by the features of a set everywhere, and removes and returns its name.
     fn replace_feature(&mut self, feature: FeatureId, others: SetId) -> Option<String> {
         let single = self.features.single(feature);
         let faces: Vec<usize> = self.dcel.faces().map(|f| f.index()).collect();
@@ -118,8 +118,8 @@ impl PlanarMap {
         name
     }
 
-    /// Says which features cover a face, in place of those that did. O(k log k) for k features. For an example see
-    /// [`add_feature`](Self::add_feature).
+    /// Sets the features that cover a face, replacing the previous ones. O(k log k) for k features.
+    /// [`add_feature`](Self::add_feature) has an example.
     ///
     /// # Errors
     /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
@@ -135,8 +135,8 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Says which features run along an edge, in place of those that did. O(k log k) for k features. For an example see
-    /// [`add_feature`](Self::add_feature).
+    /// Sets the features that run along an edge, replacing the previous ones. O(k log k) for k features.
+    /// [`add_feature`](Self::add_feature) has an example.
     ///
     /// # Errors
     /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
@@ -152,13 +152,13 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Takes all features away, and the numbers that were given to them. No log has that. O(features).
+    /// Removes all features and frees their numbers. This is not logged. O(features).
     pub fn forget_features(&mut self) {
         self.names.clear();
         self.features = FeatureSets::default();
     }
 
-    /// The features in order, each once.
+    /// Returns the features in order, each once.
     fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
         let mut set = features.into_iter().map(|feature| self.present(feature)).collect::<Result<Vec<_>, _>>()?;
         set.sort_unstable();
@@ -166,7 +166,7 @@ impl PlanarMap {
         Ok(set)
     }
 
-    /// The feature, unless it is none of the map, or was removed.
+    /// Returns the feature, unless it is not a feature of the map or was removed.
     pub(crate) fn present(&self, feature: FeatureId) -> Result<FeatureId, EditError> {
         let is_present = feature.index() < self.names.len() && !self.features.removed.contains(&feature);
         is_present.then_some(feature).ok_or(EditError::NoSuchFeature(feature))

@@ -1,4 +1,4 @@
-//! Drawing points, segments and rings exactly where they are.
+//! Drawing points, segments and rings at their exact coordinates.
 
 use super::at::At;
 use super::error::EditError;
@@ -6,12 +6,12 @@ use super::outcome::Edited;
 use crate::planar_map::PlanarMap;
 
 impl PlanarMap {
-    /// Inserts a vertex at a point: none if there is one already; one that splits the edge on which it lies; an isolated
-    /// one in a face.
+    /// Inserts a vertex at a point. Reuses an existing vertex, splits the edge on which the point lies, or adds an isolated
+    /// vertex to a face.
     ///
-    /// [`Edited::vertices`] has the vertex, and [`Edited::vertices_made`] is empty if it was there.
+    /// [`Edited::vertices`] contains the vertex; [`Edited::vertices_made`] is empty if the vertex existed.
     ///
-    /// O(1) once the point is found; see [`At`].
+    /// O(1) after the point is located; see [`At`].
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -28,8 +28,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`]; [`EditError::Operator`] for a stale key
-    /// or a map that is full.
+    /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`]; [`EditError::Operator`] for a stale key or a
+    /// full map.
     pub fn insert_point(&mut self, at: impl Into<At>) -> Result<Edited, EditError> {
         self.draw(&[at.into()], false)
     }
@@ -45,15 +45,15 @@ impl PlanarMap {
     ///                                      ╱
     /// ```
     ///
-    /// Vertices that lie on it cut it in several edges. An end in the interior of an edge splits that. Where an edge runs
-    /// along it, it is reused. Where it crosses an edge, it is refused: the crossing has no coordinates of its own in
-    /// general; [`insert_segment_snapped`](Self::insert_segment_snapped) rounds them.
+    /// Vertices on the segment divide it into several edges. An end inside an edge splits the edge. An edge along the segment is
+    /// reused. A crossing with an edge is refused, since in general no double is exactly at the crossing;
+    /// [`insert_segment_snapped`](Self::insert_segment_snapped) rounds crossings.
     ///
-    /// Of a bounded face that is split, the part with the shorter outer boundary is the new one; on a tie, that to the left.
+    /// When a bounded face is split, the part with the shorter outer boundary is the new face; on a tie, the left part.
     ///
-    /// What the index takes to find what is on it ([costs](crate::edit#costs)), once its first point is found; see [`At`].
-    /// For each face that is split into parts with boundaries of lengths s and t, s ≤ t, where j of its k inner boundary
-    /// components lie in the box around the first, O(k + (s + j) log (s + j)) at most.
+    /// The cost of finding the obstacles on the segment in the index ([costs](crate::edit#costs)), after its first point is
+    /// located; see [`At`]. For each face split into parts with boundaries of lengths s and t, s ≤ t, at most O(k + (s + j) log
+    /// (s + j)), where j of its k inner boundary components meet the box around the first part.
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -70,19 +70,19 @@ impl PlanarMap {
     ///
     /// # Errors
     /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`]; [`EditError::NoLength`];
-    /// [`EditError::Crosses`]; [`EditError::Operator`] for a stale key or a map that is full.
+    /// [`EditError::Crosses`]; [`EditError::Operator`] for a stale key or a full map.
     pub fn insert_segment(&mut self, from: impl Into<At>, to: impl Into<At>) -> Result<Edited, EditError> {
         self.draw(&[from.into(), to.into()], false)
     }
 
-    /// Inserts a closed chain of segments through these points, each as [`insert_segment`](Self::insert_segment) would, all
-    /// or none. Whether the last point repeats the first makes no difference.
+    /// Inserts a closed chain of segments through these points, each as by [`insert_segment`](Self::insert_segment), all or none.
+    /// The last point may repeat the first.
     ///
     /// The ring may touch itself and run along itself, but not cross itself.
     ///
-    /// O(sizes of the faces that each of its m segments passes + m log m), once its first point is found, and besides for
-    /// each face that is split what it costs there. O(m²) if it touches itself elsewhere than at its points. Nothing is
-    /// copied for the sake of atomicity: the ring is held against the map and against itself before anything changes.
+    /// O(sizes of the faces that each of its m segments passes + m log m) after the first point is located, plus the cost of each
+    /// face split. O(m²) if the ring touches itself other than at its points. Atomicity needs no copies: the ring is checked
+    /// against the map and against itself before anything changes.
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -95,7 +95,7 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotARing`]; [`EditError::SelfCrossing`]; and those of [`insert_segment`](Self::insert_segment).
+    /// [`EditError::NotARing`]; [`EditError::SelfCrossing`]; and the errors of [`insert_segment`](Self::insert_segment).
     pub fn insert_ring(&mut self, points: impl IntoIterator<Item = impl Into<At>>) -> Result<Edited, EditError> {
         let mut points: Vec<At> = points.into_iter().map(Into::into).collect();
         let repeats_first = match points[..] {

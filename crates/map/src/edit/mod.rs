@@ -1,8 +1,8 @@
-//! Edits: drawing on a map and erasing, one point, segment or ring after the other.
+//! Edits: drawing and erasing points, segments and rings one by one.
 //!
-//! Each edit keeps every rule, from R1 to T4 and from G1 to G5; it is atomic, so that an error leaves the map as it was; and
-//! it says what it made, split, merged and dropped ([`Edited`]), so that data kept beside the map can follow. All
-//! decisions are exact: an edit does what it says for the very coordinates that it is given, or refuses.
+//! Each edit keeps every rule, R1 to T4 and G1 to G5. An error leaves the map unchanged. [`Edited`] lists the records that an
+//! edit made, split, merged and dropped, so that data stored alongside the map can follow. All decisions are exact: an edit
+//! either applies to the given coordinates exactly, or refuses.
 //!
 //! ```
 //! use twinedge_map::PlanarMap;
@@ -23,11 +23,11 @@
 //! # Ok::<(), twinedge_map::edit::EditError>(())
 //! ```
 //!
-//! | edit | what it does | refuses |
+//! | edit | effect | refuses |
 //! | --- | --- | --- |
 //! | [`insert_point`](crate::PlanarMap::insert_point) | a vertex, on an edge or in a face | |
-//! | [`insert_segment`](crate::PlanarMap::insert_segment) | edges along a segment, through what lies exactly on it | to cross an edge |
-//! | [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) | the same with crossings, rounded to a grid | a map off the grid |
+//! | [`insert_segment`](crate::PlanarMap::insert_segment) | edges along a segment, through vertices exactly on it | to cross an edge |
+//! | [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) | edges along a segment, with crossings, rounded to a grid | a map off the grid |
 //! | [`insert_ring`](crate::PlanarMap::insert_ring) | edges along a closed chain | to cross an edge, or itself |
 //! | [`remove_edge`](crate::PlanarMap::remove_edge) | erases an edge, and keeps its ends | |
 //! | [`remove_vertex`](crate::PlanarMap::remove_vertex) | erases a vertex with its edges | |
@@ -38,22 +38,21 @@
 //!
 //! # Features
 //!
-//! Features stay with the area and with the edges that they had. Where a face is split, both parts are covered by what
-//! covered it; where an edge is, both parts have its features. New edges have none, and a face that is closed off anew is
-//! covered as before: say otherwise with [`set_features_of`](crate::PlanarMap::set_features_of) and
-//! [`set_features_along`](crate::PlanarMap::set_features_along). Where two faces become one, it is covered by the features that
-//! covered *both*: without the border, the extent of a feature that covered one side only is unknown.
-//! [`Edited::features_dropped`] lists the features that were dropped, and the faces.
+//! Features stay with their area and their edges. When a face is split, the features of the face cover both parts; when an edge
+//! is split, both parts keep its features. New edges have no features, and a newly enclosed face keeps the features of its area;
+//! change them with [`set_features_of`](crate::PlanarMap::set_features_of) and
+//! [`set_features_along`](crate::PlanarMap::set_features_along). When two faces are merged, the result is covered by the features
+//! that covered *both*: without the border, the extent of a feature that covered only one side is unknown.
+//! [`Edited::features_dropped`] lists the dropped features with their faces.
 //!
 //! # Costs
 //!
-//! An edit looks only at what is near its way: at small faces as a whole, and elsewhere at what an index finds there. The map
-//! builds this index, O(n log n), when an edit needs it first: for a point without hint ([`At`]), or on a face with more than some
-//! dozens of edges or islands, or at a vertex of such a degree. From then on the map keeps it, which takes O(log n) for each edge
-//! that is made, split or dropped. So points and bridges take O(log n) on most maps, in an ocean of islands, at a hub, and in
-//! a face with a long boundary, too. An edge that splits a face takes the length of the shorter part besides.
-//! [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) looks at the *whole* boundary of each face on
-//! its way.
+//! An edit examines only its surroundings: small faces as a whole, and elsewhere the records that an index finds nearby. The map
+//! builds this index in O(n log n) when an edit first needs it: for a point without a hint ([`At`]), on a face with more than
+//! some dozens of edges or islands, or at a vertex of similarly high degree. From then on the map maintains it in O(log n) for
+//! each edge that is made, split or dropped. So points and bridges take O(log n) on most maps, even in an ocean of islands, at a
+//! hub, or in a face with a long boundary. An edge that splits a face also takes the length of the shorter part.
+//! [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) examines the *whole* boundary of each face on its way.
 
 mod at;
 mod chain;

@@ -9,7 +9,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, Orientation, meeting, on_segment, orientation};
 
 impl PlanarMap {
-    /// Moves a vertex, and with it the ends of its edges, straight to another point. Nothing changes but coordinates.
+    /// Moves a vertex, with the ends of its edges, in a straight line to another point. Only coordinates change.
     ///
     /// ```text
     ///        u                     u
@@ -18,12 +18,12 @@ impl PlanarMap {
     ///     v ─────── w           ╱   v ─── w
     /// ```
     ///
-    /// Refused if the vertex would run into an edge or a vertex on its way, or one of its edges into a vertex. Where nothing
-    /// is met, the map is deformed without ever ceasing to be plane, so the rotations, the faces and what lies in them are
-    /// what they were. (An edge that is met without its ends being met, is met by the vertex.)
+    /// Refused if the vertex would run into an edge or a vertex on its way, or one of its edges into a vertex. Otherwise the map
+    /// is deformed while always remaining plane, so rotations, faces and their nesting are unchanged. (An edge can only be met at
+    /// its ends or by the vertex.)
     ///
-    /// O(sizes of the faces around the vertex), each counted as often as it has a corner there; where one is not small, the edges
-    /// in the box around what is swept over, and what the index takes to find them.
+    /// O(sizes of the faces around the vertex), counted once per corner of the face there. For a large face, the cost is the
+    /// number of edges in the box around the swept area, plus the cost of finding them in the index.
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -52,7 +52,7 @@ impl PlanarMap {
             Some(b) => self.free_way(v, b.face(), to, &[])?,
             None => {
                 for h in v.rotation() {
-                    // The way may start in a face at the vertex, and there it meets first one of the two edges beside the corner.
+                    // The path may start inside a face at the vertex; there it first meets one of the two edges of the corner.
                     self.free_way(v, h.face(), to, &[h, h.counter_clockwise()])?;
                 }
             }
@@ -60,8 +60,8 @@ impl PlanarMap {
         self.put_at(vertex, to)
     }
 
-    /// Checks that nothing on the boundary of a face is in the way of a vertex, nor any vertex there in the way of some of
-    /// its edges.
+    /// Checks that nothing on the boundary of a face is in the way of a vertex, and no vertex there is in the way of one of its
+    /// edges.
     fn free_way(&self, v: Vertex<'_>, face: Face<'_>, to: Point, edges: &[HalfEdge<'_>]) -> Result<(), EditError> {
         let from = self.at(v);
         let (half_edges, isolated) = self.around(face, edges.iter().map(|h| self.at(h.target())).chain([from, to]));
@@ -71,7 +71,7 @@ impl PlanarMap {
             *w != v && (on_segment(p, from, to) || edges.iter().any(swept))
         };
         let vertices = half_edges.iter().flat_map(|h| [h.origin(), h.target()]);
-        // Of all that is, the one with the smallest index, as the index finds them in any order.
+        // The smallest index, since the tree yields vertices in any order.
         if let Some(w) = vertices.chain(isolated).filter(met).min_by_key(|w| w.index()) {
             return Err(EditError::VertexInTheWay(w.key()));
         }
@@ -85,8 +85,9 @@ impl PlanarMap {
         }
     }
 
-    /// The half-edges and isolated vertices on the boundary of a face; where this is not small, all of the map instead that
-    /// have a place in the box around some points. Whatever lies in the way there, something of the face is in the way, too.
+    /// Returns the half-edges and isolated vertices on the boundary of a face. For a large face, returns all records of the map
+    /// that meet the box around some points instead: if a record of another face is in the way there, so is a record of this
+    /// face.
     pub(super) fn around<'a>(
         &'a self,
         face: Face<'a>,
@@ -110,7 +111,7 @@ impl PlanarMap {
     }
 }
 
-/// Returns true if a point lies in a closed triangle, which may be flat.
+/// Returns true if a point lies in a closed triangle, possibly flat.
 pub(super) fn in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
     let turns = [orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)];
     let turn = |t: Orientation| turns.contains(&t);

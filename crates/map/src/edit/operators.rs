@@ -1,4 +1,4 @@
-//! The operators of topology on a map: each brings its points and its index along. Edits change a map through these alone.
+//! The topological operators on a map: each also updates the points and the index. Edits change a map only through these.
 
 use super::error::EditError;
 use crate::feature_sets::put;
@@ -23,7 +23,6 @@ impl PlanarMap {
         Ok(key)
     }
 
-    /// Removes an isolated vertex.
     pub(super) fn remove_isolated(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
         let v = self.dcel.vertex(vertex)?.index();
         self.dcel.remove_isolated_vertex(vertex)?;
@@ -64,7 +63,6 @@ impl PlanarMap {
         Ok(connected)
     }
 
-    /// Removes an edge.
     pub(super) fn disconnect(&mut self, h: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let before = self.indexed(h)?;
         self.measure_beside(h)?;
@@ -77,7 +75,7 @@ impl PlanarMap {
         Ok(removed)
     }
 
-    /// Joins the edge of a half-edge with that of the next one, whose key is stale then. Returns that key.
+    /// Joins the edge of a half-edge with the edge of its next. Returns the key of `next`, which is stale afterwards.
     pub(super) fn join_at(&mut self, h: HalfEdgeKey, next: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
         let before = [self.indexed(h)?, self.indexed(next)?];
         let joined = self.dcel.join_edges(h)?;
@@ -111,26 +109,26 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Puts a vertex that was just made at its point.
+    /// Sets the point of a new vertex.
     fn set_point(&mut self, vertex: usize, p: Point) {
         let from = self.points.get(vertex).copied().unwrap_or_default();
         self.notes.write(|| MapEntry::Point(vertex as u32, from));
         put(&mut self.points, vertex, p);
     }
 
-    /// Says what covers a face, by its index.
+    /// Sets the features that cover a face, by its index.
     pub(crate) fn cover_face(&mut self, face: usize, set: SetId) {
         self.notes.write(|| MapEntry::OfFace(face as u32, self.features.of_face(face)));
         self.features.put_face(face, set);
     }
 
-    /// Says what runs along an edge, by the index of either half-edge.
+    /// Sets the features along an edge, by the index of either half-edge.
     pub(crate) fn cover_edge(&mut self, half_edge: usize, set: SetId) {
         self.notes.write(|| MapEntry::Along(half_edge as u32, self.features.along(half_edge)));
         self.features.put_along(half_edge, set);
     }
 
-    /// An edge as the index has it, if there is one.
+    /// Returns the edge's entry in the index, if the index exists.
     fn indexed(&mut self, h: HalfEdgeKey) -> Result<Option<IndexedEdge>, OperatorError> {
         let h = self.dcel.half_edge(h)?;
         Ok(self.index.if_built().map(|_| IndexedEdge::new(h, &self.points)))

@@ -3,11 +3,12 @@
 use crate::FeatureId;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 
-/// The changes that an edit made, so that data kept beside the map can follow. Attributes of a `PlanarMap` follow by themselves.
+/// The changes made by an edit, so that data stored alongside the map can follow. Attributes of a `PlanarMap` follow
+/// automatically.
 ///
-/// An edge is named by one of its half-edges. Keys of removed records are stale by now; they say which entries to drop. To
-/// follow, take the lists in the order of these fields, and the entries of each in their order. A face that was split off
-/// may be split again by a later entry, and a face that took up another one may be taken up itself by a later entry.
+/// An edge is named by one of its half-edges. Keys of removed records are already stale; they name the entries to drop. To follow
+/// an edit, process the lists in the order of these fields, and the entries of each list in order: later entries may split a new
+/// face again, or merge a face that has absorbed another one.
 ///
 /// ```
 /// use std::collections::HashMap;
@@ -33,32 +34,31 @@ use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Edited {
-    /// The vertices at the points that were given, in their order, whether made or there before.
+    /// The vertices at the given points, in order, new or existing.
     pub vertices: Vec<VertexKey>,
-    /// The half-edges along what was drawn, from its first point to its last, whether made or there before.
+    /// The half-edges along the drawn path from its first point to its last, new or existing.
     pub way: Vec<HalfEdgeKey>,
     /// New vertices.
     pub vertices_made: Vec<VertexKey>,
     /// Removed vertices.
     pub vertices_dropped: Vec<VertexKey>,
-    /// Split edges: a half-edge of the old edge, which ends at a new vertex now, and the new one that goes on from there.
+    /// Split edges: a half-edge of the old edge, which now ends at a new vertex, and the new half-edge that continues from there.
     /// Both edges have the features of the old one.
     pub edges_split: Vec<(HalfEdgeKey, HalfEdgeKey)>,
     /// Removed edges.
     pub edges_dropped: Vec<HalfEdgeKey>,
-    /// Merged faces: the one that was kept, and the one that was removed.
+    /// Merged faces: the kept face and the removed face.
     pub faces_merged: Vec<(FaceKey, FaceKey)>,
     /// Features that covered only one of two merged faces: that face, and the feature, which does not cover the merged face.
     pub features_dropped: Vec<(FaceKey, FeatureId)>,
-    /// New edges, other than parts of old ones.
+    /// New edges, other than parts of old edges.
     pub edges_made: Vec<HalfEdgeKey>,
-    /// Split faces: the old face, which is what remains of it now, and the new one. Both are covered by the features of the old
-    /// face.
+    /// Split faces: the old face, now reduced to one part, and the new face. The features of the old face cover both.
     pub faces_split: Vec<(FaceKey, FaceKey)>,
-    /// Faces whose features are others than the lists above make them. Only
-    /// [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) fills this, and only where rounding
-    /// brings an edge onto vertices that were there.
+    /// Faces whose features differ from the result of the lists above. Only
+    /// [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) fills this list, and only if rounding moves an edge
+    /// onto existing vertices.
     pub faces_relabelled: Vec<FaceKey>,
-    /// Edges whose features are others than the lists above make them, for the same reason.
+    /// Edges whose features differ from the result of the lists above, for the same reason.
     pub edges_relabelled: Vec<HalfEdgeKey>,
 }

@@ -1,4 +1,4 @@
-//! The point that the argument of an edit stands for, and its location on the map.
+//! Resolving the point argument of an edit to coordinates and a location on the map.
 
 use super::at::At;
 use super::error::EditError;
@@ -17,7 +17,7 @@ impl PlanarMap {
         Ok(self.plane()?)
     }
 
-    /// The point that is meant, in range, with no −0.
+    /// Returns the coordinates, in range and without −0.
     pub(super) fn point_of(&self, at: At) -> Result<Point, EditError> {
         let Point { x, y } = match at {
             At::Point(p) | At::Near(p, _) => p,
@@ -32,12 +32,12 @@ impl PlanarMap {
         }
     }
 
-    /// Returns the location of the point that the argument stands for. For the cost see [`At`].
+    /// Returns the location of the point. [`At`] states the cost.
     pub(super) fn place_of(&self, at: At) -> Result<Located, EditError> {
         match at {
             At::Point(_) => self.place(self.point_of(at)?, None),
             At::Near(_, hint) => {
-                // A stale hint is said first.
+                // A stale hint is reported first.
                 let face = self.dcel.half_edge(hint)?.face().key();
                 self.place(self.point_of(at)?, Some(face))
             }
@@ -45,7 +45,6 @@ impl PlanarMap {
         }
     }
 
-    /// Returns the coordinates of a vertex of this map.
     pub(super) fn at(&self, vertex: Vertex<'_>) -> Point {
         self.points[vertex.index()]
     }
@@ -55,7 +54,7 @@ impl PlanarMap {
         [self.at(h.origin()), self.at(h.target())]
     }
 
-    /// Returns the location of a point. A likely face is scanned first if it is small; otherwise the index is asked.
+    /// Returns the location of a point. Scans a likely face first if it is small; otherwise uses the index.
     pub(super) fn place(&self, p: Point, likely: Option<FaceKey>) -> Result<Located, EditError> {
         if let Some(face) = likely {
             let face = self.dcel.face(face)?;

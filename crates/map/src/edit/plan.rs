@@ -1,4 +1,4 @@
-//! The changes that a snapped segment will make, planned before any is made.
+//! Planning the changes of a snapped segment before any is made.
 
 use super::error::EditError;
 use super::region::Region;
@@ -13,26 +13,25 @@ pub(super) type Chain = Vec<u32>;
 
 /// An edge that noding changes.
 pub(super) struct EdgeChange {
-    /// Its place in the region.
+    /// Its index in the region.
     pub(super) edge: usize,
     pub(super) chain: Chain,
-    /// True if the edge keeps its neighbours: all vertices in between are new, and on no other edge.
+    /// True if the edge keeps its neighbours: all vertices in between are new, and are on no other edge.
     pub(super) bends: bool,
 }
 
-/// The planned changes.
 pub(super) struct SnapPlan {
     pub(super) region: Region,
     /// The vertices of the noded drawing.
     pub(super) points: Vec<Point>,
-    /// Those that are there.
+    /// The vertices of the noded drawing that already exist in the map.
     pub(super) vertices: FxHashMap<u32, VertexKey>,
     pub(super) changes: Vec<EdgeChange>,
     pub(super) way: Chain,
 }
 
 impl SnapPlan {
-    /// Sorts out what is there, what changes, and how.
+    /// Determines the existing vertices, the changed edges, and the changes that only bend an edge.
     pub(super) fn new(region: Region, noded: Noded) -> Result<Self, EditError> {
         let chain = |segment: usize| noded.chain(segment).into_iter().flatten().collect::<Chain>();
         let mut vertices = FxHashMap::default();

@@ -16,15 +16,13 @@ use twinedge_geometry::predicates::{Meeting, meeting};
 pub(super) struct RegionEdge {
     pub(super) key: HalfEdgeKey,
     pub(super) ends: [VertexKey; 2],
-    /// The features along it.
     pub(super) along: SetId,
     /// The features that cover the faces to its left and right.
     pub(super) covers: [SetId; 2],
-    /// True for each of these faces that is in the region.
+    /// For each of these faces, true if it is in the region.
     pub(super) inside: [bool; 2],
 }
 
-/// Faces, and what bounds them.
 #[derive(Default)]
 pub(super) struct Region {
     faces: FxHashSet<FaceKey>,
@@ -33,7 +31,7 @@ pub(super) struct Region {
     /// Edges by half the index of their half-edges.
     seen: FxHashSet<usize>,
     isolated: Vec<VertexKey>,
-    /// The edges and isolated vertices that are near enough to matter, by their places above, and the others.
+    /// The edges and isolated vertices that are near enough to matter, by their indices above, and the others.
     pub(super) near: Vec<usize>,
     far: Vec<usize>,
     pub(super) near_isolated: Vec<VertexKey>,
@@ -47,8 +45,8 @@ struct Reach {
 }
 
 impl Reach {
-    /// Returns true if some point of a segment may be within the margin of the way, or of a box around an edge that changes. It
-    /// errs on the side of true: the rounding errors of the distances are added to the margin.
+    /// Returns true if some point of a segment may be within the margin of the way, or of a box around a changing edge. Rounding
+    /// errors of the distances are added to the margin, so there are no false negatives.
     fn is_near(&self, [a, b]: [Point; 2]) -> bool {
         let [p, q] = self.way;
         let largest = [a, b, p, q].iter().fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
@@ -75,14 +73,15 @@ impl Region {
 }
 
 impl PlanarMap {
-    /// The faces that a segment passes, and those beside the edges that change when it is noded together with their
-    /// boundaries; and the noded drawing, of the segment first and then of the edges that are near, in order.
+    /// Collects the faces along a segment, and the faces adjacent to edges that change when the segment is noded together with
+    /// the boundaries of these faces. Also returns the noded drawing, of the segment first and then of the nearby edges, in
+    /// order.
     ///
-    /// What lies beyond need not be looked at. Noding deforms a drawing without anything ever passing anything else
-    /// ([`noding`](twinedge_geometry::noding)), so what is deformed stays inside the unchanged edges around it, and the region
-    /// grows until all edges on its border are unchanged. And since a chain stays within `(rounds + 1) / 2` cells of its
-    /// segment in each direction, and visits pixels within half a cell of itself, what is a few cells more away from the
-    /// segment and from all edges that change has no part in it.
+    /// Records beyond have no influence. Noding deforms a drawing without anything ever passing anything else
+    /// ([`noding`](twinedge_geometry::noding)), so deformed edges stay inside the unchanged edges around them, and the region
+    /// grows until all edges on its border are unchanged. A chain stays within `(rounds + 1) / 2` cells of its segment in each
+    /// direction, and visits pixels within half a cell of itself. So records more than a few cells away from the segment and from
+    /// all changing edges play no part.
     pub(super) fn region(&self, start: Located, way: [Point; 2], cell: f64) -> Result<(Region, Noded), EditError> {
         let [p, q] = way;
         let mut region = Region::default();
@@ -129,7 +128,7 @@ impl PlanarMap {
         }
     }
 
-    /// Takes what is in reach from what is far to what is near, and says whether there was anything.
+    /// Moves records within reach from the far ones to the near ones. Returns true if there were any.
     fn take_near(&self, region: &mut Region, reach: &Reach) -> Result<bool, EditError> {
         let before = (region.near.len(), region.near_isolated.len());
         let mut far = Vec::new();
@@ -148,8 +147,8 @@ impl PlanarMap {
         Ok(before != (region.near.len(), region.near_isolated.len()))
     }
 
-    /// Takes the boundary of a face into the region, and the faces beyond the edges that a segment meets: also those around a
-    /// vertex that it passes through, one after the other.
+    /// Adds the boundary of a face to the region, and the faces beyond the edges that a segment meets, including all faces around
+    /// a vertex on it.
     fn look_around(&self, region: &mut Region, face: Face<'_>, [p, q]: [Point; 2]) {
         for h in face.half_edges() {
             if !region.seen.insert(h.index() / 2) {
@@ -173,7 +172,7 @@ impl PlanarMap {
         region.isolated.extend(face.inner().filter_map(|b| b.isolated_vertex()).map(|v| v.key()));
     }
 
-    /// Nodes a segment together with what is near of a region, of which no vertex may move.
+    /// Nodes a segment together with the nearby records of a region. No vertex may move.
     fn noded(&self, region: &Region, way: [Point; 2], snap: Snap) -> Result<Noded, EditError> {
         let mut segments = vec![way];
         for i in &region.near {

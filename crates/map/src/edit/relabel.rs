@@ -12,9 +12,9 @@ use twinedge::dcel::{FaceKey, VertexKey};
 /// An edge of the map after the edit.
 #[derive(Default)]
 struct Border {
-    /// The features that cover one side of it and not the other.
+    /// The features that cover only one of its two sides.
     turns: SetId,
-    /// The number of edges of the region that run here now.
+    /// The number of edges of the region that now run here.
     users: usize,
 }
 
@@ -22,7 +22,7 @@ struct Border {
 #[derive(Default)]
 struct KnownCovers {
     sets: FxHashMap<FaceKey, SetId>,
-    /// In the order in which it became known.
+    /// The faces in the order in which they became known.
     order: Vec<FaceKey>,
 }
 
@@ -35,11 +35,11 @@ impl KnownCovers {
 }
 
 impl PlanarMap {
-    /// Covers the faces of a region anew, of which the unbounded face was covered by `outside` before.
+    /// Recomputes the features of the faces of a region. `outside` covered the unbounded face before.
     ///
-    /// Crossing an edge of the old drawing turned some features on or off. Deformed, the drawing does the same; where several
-    /// edges came to lie on each other, one after the other. So from faces of which it is known what covers them, this is
-    /// carried on across the edges. O(size of the region).
+    /// Crossing an edge of the old drawing turned some features on or off. The deformed drawing does the same, one edge after the
+    /// other where several came to lie on each other. So known features of faces propagate across the edges. O(size of the
+    /// region).
     pub(super) fn relabel(&mut self, plan: &SnapPlan, outside: SetId, edited: &mut Edited) -> Result<(), EditError> {
         let changed: FxHashMap<usize, &EdgeChange> = plan.changes.iter().map(|change| (change.edge, change)).collect();
         let between = |pair: &[u32]| [plan.vertices[&pair[0]], plan.vertices[&pair[1]]];
@@ -97,7 +97,7 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// The edge between two vertices, as half the index of its half-edges.
+    /// Returns the edge between two vertices, as half the index of its half-edges.
     fn edge_between(&self, [v, w]: [VertexKey; 2]) -> Result<usize, EditError> {
         let (v, w) = (self.dcel.vertex(v)?, self.dcel.vertex(w)?);
         match self.towards(v, self.at(w)) {

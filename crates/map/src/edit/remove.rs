@@ -8,11 +8,11 @@ use twinedge::dcel::{HalfEdge, HalfEdgeKey, RemovedEdge, Room, VertexKey};
 impl PlanarMap {
     /// Removes an edge. Its ends stay, isolated if it was their last edge.
     ///
-    /// If it separates two faces, these become one, covered by the features that covered both
-    /// ([why](super#features)). The face to the left of `half_edge` is kept, or the one that lies around the other.
+    /// If it separates two faces, they are merged, covered by the features that covered both ([why](super#features)). The face to
+    /// the left of `half_edge` is kept, unless the other face surrounds it.
     ///
-    /// O(length of the shorter of the two cycles + inner boundary components of the face that is dropped); for a bridge
-    /// O(size of the smaller part). See [`Dcel::remove_edge`](twinedge::dcel::Dcel::remove_edge).
+    /// O(length of the shorter of the two cycles + inner boundary components of the dropped face); for a bridge O(size of the
+    /// smaller part). See [`Dcel::remove_edge`](twinedge::dcel::Dcel::remove_edge).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -26,8 +26,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key or a map that is full (removing a bridge makes a
-    /// boundary component).
+    /// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key or a full map (removing a bridge makes a boundary
+    /// component).
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Edited, EditError> {
         self.editable()?;
         let mut edited = Edited::default();
@@ -67,7 +67,7 @@ impl PlanarMap {
         })
     }
 
-    /// Removes an edge, and lets the features follow.
+    /// Removes an edge and updates the features of its faces.
     pub(super) fn erase(&mut self, half_edge: HalfEdgeKey, edited: &mut Edited) -> Result<(), EditError> {
         let h = self.dcel.half_edge(half_edge)?;
         let sides = [h.face(), h.twin().face()].map(|f| (f.key(), self.features.of_face(f.index())));

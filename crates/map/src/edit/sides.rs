@@ -1,5 +1,4 @@
-//! The choices that topology leaves open when a face is split: the side of the new face, and the inner boundary components that
-//! go there.
+//! The choices that topology leaves open when a face is split: the side of the new face, and its inner boundary components.
 //!
 //! ```text
 //!    outer cycle: either will do                inner cycle: the new face is the one inside
@@ -22,15 +21,15 @@ use twinedge_geometry::sweep::sweep;
 
 /// One of the two cycles into which a new edge splits a cycle.
 struct CyclePart<'a> {
-    /// The side of the new edge on which it lies.
+    /// The side of the new edge on which this cycle lies.
     side: Side,
-    /// The half-edges that were there, in order. The new one goes from the target of the last to the origin of the first.
+    /// The old half-edges, in order. The new half-edge leads from the target of the last to the origin of the first.
     old: Vec<HalfEdge<'a>>,
 }
 
 impl<'a> CyclePart<'a> {
-    /// The shorter of the two parts of a cycle that is split by an edge from the corner of `from` to that of `to`; the one
-    /// on the left on a tie. O(its length).
+    /// Returns the shorter of the two parts of a cycle split by an edge from the corner of `from` to the corner of `to`; on a
+    /// tie, the left part. O(its length).
     fn shorter(from: HalfEdge<'a>, to: HalfEdge<'a>) -> Self {
         let (mut left, mut right) = (to, from);
         let mut length = 1;
@@ -47,22 +46,22 @@ impl<'a> CyclePart<'a> {
         Self { side, old: start.boundary_cycle().take(length - 1).collect() }
     }
 
-    /// The vertices at which its half-edges start: first those of the old ones, then that of the new one.
+    /// Returns the origins of the cycle's half-edges: first of the old half-edges, then of the new one.
     fn vertices(&self) -> impl Iterator<Item = Vertex<'a>> {
         self.old.iter().map(|h| h.origin()).chain(self.old.last().map(|h| h.target()))
     }
 }
 
 impl PlanarMap {
-    /// Returns the way in which an edge from the corner of `from` to that of `to`, on the same cycle, splits its face: the side
-    /// of the new face, and the inner boundary components that go there.
+    /// Determines the split of a face by an edge from the corner of `from` to the corner of `to`, on the same cycle: the side of
+    /// the new face, and the inner boundary components that move to it.
     ///
-    /// Of the two parts of an outer cycle the shorter becomes the boundary of the new face; on a tie the one on the left.
-    /// Where the cycle is an inner one, geometry decides.
+    /// The shorter of the two parts of an outer cycle becomes the boundary of the new face; on a tie, the left part. For an inner
+    /// cycle, geometry decides.
     ///
     /// O(length s of the shorter part + k), where k is the lesser of the number of other inner boundary components of the face
-    /// and that of edges in the box around that part; where j of the former have a place in the box, O((s + j) log (s + j))
-    /// for a sweep.
+    /// and the number of edges in the box around that part. If j of these components meet the box, a sweep takes O((s + j) log (s
+    /// + j)).
     pub(super) fn sides(&self, from: HalfEdge<'_>, to: HalfEdge<'_>) -> Result<(Side, Vec<BoundaryKey>), EditError> {
         let split = from.boundary();
         let part = CyclePart::shorter(from, to);
@@ -76,8 +75,8 @@ impl PlanarMap {
         Ok((side, self.enclosed(&part, &places, around, split)?))
     }
 
-    /// The other inner boundary components of the face of a cycle that lie inside a part of it: to its left, or, if the part
-    /// lies around its inside, to its right.
+    /// Returns the other inner boundary components of the face that lie inside a part of the cycle: to its left, or to its right
+    /// if `around`.
     fn enclosed(
         &self,
         part: &CyclePart<'_>,
@@ -130,8 +129,8 @@ impl PlanarMap {
 }
 
 impl PlanarMap {
-    /// The inner boundary components of a face, or those of them that have an edge in a box. O(lesser of the number of the
-    /// former and that of edges in the box), beside what the index takes.
+    /// Returns the inner boundary components of a face, or only the ones with an edge in a box. O(lesser of the number of
+    /// components and the number of edges in the box), plus the cost of the index.
     fn inner_near<'a>(&'a self, face: Face<'a>, low: Point, high: Point) -> Vec<Boundary<'a>> {
         if is_small(face) {
             return face.inner().collect();
@@ -144,7 +143,7 @@ impl PlanarMap {
         };
         let (mut near, mut all) = (Vec::new(), Vec::new());
         let mut listed = face.inner();
-        // In step, as there may be far more of either.
+        // Both sources advance in step, as either may be far larger.
         for boxed in self.index().in_box(low, high) {
             near.extend(of_record(boxed).into_iter().flatten().filter(|b| !b.is_outer() && b.face() == face));
             let Some(b) = listed.next() else { return all };
@@ -156,15 +155,16 @@ impl PlanarMap {
     }
 }
 
-/// Returns true if a closed chain of points, the cycle of a plane map, turns clockwise: at its lexicographically smallest
-/// point a corner to its left is open to the left. It may pass there more than once.
+/// Returns true if a closed chain of points, a cycle of a plane map, turns clockwise: at its lexicographically smallest point, a
+/// corner is open to the left. The chain may pass that point more than once.
 fn turns_clockwise(places: &[Point]) -> bool {
     let mut low = places[0];
     let mut clockwise = false;
     for (i, at) in places.iter().enumerate() {
         let before = places[(i + places.len() - 1) % places.len()];
         let after = places[(i + 1) % places.len()];
-        // All lies to the right, so the corner is closed if the turn from what comes after to what was before is to the left.
+        // Everything lies to the right, so the corner is closed if the turn from the next point to the previous one is to the
+        // left.
         let opens = || orientation(*at, after, before) != Orientation::CounterClockwise;
         match compare_lexicographic(*at, low) {
             Ordering::Less => (low, clockwise) = (*at, opens()),

@@ -15,7 +15,7 @@ use twinedge_geometry::noding::{Snap, node};
 use twinedge_geometry::predicates::MIN_COORDINATE;
 
 impl PlanarMap {
-    /// Inserts a segment, cutting what it crosses, with all new vertices rounded to a grid.
+    /// Inserts a segment, cutting the edges that it crosses, with all new vertices rounded to a grid.
     ///
     /// ```text
     ///          │                      │
@@ -25,27 +25,26 @@ impl PlanarMap {
     ///        ╱ │                  ·╱  │
     /// ```
     ///
-    /// The outcome is that of [noding](twinedge_geometry::noding) the segment together with all edges and vertices of the map: its
-    /// ends go to the nearest grid points; each crossing becomes a vertex on the grid; the segment, and any edge, is bent
-    /// through each vertex whose pixel it visits; a segment that ends up as one point leaves a vertex. What that
-    /// guarantees is said there. No vertex of the map moves, none changes sides, and [`Edited::way`] runs within about a
-    /// cell of the segment. Rounding may do what the segment alone does not: edges that come to lie on each other become
-    /// one, and slivers of faces between them are gone.
+    /// The result is the [noding](twinedge_geometry::noding) of the segment together with all edges and vertices of the map, with
+    /// its guarantees. The ends move to the nearest grid points. Each crossing becomes a vertex on the grid. The segment and all
+    /// edges are bent through each vertex whose pixel they visit. A segment that rounds to one point leaves a vertex. No vertex
+    /// of the map moves or changes sides, and [`Edited::way`] stays within about a cell of the segment. Rounding may merge edges
+    /// that come to lie on each other and remove slivers of faces between them.
     ///
-    /// All vertices of the map must be on the grid, and are where the map was built from what noding gave, with
-    /// [`Snap::Size`] of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or was drawn on by this edit alone.
-    /// (Only those near enough to be looked at are held against it.) [`Snap::Auto`] is the grid for the largest coordinate of
-    /// the map and the segment, so it is the same as before only as long as that is.
+    /// All vertices of the map must be on the grid. They are if the map was built from the output of noding, with [`Snap::Size`]
+    /// of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or drawn by this edit alone. (Only nearby
+    /// vertices are checked.) [`Snap::Auto`] chooses the grid for the largest coordinate of the map and the segment, so the grid
+    /// changes when that coordinate does.
     ///
-    /// Features follow their area: each face is covered by what covered the face that it was part of, also where edges
-    /// come to lie on each other. An edge that lies where several were has the features of all. Edges that are bent
-    /// through new vertices only are [split](Edited::edges_split), and keep their key and their faces. Others are
-    /// [dropped](Edited::edges_dropped) and [made](Edited::edges_made) anew along their way, so that faces beside them are
-    /// merged and split for a moment; see [`Edited::faces_relabelled`] then.
+    /// Features follow their area: each face is covered by the features of its former face, even where edges come to lie on each
+    /// other. An edge that replaces several edges has the features of all. Edges bent only through new vertices are
+    /// [split](Edited::edges_split), and keep their key and their faces. Other changed edges are [dropped](Edited::edges_dropped)
+    /// and [made](Edited::edges_made) anew along their way, so that their faces are temporarily merged and split; see
+    /// [`Edited::faces_relabelled`].
     ///
-    /// O(s log s) for s edges around the faces that the segment passes and beside the edges that are bent, once its first
-    /// point is found (see [`At`]), and what it costs to split each face. Only those that come near the segment or a bent
-    /// edge are noded. With [`Snap::Auto`], O(vertices) besides.
+    /// O(s log s) for s edges around the faces along the segment and next to bent edges, after the first point is located (see
+    /// [`At`]), plus the cost of splitting each face. Only edges near the segment or a bent edge are noded. [`Snap::Auto`] adds
+    /// O(vertices).
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -64,9 +63,9 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`], also of a grid point;
+    /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`], also for a grid point;
     /// [`EditError::NoLength`]; [`EditError::NotOnGrid`]; [`EditError::CellSize`]; [`EditError::OutOfReach`];
-    /// [`EditError::Operator`] for a stale key or a map that is full.
+    /// [`EditError::Operator`] for a stale key or a full map.
     pub fn insert_segment_snapped(
         &mut self,
         from: impl Into<At>,
@@ -87,14 +86,15 @@ impl PlanarMap {
         self.atomically(|map| map.apply(&mut plan, start))
     }
 
-    /// The width of a cell, whatever part of the map is noded. One that is asked for is only rounded down, if it is one.
+    /// Returns the width of a cell, which does not depend on the noded part of the map. A requested size is returned as is;
+    /// noding rounds it down.
     fn cell(&self, snap: Snap, ends: [Point; 2]) -> Result<f64, EditError> {
         if let Snap::Size(size) = snap {
             return Ok(size);
         }
         let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
         let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
-        // The predicates must be exact on grid points, too.
+        // The predicates must also be exact on grid points.
         let corner = [Point::new(largest, 0.0)];
         let noded = node(&[], &corner, snap).map_err(|error| EditError::of_noding(error, &[], &corner))?;
         Ok(noded.summary.cell.max(MIN_COORDINATE))
@@ -130,7 +130,7 @@ impl PlanarMap {
         Ok(edited)
     }
 
-    /// Draws a chain of the noded drawing, and gives the half-edges along it.
+    /// Draws a chain of the noded drawing and returns the half-edges along it.
     fn draw_noded(
         &mut self,
         chain: &[u32],
@@ -143,12 +143,12 @@ impl PlanarMap {
         let first = if let Some(first) = chain.iter().position(|number| vertices.contains_key(number)) {
             first
         } else {
-            // Nothing of the map is met, so all of it lies in the face where the segment starts.
+            // The chain meets nothing, so all of it lies in the face where the segment starts.
             let v = self.make_in_the_open(point(chain[0]), start, edited)?;
             vertices.insert(chain[0], v);
             0
         };
-        // From what is there in both directions: each vertex lies in the corner towards it of the one before.
+        // Outwards from the first existing vertex, in both directions: each vertex lies in a corner of the one before.
         let outwards = (0..first).rev().map(|i| [i + 1, i]).chain((first + 1..chain.len()).map(|i| [i - 1, i]));
         let mut way = vec![None; chain.len() - 1];
         for [i, j] in outwards {
@@ -177,7 +177,7 @@ impl PlanarMap {
         self.make_isolated(p, face, edited)
     }
 
-    /// Makes an isolated vertex at a point in the interior of a face, that of `start` unless this is gone by now.
+    /// Makes an isolated vertex at a point inside a face: the face of `start`, unless it no longer exists.
     fn make_in_the_open(&mut self, p: Point, start: Located, edited: &mut Edited) -> Result<VertexKey, EditError> {
         let likely = match start {
             Located::Face(face) => Some(face).filter(|face| self.dcel.face(*face).is_ok()),

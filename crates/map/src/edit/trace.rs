@@ -1,4 +1,4 @@
-//! The way of a segment through the map, before anything is drawn.
+//! Tracing the way of a segment through the map, before anything is drawn.
 
 use super::error::EditError;
 use crate::index::{is_hub, is_small};
@@ -18,24 +18,22 @@ use twinedge_geometry::predicates::{
 
 /// The way of a segment that crosses nothing.
 pub(super) struct Trace {
-    /// The vertices that it passes through, in order, without its ends.
+    /// The vertices on it, in order, without its ends.
     pub(super) stops: Vec<VertexKey>,
-    /// The location of its end.
     pub(super) end: Located,
 }
 
 /// The half-edge or corner of a vertex in the direction of a point.
 pub(crate) enum Towards<'a> {
-    /// This half-edge, in exactly that direction.
+    /// A half-edge in exactly that direction.
     Along(HalfEdge<'a>),
-    /// Nothing: the direction is in the corner of this half-edge.
+    /// The corner of this half-edge contains the direction.
     Corner(HalfEdge<'a>),
-    /// Nothing: the vertex is isolated.
     Isolated,
 }
 
 impl<'a> Towards<'a> {
-    /// The half-edge whose corner it is.
+    /// Returns the half-edge, or the half-edge of the corner.
     pub(super) const fn corner(self) -> Option<HalfEdge<'a>> {
         match self {
             Self::Along(h) | Self::Corner(h) => Some(h),
@@ -45,8 +43,8 @@ impl<'a> Towards<'a> {
 }
 
 impl PlanarMap {
-    /// Returns the half-edge or corner of a vertex in the direction of another point. O(log degree), with the index where the
-    /// degree is high.
+    /// Returns the half-edge or corner of a vertex in the direction of another point. O(log degree), using the index at a vertex
+    /// of high degree.
     pub(crate) fn towards<'a>(&'a self, v: Vertex<'a>, p: Point) -> Towards<'a> {
         if is_hub(v) {
             let found = self.index().towards(v, p).and_then(|h| self.dcel.half_edge_at(h));
@@ -64,7 +62,7 @@ impl PlanarMap {
                 return Towards::Along(h);
             }
             let before = compare_angle(at, p, to);
-            // The corner that spans the positive x axis is not ordered; that of an only half-edge is all around.
+            // The corner that spans the positive x axis is not ordered; the corner of a sole half-edge is the full turn.
             let inside = match compare_angle(at, from, to) {
                 Ordering::Less => after.is_lt() && before.is_lt(),
                 _ => after.is_lt() || before.is_lt(),
@@ -76,8 +74,8 @@ impl PlanarMap {
         corner.map_or(Towards::Isolated, Towards::Corner)
     }
 
-    /// The way of a segment from a point in a known place to another point. O(k log k) for k vertices and edges on it; and what
-    /// the index takes to find these, unless the faces that it passes are small.
+    /// Traces a segment from a point at a known location to another point. O(k log k) for k vertices and edges on it, plus the
+    /// cost of finding them in the index, unless the faces on the way are small.
     pub(super) fn trace(&self, start: Located, from: Point, to: Point) -> Result<Trace, EditError> {
         let mut stops = Vec::new();
         let (mut place, mut at) = (start, from);
@@ -102,7 +100,7 @@ impl PlanarMap {
                         Orientation::CounterClockwise => self.ahead_in(h.face(), at, to, &mut seen)?,
                         Orientation::Clockwise => self.ahead_in(h.twin().face(), at, to, &mut seen)?,
                         Orientation::Collinear => {
-                            // Either way leads along the edge; the end that lies beyond `to` is not reached.
+                            // Both half-edges lie along the way; the end beyond `to` is not reached.
                             let onwards = if compare_angle(at, head, to).is_eq() { h } else { h.twin() };
                             self.ahead_along(onwards, at, to)
                         }
@@ -123,14 +121,14 @@ impl PlanarMap {
         }
     }
 
-    /// Returns the next thing on the way along a half-edge.
+    /// Returns the next obstacle on the way along a half-edge.
     fn ahead_along<'a>(&self, h: HalfEdge<'a>, at: Point, to: Point) -> Ahead<'a> {
         let v = h.target();
         if on_the_way(self.at(v), at, to) { Ahead::Vertex(v) } else { Ahead::End(Located::Edge(h.key())) }
     }
 
-    /// Returns the next thing on the way through a face. Each face is scanned once, however often the way enters it. For a face
-    /// that is not small, everything ahead is collected at once.
+    /// Returns the next obstacle on the way through a face. Each face is scanned once, even if the way enters it repeatedly. If a
+    /// face is not small, all obstacles ahead are collected at once.
     fn ahead_in<'a>(&'a self, face: Face<'a>, at: Point, to: Point, way: &mut Way<'a>) -> Result<Ahead<'a>, EditError> {
         if way.all.is_none() && !is_small(face) {
             way.all = Some(self.seen_ahead(at, to)?);
@@ -149,7 +147,7 @@ impl PlanarMap {
         Ok(Ahead::End(end.unwrap_or(Located::Face(face.key()))))
     }
 
-    /// Returns the vertices of a face on the way; an error if the way crosses an edge there, the first one.
+    /// Returns the vertices of a face on the way, or an error with the first edge that the way crosses there.
     fn seen_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Obstacles<'a>, EditError> {
         let line = Line { from: at, through: to };
         let mut sight = Sight::new(at, to);
@@ -172,7 +170,7 @@ impl PlanarMap {
         sight.seen()
     }
 
-    /// All there is on the way; an error if that crosses an edge, the first one.
+    /// Returns all obstacles on the way, or an error with the first edge that it crosses.
     fn seen_ahead(&self, at: Point, to: Point) -> Result<Obstacles<'_>, EditError> {
         let mut sight = Sight::new(at, to);
         let line = Line { from: at, through: to };
@@ -181,7 +179,8 @@ impl PlanarMap {
             EventRecord::Vertex(v) => sight.pass(v, self.at(v)),
             EventRecord::Edge(_) => sight.meet(event),
         });
-        // An edge that leaves a hub at an end meets the way only there, unless it runs along the way. Only the hub is ahead.
+        // An edge that leaves a hub at an end of the way meets the way only there, unless it runs along it. Only the hub itself
+        // is ahead.
         if let Some(hub) = self.index().hub_at(to).and_then(|v| self.dcel.vertex_at(v)) {
             sight.pass(hub, to);
             if let Towards::Along(h) = self.towards(hub, at) {
@@ -196,7 +195,7 @@ impl PlanarMap {
 #[derive(Default)]
 struct Way<'a> {
     faces: FxHashMap<FaceKey, Obstacles<'a>>,
-    /// The obstacles ahead, if a face was too large to be scanned.
+    /// The obstacles ahead, once a face was too large to be scanned.
     all: Option<Obstacles<'a>>,
 }
 
@@ -222,7 +221,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Meets an edge that the line crosses: on the way, at its end, or elsewhere.
+    /// Records an edge that crosses the line: on the way, at its end, or elsewhere.
     fn meet(&mut self, event: LineEvent<'a>) {
         let EventRecord::Edge(across) = event.record else { return };
         let after = |place: LinePlace| self.line.order(place, event.place);
@@ -230,7 +229,7 @@ impl<'a> Sight<'a> {
             return;
         }
         match after(LinePlace::At(self.to)) {
-            // It is met from the face before it.
+            // The way meets the edge from the face before it.
             Ordering::Equal => self.end = Some(Located::Edge(across.twin().key())),
             Ordering::Greater if self.crossing.is_none_or(|first| after(first.place).is_gt()) => {
                 self.crossing = Some(event);
@@ -253,21 +252,21 @@ impl<'a> Sight<'a> {
 
 /// The result of a scan of the way of a segment.
 struct Obstacles<'a> {
-    /// The vertices, the furthest first; some of them twice.
+    /// The vertices, the furthest first; some appear twice.
     beyond: Vec<(Vertex<'a>, Point)>,
-    /// The edge inside which the segment ends, if it does.
+    /// The edge inside which the segment ends, if any.
     end: Option<Located>,
 }
 
 /// The next vertex on the way of a segment, or its end.
 enum Ahead<'a> {
-    /// This vertex, and nothing before it.
+    /// This vertex comes next.
     Vertex(Vertex<'a>),
-    /// Nothing but the end of the segment, which is there.
+    /// The end of the segment comes next, at this location.
     End(Located),
 }
 
-/// Returns true if, on the straight way from `c`, `b` comes after `w` or is `w`.
+/// Returns true if, on the straight way from `c`, `b` comes after `w` or equals `w`.
 fn on_the_way(w: Point, c: Point, b: Point) -> bool {
     w != c && on_segment(w, c, b)
 }

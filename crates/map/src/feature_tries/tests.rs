@@ -18,7 +18,7 @@ quickcheck! {
         let mut is = |operation, expected: BTreeSet<FeatureId>| {
             let set = tries.combined(operation, x, y);
             let equal = tries.members(set).eq(expected.iter().copied());
-            // In whatever order it is put together, a set has one number.
+            // The order of insertion does not matter: equal sets have equal numbers.
             equal && set == tries.number(expected.into_iter().rev())
         };
         is(SetOperation::Common, &a & &b)

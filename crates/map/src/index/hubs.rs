@@ -1,8 +1,8 @@
-//! The vertices of high degree, with what leaves them in angular order, and in a tree of boxes of their own.
+//! The vertices of high degree, with their half-edges in angular order and their edges in trees of their own.
 //!
-//! In the rotation of a vertex, a direction is found by going around: O(degree). And the boxes around the spokes of a star all
-//! overlap, so an R-tree that has them tries a good part of them for each segment that ends at the hub. But none of them meets
-//! such a segment, unless it lies along one: so it is the tree that is left out, and the angular order that tells.
+//! Finding a direction in the rotation of a vertex takes O(degree). The boxes around the spokes of a star all overlap, so an
+//! R-tree tests a large part of them for each segment that ends at the hub. But no spoke meets such a segment elsewhere, unless
+//! it lies along it. So searches leave out the hub's tree and use the angular order.
 
 use super::tree::{BoxedRecord, RecordTree};
 use core::cmp::Ordering;
@@ -11,9 +11,9 @@ use twinedge::dcel::{HalfEdge, Vertex};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_angle;
 
-/// A direction from a point, by another point in that direction. Those of one hub have one centre.
+/// A direction from the hub's centre towards another point.
 ///
-/// Half-edges in the same direction, which an edit may leave for a moment, are told apart by their indices.
+/// Half-edges in the same direction, which edits may create temporarily, are ordered by their indices.
 #[derive(Clone, Copy, Debug)]
 struct Direction {
     centre: Point,
@@ -41,17 +41,17 @@ impl PartialEq for Direction {
 
 impl Eq for Direction {}
 
-/// A vertex from which many half-edges leave, or did.
+/// A vertex of high degree, now or earlier.
 #[derive(Clone)]
 pub(crate) struct Hub {
     pub(super) centre: Point,
     leaving: BTreeSet<Direction>,
-    /// Its edges, but those that are in the tree of another hub, or were before it was one.
+    /// Its edges, except edges in the tree of another hub or from before it became a hub.
     pub(super) tree: RecordTree,
 }
 
 impl Hub {
-    /// With all that leaves a vertex in order, and some of its edges. O(degree · log).
+    /// Sorts all half-edges that leave a vertex, and takes some of its edges. O(degree · log).
     pub(super) fn new(v: Vertex<'_>, points: &[Point], edges: Vec<BoxedRecord>) -> Self {
         let centre = points[v.index()];
         let direction =
@@ -64,20 +64,20 @@ impl Hub {
         self.leaving.insert(Direction { centre: self.centre, head, half_edge });
     }
 
-    /// Takes off a half-edge that left towards a point, and tells how many are left. O(log degree).
+    /// Removes a half-edge that left towards a point. Returns the number of remaining half-edges. O(log degree).
     pub(super) fn remove(&mut self, half_edge: u32, head: Point) -> usize {
         self.leaving.remove(&Direction { centre: self.centre, head, half_edge });
         self.leaving.len()
     }
 
-    /// The index of the half-edge towards a point, or of the one before it. O(log degree).
+    /// Returns the index of the half-edge towards a point, or of the half-edge before that direction. O(log degree).
     pub(super) fn towards(&self, head: Point) -> Option<usize> {
         let upto = Direction { centre: self.centre, head, half_edge: u32::MAX };
         let direction = self.leaving.range(..=upto).next_back().or_else(|| self.leaving.last())?;
         Some(direction.half_edge as usize)
     }
 
-    /// The half-edges in order.
+    /// Returns the half-edges in order.
     #[cfg(test)]
     pub(super) fn rotation(&self) -> Vec<u32> {
         self.leaving.iter().map(|direction| direction.half_edge).collect()

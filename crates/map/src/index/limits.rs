@@ -2,18 +2,18 @@
 
 use twinedge::dcel::{Face, Vertex};
 
-/// A limit, and the one in tests of this crate, which is so low that small maps go every way.
+/// Returns the limit; in tests of this crate a low one, so that small maps take every path.
 const fn limit(usual: usize, in_tests: usize) -> usize {
     if cfg!(test) { in_tests } else { usual }
 }
 
-/// A vertex from which more half-edges leave than this is a hub, until half as many are left.
+/// A vertex with more half-edges becomes a hub, and remains one until only half of them are left.
 pub(super) const HUB: usize = limit(64, 4);
 
-/// Up to so many half-edges and boundary components, a face is scanned.
+/// The largest number of half-edges and boundary components of a face that is scanned.
 const SMALL: usize = limit(64, 6);
 
-/// Returns true if so many half-edges leave a vertex that going around would take long. O(1).
+/// Returns true if the degree of a vertex is so high that walking around it would take long. O(1).
 pub(crate) fn is_hub(v: Vertex<'_>) -> bool {
     v.rotation().nth(HUB).is_some()
 }

@@ -1,8 +1,8 @@
-//! One index of the edges and isolated vertices of a map, kept while the map changes.
+//! One index of the edges and isolated vertices of a map, maintained while the map changes.
 //!
-//! Edits, location and zones ask it where scanning would take long: a face with a long boundary, or with many components in it, or
-//! a vertex of high degree. It is built when it is needed first, O(n log n), so that it costs nothing for a map that is not
-//! edited, nor for one that is edited near hints only. From then on every operator keeps it, O(log n).
+//! Edits, location and zones use it where scanning would take long: in a face with a long boundary or many components, or at a
+//! vertex of high degree. It is built in O(n log n) when first needed, so it costs nothing for a map that is not edited, or
+//! edited only near hints. From then on every operator updates it in O(log n).
 //!
 //! ```text
 //!   tree   boxes of edges and isolated vertices    what is near; what lies in a box; what a segment meets
@@ -35,7 +35,7 @@ pub(super) struct RecordIndex {
     hubs: FxHashMap<u32, Hub>,
 }
 
-/// An edge as it is in the index, to take it off after it has changed.
+/// An edge as stored in the index, used to remove it after it has changed.
 #[derive(Clone, Copy)]
 pub(super) struct IndexedEdge {
     boxed: BoxedRecord,
@@ -44,7 +44,6 @@ pub(super) struct IndexedEdge {
 }
 
 impl IndexedEdge {
-    /// The edge of a half-edge.
     pub(super) fn new(h: HalfEdge<'_>, points: &[Point]) -> Self {
         let h = if h.index() < h.twin().index() { h } else { h.twin() };
         Self {
@@ -54,7 +53,6 @@ impl IndexedEdge {
         }
     }
 
-    /// The indices of its ends.
     pub(super) const fn vertices(&self) -> [usize; 2] {
         self.vertices
     }
@@ -75,17 +73,15 @@ impl RecordIndex {
         Self { tree: RecordTree::new(others), hubs: of_hubs.into_iter().filter_map(hub).collect() }
     }
 
-    /// Adds an isolated vertex.
     pub(super) fn add_vertex(&mut self, v: Vertex<'_>, points: &[Point]) {
         self.tree.insert(BoxedRecord::vertex(v, points));
     }
 
-    /// Takes off an isolated vertex, by its index, that was at a point.
+    /// Removes an isolated vertex, given its index and its point.
     pub(super) fn remove_vertex(&mut self, vertex: usize, p: Point) {
         self.tree.remove(&BoxedRecord { record: TreeRecord::Vertex(vertex as u32), ends: [p; 2] });
     }
 
-    /// Adds the edge of a half-edge.
     pub(super) fn add_edge(&mut self, h: HalfEdge<'_>, points: &[Point]) {
         let mut into = None;
         for h in [h, h.twin()] {
@@ -106,7 +102,7 @@ impl RecordIndex {
         hub.map_or(&mut self.tree, |hub| &mut hub.tree).insert(BoxedRecord::edge(h, points));
     }
 
-    /// Takes off an edge as it was.
+    /// Removes an edge, given its stored form.
     pub(super) fn remove_edge(&mut self, edge: &IndexedEdge) {
         let mut found = false;
         let [a, b] = edge.boxed.ends;
@@ -123,12 +119,13 @@ impl RecordIndex {
         }
     }
 
-    /// Of what leaves a hub, the index of the half-edge towards a point, or of the one before it. None for another vertex.
+    /// Returns the index of the half-edge of a hub towards a point, or of the half-edge before that direction. Returns `None` if
+    /// the vertex is not a hub.
     pub(super) fn towards(&self, v: Vertex<'_>, p: Point) -> Option<usize> {
         self.hubs.get(&(v.index() as u32))?.towards(p)
     }
 
-    /// The index of the hub at a point, if there is one. O(hubs).
+    /// Returns the index of the hub at a point, if there is one. O(hubs).
     pub(super) fn hub_at(&self, p: Point) -> Option<usize> {
         self.hubs.iter().find(|(_, hub)| hub.centre == p).map(|(v, _)| *v as usize)
     }
@@ -138,7 +135,7 @@ impl RecordIndex {
         core::iter::once(&self.tree).chain(hubs.map(|hub| &hub.tree))
     }
 
-    /// The records whose boxes a selection takes. Those of hubs at certain points may be left out.
+    /// Returns the records whose boxes match a selection. Hubs at certain points may be left out.
     pub(super) fn select<'a>(
         &'a self,
         selection: impl SelectionFunction<BoxedRecord> + Clone + 'a,
@@ -147,23 +144,23 @@ impl RecordIndex {
         self.trees(but_hubs_at).flat_map(move |tree| tree.select(selection.clone()))
     }
 
-    /// The records whose boxes meet the box between two corners.
+    /// Returns the records whose boxes meet the box between two corners.
     pub(super) fn in_box(&self, low: Point, high: Point) -> impl Iterator<Item = &BoxedRecord> {
         self.trees([None; 2]).flat_map(move |tree| tree.in_box(low, high))
     }
 
-    /// A record near a point; none if there are none.
+    /// Returns a record near a point, or `None` if there are no records.
     pub(super) fn near(&self, p: Point) -> Option<&BoxedRecord> {
         let distance = |record: &&BoxedRecord| record.distance_2(&p.into());
         self.trees([None; 2]).filter_map(|tree| tree.near(p)).min_by(|a, b| distance(a).total_cmp(&distance(b)))
     }
 }
 
-/// The index of a map, once it is needed. A clone has it, too.
+/// The index of a map, once needed. Clones copy it.
 #[derive(Clone, Default)]
 pub(super) struct KeptIndex(OnceLock<Box<RecordIndex>>);
 
-/// Leaves out what is in it, so that a map looks the same with and without.
+/// Leaves out the contents, so that a map looks the same with and without an index.
 impl core::fmt::Debug for KeptIndex {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str("KeptIndex")
@@ -171,12 +168,12 @@ impl core::fmt::Debug for KeptIndex {
 }
 
 impl KeptIndex {
-    /// The index, which is built if there is none. O(n log n) then.
+    /// Returns the index, building it in O(n log n) if necessary.
     pub(super) fn get(&self, dcel: &Dcel, points: &[Point]) -> &RecordIndex {
         self.0.get_or_init(|| Box::new(RecordIndex::new(dcel, points)))
     }
 
-    /// The index, if there is one.
+    /// Returns the index, if it has been built.
     pub(super) fn if_built(&mut self) -> Option<&mut RecordIndex> {
         self.0.get_mut().map(|index| &mut **index)
     }

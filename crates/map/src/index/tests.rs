@@ -1,4 +1,4 @@
-//! The index after random edits, beside one that is built anew and beside scans of the whole map.
+//! The index after random edits, compared with a freshly built one and with scans of the whole map.
 
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
@@ -10,21 +10,20 @@ use twinedge::dcel::History;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, meeting};
 
-/// All records of an index, in order.
 fn records(index: &RecordIndex) -> Vec<BoxedRecord> {
     let mut records: Vec<BoxedRecord> = index.trees([None; 2]).flat_map(|tree| tree.iter()).copied().collect();
     records.sort_by_key(|record| record.record);
     records
 }
 
-/// The hubs with what leaves them, in order.
+/// Returns the hubs with their half-edges, in order.
 fn rotations(index: &RecordIndex) -> Vec<(u32, Vec<u32>)> {
     let mut all: Vec<_> = index.hubs.iter().map(|(vertex, hub)| (*vertex, hub.rotation())).collect();
     all.sort_unstable();
     all
 }
 
-/// A place, with an edge named by the half-edge with the smaller index.
+/// Returns a location with an edge named by the half-edge with the smaller index.
 fn either_half(map: &PlanarMap, found: Result<Located, LocateError>) -> Result<Located, LocateError> {
     let smaller = |key| {
         let h = map.dcel().half_edge(key).expect("of this map");
@@ -33,13 +32,13 @@ fn either_half(map: &PlanarMap, found: Result<Located, LocateError>) -> Result<L
     found.map(|located| if let Located::Edge(h) = located { Located::Edge(smaller(h)) } else { located })
 }
 
-/// Checks that the kept index has all records, and answers as scans do.
+/// Checks that the kept index has all records and agrees with scans.
 fn check(map: &PlanarMap) -> Result<(), String> {
     let fresh = RecordIndex::new(map.dcel(), &map.points);
     if records(map.index()) != records(&fresh) {
         return Err(format!("kept {:?}, anew {:?}", records(map.index()), records(&fresh)));
     }
-    // A hub stays one until much of what leaves it is gone.
+    // A hub remains one until many of its half-edges are gone.
     let hubs = rotations(map.index());
     if let Some(hub) = rotations(&fresh).into_iter().find(|hub| !hubs.contains(hub)) {
         return Err(format!("hub {hub:?} is not in {hubs:?}"));
@@ -47,7 +46,7 @@ fn check(map: &PlanarMap) -> Result<(), String> {
     for (vertex, fan) in hubs {
         let v = map.dcel().vertex_at(vertex as usize).ok_or("a fan of no vertex")?;
         let mut leaving: Vec<usize> = v.rotation().map(|h| h.index()).collect();
-        // Both go counter-clockwise; the fan begins at the axis.
+        // Both orders are counter-clockwise; the fan begins at the axis.
         let first = leaving.iter().position(|h| Some(*h as u32) == fan.first().copied()).ok_or("another first")?;
         leaving.rotate_left(first);
         if !leaving.iter().map(|h| *h as u32).eq(fan.iter().copied()) {
@@ -82,7 +81,7 @@ fn edits_keep_the_index_as_it_would_be_built_anew() {
     QuickCheck::new().tests(300).quickcheck(edits_keep_the_index as fn(EditProgram) -> TestResult);
 }
 
-/// Each edit is undone, and redone every other time; now and then several are.
+/// Undoes each edit, redoes every other one, and sometimes undoes several.
 fn a_history_keeps_the_index(program: EditProgram) -> TestResult {
     let mut history = History::new(PlanarMap::new());
     history.get().index();
@@ -112,7 +111,7 @@ fn a_history_keeps_the_index_as_it_would_be_built_anew() {
     QuickCheck::new().tests(200).quickcheck(a_history_keeps_the_index as fn(EditProgram) -> TestResult);
 }
 
-/// The same edits on a map with an index from the start and on one that gets its own when it must.
+/// Runs the same edits on a map with an index from the start and on a map that builds it on demand.
 fn an_index_changes_no_outcome(program: EditProgram) -> bool {
     // Clones, so that their keys are the same.
     let map = PlanarMap::new();
@@ -120,7 +119,7 @@ fn an_index_changes_no_outcome(program: EditProgram) -> bool {
     early.map().index();
     let mut late = EditRunner::new(map);
     program.0.iter().all(|op| {
-        // As text, as errors may name coordinates that are no numbers.
+        // Compared as text, since errors may contain NaN coordinates.
         let outcomes = [early.step(op), late.step(op)].map(|outcome| format!("{outcome:?}"));
         outcomes[0] == outcomes[1] && early.map() == late.map()
     })
@@ -167,7 +166,7 @@ fn a_way_to_a_hub_is_found_whatever_is_on_it() {
     for i in 0..12_u32 {
         map.insert_segment(hub, [f64::from(i) - 6.0, -4.0]).unwrap();
     }
-    // Along a spoke that is there, and beyond its end.
+    // Along an existing spoke and beyond its end.
     let along = map.insert_segment([0.0, -6.0], hub).unwrap();
     assert_eq!((along.way.len(), along.edges_made.len()), (2, 1));
     // Past a vertex, and across the base of a triangle.
@@ -185,7 +184,7 @@ fn a_way_to_a_hub_is_found_whatever_is_on_it() {
 fn the_first_of_the_edges_that_are_crossed_is_named() {
     let mut map = PlanarMap::new();
     for x in 1..40_u32 {
-        // In an order that is not that of the way.
+        // In an order other than along the way.
         let x = f64::from(x * 7 % 40);
         map.insert_segment([x, -1.0], [x, 1.0]).unwrap();
     }

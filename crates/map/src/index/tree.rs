@@ -10,14 +10,14 @@ pub(super) struct RecordTree {
     tree: RTree<BoxedRecord>,
 }
 
-/// An edge, by the smaller index of its half-edges, or an isolated vertex, by its own.
+/// An edge, by the smaller index of its half-edges, or an isolated vertex, by its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum TreeRecord {
     Edge(u32),
     Vertex(u32),
 }
 
-/// With its ends, so that the map need be asked only about what is met.
+/// An edge or isolated vertex with its ends, so that the map is accessed only for records that are met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BoxedRecord {
     pub(crate) record: TreeRecord,
@@ -25,33 +25,31 @@ pub(crate) struct BoxedRecord {
 }
 
 impl BoxedRecord {
-    /// The edge of a half-edge, with points by index of vertex.
     pub(super) fn edge(h: HalfEdge<'_>, points: &[Point]) -> Self {
         let h = if h.index() < h.twin().index() { h } else { h.twin() };
         let ends = [h.origin(), h.target()].map(|v| points[v.index()]);
         Self { record: TreeRecord::Edge(h.index() as u32), ends }
     }
 
-    /// An isolated vertex.
     pub(super) fn vertex(v: Vertex<'_>, points: &[Point]) -> Self {
         Self { record: TreeRecord::Vertex(v.index() as u32), ends: [points[v.index()]; 2] }
     }
 }
 
 impl BoxedRecord {
-    /// About where on the way from the first end to the second a point is nearest: from 0 to 1, or no number.
+    /// Returns the approximate position (0 to 1, or NaN) of a point's projection on the segment.
     fn along(&self, p: Point) -> f64 {
         let [a, b] = self.ends;
         let (x, y) = (b.x - a.x, b.y - a.y);
         (((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y)).clamp(0.0, 1.0)
     }
 
-    /// The end that is nearer to a point, about.
+    /// Returns the end that is nearer to a point, approximately.
     pub(crate) fn nearest_end(&self, p: Point) -> Point {
         self.ends[usize::from(self.along(p) > 0.5)]
     }
 
-    /// A point about as far behind the edge as another is before it; none where an end is nearest.
+    /// Returns a point about as far behind the edge as the given point is before it, or `None` if an end is nearest.
     pub(crate) fn across(&self, p: Point) -> Option<Point> {
         let [a, b] = self.ends;
         let along = self.along(p);
@@ -91,27 +89,27 @@ impl RecordTree {
         self.tree.insert(record);
     }
 
-    /// Removes a record; false if it was not there. O(log n), plus the time to find it in an R-tree.
+    /// Removes a record. Returns false if it was absent. O(log n), plus the time to find it in an R-tree.
     pub(super) fn remove(&mut self, record: &BoxedRecord) -> bool {
         self.tree.remove(record).is_some()
     }
 
-    /// The records whose boxes a selection takes.
+    /// Returns the records whose boxes match a selection.
     pub(super) fn select(&self, selection: impl SelectionFunction<BoxedRecord>) -> impl Iterator<Item = &BoxedRecord> {
         self.tree.locate_with_selection_function(selection)
     }
 
-    /// The records whose boxes meet the box between two corners.
+    /// Returns the records whose boxes meet the box between two corners.
     pub(super) fn in_box(&self, low: Point, high: Point) -> impl Iterator<Item = &BoxedRecord> {
         self.tree.locate_in_envelope_intersecting(AABB::from_corners(low.into(), high.into()))
     }
 
-    /// A record near a point, if there is one: that in the nearest box, in the nearest box there, and so on. O(log n).
+    /// Returns a record near a point, if there are any: descends into the nearest box at each level. O(log n).
     pub(super) fn near(&self, p: Point) -> Option<&BoxedRecord> {
         let p = <[f64; 2]>::from(p);
         let mut node = self.tree.root();
         loop {
-            // Of boxes around the point, the one in whose middle it is.
+            // Among boxes that contain the point, the box whose middle is nearest.
             let distance = |child: &RTreeNode<BoxedRecord>| match child {
                 RTreeNode::Leaf(record) => [record.distance_2(&p), 0.0],
                 RTreeNode::Parent(node) => {
@@ -128,7 +126,6 @@ impl RecordTree {
         }
     }
 
-    /// All records, in any order.
     pub(super) fn iter(&self) -> impl Iterator<Item = &BoxedRecord> {
         self.tree.iter()
     }

@@ -7,14 +7,14 @@ use twinedge_geometry::Point;
 use twinedge_geometry::bounds::Bounds;
 use twinedge_geometry::predicates::{Orientation, in_range, orientation};
 
-/// The greatest average number of marks per cell; beyond it the grid is given up.
+/// The greatest average number of marks per cell, beyond which the grid is abandoned.
 const MAX_MARKS_PER_CELL: usize = 16;
 
-/// A grid of as many columns as rows, with about one cell for each segment. An empty cell stores its face; all others store
-/// the first question of the graph of which the answer is not the same for all points of the cell, and the search starts there.
+/// A square grid with about one cell for each segment. An empty cell stores its face. Any other cell stores the first question of
+/// the graph whose answer differs between points of the cell, and searches start there.
 ///
-/// The grid only saves time. Where segments are so long that it would take more than O(n) to draw them cell by cell, all
-/// cells count as not empty.
+/// The grid only saves time. If segments are so long that drawing them cell by cell would take more than O(n), all cells count as
+/// non-empty.
 pub(super) struct Cells {
     columns: Axis,
     rows: Axis,
@@ -22,15 +22,15 @@ pub(super) struct Cells {
     stages: Vec<Stage>,
 }
 
-/// A range of numbers, cut into equal pieces.
+/// A range of numbers, divided into equal pieces.
 struct Axis {
     first: f64,
     last: f64,
     /// Pieces per unit of length; 0 if the range is a single number.
     scale: f64,
     pieces: usize,
-    /// For each piece two numbers between which it lies, the first and the last of the range or in other pieces. So what
-    /// is between neighbouring pieces, is between the two numbers of each.
+    /// Two bounds for each piece: the first or last number of the range, or numbers in other pieces. Numbers between two pieces
+    /// are thus between the bounds of each.
     bounds: Vec<[f64; 2]>,
 }
 
@@ -42,7 +42,7 @@ impl Axis {
             if axis.piece(last) < i {
                 break;
             }
-            // Of two numbers, one is in a piece before this, the other is not, and none is between them.
+            // One of the two numbers is in an earlier piece, the other is not, and no number is between them.
             let (mut before, mut after) = (first, last);
             loop {
                 let middle = f64::midpoint(before, after);
@@ -57,7 +57,7 @@ impl Axis {
         axis
     }
 
-    /// The piece of a number of the range. It never falls as the number grows, since rounding preserves order.
+    /// Returns the piece of a number of the range. It never falls as the number grows, since rounding is monotonic.
     #[inline]
     fn piece(&self, c: f64) -> usize {
         #[expect(clippy::cast_sign_loss, reason = "numbers of the range are at least the first")]
@@ -67,7 +67,7 @@ impl Axis {
 }
 
 impl Cells {
-    /// Makes the grid for the points and segments within this box. O(n), and a short search for each cell.
+    /// Builds the grid for the points and segments in this box. O(n), plus a short search for each cell.
     pub(super) fn new(graph: &Graph, Bounds { low, high }: Bounds) -> Self {
         let side = 1 << graph.segments().len().max(1).ilog2().div_ceil(2);
         let (columns, rows) = (Axis::new(low.x, high.x, side), Axis::new(low.y, high.y, side));
@@ -82,7 +82,7 @@ impl Cells {
                         face = None;
                         continue;
                     }
-                    // Nothing is drawn between this and its empty neighbour.
+                    // Nothing is drawn between this cell and its empty neighbour.
                     face = face.or_else(|| cells.face(graph, column, row));
                     if let Some(face) = face {
                         cells.stages[place] = face;
@@ -93,8 +93,8 @@ impl Cells {
         cells
     }
 
-    /// Stores for each cell how far all of it goes one way through the graph: first for all cells together, then for
-    /// quarters of them.
+    /// Stores for each cell the stage up to which all its points take the same way through the graph: first for all cells
+    /// together, then for quarters of them.
     fn narrow(&mut self, graph: &Graph, side: usize) {
         let mut blocks = vec![([0, 0], side, graph.root())];
         while let Some(([column, row], size, from)) = blocks.pop() {
@@ -111,7 +111,7 @@ impl Cells {
         }
     }
 
-    /// Returns a mark for each cell that is not empty; none if the segments pass through too many.
+    /// Returns a mark for each non-empty cell, or `None` if the segments pass through too many.
     fn marked(&self, graph: &Graph) -> Option<Vec<bool>> {
         let mut marked = vec![false; self.stages.len()];
         let mut marks_left = MAX_MARKS_PER_CELL * self.stages.len();
@@ -137,7 +137,7 @@ impl Cells {
         Some(marked)
     }
 
-    /// Of some rows those, perhaps with a neighbour, in which a segment passes through a column.
+    /// Returns the rows, perhaps with a neighbour, in which a segment passes through a column.
     fn rows_on_the_way(
         &self,
         [low, high]: [Point; 2],
@@ -157,7 +157,7 @@ impl Cells {
         rows.start + below..rows.start + above
     }
 
-    /// The face in which a cell lies that is empty.
+    /// Returns the face that contains an empty cell.
     fn face(&self, graph: &Graph, column: usize, row: usize) -> Option<Stage> {
         let [x, y] = [self.columns.bounds[column], self.rows.bounds[row]].map(|[a, b]| f64::midpoint(a, b));
         let p = Point::new(x, y);
@@ -170,13 +170,13 @@ impl Cells {
         }
     }
 
-    /// The cell in which a point lies.
+    /// Returns the index of the cell that contains a point.
     #[inline]
     fn place(&self, p: Point) -> usize {
         self.rows.piece(p.y) * self.columns.pieces + self.columns.piece(p.x)
     }
 
-    /// Returns the stage at which to start the search for a point; none if it lies outside.
+    /// Returns the stage at which to start the search for a point, or `None` if the point lies outside.
     #[inline]
     pub(super) fn stage(&self, p: Point) -> Option<Stage> {
         let inside = (self.columns.first..=self.columns.last).contains(&p.x)

@@ -1,5 +1,5 @@
-//! The search graph, packed: questions of 12 bytes each, which lead to a face. First it is asked in which slab a point lies, and
-//! then the search graph of that slab.
+//! The search graph, packed: questions of 12 bytes each, which lead to a face. The first questions find the slab of a point; the
+//! others form the search graph of that slab.
 
 use super::slabs::{Slab, Slabs};
 use super::trapezoids::{Drawing, GraphError, search_graph};
@@ -9,7 +9,7 @@ use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientat
 use twinedge_geometry::steps::count_step;
 use twinedge_geometry::{Point, threads};
 
-/// Marks the number of a face among those of questions, and the number of a point among those of segments.
+/// Distinguishes the number of a face from a question, and the number of a point from a segment.
 const MARK: u32 = 1 << 31;
 
 /// A question of the graph, or a face, marked.
@@ -18,7 +18,7 @@ pub(super) type Stage = u32;
 /// On which side of a segment or point does the query lie?
 #[derive(Clone, Copy)]
 struct Question {
-    /// A segment, or a point, marked.
+    /// A segment, or a marked point.
     of: u32,
     /// The next stage on the right of the segment; on the left of the point.
     below: Stage,
@@ -27,11 +27,11 @@ struct Question {
 }
 
 impl Question {
-    /// Stands where a question will be.
+    /// A placeholder.
     const NONE: Self = Self { of: 0, below: 0, above: 0 };
 }
 
-/// The location of a point: in a face, or at a point or inside a segment of the drawing, by their places there.
+/// The location of a point: in a face, or at a point or inside a segment of the drawing, by their indices there.
 #[derive(Clone, Copy)]
 pub(super) enum GraphHit {
     Face(u32),
@@ -39,7 +39,6 @@ pub(super) enum GraphHit {
     Segment(u32),
 }
 
-/// The packed graph.
 pub(super) struct Graph {
     root: Stage,
     questions: Vec<Question>,
@@ -48,7 +47,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n). The slabs
+    /// Builds the graph, given the face above each segment and the face outside. Expected time O(n log n), memory O(n). The slabs
     /// are divided among threads.
     pub(super) fn new(drawn: Drawing, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
         let slabs = Slabs::new(&drawn);
@@ -74,7 +73,7 @@ impl Graph {
                 above: moved(*above),
             }));
         }
-        // A balanced tree, numbered from the root and from left to right, its leaves the roots of the slabs.
+        // A balanced tree, numbered from the root and from left to right. Its leaves are the roots of the slabs.
         for at in (0..walls).rev() {
             let depth = (at + 1).ilog2();
             let slabs_below = slabs.len() >> depth;
@@ -86,14 +85,14 @@ impl Graph {
         Ok(Self { root: stages[0], questions, points: drawn.points, segments: drawn.ends })
     }
 
-    /// The root and the questions of the search graph of one slab, without the nodes of trapezoids.
+    /// Returns the root and the questions of the search graph of one slab, without the nodes of trapezoids.
     fn pack(slab: &Slab, faces: &[u32], outside: u32) -> Result<(Stage, Vec<Question>), GraphError> {
         let nodes = search_graph(&slab.drawn)?;
         let names: Vec<u32> =
             slab.segments.iter().copied().chain(slab.points.iter().map(|point| MARK | *point)).chain([0]).collect();
         let faces: Vec<u32> =
             slab.segments.iter().map(|segment| faces[*segment as usize]).chain([outside]).map(Self::stage).collect();
-        // Without branches, as what a node is looks random.
+        // Branch-free, as the kinds of nodes look random.
         let (trapezoid, none) = (names.len() as u32 - 1, slab.segments.len());
         let mut next = 0;
         let mut stages: Vec<Stage> = nodes
@@ -105,7 +104,7 @@ impl Graph {
                 stage
             })
             .collect();
-        // Numbers of trapezoids, which are read here like those of nodes, go up to 1 even if there is one node.
+        // Numbers of trapezoids, read here like numbers of nodes, go up to 1 even if there is one node.
         stages.push(Self::stage(outside));
         let mut questions = vec![Question::NONE; next as usize + 1];
         let mut place = 0;
@@ -126,7 +125,7 @@ impl Graph {
         self.root
     }
 
-    /// Returns the location of a point whose search has come to this stage. O(log n) expected from the root.
+    /// Returns the location of a point, continuing its search from this stage. O(log n) expected from the root.
     #[inline]
     pub(super) fn find(&self, mut stage: Stage, p: Point) -> GraphHit {
         while stage & MARK == 0 {
@@ -137,7 +136,7 @@ impl Graph {
                 match orientation(low, high, p) {
                     Orientation::CounterClockwise => true,
                     Orientation::Clockwise => false,
-                    // The search comes to a segment only between the walls of its ends.
+                    // The search reaches a segment only between the walls of its ends.
                     Orientation::Collinear => return GraphHit::Segment(question.of),
                 }
             } else {
@@ -152,7 +151,7 @@ impl Graph {
         GraphHit::Face(stage ^ MARK)
     }
 
-    /// Goes on from a stage as far as all of a box goes one way.
+    /// Continues from a stage as long as all of a box goes one way.
     pub(super) fn narrow(&self, mut stage: Stage, bounds: &Bounds) -> Stage {
         while stage & MARK == 0 {
             count_step();
@@ -168,17 +167,16 @@ impl Graph {
         stage
     }
 
-    /// The stage at which it is known that a point lies in this face.
+    /// Returns the final stage for points in this face.
     pub(super) const fn stage(face: u32) -> Stage {
         MARK | face
     }
 
-    /// The points.
     pub(super) fn points(&self) -> &[Point] {
         &self.points
     }
 
-    /// The segments, each from its lower end to its higher.
+    /// Returns the segments, each from its lower end to its higher.
     pub(super) fn segments(&self) -> &[[Point; 2]] {
         &self.segments
     }

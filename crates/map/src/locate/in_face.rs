@@ -1,4 +1,4 @@
-//! Location of a point in one face, or on its boundary, by scanning that boundary.
+//! Locating a point in one face or on its boundary, by scanning the boundary.
 
 use super::located::Located;
 use crate::Embedding;
@@ -8,12 +8,12 @@ use twinedge::dcel::{Face, HalfEdge, Vertex};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
-/// Returns the location of a point in this face or on its boundary; none if it lies elsewhere. O(size of the boundary).
+/// Returns the location of a point in this face or on its boundary, or `None` if it lies elsewhere. O(size of the boundary).
 pub(crate) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) -> Option<Located> {
     let mut scan = BoundaryScan { map, p, on: None, below: None };
     face.half_edges().for_each(|h| scan.at_edge(h));
     face.inner().filter_map(|b| b.isolated_vertex()).for_each(|v| scan.at_vertex(v));
-    // Everything else lies beyond the boundary of the face, so the edge below decides.
+    // The edge directly below belongs to the boundary of the point's face, so it decides.
     let is_inside = || scan.below.map_or(face.is_unbounded(), |(h, _)| h.face() == face);
     scan.on.or_else(|| is_inside().then(|| Located::Face(face.key())))
 }
@@ -23,8 +23,8 @@ struct BoundaryScan<'a> {
     map: &'a PlanarMap,
     p: Point,
     on: Option<Located>,
-    /// The edge that is met first going straight down from the point (or leaning to the right a little, if that meets a
-    /// vertex), as the half-edge that runs to the right, and its ends.
+    /// The first edge met straight down from the point (leaning slightly to the right if that meets a vertex), as the half-edge
+    /// that runs to the right, and its ends.
     below: Option<(HalfEdge<'a>, [Point; 2])>,
 }
 
@@ -59,9 +59,9 @@ impl<'a> BoundaryScan<'a> {
     }
 }
 
-/// Returns true if an edge lies above another, where both rise and have something to the left and to the right of one point.
+/// Returns true if an edge lies above another one. Both must rise, and extend to the left and right of one point.
 fn is_above([low, high]: [Point; 2], [other_low, other_high]: [Point; 2]) -> bool {
-    // The one that starts further right starts above or below the other.
+    // The edge that starts further right starts above or below the other.
     let turn = if low == other_low {
         orientation(other_low, other_high, high)
     } else if compare_lexicographic(other_low, low).is_lt() {

@@ -1,7 +1,7 @@
-//! Location of a point by the index that a map keeps.
+//! Locating a point by the index that a map keeps.
 //!
-//! The index knows something near. From the point straight there, and a little further, what is met first bounds the face: that
-//! is decided exactly, whatever is near.
+//! The index finds a nearby record. The first record met on the way from the point straight there, and a little further, bounds
+//! the point's face. This step is exact, no matter which record is nearby.
 
 use super::located::{LocateError, Located, check_range};
 use crate::Embedding;
@@ -17,13 +17,13 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{compare_lexicographic, in_range};
 
 impl PlanarMap {
-    /// Returns the location of a point, for a map that changes between questions. An edge is named by the half-edge that runs to
+    /// Returns the location of a point, for a map that changes between queries. An edge is named by the half-edge that runs to
     /// the right, or straight up.
     ///
-    /// The first call builds an index, O(n log n), which the map keeps through all [edits](crate::edit). With it, a
-    /// question takes what an R-tree takes to find what lies between the point and something near: O(log n) where boxes hardly overlap, as on most maps,
-    /// and O(n) at worst, as among long slanted parallels, or between the spokes of a star. [`Locator`](crate::Locator) has
-    /// no such worst case, and borrows the map.
+    /// The first call builds an index in O(n log n), which the map maintains through all [edits](crate::edit). With it, a query
+    /// costs the search of an R-tree for the records between the point and a nearby record: O(log n) if boxes hardly overlap, as
+    /// on most maps, and O(n) at worst, for example among long slanted parallels or between the spokes of a star.
+    /// [`Locator`](crate::Locator) has no such worst case, but borrows the map.
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -50,15 +50,15 @@ impl PlanarMap {
         let found = if end == p {
             self.vertex_of(near, p)
         } else {
-            // Towards an end something is met for certain, but perhaps only after a long way.
+            // The segment to an end always meets something, but perhaps only after a long way.
             let across = near.across(p).filter(|q| in_range(*q) && *q != p);
             across.and_then(|q| self.first_met(p, q)).or_else(|| self.first_met(p, end))
         };
         found.ok_or_else(|| NotPlane::default().into())
     }
 
-    /// The face in which a point lies, also if it is an isolated vertex there; none on an edge, and on a map that is not plane. The cost is that of
-    /// [`locate`](Self::locate).
+    /// Returns the face that contains a point, even if an isolated vertex lies there. Returns `None` on an edge, and on a map
+    /// that is not plane. It costs as much as [`locate`](Self::locate).
     #[must_use]
     pub fn face_at(&self, p: Point) -> Option<Face<'_>> {
         match self.locate(p).ok()? {
@@ -68,7 +68,7 @@ impl PlanarMap {
         }
     }
 
-    /// The end of a record that is at a point.
+    /// Returns the end of a record at a point.
     fn vertex_of(&self, boxed: &BoxedRecord, p: Point) -> Option<Located> {
         let dcel = self.dcel();
         let ends = match boxed.record {
@@ -80,13 +80,13 @@ impl PlanarMap {
         ends.into_iter().flatten().find(|v| self.point(v.index()) == p).map(|v| Located::Vertex(v.key()))
     }
 
-    /// Returns the location of a point, found from the first record that the segment to another point meets; none if it meets
-    /// nothing.
+    /// Returns the location of a point, derived from the first record on the segment to another point, or `None` if there is no
+    /// such record.
     fn first_met(&self, p: Point, to: Point) -> Option<Located> {
         let line = Line { from: p, through: to };
         let mut first: Option<LineEvent<'_>> = None;
         each_event(self, &line, &QueryLine::Segment(p, to), [None; 2], |event| {
-            // Records beyond say nothing: not all are looked at there.
+            // Ignore records beyond the segment: the search there is incomplete.
             let is_between =
                 line.order(LinePlace::At(p), event.place).is_le() && line.order(event.place, LinePlace::At(to)).is_le();
             if is_between && first.is_none_or(|first| line.order(event.place, first.place).is_lt()) {
@@ -107,7 +107,7 @@ impl PlanarMap {
         })
     }
 
-    /// The half-edge of an edge that runs to the right, or straight up.
+    /// Returns the half-edge of an edge that runs to the right, or straight up.
     fn rising<'a>(&self, h: HalfEdge<'a>) -> HalfEdge<'a> {
         let [a, b] = [h.origin(), h.target()].map(|v| self.point(v.index()));
         if compare_lexicographic(a, b).is_lt() { h } else { h.twin() }

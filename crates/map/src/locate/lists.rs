@@ -1,6 +1,6 @@
-//! Lists of numbers, one behind the other in one vector.
+//! Lists of numbers, stored one after another in one vector.
 
-/// Some lists of numbers, each ascending.
+/// Ascending lists of numbers.
 pub(super) struct Lists {
     /// The start of each list, and the end of the last one.
     starts: Vec<usize>,
@@ -8,7 +8,7 @@ pub(super) struct Lists {
 }
 
 impl Lists {
-    /// So many lists. Each number, from 0 on, comes with the first and the last of those lists in which it is to be.
+    /// Creates `lists` lists. Number i goes into all lists of the i-th range, given by its first and last list.
     pub(super) fn new(lists: usize, ranges: impl Iterator<Item = [u32; 2]> + Clone) -> Self {
         let mut starts = vec![0; lists + 1];
         for [first, last] in ranges.clone() {
@@ -31,7 +31,6 @@ impl Lists {
         Self { starts, items }
     }
 
-    /// One of the lists.
     pub(super) fn list(&self, list: usize) -> &[u32] {
         &self.items[self.starts[list]..self.starts[list + 1]]
     }

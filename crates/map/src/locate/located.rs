@@ -1,4 +1,4 @@
-//! The answer to where a point lies, and why there may be none.
+//! The result of point location, and its errors.
 
 use crate::not_plane::NotPlane;
 use thiserror::Error;
@@ -25,7 +25,7 @@ pub enum LocateError {
     /// [`in_range`].
     #[error("the point ({:?}, {:?}) is not in the range of exact arithmetic", .0.x, .0.y)]
     OutOfRange(Point),
-    /// The two points that should give a direction are this same one.
+    /// The two points that should define a direction are equal.
     #[error("there is no direction from ({}, {}) to itself", .0.x, .0.y)]
     NoDirection(Point),
     /// The map is not plane.
@@ -34,7 +34,7 @@ pub enum LocateError {
     /// There are more edges than the index can number.
     #[error("the map is too large for an index")]
     TooLarge,
-    /// A key names nothing.
+    /// A key is stale.
     #[error(transparent)]
     Stale(#[from] StaleKey),
 }

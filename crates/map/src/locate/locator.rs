@@ -13,13 +13,13 @@ use twinedge_geometry::curve::Curve;
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_geometry::{Point, threads};
 
-/// An index of a map: where points lie, and what lines meet.
+/// An index of a map: point location, and the elements along lines.
 ///
-/// It borrows the map, so the map cannot change meanwhile. See the [module](crate::locate) for an example.
+/// It borrows the map, so the map cannot change meanwhile. The [module](crate::locate) has an example.
 pub struct Locator<'m> {
     pub(crate) map: &'m PlanarMap,
     graph: Graph,
-    /// None if the map has no vertex.
+    /// `None` if the map has no vertex.
     cells: Option<Cells>,
     /// The vertex of each point of the graph.
     vertices: Vec<u32>,
@@ -34,16 +34,16 @@ impl core::fmt::Debug for Locator<'_> {
 }
 
 impl<'m> Locator<'m> {
-    /// Builds the index. Expected time O(n log n) and expected memory O(n), some 200 bytes for each edge. The
-    /// expectation is over the orders in which edges may be inserted, not over the maps: fans, combs, long parallels
-    /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
-    /// maps have equal indices. With the feature `rayon`, slabs of the map are divided among the threads of its current pool.
+    /// Builds the index. Expected time O(n log n) and expected memory O(n), some 200 bytes for each edge. The expectation is over
+    /// the random insertion order of edges, not over maps: fans, combs, long parallels and thousands of islands are no worse than
+    /// other maps. The order comes from a fixed pseudo-random sequence, so equal maps have equal indices. With the feature
+    /// `rayon`, slabs of the map are divided among the threads of the current pool.
     ///
-    /// What only lines need is the index that the map keeps; it is built with the first [`zone`](Self::zone).
+    /// Lines also use the index kept by the map; the first [`zone`](Self::zone) builds it.
     ///
     /// # Errors
-    /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] says no. [`LocateError::TooLarge`] beyond some hundred
-    /// million edges.
+    /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] returns false. [`LocateError::TooLarge`] beyond some hundred million
+    /// edges.
     pub fn new(map: &'m PlanarMap) -> Result<Self, LocateError> {
         map.plane()?;
         let dcel = map.dcel();
@@ -87,7 +87,7 @@ impl<'m> Locator<'m> {
         Ok(Self { map, graph, cells, vertices, rising })
     }
 
-    /// The map.
+    /// Returns the map.
     #[must_use]
     pub const fn map(&self) -> &'m PlanarMap {
         self.map
@@ -130,8 +130,8 @@ impl<'m> Locator<'m> {
         Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
     }
 
-    /// Returns the location of each of some points, in their order, as [`locate`](Self::locate) does. O(log n) expected for each;
-    /// with the feature `rayon`, the points are divided among the threads of its current pool.
+    /// Returns the locations of some points, in order, as [`locate`](Self::locate) does. O(log n) expected for each; with the
+    /// feature `rayon`, the points are divided among the threads of the current pool.
     ///
     /// ```
     /// use twinedge_map::{Located, Locator, PlanarMap};
@@ -145,7 +145,7 @@ impl<'m> Locator<'m> {
     /// ```
     ///
     /// # Errors
-    /// [`LocateError::OutOfRange`] in the place of each point that is.
+    /// [`LocateError::OutOfRange`] in place of each point that is out of range.
     #[must_use]
     pub fn locate_all(&self, points: &[Point]) -> Vec<Result<Located, LocateError>> {
         threads::map(points, |p| self.locate(*p))

@@ -1,11 +1,11 @@
 //! Point location by an index.
 //!
-//! | | builds | answers in | for |
+//! | | build | query | for |
 //! | --- | --- | --- | --- |
-//! | [`Locator`] | O(n log n) | O(log n) | many questions about one map |
-//! | [`PlanarMap::locate`](crate::PlanarMap::locate) | once, O(n log n), and keeps it through edits | O(log n) on most maps, O(n) at worst | a map that changes between questions |
+//! | [`Locator`] | O(n log n) | O(log n) | many queries on one map |
+//! | [`PlanarMap::locate`](crate::PlanarMap::locate) | once, O(n log n), then maintained through edits | O(log n) on most maps, O(n) at worst | a map that changes between queries |
 //!
-//! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
+//! Both are exact: a point is at a vertex, inside an edge or in a face, without any tolerance.
 //!
 //! ```text
 //!    ●────────────●
@@ -38,11 +38,11 @@
 //!
 //! # How
 //!
-//! The map is cut in slabs, so that few edges pass from one to the next (see `slabs.rs`), and the index of a slab is the search
-//! graph of its trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever the map. In front of all is
-//! a grid of about one cell per edge. A cell that no edge meets stores its face, so most searches end in the grid; others store
-//! where in the graph the ways of its points part. The worst case is that of the graph: the grid has one number per cell and
-//! no lists.
+//! The map is cut into slabs so that few edges pass from one to the next (see `slabs.rs`). The index of a slab is the search
+//! graph of its trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) per query, for every map. In front of it is a
+//! grid of about one cell per edge. A cell that no edge meets stores its face, so most searches end in the grid. Other cells
+//! store the place in the graph where the paths of their points diverge. The graph determines the worst case: the grid has one
+//! number per cell and no lists.
 
 mod cells;
 mod graph;

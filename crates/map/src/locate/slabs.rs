@@ -1,4 +1,4 @@
-//! A plane drawing, cut in slabs by the walls of some of its vertices.
+//! A plane drawing, cut into slabs by the walls of some of its vertices.
 //!
 //! ```text
 //!      0   :  1  :  2  :   3
@@ -8,38 +8,38 @@
 //!          :     :     c
 //! ```
 //!
-//! What is next above or below a point is found among the segments of its slab. So each slab can have a search graph of its own,
-//! so small that it stays in a cache while it is built, and several threads can build them.
+//! The nearest segments above and below a point are among the segments of its slab. So each slab can have its own search graph,
+//! small enough to stay in a cache during construction, and several threads can build them.
 //!
-//! Few segments pass from one slab to the next: as long as they are too many, there are half as many slabs. Where most segments
-//! are long, as in fans and among long parallels, one slab is left. So all slabs together have O(n) segments.
+//! Few segments pass from one slab to the next: while there are too many, the number of slabs is halved. If most segments are
+//! long, as in fans and long parallels, one slab is left. So all slabs together have O(n) segments.
 
 use super::lists::Lists;
 use super::trapezoids::Drawing;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 
-/// About how many vertices a slab has at least.
+/// The approximate minimum number of vertices per slab.
 const LEAST: usize = 512;
 
 /// The number of vertices of the sample between two neighbouring walls.
 const SAMPLED: usize = 8;
 
-/// Of so many segments one may pass through a wall, on average. It is drawn twice.
+/// On average, at most one of this number of segments may pass through a wall. Such a segment is drawn twice.
 const PASSING: usize = 8;
 
-/// The slabs of a drawing, a power of two of them. Slab i is what comes, in lexicographic order, after vertex i - 1 of the walls,
-/// that vertex included, and before vertex i.
+/// The slabs of a drawing; their number is a power of two. In lexicographic order, slab i begins with vertex i - 1 of the walls
+/// and ends before vertex i.
 pub(super) struct Slabs {
-    /// The vertices whose walls part the slabs, in lexicographic order.
+    /// The vertices whose walls separate the slabs, in lexicographic order.
     pub(super) walls: Vec<u32>,
     points: Lists,
     segments: Lists,
-    /// The place of each point in the list of its slab.
+    /// The position of each point in the list of its slab.
     places: Vec<u32>,
 }
 
-/// A drawing of what has a part in a slab, and the numbers that its points and segments have in the whole drawing.
+/// A drawing of the points and segments with a part in a slab, and their numbers in the whole drawing.
 pub(super) struct Slab {
     pub(super) drawn: Drawing,
     pub(super) points: Vec<u32>,
@@ -54,7 +54,7 @@ impl Slabs {
         let at_walls: Vec<Point> = walls.iter().map(|wall| drawn.points[*wall as usize]).collect();
         let slab = |p: &Point| at_walls.partition_point(|wall| compare_lexicographic(*wall, *p).is_le()) as u32;
         let mut slabs: Vec<u32> = drawn.points.iter().map(slab).collect();
-        // Of what is left after some halvings, how often do segments pass through a wall?
+        // Counts the passes of segments through walls that remain after some halvings.
         let passes = |halvings: u32| -> usize {
             let slab = |end: u32| slabs[end as usize] >> halvings;
             drawn.segments.iter().map(|[low, high]| (slab(*high) - slab(*low)) as usize).sum()
@@ -78,7 +78,6 @@ impl Slabs {
         Self { walls, points, segments, places }
     }
 
-    /// Returns the number of slabs.
     pub(super) fn len(&self) -> usize {
         self.walls.len() + 1
     }
@@ -108,7 +107,7 @@ impl Slabs {
     }
 }
 
-/// Those of some points that part them, in lexicographic order, in so many parts of about the same size. O(n).
+/// Returns points, in lexicographic order, that divide the given points into `parts` parts of about the same size. O(n).
 fn quantiles(points: &[Point], parts: usize) -> Vec<u32> {
     let step = (points.len() / (SAMPLED * parts)).max(1);
     let mut sample: Vec<u32> = (0..points.len() as u32).step_by(step).collect();

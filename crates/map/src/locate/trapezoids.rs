@@ -8,27 +8,26 @@
 //!   : \________c____:
 //! ```
 //!
-//! Segments are put in one after the other, in random order. A new end point cuts the trapezoid that it lies in by its
-//! walls; a new segment then cuts the trapezoids that it passes through, and takes away from the walls that it meets what
-//! is beyond it. The search graph remembers: a trapezoid that is cut becomes a question ("left of this vertex?", "above
-//! this segment?") whose answers are the pieces. A piece may come from several trapezoids, so the graph is no tree; that
-//! keeps it of linear size.
+//! Segments are inserted one by one, in random order. A new end point cuts its trapezoid by its walls. A new segment then cuts
+//! the trapezoids that it passes through, and trims the walls that it meets beyond the segment. The search graph keeps the
+//! history: a cut trapezoid becomes a question ("left of this vertex?", "above this segment?") whose answers are the pieces. A
+//! piece may come from several trapezoids, so the graph is no tree; that keeps its size linear.
 //!
 //! As in the [sweep](mod@twinedge_geometry::sweep), the walls lean a little, so that vertices are met in lexicographic order and
-//! nothing is vertical. No case is left over.
+//! nothing is vertical. There are no special cases.
 //!
-//! *Cost.* On average over the orders, a segment cuts O(1) trapezoids and a question is asked O(log n) times on the way to
-//! any fixed point, whatever the drawing. The order is that of a fixed pseudo-random sequence, so it is the same in every
-//! run; a drawing made up against this very sequence could be slow, and all others are as good as the average.
+//! *Cost.* On average over the orders, a segment cuts O(1) trapezoids, and the path to any fixed point has O(log n) questions,
+//! for every drawing. The order follows a fixed pseudo-random sequence, so it is the same in every run; a drawing constructed
+//! against this sequence could be slow, all others behave like the average.
 //!
-//! In a large drawing it is memory that takes time, and a random order jumps through it. So points and segments are numbered
-//! along a curve that fills the plane, and segments come in rounds, each of as many as all before it. Which round a segment is
-//! in is random; within a round segments follow the curve, so that one is next to the one before. A round puts O(1) segments on
-//! average through a trapezoid of the rounds before, so it adds O(1) questions to a way, and all rounds add O(log n). And the
-//! points of a round are found together before it: neighbours share the way from the root.
+//! In a large drawing, memory access takes the time, and a random order jumps through memory. So points and segments are numbered
+//! along a space-filling curve, and segments are inserted in rounds, each as large as all earlier rounds together. The round of a
+//! segment is random; within a round segments follow the curve, so that successive segments are neighbours. A round puts O(1)
+//! segments on average through a trapezoid of the earlier rounds, so it adds O(1) questions to a path, and all rounds add O(log
+//! n). The points of a round are located together before it: neighbours share the path from the root.
 //!
-//! Nothing is gained by building anew if the graph came out deep: in a random order, the chance that any point at all takes
-//! more than 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
+//! Rebuilding a deep graph would gain nothing: in a random order, the chance that any point takes more than 3 λ ln (n + 1)
+//! questions is below 2 / (n + 1)^(0.22 λ − 3).
 //!
 //! Sources: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 6
 //! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
@@ -40,12 +39,12 @@ use twinedge_geometry::bounds::{Bounds, is_before};
 use twinedge_geometry::predicates::{Orientation, orientation};
 use twinedge_geometry::steps::count_step;
 
-/// No vertex, or no trapezoid. Links of no trapezoid are written and mean nothing.
+/// No vertex, or no trapezoid. Links of trapezoid 0 are written but meaningless.
 const NO_VERTEX: u32 = u32::MAX;
 const NOTHING: u32 = 0;
 
-/// A plane drawing: distinct points, and segments that meet at shared endpoints only. Both are numbered along a curve that fills
-/// the plane.
+/// A plane drawing: distinct points, and segments that meet only at shared endpoints. Both are numbered along a space-filling
+/// curve.
 pub(super) struct Drawing {
     pub(super) points: Vec<Point>,
     /// The numbers of the lower and the higher end, in lexicographic order.
@@ -55,45 +54,43 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// On which side of a segment a point lies.
     fn side(&self, segment: u32, p: Point) -> Orientation {
         let [low, high] = self.ends[segment as usize];
         orientation(low, high, p)
     }
 }
 
-/// A node of the search graph. Its number is smaller than those of the nodes to which it leads, so every search ends.
+/// A node of the search graph. Its number is smaller than the numbers of its successors, so every search ends.
 #[derive(Clone, Copy)]
 pub(super) struct Node {
-    /// The number of a segment: is it below or above? Or that of a vertex, plus the number of segments: is it left or right, in
-    /// the lexicographic sense? Or the sum of both numbers: it is in this trapezoid.
+    /// For a question about a segment (is the point below or above?), its number. For a question about a vertex (left or right,
+    /// lexicographically?), its number plus the number of segments. For a trapezoid, the total number of segments and vertices.
     pub(super) of: u32,
-    /// The next node below, or on the left. In a trapezoid: its number.
+    /// The next node below, or on the left. For a trapezoid, its number.
     pub(super) below: u32,
-    /// The next node above, or on the right. In a trapezoid: the segment below it, or the number of segments if there is none.
+    /// The next node above, or on the right. For a trapezoid, the segment below it, or the number of segments if there is none.
     pub(super) above: u32,
 }
 
-/// A trapezoid. Its neighbours are those with which it shares a wall and the segment above (or below) it: so along each
-/// side of a segment there is a list, linked both ways.
+/// A trapezoid. Its neighbours share a wall with it and the segment above (or below). So the trapezoids along each side of a
+/// segment form a doubly linked list.
 #[derive(Clone, Copy)]
 struct Trapezoid {
     node: u32,
     /// The vertex whose wall is the right side.
     right: u32,
-    /// To the left and to the right along the segment above.
+    /// The neighbours to the left and right along the segment above.
     upper: [u32; 2],
-    /// To the left and to the right along the segment below.
+    /// The neighbours to the left and right along the segment below.
     lower: [u32; 2],
 }
 
 const LEFT: usize = 0;
 const RIGHT: usize = 1;
 
-/// Into how many groups the points of a group are parted that are to be found together.
+/// The number of parts into which a group of points is divided when its paths diverge.
 const PARTS: usize = 4;
 
-/// The error of [`search_graph`].
 pub(super) enum GraphError {
     /// There are too many nodes.
     TooLarge,
@@ -101,13 +98,13 @@ pub(super) enum GraphError {
     Clash,
 }
 
-/// The trapezoidal map of what has been put in so far.
+/// The trapezoidal map of the points and segments inserted so far.
 struct TrapezoidalMap<'a> {
     drawn: &'a Drawing,
     nodes: Vec<Node>,
-    /// From number 1 on: there are one more than points with walls and segments.
+    /// From number 1 on: one more than there are points with walls and segments.
     trapezoids: Vec<Trapezoid>,
-    /// A node whose region holds the point; if the point has its walls, what is to the right of it.
+    /// For each point, a node whose region contains it; for a point with walls, the trapezoid or question to its right.
     starts: Vec<u32>,
     /// A mark for each point that has its walls.
     walled: Vec<bool>,
@@ -125,7 +122,7 @@ pub(super) fn search_graph(drawn: &Drawing) -> Result<Vec<Node>, GraphError> {
 
     let rounds = rounds(segments);
     let count = rounds.iter().max().map_or(0, |last| *last as usize + 1);
-    // A point is put in with the first of its segments.
+    // A point is inserted with the first of its segments.
     let mut first_rounds = vec![u32::MAX; points];
     for (ends, round) in drawn.segments.iter().zip(&rounds) {
         for end in ends {
@@ -144,7 +141,7 @@ pub(super) fn search_graph(drawn: &Drawing) -> Result<Vec<Node>, GraphError> {
             map.insert(*segment)?;
         }
     }
-    // Vertices without segments come last: their walls would be cut by segments later on.
+    // Vertices without segments come last, or later segments would cut their walls.
     let rounds = self::rounds(isolated.len());
     let count = rounds.iter().max().map_or(0, |last| *last as usize + 1);
     let lists = Lists::new(count, rounds.iter().map(|round| [*round; 2]));
@@ -159,7 +156,6 @@ pub(super) fn search_graph(drawn: &Drawing) -> Result<Vec<Node>, GraphError> {
 }
 
 impl TrapezoidalMap<'_> {
-    /// Puts a segment in.
     fn insert(&mut self, segment: u32) -> Result<(), GraphError> {
         let [low, high] = self.drawn.segments[segment as usize];
         self.wall(high)?;
@@ -168,10 +164,9 @@ impl TrapezoidalMap<'_> {
         self.thread(segment, first)
     }
 
-    /// Finds nodes from which to start for all of some points that are to get their walls in this round, in ascending order.
+    /// Finds start nodes for all points that get their walls in this round, in ascending order.
     ///
-    /// They are found in groups of neighbours: as far as all of a box around a group goes one way, the group goes it
-    /// together.
+    /// They are found in groups of neighbours: a group descends together while all of the box around it goes one way.
     fn find_all(&mut self, points: &[u32]) {
         let mut groups = vec![(points, 0)];
         while let Some((group, from)) = groups.pop() {
@@ -194,7 +189,7 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// Goes from a node as far as all of a box goes one way, and says whether that is a trapezoid.
+    /// Descends from a node while all of a box goes one way. Returns the last node, and whether it is a trapezoid.
     fn narrow(&self, mut at: u32, bounds: &Bounds) -> (u32, bool) {
         loop {
             count_step();
@@ -211,17 +206,17 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// The number of the vertex of a question, if it is one of a vertex, or else a number too large.
+    /// Returns the vertex number of a question about a vertex, or else a number too large.
     fn vertex(&self, node: Node) -> usize {
         (node.of as usize).wrapping_sub(self.drawn.segments.len())
     }
 
-    /// The trapezoid in which a point lies that has no wall yet, or else that in which the way to another point, further
-    /// right, begins. The next search for the point starts where this one came to what depends on the way.
+    /// Returns the trapezoid that contains a point without walls, or the trapezoid in which the way to another point, further
+    /// right, begins. The next search for the point starts at the first question that depends on that way.
     fn find(&mut self, from: u32, to: Option<u32>) -> u32 {
         let p = self.drawn.points[from as usize];
         let mut at = self.starts[from as usize];
-        // The first question of which the answer depends on the other point.
+        // The first question whose answer depends on the other point.
         let mut start = None;
         loop {
             count_step();
@@ -246,7 +241,7 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// Gives a point its walls, if it has none.
+    /// Adds the walls of a point, if it has none.
     ///
     /// ```text
     ///    _____________        ______:______
@@ -282,7 +277,7 @@ impl TrapezoidalMap<'_> {
         Ok(())
     }
 
-    /// Draws a segment through the trapezoids, from that on the right of its lower end to that on the left of its higher.
+    /// Draws a segment through the trapezoids, from the right of its lower end to the left of its higher end.
     ///
     /// ```text
     ///    _____________________        _____________________
@@ -294,8 +289,8 @@ impl TrapezoidalMap<'_> {
     ///    ____r'________:______        ____r'____:__________
     /// ```
     ///
-    /// A wall stays on that side of the segment where its vertex is; on the other, the pieces next to it become one. What is
-    /// new keeps the number of what is cut.
+    /// A wall survives on the side of the segment where its vertex is; on the other side, the pieces next to the wall are merged.
+    /// Pieces reuse the numbers of the cut trapezoids.
     fn thread(&mut self, segment: u32, first: u32) -> Result<(), GraphError> {
         let end = self.drawn.segments[segment as usize][RIGHT];
         let mut old = self.trapezoids[first as usize];
@@ -339,7 +334,7 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// The trapezoid behind a wall.
+    /// Returns the trapezoid behind a wall.
     fn next(&self, at: u32) -> Result<Trapezoid, GraphError> {
         if at == NOTHING { Err(GraphError::Clash) } else { Ok(self.trapezoids[at as usize]) }
     }
@@ -355,13 +350,13 @@ impl TrapezoidalMap<'_> {
         Ok(number as u32)
     }
 
-    /// Makes a trapezoid's node a question.
+    /// Turns a trapezoid's node into a question.
     fn ask(&mut self, at: u32, of: u32, [below, above]: [u32; 2]) {
         self.nodes[at as usize] = Node { of, below, above };
     }
 }
 
-/// The numbers below n in an order that looks random (R. A. Fisher and F. Yates, 1938), and is the same in every run.
+/// Returns the numbers below n in an order that looks random (R. A. Fisher and F. Yates, 1938), but is the same in every run.
 fn shuffled(n: usize) -> Vec<u32> {
     let mut order: Vec<u32> = (0..n as u32).collect();
     let mut state = 0_u64;
@@ -378,8 +373,8 @@ fn shuffled(n: usize) -> Vec<u32> {
     order
 }
 
-/// Parts the numbers below n at random in rounds, each of as many as all before it, and says which each is in.
+/// Divides the numbers below n at random into rounds, each as large as all earlier rounds together. Returns the round of each.
 fn rounds(n: usize) -> Vec<u32> {
-    // Round 0 has what was drawn first, and round r the draws from 2^(r - 1) to 2^r.
+    // Round 0 has draw 0, and round r the draws from 2^(r - 1) to 2^r.
     shuffled(n).into_iter().map(|drawn| drawn.checked_ilog2().map_or(0, |last| last + 1)).collect()
 }

@@ -1,4 +1,4 @@
-//! The structure and its coordinates as they were when they were last found right.
+//! The structure and its coordinates as of the last valid state.
 
 use super::disjoint::is_disjoint;
 use super::drawing::{Drawing, Place, read_places};
@@ -11,24 +11,22 @@ use twinedge::validate::near::changes::{Column, Diff, HalfEdge, Row as _};
 use twinedge::validate::near::{Baseline, BaselineError, WriteSet};
 use twinedge::validate::{Collect, Expectation, Part, Report, Surface};
 
-/// The links and coordinates of a structure that was found right, to compare it with after a change. See
-/// [`validate_embedding_near`].
+/// The links and coordinates of a valid structure, kept for comparison after a change. See [`validate_embedding_near`].
 ///
-/// Takes, beside a [`Baseline`], 32 bytes per vertex, and about 70 per edge and 40 per inner boundary component for R-trees of them.
+/// Takes 32 bytes per vertex on top of a [`Baseline`], and about 70 per edge and 40 per inner boundary component for R-trees.
 #[derive(Clone, Debug)]
 pub struct EmbeddingBaseline {
     links: Baseline,
-    /// The coordinates of the vertices.
     places: Column<Place>,
-    /// None if the drawing was not read since the links were.
+    /// `None` if the drawing was not read after the links.
     trees: Option<DrawnTrees>,
 }
 
 impl EmbeddingBaseline {
-    /// Validates the structure in full, and keeps its links and coordinates. O(n log n).
+    /// Validates the structure in full, and copies its links and coordinates. O(n log n).
     ///
     /// # Errors
-    /// The structure is not valid; or edges have bends; or the expectation is not that of a plane map with faces, boundary
+    /// The structure is invalid; edges have bends; or the expectation does not describe a plane map with faces, boundary
     /// components, places, lists of inner ones, and an unbounded face.
     pub fn new<E: Embedding + ?Sized>(embedding: &E, expectation: &Expectation) -> Result<Self, BaselineError> {
         let parts = expectation.looks_at(embedding.parts());
@@ -52,13 +50,13 @@ impl EmbeddingBaseline {
         Ok(baseline)
     }
 
-    /// The expectation that the structure is held to.
+    /// Returns the expectation that the structure must meet.
     #[must_use]
     pub const fn expectation(&self) -> &Expectation {
         self.links.expectation()
     }
 
-    /// Reads where everything lies, when the links have been read: all of it has come since there was nothing.
+    /// Reads the drawing after the links: relative to an empty drawing, everything is new.
     fn draw_all<E: Embedding + ?Sized>(&mut self, embedding: &E) -> Option<()> {
         let mut all = Column::default();
         let diff = self.links.changes();
@@ -72,19 +70,19 @@ impl EmbeddingBaseline {
     }
 }
 
-/// Validates a structure with coordinates after a change, in time proportional to the change, all rules from R1 to T4 and from G1 to
-/// G5: [what is checked](crate::near).
+/// Validates a structure with coordinates after a change, in time proportional to the change. Checks all rules from R1 to T4 and
+/// from G1 to G5; [`near`](crate::near) explains the method.
 ///
-/// `written` names every record that has changed since the baseline was made or last moved on, and each vertex that lies elsewhere. If
-/// all is right, the baseline moves on. Costs O(k log n) for k records that were written, or are edges of vertices that lie elsewhere,
-/// in a structure of n; and besides
+/// `written` must name every record that changed since the baseline was made or last advanced, and each vertex that moved. If all
+/// rules hold, the baseline advances. Costs O(k log n) for k records that were written or are edges of moved vertices, in a
+/// structure of n; plus
 ///
-/// - for each edge that is drawn elsewhere, what an R-tree takes to find the edges whose boxes meet its own, and those edges;
-/// - for each face whose extent has changed, O(log k) for each inner boundary component that starts in the box around what it has
-///   gained or lost.
+/// - for each redrawn edge, the cost of finding the edges whose boxes meet its box in an R-tree, and the number of these edges;
+/// - for each face whose extent has changed, O(log k) for each inner boundary component that starts in the box around the gained
+///   or lost area.
 ///
-/// If something is wrong, the structure is validated in full, so that the report is that of
-/// [`validate_embedding`](crate::validate_embedding): O(n log n). The baseline stays as it is then.
+/// If a rule is broken, the structure is validated in full in O(n log n), so the report equals the report of
+/// [`validate_embedding`](crate::validate_embedding). The baseline does not advance.
 ///
 /// ```
 /// use twinedge_map::PlanarMap;
@@ -119,7 +117,7 @@ pub fn validate_embedding_near<E: Embedding + ?Sized>(
         }
     }
     validate_embedding(embedding, links.expectation(), Collect::All).into_result()?;
-    // The structure is right: some record that has changed was not named, or what has changed does not tell what lies where.
+    // The structure is valid: a changed record was not named, or the changes do not determine the nesting.
     *trees = None;
     if links.read(embedding).is_some() {
         let _ = baseline.draw_all(embedding);
@@ -127,7 +125,7 @@ pub fn validate_embedding_near<E: Embedding + ?Sized>(
     Ok(())
 }
 
-/// Checks G1 … G5, of which G2 follows from the others. The trees have moved on then, and not otherwise.
+/// Checks G1, G3, G4 and G5; G2 follows. Advances the trees if all hold.
 fn check<E: Embedding + ?Sized>(
     diff: &Diff,
     places: &mut Column<Place>,

@@ -1,4 +1,4 @@
-//! The number of times that closed walks go around a point that is as close to a half-edge as can be.
+//! The winding number of closed walks around a point infinitely close to a half-edge.
 
 use core::cmp::Ordering;
 use rstar::{AABB, RTree, RTreeObject};
@@ -7,16 +7,16 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use twinedge_geometry::steps::count_step;
 
-/// A point infinitely close to the beginning of a half-edge, on it, and then infinitely less far to its left.
+/// A point infinitely close to the start of a half-edge: on it, and then infinitely less far to its left.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beside {
     pub(super) at: Point,
-    /// The other end of the half-edge, which is elsewhere.
+    /// The other end of the half-edge, at another point.
     pub(super) towards: Point,
 }
 
 impl Beside {
-    /// Close to an isolated point, on some side of it.
+    /// Returns a point close to an isolated point, on an arbitrary side.
     pub(super) fn isolated(at: Point) -> Self {
         Self { at, towards: Point::new(if at.x == 0.0 { 1.0 } else { 0.0 }, at.y) }
     }
@@ -25,11 +25,11 @@ impl Beside {
     fn is_left_of(&self, p: Point) -> bool {
         let Self { at, towards } = self;
         let by_x = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
-        // To the left of upwards is to the left.
+        // The left side of an upward half-edge faces left.
         by_x(at.x, p.x).then(by_x(towards.x, at.x)).then(by_x(at.y, towards.y)).is_lt()
     }
 
-    /// Returns true if it is above a segment from left to right that passes above or below it.
+    /// Returns true if it is above a segment that runs from left to right and passes above or below it.
     fn is_above(&self, low: Point, high: Point) -> bool {
         let above = match orientation(low, high, self.at) {
             Orientation::Collinear => orientation(low, high, self.towards),
@@ -43,7 +43,7 @@ impl Beside {
     }
 }
 
-/// A segment with its ends in order, and how often walks take it from left to right, less how often from right to left.
+/// A segment with its ends in order. Its weight counts traversals from left to right minus traversals from right to left.
 #[derive(Clone, Copy, Debug)]
 struct WeightedSegment {
     low: Point,
@@ -59,14 +59,14 @@ impl RTreeObject for WeightedSegment {
     }
 }
 
-/// A sum of closed walks. What cancels out is left out.
+/// A sum of closed walks, without parts that cancel out.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
     segments: Vec<WeightedSegment>,
 }
 
 impl Chain {
-    /// Adds a segment, as often as `weight` says.
+    /// Adds a segment with a weight.
     pub(super) fn add(&mut self, [from, to]: [Point; 2], weight: i64) {
         let [from, to] = [from, to].map(|p| Point::new(p.x + 0.0, p.y + 0.0));
         let rises = compare_lexicographic(from, to).is_lt();
@@ -74,7 +74,7 @@ impl Chain {
         self.segments.push(WeightedSegment { low, high, weight });
     }
 
-    /// The sum of what was added. O(k log k).
+    /// Returns the sum of all added segments. O(k log k).
     pub(super) fn summed(mut self) -> SummedChain {
         self.cancel();
         self.straighten();
@@ -82,7 +82,7 @@ impl Chain {
         SummedChain(RTree::bulk_load(self.segments))
     }
 
-    /// Each segment once.
+    /// Merges equal segments and drops those with weight 0.
     fn cancel(&mut self) {
         self.segments.sort_by(|a, b| compare_lexicographic(a.low, b.low).then(compare_lexicographic(a.high, b.high)));
         self.segments.dedup_by(|next, sum| {
@@ -95,11 +95,11 @@ impl Chain {
         self.segments.retain(|segment| segment.weight != 0);
     }
 
-    /// Joins segments that go on straight, as where an edge was split.
+    /// Joins collinear segments, for example of a split edge.
     fn straighten(&mut self) {
         let ends = self.segments.iter().enumerate().map(|(i, segment)| (segment.high.hash_key(), i));
         let ends: FxHashMap<(u64, u64), usize> = ends.collect();
-        // From left to right, so that what is behind a segment is joined to it already.
+        // From left to right, so that the segment behind is already joined to its predecessors.
         for i in 0..self.segments.len() {
             let after = self.segments[i];
             let Some(j) = ends.get(&after.low.hash_key()) else { continue };
@@ -113,17 +113,18 @@ impl Chain {
     }
 }
 
-/// A sum of closed walks, to be asked.
+/// A sum of closed walks, ready for queries.
 #[derive(Debug)]
 pub(super) struct SummedChain(RTree<WeightedSegment>);
 
 impl SummedChain {
-    /// The box around it, unless nothing is left of it.
+    /// Returns the bounding box, unless everything cancels out.
     pub(super) fn envelope(&self) -> Option<AABB<[f64; 2]>> {
         (self.0.size() > 0).then(|| self.0.root().envelope())
     }
 
-    /// The number of times that it goes around a point counter-clockwise. O(log k), and what an R-tree takes to find what is below the point.
+    /// Returns the winding number of the chain around a point, counter-clockwise. O(log k), plus the cost of finding the segments
+    /// below the point in an R-tree.
     pub(super) fn around(&self, p: Beside) -> i64 {
         let below = AABB::from_corners([p.at.x, f64::MIN], p.at.into());
         let passes = |segment: &&WeightedSegment| {

@@ -1,4 +1,4 @@
-//! A drawing before a change and after it, and what differs.
+//! A drawing before and after a change, and the differences.
 
 use super::drawn::{Drawn, InnerStart, Line, Update};
 use crate::Embedding;
@@ -8,24 +8,24 @@ use twinedge::validate::near::changes::{Column, Diff, Face, HalfEdge, Label, Row
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
 
-/// Links and places before and after, and what may be drawn elsewhere.
+/// Links and coordinates before and after, and the records that may be drawn differently.
 pub(super) struct Drawing<'a> {
     diff: &'a Diff,
     places: &'a Column<Place>,
-    /// The half-edges that may have other links, or be drawn elsewhere, sorted.
+    /// The half-edges whose links or coordinates may have changed, sorted.
     pub(super) half_edges: Vec<usize>,
-    /// The labels that may differ, and those that these half-edges have or had, sorted.
+    /// The labels that may differ, and the old and new labels of these half-edges, sorted.
     pub(super) labels: Vec<usize>,
 }
 
-/// Sorts, and drops what occurs twice.
+/// Sorts a list and removes duplicates.
 pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
     list.sort_unstable();
     list.dedup();
     list
 }
 
-/// The place of a vertex; none if its slot is vacant.
+/// The coordinates of a vertex, or `None` if its slot is vacant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place(Option<Point>);
 
@@ -33,7 +33,7 @@ impl Row for Place {
     const VACANT: Self = Self(None);
 }
 
-/// Reads where the vertices that may differ lie. Nothing if a coordinate is out of range.
+/// Reads the coordinates of the vertices that may differ. Returns `None` if a coordinate is out of range.
 pub(super) fn read_places<E: Embedding + ?Sized>(places: &mut Column<Place>, diff: &Diff, embedding: &E) -> Option<()> {
     places.fit(embedding.vertex_slots());
     for (v, _, now) in diff.vertices.changes() {
@@ -47,13 +47,13 @@ pub(super) fn read_places<E: Embedding + ?Sized>(places: &mut Column<Place>, dif
 }
 
 impl<'a> Drawing<'a> {
-    /// Nothing if an edge has bends, or if the links before are not those of a structure that was right.
+    /// Returns `None` if an edge has bends, or if the old links do not form a valid structure.
     pub(super) fn new<E: Embedding + ?Sized>(embedding: &E, diff: &'a Diff, places: &'a Column<Place>) -> Option<Self> {
         let mut drawing = Self { diff, places, half_edges: Vec::new(), labels: Vec::new() };
         let mut half_edges: Vec<usize> = diff.half_edges.changes().map(|(h, ..)| h).collect();
         for (v, before, after) in places.changes() {
             if before != after {
-                // Those that left it before, and do not now, may have other links.
+                // Half-edges that left the vertex before, and do not now, have changed links and are listed already.
                 drawing.rotation(v, &mut half_edges)?;
             }
         }
@@ -96,7 +96,6 @@ impl<'a> Drawing<'a> {
         self.places.at(time, v).0
     }
 
-    /// Returns true for the unbounded face.
     pub(super) fn is_unbounded(&self, time: Time, f: usize) -> bool {
         self.face(time, f).outer == NIL
     }
@@ -105,7 +104,7 @@ impl<'a> Drawing<'a> {
         Some(self.row(time, h)).filter(Row::is_live).map(|row| row.twin as usize)
     }
 
-    /// The half-edge that follows clockwise in the rotation.
+    /// Returns the next half-edge clockwise in the rotation.
     pub(super) fn clockwise(&self, time: Time, h: usize) -> Option<usize> {
         self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
     }
@@ -117,7 +116,7 @@ impl<'a> Drawing<'a> {
         Some(Line { vertices, points })
     }
 
-    /// The ends of a half-edge, if that is the same before and after.
+    /// Returns the ends of a half-edge, if they are unchanged.
     pub(super) fn kept(&self, h: usize) -> Option<[Point; 2]> {
         let [before, after] = TIMES.map(|time| self.line(time, h).map(|line| line.points));
         before.filter(|_| before == after)
@@ -127,12 +126,12 @@ impl<'a> Drawing<'a> {
         Some(self.row(time, h)).filter(Row::is_live).map(|row| row.label as usize)
     }
 
-    /// The face to the left of a half-edge.
+    /// Returns the face to the left of a half-edge.
     pub(super) fn face_of(&self, time: Time, h: usize) -> Option<usize> {
         index(self.label(time, self.label_of(time, h)?).face)
     }
 
-    /// The half-edges that leave a vertex now.
+    /// Collects the half-edges that leave a vertex now.
     fn rotation(&self, v: usize, into: &mut Vec<usize>) -> Option<()> {
         let vertex = self.vertex(Time::After, v);
         if !vertex.is_live() || vertex.leaving == NIL {
@@ -140,7 +139,7 @@ impl<'a> Drawing<'a> {
         }
         let first = vertex.leaving as usize;
         let mut h = first;
-        // Only links that are not right lead around for ever.
+        // Only invalid links would make this loop endless.
         for _ in 0..=self.diff.half_edges.slots() {
             into.push(h);
             h = self.clockwise(Time::After, h)?;
@@ -151,20 +150,20 @@ impl<'a> Drawing<'a> {
         None
     }
 
-    /// An edge as the index has it, by the smaller of its half-edges.
+    /// Returns an edge as stored in the trees, by the smaller of its half-edges.
     fn edge(&self, time: Time, h: usize) -> Option<Drawn> {
         self.twin(time, h).filter(|twin| h < *twin)?;
         self.line(time, h).map(|line| Drawn::edge(h, line))
     }
 
-    /// An isolated vertex as the index has it.
+    /// Returns an isolated vertex as stored in the trees.
     fn isolated(&self, time: Time, v: usize) -> Option<Drawn> {
         let vertex = self.vertex(time, v);
         let place = self.place(time, v).filter(|_| vertex.isolated != NIL)?;
         Some(Drawn::vertex(v, place))
     }
 
-    /// The place where an inner boundary component starts.
+    /// Returns the point where an inner boundary component starts.
     fn start(&self, time: Time, b: usize) -> Option<InnerStart> {
         let label = self.label(time, b);
         label.inner()?;
@@ -175,7 +174,7 @@ impl<'a> Drawing<'a> {
         Some(InnerStart::new(at.into(), b as u32))
     }
 
-    /// The entries that the trees have to take off and to add. Nothing if an edge has no length.
+    /// Returns the entries to remove from the trees and to add. Returns `None` if an edge has no length.
     pub(super) fn update(&self) -> Option<Update> {
         let mut update = Update::default();
         for h in &self.half_edges {
@@ -193,7 +192,7 @@ impl<'a> Drawing<'a> {
         Some(update)
     }
 
-    /// The boundary components whose records may differ.
+    /// Returns the boundary components whose records may differ.
     pub(super) fn changed_labels(&self) -> impl Iterator<Item = usize> + '_ {
         self.diff.labels.changes().map(|(b, ..)| b)
     }

@@ -1,4 +1,4 @@
-//! Edges, isolated vertices and inner boundary components by where they lie.
+//! Edges, isolated vertices and inner boundary components by their coordinates.
 
 use core::cmp::Ordering;
 use rstar::primitives::GeomWithData;
@@ -6,7 +6,7 @@ use rstar::{AABB, RTreeObject};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
-/// A half-edge as it is drawn: the vertices at its ends, and where they lie.
+/// A half-edge as drawn: the vertices at its ends, and their coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Line {
     pub(super) vertices: [u32; 2],
@@ -20,7 +20,7 @@ pub(super) enum Thing {
     Vertex(u32),
 }
 
-/// An edge or isolated vertex, and where its ends lie.
+/// An edge or isolated vertex with the coordinates of its ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Drawn {
     pub(super) thing: Thing,
@@ -37,20 +37,20 @@ impl Drawn {
         Self { thing: Thing::Vertex(v as u32), vertices: [v as u32; 2], ends: [at; 2] }
     }
 
-    /// From the lexicographically smaller end to the larger.
+    /// Returns the ends, the lexicographically smaller one first.
     pub(super) fn rising(&self) -> [Point; 2] {
         let [a, b] = self.ends;
         if compare_lexicographic(a, b).is_gt() { [b, a] } else { [a, b] }
     }
 
-    /// Returns true if it passes below a point, where the sweep line through that point has it between its ends.
+    /// Returns true if it passes below a point and the sweep line through the point crosses it between its ends.
     pub(super) fn passes_below(&self, p: Point) -> bool {
         let [low, high] = self.rising();
         let spans = compare_lexicographic(low, p).is_lt() && compare_lexicographic(p, high).is_lt();
         spans && orientation(low, high, p) == Orientation::CounterClockwise
     }
 
-    /// Of two that a sweep line meets, and that meet at most at an end, whether this is above.
+    /// Returns true if this edge is above another one. A sweep line must cross both, and they may meet only at an end.
     pub(super) fn is_above(&self, other: &Self) -> bool {
         let ([low, high], [other_low, other_high]) = (self.rising(), other.rising());
         match compare_lexicographic(low, other_low) {
@@ -70,10 +70,10 @@ impl RTreeObject for Drawn {
     }
 }
 
-/// An inner boundary component, by the place where it starts.
+/// An inner boundary component, by its starting point.
 pub(super) type InnerStart = GeomWithData<[f64; 2], u32>;
 
-/// Entries that an index has to take off and to add.
+/// Entries to remove from an index, and entries to add.
 pub(super) struct Exchange<T> {
     pub(super) gone: Vec<T>,
     pub(super) come: Vec<T>,
@@ -86,7 +86,7 @@ impl<T> Default for Exchange<T> {
 }
 
 impl<T: PartialEq> Exchange<T> {
-    /// Something before and after, unless it is the same.
+    /// Adds the old and the new state of something, unless they are equal.
     pub(super) fn put(&mut self, [before, after]: [Option<T>; 2]) {
         if before != after {
             self.gone.extend(before);
@@ -95,7 +95,7 @@ impl<T: PartialEq> Exchange<T> {
     }
 }
 
-/// The same for edges and isolated vertices, and for the inner boundary components.
+/// The entries of edges and isolated vertices, and of inner boundary components, to exchange.
 #[derive(Default)]
 pub(super) struct Update {
     pub(super) drawn: Exchange<Drawn>,

@@ -1,4 +1,5 @@
-//! G5: each inner boundary component lies in the face that lists it. See [why it need not be located](twinedge::validate::near#what-lies-where).
+//! G5: each inner boundary component lies in the face that lists it. See [why it is not
+//! located](twinedge::validate::near#what-lies-where).
 
 use super::chain::{Beside, Chain, SummedChain};
 use super::drawing::{Drawing, sorted};
@@ -10,16 +11,16 @@ use twinedge::validate::near::changes::{Row, TIMES, Time, index};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 
-/// The ways that the boundary components of the faces went, sorted.
+/// The moves of boundary components between faces, sorted.
 struct Moves {
-    /// For each that a face has no more, that face, and its face now, or none where it is no more.
+    /// For each component that left a face: that face, and the component's new face, or `None` if the component was dropped.
     went: Vec<(usize, Option<usize>)>,
-    /// For each face those that have some of what it had, itself included; and the other way round.
+    /// For each face, the faces that now have some of its components, possibly itself; and the reverse.
     targets: Vec<(usize, usize)>,
     sources: Vec<(usize, usize)>,
 }
 
-/// The pairs that begin with a face.
+/// Returns the pairs that begin with a face.
 fn of<T>(pairs: &[(usize, T)], f: usize) -> &[(usize, T)] {
     let rest = &pairs[pairs.partition_point(|(face, _)| *face < f)..];
     &rest[..rest.partition_point(|(face, _)| *face == f)]
@@ -37,7 +38,7 @@ impl Moves {
         Self { went, targets, sources }
     }
 
-    /// Returns true if all boundary components of a face that are left are now of another one, or still its own.
+    /// Returns true if all surviving boundary components of a face now belong to one other face, or all still to their own.
     fn is_whole(&self, drawing: &Drawing<'_>, from: usize, to: usize) -> bool {
         let went = of(&self.went, from);
         let number = |to: Option<usize>| {
@@ -48,20 +49,20 @@ impl Moves {
     }
 }
 
-/// The number of boundary components that a face had.
+/// Returns the number of boundary components that a face had before.
 fn count(drawing: &Drawing<'_>, f: usize) -> usize {
     let face = drawing.face(Time::Before, f);
     face.inner as usize + usize::from(face.is_live() && face.outer != NIL)
 }
 
-/// A place that tells where an inner boundary component lies: a place beside it that is as it was, with the face in which that was, or its
+/// Evidence of an inner boundary component's location: an unchanged point next to it, with the old face of that point, or its
 /// smallest point.
 enum Knowledge {
     Kept(Beside, usize),
     New(Point),
 }
 
-/// G5. Nothing also where this cannot be told from what has changed.
+/// Checks G5. Returns `None` if G5 is broken or the changes do not determine it.
 pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()> {
     let faces = |b: &usize| TIMES.map(|time| index(drawing.label(time, *b).face));
     let faces: Vec<usize> = sorted(drawing.labels.iter().flat_map(faces).flatten().collect());
@@ -76,7 +77,7 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
         let lies_there = match check.known(label.start())? {
             Knowledge::Kept(beside, was_in) => check.lies_in(f, beside, was_in)?,
             Knowledge::New(lowest) => match trees.below(lowest) {
-                // The region above an edge is to the left of the half-edge that leads to the right.
+                // The region above an edge is to the left of the half-edge that runs to the right.
                 Some((h, rises)) => {
                     let h = if rises { h } else { drawing.twin(Time::After, h)? };
                     drawing.face_of(Time::After, h) == Some(f)
@@ -94,8 +95,8 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
     Some(())
 }
 
-/// For each face what its boundary has become: what the half-edges of its boundary components are now, less what they were, and
-/// less those that its sources have lost.
+/// Returns the change of each face's boundary: the new half-edges of its boundary components minus the old ones, and minus the
+/// components dropped by its source faces.
 fn chains(drawing: &Drawing<'_>, moves: &Moves) -> FxHashMap<usize, SummedChain> {
     let mut chains: FxHashMap<usize, Chain> = FxHashMap::default();
     for h in &drawing.half_edges {
@@ -119,7 +120,7 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    /// That place of the boundary component that starts here.
+    /// Finds the evidence for the boundary component that starts here.
     fn known(&self, start: Start) -> Option<Knowledge> {
         let drawing = self.drawing;
         let first = match start {
@@ -128,7 +129,7 @@ impl Check<'_> {
         };
         let mut lowest = drawing.line(Time::After, first)?.points[0];
         let mut h = first;
-        // Those that are not as they were are among those that may differ.
+        // All changed half-edges of the component are in `half_edges`.
         for _ in 0..=drawing.half_edges.len() {
             if let Some([at, towards]) = drawing.kept(h) {
                 return Some(Knowledge::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?));
@@ -145,7 +146,7 @@ impl Check<'_> {
         None
     }
 
-    /// The same of an isolated vertex.
+    /// Finds the evidence for an isolated vertex.
     fn known_vertex(&self, v: usize) -> Option<Knowledge> {
         let drawing = self.drawing;
         let at = drawing.place(Time::After, v)?;
@@ -162,8 +163,8 @@ impl Check<'_> {
         Some(Knowledge::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?))
     }
 
-    /// The number of times that the boundary of a face went around a place in another face, or the same, without what has changed. Nothing if
-    /// that cannot be told.
+    /// Returns how often the boundary of a face went around a point of a face (the same or another), before the changes in
+    /// `chains`. Returns `None` if this is undetermined.
     fn around_before(&self, f: usize, was_in: usize) -> Option<i64> {
         let mut around = 0;
         for &(_, from) in of(&self.moves.sources, f) {
@@ -181,18 +182,18 @@ impl Check<'_> {
         Some(around)
     }
 
-    /// The number of times that the boundary of a face goes around a place inside it.
+    /// Returns the required winding number of a face's boundary around a point inside the face.
     fn required(&self, f: usize) -> i64 {
         i64::from(!self.drawing.is_unbounded(Time::After, f))
     }
 
-    /// Returns true if a place that was in a face is now in another, or still in it.
+    /// Returns true if a point that was in the face `was_in` is now in the face `f`.
     fn lies_in(&self, f: usize, beside: Beside, was_in: usize) -> Option<bool> {
         let changed = self.chains.get(&f).map_or(0, |chain| chain.around(beside));
         Some(self.around_before(f, was_in)? + changed == self.required(f))
     }
 
-    /// The inner boundary components of a face that were there before, and of which nothing has changed.
+    /// Checks the unchanged inner boundary components of a face.
     fn others(&self, f: usize) -> Option<()> {
         let drawing = self.drawing;
         (self.around_before(f, f)? == self.required(f)).then_some(())?;

@@ -1,42 +1,42 @@
 //! Validation of coordinates after a small change, in time proportional to the change.
 //!
-//! [`EmbeddingBaseline`] and [`validate_embedding_near`] do for a plane map with coordinates, faces with holes, boundary components and an
-//! unbounded face what [`near`](twinedge::validate::near) does for links. All rules are checked completely: if they held before, and all records
-//! that have changed are named, the verdict is that of a full validation.
+//! [`EmbeddingBaseline`] and [`validate_embedding_near`] extend [`near`](twinedge::validate::near) from links to coordinates, for
+//! plane maps with faces with holes, boundary components and an unbounded face. All rules are checked completely: if they held
+//! before, and all changed records are named, the verdict equals the verdict of a full validation.
 //!
-//! | rules | how |
+//! | rules | method |
 //! | --- | --- |
-//! | R1 … F2 | as `near` does |
-//! | G1 | the vertices that were written, and their edges |
-//! | G2 | it follows: see [below](#sums-of-turns) |
-//! | G3 | per boundary component, the number of turns that it makes: what has changed of a sum |
-//! | G4 | each edge or isolated vertex that is drawn elsewhere, against all whose boxes meet its own, from an R-tree |
-//! | G5 | what has changed of a winding number, and for what is new a ray downwards |
-//! | T1 … T4 | they follow from these |
+//! | R1 … F2 | as in `near` |
+//! | G1 | the written vertices and their edges |
+//! | G2 | follows: see [below](#sums-of-turns) |
+//! | G3 | per boundary component, the change of its number of turns, a sum over corners |
+//! | G4 | each redrawn edge or isolated vertex against all records whose boxes meet its box, from an R-tree |
+//! | G5 | the change of a winding number; for new components, a ray downwards |
+//! | T1 … T4 | follow from these |
 //! | M1 … M8 | not checked |
 //!
-//! The baseline has a copy of the coordinates and R-trees of its own. Whatever index the structure keeps has no part in this.
+//! The baseline has its own copy of the coordinates and its own R-trees. It does not rely on any index of the structure.
 //!
 //! # Sums of turns
 //!
-//! A walk around a face turns by 360° in all, to the left along an outer cycle, to the right along an inner one. The number of
-//! times that its direction passes that of the x axis is 1 or −1, and a sum over corners: only those that have changed are counted,
-//! before and after.
+//! A walk around a face turns by 360° in all: to the left along an outer cycle, to the right along an inner one. The number of
+//! times that its direction passes the direction of the x axis is 1 or −1, and is a sum over corners. Only changed corners are
+//! counted, before and after.
 //!
-//! A corner by which a walk turns by t is 180° − t wide. So the turns of all cycles are E, less the number of times that each rotation
-//! goes around its vertex, which is one at least. G3 and the sum of T3 say that they are E less the number of vertices with edges. So
-//! each rotation goes around once: G2.
+//! A corner at which a walk turns by t is 180° − t wide. So the turns of all cycles sum to E minus the number of times that each
+//! rotation goes around its vertex, at least once. By G3 and the sum of T3 they equal E minus the number of vertices with edges.
+//! So each rotation goes around once: G2.
 //!
-//! Where G2 and G4 hold, the cycles of a component are the walks around the faces of a plane drawing. So its genus is 0 (T3), and one
-//! of its cycles turns clockwise; where G3 holds, that is the one inner boundary component (T1). Where G5 holds, a component that
-//! lies in a face of another has its smallest point to the right of the other's, so none lies in itself (T2).
+//! If G2 and G4 hold, the cycles of a component are the walks around the faces of a plane drawing. So its genus is 0 (T3), and
+//! one of its cycles turns clockwise; if G3 holds, this cycle is the one inner boundary component (T1). If G5 holds, a component
+//! in a face of another one has its smallest point to the right of the other's, so none lies in itself (T2).
 //!
 //! # What lies where
 //!
-//! Let b be an inner boundary component of a face f, and m a point just to the left of one of its half-edges. If all is right, the
-//! boundary of f goes around m once, or not at all if f is unbounded. Before the change this was so for each face and the points in
-//! it, and for other points one less. A half-edge that is drawn as before has its point m where it was. So it is enough to add up
-//! what has changed of the boundary of f, and to see how often that goes around m.
+//! Let b be an inner boundary component of a face f, and m a point infinitely close to the left of one of its half-edges. In a
+//! valid structure, the boundary of f goes around m once, or not at all if f is unbounded. Before the change this was so for each
+//! face and its points, and for other points the number was one less. A half-edge whose drawing is unchanged has an unchanged m.
+//! So it suffices to add up the changes of the boundary of f, and to count how often they go around m.
 //!
 //! ```text
 //!    ┌─────────┬──────┐    A new edge splits f. What f has lost is the walk around the part to the right:
@@ -45,17 +45,18 @@
 //!    └─────────┴──────┘
 //! ```
 //!
-//! What an edge drawn to and fro, or an edge split in two, contributes cancels out. Only the boundary components that start in the box
-//! around what is left are looked at, and those whose records have changed, or of which half-edges have. A boundary component of which
-//! nothing is drawn as before is located by a ray downwards from its smallest point.
+//! An edge traversed in both directions, or an edge split in two, cancels out. The check covers boundary components that start in
+//! the box around the remaining changes, and components whose records or half-edges have changed. A boundary component without
+//! any unchanged half-edge is located by a ray downwards from its smallest point.
 //!
-//! This proves G5 for all of them. Suppose that b is the wrong one with the lexicographically smallest lowest point. If it was located by a ray, the edge
-//! below is on a wrong one as well, whose lowest point is smaller. Otherwise the boundary of f goes around m as often as it
-//! should, though m lies elsewhere: so m lies in the outer cycle of f, and a component around m that lies in f is not listed there.
-//! That one is wrong, and its lowest point is smaller.
+//! This proves G5 for all components. Suppose b is the misplaced component with the lexicographically smallest lowest point. If b
+//! was located by a ray, the edge below belongs to another misplaced component, with a smaller lowest point. Otherwise the
+//! boundary of f goes around m the required number of times although m lies elsewhere. So m lies in the outer cycle of f, and f
+//! does not list some component around m that lies in f. That component is misplaced, and its lowest point is smaller: a
+//! contradiction.
 //!
-//! Where one change takes boundary components from a face to several others, and brings them together with those of another, what has
-//! changed does not tell how often the boundary went around m before. The structure is validated in full then. No single operator does
+//! If one change moves boundary components from a face to several faces and combines them with components of another face, the
+//! changes do not determine the old winding number around m. Then the structure is validated in full. No single operator does
 //! this.
 
 mod baseline;

@@ -1,4 +1,4 @@
-//! Edges, isolated vertices and starts, in R-trees of their own: no index that the structure keeps has a part in its validation.
+//! Edges, isolated vertices and starts in separate R-trees: validation does not rely on any index of the structure.
 
 use super::drawn::{Drawn, InnerStart, Thing, Update};
 use rstar::{AABB, ParentNode, RTree, RTreeNode, RTreeObject};
@@ -15,7 +15,7 @@ fn exchange<T: RTreeObject<Envelope = AABB<[f64; 2]>> + PartialEq + Copy>(tree: 
     }
 }
 
-/// All edges and isolated vertices, and the places where inner boundary components start.
+/// All edges and isolated vertices, and the starting points of inner boundary components.
 #[derive(Clone, Debug, Default)]
 pub(super) struct DrawnTrees {
     drawn: RTree<Drawn>,
@@ -23,39 +23,38 @@ pub(super) struct DrawnTrees {
 }
 
 impl DrawnTrees {
-    /// Of all that an update brings. O(n log n).
+    /// Builds the trees from the added entries of an update. O(n log n).
     pub(super) fn new(Update { drawn, starts }: Update) -> Self {
         Self { drawn: RTree::bulk_load(drawn.come), starts: RTree::bulk_load(starts.come) }
     }
 
-    /// O(k log n), and what an R-tree takes to find what goes.
+    /// Applies an update. O(k log n), plus the cost of finding the removed entries in an R-tree.
     pub(super) fn apply(&mut self, Update { drawn, starts }: &Update) {
         exchange(&mut self.drawn, &drawn.gone, &drawn.come);
         exchange(&mut self.starts, &starts.gone, &starts.come);
     }
 
-    /// Takes an update back.
     pub(super) fn undo(&mut self, Update { drawn, starts }: &Update) {
         exchange(&mut self.drawn, &drawn.come, &drawn.gone);
         exchange(&mut self.starts, &starts.come, &starts.gone);
     }
 
-    /// All whose boxes meet the box of another.
+    /// Returns all entries whose boxes meet the box of another entry.
     pub(super) fn beside(&self, drawn: &Drawn) -> impl Iterator<Item = &Drawn> {
         self.drawn.locate_in_envelope_intersecting(drawn.envelope()).inspect(|_| count_step())
     }
 
-    /// The inner boundary components that start in a closed box.
+    /// Returns the inner boundary components that start in a closed box.
     pub(super) fn starts_in(&self, envelope: AABB<[f64; 2]>) -> impl Iterator<Item = usize> {
         let all = self.starts.locate_in_envelope(envelope);
         all.inspect(|_| count_step()).map(|start| start.data as usize)
     }
 
-    /// Of the edges straight below a point that is lexicographically smaller than all that it is joined to, the highest, and whether
-    /// its half-edge leads from its smaller end to the larger. None if there is none.
+    /// Returns the highest edge straight below a point, and whether its half-edge runs from its smaller end to the larger. The
+    /// point must be lexicographically smaller than its neighbours. Returns `None` if there is no edge below.
     pub(super) fn below(&self, p: Point) -> Option<(usize, bool)> {
         let mut best: Option<&Drawn> = None;
-        // None of what is lower than the lower end of the best so far is above that.
+        // Boxes entirely below the lower end of the best edge so far cannot contain a higher one.
         let floor = |best: Option<&Drawn>| best.map_or(f64::NEG_INFINITY, |best| best.ends[0].y.min(best.ends[1].y));
         let mut nodes: Vec<&ParentNode<Drawn>> = vec![self.drawn.root()];
         while let Some(node) = nodes.pop() {
@@ -79,7 +78,7 @@ impl DrawnTrees {
                     }
                 }
             }
-            // The highest comes next.
+            // The highest box comes next.
             nodes[from..].sort_by(|a, b| {
                 let top = |node: &ParentNode<Drawn>| node.envelope().upper()[1].min(p.y);
                 top(a).total_cmp(&top(b)).then(a.envelope().lower()[1].total_cmp(&b.envelope().lower()[1]))

@@ -1,4 +1,4 @@
-//! G3 as a sum over corners, of which only those that have changed are added up.
+//! G3 as a sum over corners, adding up only the changed ones.
 
 use super::drawing::{Drawing, sorted};
 use twinedge::validate::Start;
@@ -6,13 +6,13 @@ use twinedge::validate::near::changes::{Row, Time};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, orientation};
 
-/// Both times, with the sign that a term has in what has changed of a sum.
+/// The two times, with the signs of their terms in the change of a sum.
 const SIGNS: [(Time, i64); 2] = [(Time::Before, -1), (Time::After, 1)];
 
 impl Drawing<'_> {
-    /// G3: an outer cycle turns once counter-clockwise, an inner one once clockwise.
+    /// Checks G3: an outer cycle turns once counter-clockwise, an inner one once clockwise.
     pub(super) fn winding(&self) -> Option<()> {
-        // The corners at which these half-edges begin or end.
+        // The corners at the start or end of these half-edges.
         let prev = |time: Time, h: usize| self.twin(time, h).map(|_| self.row(time, h).prev as usize);
         let before = SIGNS.iter().flat_map(|(time, _)| self.half_edges.iter().filter_map(|h| prev(*time, *h)));
         let half_edges = sorted(self.half_edges.iter().copied().chain(before).collect());
@@ -41,8 +41,9 @@ impl Drawing<'_> {
     }
 }
 
-/// The number of times that the direction of a walk passes that of the x axis where it comes along a segment and goes on to a point, turning
-/// by less than half a turn, or clockwise by half a turn: 1 if it does so counter-clockwise, −1 clockwise.
+/// Returns 1 or −1 if the direction of a walk passes the direction of the x axis, counter-clockwise or clockwise, and 0
+/// otherwise. The walk comes along a segment and goes on to a point, turning by less than half a turn, or clockwise by half a
+/// turn.
 fn turn([from, at]: [Point; 2], to: Point) -> i64 {
     let is_upper = |from: Point, to: Point| (to.y, to.x) > (from.y, from.x);
     match (is_upper(from, at), is_upper(at, to)) {

@@ -4,7 +4,7 @@ use super::{NumberTable, hash};
 use quickcheck::quickcheck;
 
 quickcheck! {
-    /// Also if many hashes are the same, and when things are added one by one or many at once.
+    /// Holds even if many hashes are equal, and for items added one by one or many at once.
     fn numbers_are_those_of_the_first_equal_things(things: Vec<(u8, u8)>, few: bool, step: u8) -> bool {
         let hash_of = |(a, b): (u8, u8)| if few { u64::from(a % 2) << 32 } else { hash([a.into(), b.into()]) };
         let mut known: Vec<(u8, u8)> = Vec::new();
@@ -32,7 +32,7 @@ fn hashes_of_small_and_of_round_numbers_spread() {
     for unit in [1.0, 0.25, 1e-9] {
         let mut places: Vec<u64> = square(unit).map(|p| hash(p.map(f64::to_bits)) >> 32 & 0x1fff).collect();
         places.sort_unstable();
-        // Of 4,096 in 8,192 places, 3,223 are to be different.
+        // Of 4,096 entries in 8,192 slots, 3,223 distinct ones are expected.
         places.dedup();
         assert!(places.len() > 2900, "{unit}: {}", places.len());
     }

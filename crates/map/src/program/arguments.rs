@@ -7,7 +7,7 @@ use twinedge::program::text::{Expected, ParseError, Words, mask};
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 
-/// The lists in which numbers count: keys by kind, those that are there and those that were removed.
+/// The lists that numbers refer to: live and removed keys of each kind.
 #[derive(Clone, Copy, Debug)]
 pub enum List {
     Vertices,
@@ -18,12 +18,12 @@ pub enum List {
     RetiredFaces,
 }
 
-/// Chooses a vertex of a map by its position in order of creation, modulo their number.
+/// Chooses a vertex of a map by its position in order of creation, modulo the length of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapVertexPick {
-    /// Of those there are.
+    /// A live vertex.
     Live(u32),
-    /// Of those that were removed: a stale key, on purpose.
+    /// A removed vertex: a stale key, on purpose.
     Retired(u32),
 }
 
@@ -52,12 +52,12 @@ impl fmt::Display for MapVertexPick {
     }
 }
 
-/// Chooses a half-edge of a map by its position in order of creation, modulo their number.
+/// Chooses a half-edge of a map by its position in order of creation, modulo the length of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapHalfEdgePick {
-    /// Of those there are.
+    /// A live half-edge.
     Live(u32),
-    /// Of those that were removed: a stale key, on purpose.
+    /// A removed half-edge: a stale key, on purpose.
     Retired(u32),
 }
 
@@ -86,12 +86,12 @@ impl fmt::Display for MapHalfEdgePick {
     }
 }
 
-/// Chooses a face of a map by its position in order of creation, modulo their number.
+/// Chooses a face of a map by its position in order of creation, modulo the length of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapFacePick {
-    /// Of those there are.
+    /// A live face.
     Live(u32),
-    /// Of those that were removed: a stale key, on purpose.
+    /// A removed face: a stale key, on purpose.
     Retired(u32),
 }
 
@@ -125,14 +125,14 @@ fn live_or_retired<P>(source: &mut impl Choose, live: fn(u32) -> P, retired: fn(
     if source.choose(16) == 15 { retired(k) } else { live(k) }
 }
 
-/// Chooses a point, and what is known of where it lies: see [`At`](crate::edit::At).
+/// Chooses a point, with a hint about its location: see [`At`](crate::edit::At).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AtPick {
     /// Anywhere.
     Point(Spot),
     /// A point, and a half-edge to search from.
     Near(Spot, MapHalfEdgePick),
-    /// The place of this vertex.
+    /// The coordinates of this vertex.
     Vertex(MapVertexPick),
 }
 
@@ -140,7 +140,6 @@ pub enum AtPick {
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct RingPick(pub Vec<AtPick>);
 
-/// Prints the points.
 impl fmt::Debug for RingPick {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
@@ -157,7 +156,7 @@ pub enum GridPick {
 }
 
 impl GridPick {
-    /// The grid.
+    /// Returns the grid.
     #[must_use]
     pub const fn snap(self) -> Snap {
         match self {
@@ -167,7 +166,7 @@ impl GridPick {
     }
 }
 
-/// Chooses features: feature `i` if bit `i` is set, whether the map has so many or not.
+/// Chooses features: feature `i` if bit `i` is set, even if the map has fewer features.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct FeaturesPick(pub u16);
 
@@ -270,7 +269,7 @@ impl Argument for RingPick {
         self.0.iter().try_for_each(|at| at.write(f))
     }
 
-    /// As many as there are.
+    /// Reads all remaining points.
     fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
         let mut ring = Vec::new();
         while !words.peek().is_empty() {
@@ -279,7 +278,7 @@ impl Argument for RingPick {
         Ok(Self(ring))
     }
 
-    /// Without one of its points, or with a simpler one.
+    /// Drops one of the points, or simplifies it.
     fn simpler(&self) -> Vec<Self> {
         let mut all = Vec::new();
         for i in 0..self.0.len() {
@@ -368,7 +367,7 @@ impl Argument for FeaturesPick {
         words.take(Expected::Features, |word| if word == "none" { Some(Self(0)) } else { mask(word).map(Self) })
     }
 
-    /// Mostly of the first two, so that most exist.
+    /// Mostly among the first two, so that most exist.
     fn draw(source: &mut impl Choose, _: u8) -> Self {
         Self(match source.choose(8) {
             7 => source.choose(1 << 16) as u16,
@@ -381,19 +380,19 @@ impl Argument for FeaturesPick {
     }
 }
 
-/// A number that is equal to itself, NaN included: two are equal if their bits are, and all NaNs are one.
+/// A number that equals itself: numbers are equal if their bits are, and all NaNs are equal.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Number(f64);
 
 impl Number {
-    /// The number.
+    /// Returns the number.
     #[must_use]
     pub const fn get(self) -> f64 {
         self.0
     }
 
-    /// Mostly of a small grid, where points coincide and segments cross; else close to it, near the ends of the range, or any bits
-    /// at all.
+    /// Mostly on a small grid, where points coincide and segments cross; otherwise close to it, near the ends of the range, or
+    /// arbitrary bits.
     fn draw(source: &mut impl Choose) -> Self {
         let grid = source.choose(8) as f64;
         Self::from(match source.choose(64) {
@@ -410,8 +409,8 @@ impl Number {
         })
     }
 
-    /// The number in every way in which it is simpler, the simplest first. Every step goes down in (whether it is whole and small, how
-    /// many bits it takes, magnitude, sign), so shrinking ends.
+    /// Returns all simpler numbers, the simplest first. Every step lowers the tuple (small and whole, number of bits, magnitude,
+    /// sign), so shrinking ends.
     fn simpler(self) -> Vec<Self> {
         let x = self.get();
         if x.to_bits() == 0 {
@@ -454,7 +453,7 @@ impl Number {
     }
 }
 
-/// The shortest digits that are read as this number.
+/// Formats the shortest digits that parse to this number.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = format!("{:?}", self.get());
@@ -492,13 +491,13 @@ pub struct Spot {
 }
 
 impl Spot {
-    /// The point with these coordinates.
+    /// Creates the point with these coordinates.
     #[must_use]
     pub fn new(x: f64, y: f64) -> Self {
         Self { x: x.into(), y: y.into() }
     }
 
-    /// The point.
+    /// Returns the point.
     #[must_use]
     pub const fn point(self) -> Point {
         Point::new(self.x.get(), self.y.get())

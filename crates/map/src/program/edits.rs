@@ -1,4 +1,4 @@
-//! The language of edits: arguments are small numbers and points, so that any bytes are a program that runs.
+//! The language of edits: arguments are small numbers and points, so any bytes decode to a program that runs.
 //!
 //! ```text
 //! twinedge edits 1
@@ -16,7 +16,7 @@ use super::arguments::{
 };
 use twinedge::language;
 
-// The one table of edits. A row reads: variant, name, how often it is drawn, and its arguments.
+// The only table of edits. A row reads: variant, name, frequency, and arguments.
 language! {
     header "twinedge edits 1" EditsHeader,
     /// One edit with its arguments.
@@ -24,7 +24,7 @@ language! {
     op EditOp over List,
     /// The kinds of edits, for a [`Generator`](twinedge::program::Generator).
     kind EditKind,
-    /// A sequence of edits, to be run by an [`EditRunner`](crate::program::EditRunner).
+    /// A sequence of edits for an [`EditRunner`](crate::program::EditRunner).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;

@@ -1,4 +1,4 @@
-//! Every edit with every argument: what can be done to one map with these points.
+//! Every edit with every argument on one map, with given points.
 
 use super::arguments::{
     AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, Number, RingPick, Spot,
@@ -6,15 +6,15 @@ use super::arguments::{
 use super::edits::EditOp;
 use super::runner::EditRunner;
 
-/// Every edit with every argument, right or wrong, on what the runner has now. The arguments are:
+/// Returns every edit with every argument, valid or invalid, on the runner's current map. The arguments are:
 ///
-/// - points: all that are given; a point near the first half-edge; the first vertex, and the first that was removed;
-/// - segments: every pair of points, a point with itself included; snapped to whole numbers as well;
-/// - rings: every three different points, from the first of them on;
-/// - edges, vertices, faces: all there are; of those that were removed, the first;
-/// - features: none, the first, one that is not there.
+/// - points: all given points; a point near the first half-edge; the first vertex, and the first removed vertex;
+/// - segments: every pair of points, including equal ones; also snapped to whole numbers;
+/// - rings: every three different points, starting with the first of them;
+/// - edges, vertices, faces: all live ones, and the first removed one;
+/// - features: none, the first, one that does not exist.
 ///
-/// With p points and n records these are O(p³ + p · n).
+/// O(p³ + p · n) edits for p points and n records.
 #[must_use]
 pub fn every_edit(map: &EditRunner, points: &[Spot]) -> Vec<EditOp> {
     let live = |count: usize| (0..count).map_while(|k| u32::try_from(k).ok());

@@ -1,4 +1,4 @@
-//! Random programs of edits, and their runs when they are made small.
+//! Random programs of edits, and shrinking of failing programs.
 
 use super::arguments::List;
 use super::edits::{EditKind, EditOp, EditProgram};
@@ -10,14 +10,13 @@ use twinedge::program::language::{Language, Name, Stage};
 use twinedge::program::{Generator, extend, follow};
 
 impl EditProgram {
-    /// The program that these bytes encode: every choice takes as few as it needs, and those that end too early are followed by
-    /// zeros. O(bytes).
+    /// Decodes a program from bytes: every choice consumes only the bytes that it needs, and missing bytes are zeros. O(bytes).
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Self {
         Self::generator().decode(bytes)
     }
 
-    /// A generator of programs, to be told which edits, how often, and how many.
+    /// Returns a generator of programs, with adjustable edits, frequencies and length.
     ///
     /// ```
     /// use twinedge_map::program::{EditKind, EditOp, EditProgram};
@@ -46,20 +45,18 @@ impl Language for EditProgram {
     }
 }
 
-/// Programs for the crate `arbitrary`.
 #[cfg(feature = "arbitrary")]
 impl<'a> arbitrary::Arbitrary<'a> for EditProgram {
     fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
         u.arbitrary_iter()?.collect()
     }
 
-    /// The bytes are read as by `from_bytes`, so a corpus is that of the bytes.
+    /// Decodes the bytes as `from_bytes` does, so corpora are interchangeable.
     fn arbitrary_take_rest(u: arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
         Ok(Self::from_bytes(u.take_rest()))
     }
 }
 
-/// Programs for the crate `quickcheck`.
 #[cfg(feature = "quickcheck")]
 impl quickcheck::Arbitrary for EditProgram {
     /// Up to [`Gen::size`](quickcheck::Gen::size) edits.
@@ -72,7 +69,6 @@ impl quickcheck::Arbitrary for EditProgram {
     }
 }
 
-/// Programs for the crate `proptest`.
 #[cfg(feature = "proptest")]
 impl proptest::arbitrary::Arbitrary for EditProgram {
     type Parameters = Generator<Self>;
@@ -93,7 +89,7 @@ impl<'a> arbitrary::Arbitrary<'a> for EditOp {
     }
 }
 
-/// A runner, and beside each of its lists the names of what is on it.
+/// A runner, with names for the entries of each of its lists.
 pub struct NamedEditRunner {
     runner: EditRunner,
     vertices: Names,
@@ -151,7 +147,7 @@ impl Stage for NamedEditRunner {
     }
 }
 
-/// The map that a program makes of the empty one. Shrinks as the program does.
+/// The map that a program makes from the empty map. Shrinks like the program.
 #[cfg(feature = "proptest")]
 impl proptest::arbitrary::Arbitrary for PlanarMap {
     type Parameters = Generator<EditProgram>;

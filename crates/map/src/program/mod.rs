@@ -1,9 +1,8 @@
-//! Programs of edits: sequences of [edits](super::edit) as data, for everything that tests a planar map, or what is computed from
-//! one, by changing it.
+//! Programs of edits: sequences of [edits](super::edit) as data, for testing planar maps, and code that uses them, under change.
 //!
-//! As in the language of [`program`](twinedge::program), records are chosen by small numbers, positions in order of creation, so any
-//! bytes are a program that runs on any map. Points are mostly of a small grid, where they coincide and segments cross; some are
-//! close to it, near the ends of the range of coordinates, or any bits at all. Some keys are stale on purpose.
+//! As in the language of [`program`](twinedge::program), small numbers choose records by position in order of creation, so any
+//! bytes decode to a program that runs on any map. Points are mostly on a small grid, where they coincide and segments cross;
+//! some are close to it, near the ends of the range of coordinates, or arbitrary bits. Some keys are stale on purpose.
 //!
 //! ```
 //! use twinedge_map::PlanarMap;
@@ -31,16 +30,16 @@
 //! # Ok::<(), twinedge::program::ParseError>(())
 //! ```
 //!
-//! | to | take |
+//! | to | use |
 //! | --- | --- |
-//! | run a program | [`EditRunner`]: with a check of every rule, R1 … T4 and G1 … G5, after each edit, or without |
+//! | run a program | [`EditRunner`]: with or without a check of every rule, R1 … T4 and G1 … G5, after each edit |
 //! | get programs | [`EditProgram::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
-//! | say which edits, how often and how many | [`EditProgram::generator`] |
+//! | choose edits, frequencies and length | [`EditProgram::generator`] |
 //! | try everything | [`every_edit`] |
-//! | make a failing one small | [`shrink`](twinedge::program::shrink()); `quickcheck` and `proptest` do it by themselves |
-//! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)) |
+//! | shrink a failing program | [`shrink`](twinedge::program::shrink()); `quickcheck` and `proptest` do it automatically |
+//! | save it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)) |
 //!
-//! There is no instance for a model checker: exact predicates on symbolic doubles are out of its reach.
+//! There is no instance for a model checker, which could not handle exact predicates on symbolic doubles.
 
 mod arguments;
 mod edits;

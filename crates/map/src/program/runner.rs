@@ -1,4 +1,4 @@
-//! The interpreter of edits: it chooses arguments as a program says, edits, and checks the outcome if asked to.
+//! The interpreter of edits: chooses arguments as a program says, edits, and checks the outcome on request.
 
 use super::arguments::{AtPick, FeaturesPick, List, MapFacePick, MapHalfEdgePick, MapVertexPick};
 use super::edits::{EditOp, EditProgram};
@@ -15,46 +15,46 @@ use twinedge::validate::{Expectation, Report};
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "most edits of a program are applied")]
 pub enum EditOutcome {
-    /// It was done. What it did is empty for edits that make and drop nothing: a vertex that moved, features.
+    /// The edit was applied. The value is empty for edits that make and drop nothing: moving a vertex, changing features.
     Applied(Edited),
-    /// It was refused.
+    /// The edit was refused.
     Refused(EditError),
-    /// There was nothing (no half-edge, no stale key, …) to choose from.
+    /// The list to choose from was empty (no half-edge, no stale key, …).
     Skipped,
 }
 
-/// A fault that a check after an edit found.
+/// A fault found by a check after an edit.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EditFailure {
-    /// The map breaks a rule, of R1 … T4 or G1 … G5.
+    /// The map breaks a rule of R1 … T4 or G1 … G5.
     #[error("after edit {number} (`{op}`):\n{report}")]
     Invalid {
         /// The edit, counted from 1.
         number: usize,
         /// The edit.
         op: EditOp,
-        /// The rules that are broken.
+        /// The broken rules.
         report: Box<Report>,
     },
-    /// The edit was refused, but the map is not as it was.
+    /// The edit was refused, but changed the map.
     #[error("edit {number} (`{op}`) was refused ({error}), but changed the map")]
     Changed {
         /// The edit, counted from 1.
         number: usize,
         /// The edit.
         op: EditOp,
-        /// Why it was refused.
+        /// The reason for the refusal.
         error: EditError,
     },
 }
 
-/// The error of an edit that chooses by a number past the last, which [`EditRunner`] takes modulo their number.
+/// The error of an edit whose number is past the end of a list. [`EditRunner`] takes numbers modulo the length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("there is no {prefix}{number}: {} are there", .count)]
 #[non_exhaustive]
 pub struct PastLast {
-    /// The letter of the list: `v`, `h`, `f`, after `!` for keys that were removed.
+    /// The letter of the list: `v`, `h`, `f`, after `!` for removed keys.
     pub prefix: &'static str,
     /// The number.
     pub number: u32,
@@ -62,12 +62,12 @@ pub struct PastLast {
     pub count: usize,
 }
 
-/// The `k`-th of a list that starts again where it ends.
+/// Returns the `k`-th entry of a list, modulo its length.
 fn nth<K: Copy>(list: &[K], k: u32) -> Option<K> {
     (k as usize).checked_rem(list.len()).map(|place| list[place])
 }
 
-/// A map, and all keys that it gave out, in order of creation. It runs programs of edits.
+/// Runs programs of edits on a map. Keeps the map and all its keys, in order of creation.
 ///
 /// ```
 /// use twinedge_map::PlanarMap;
@@ -95,13 +95,13 @@ pub struct EditRunner {
     pub(super) half_edges: Keys<HalfEdgeKey>,
     pub(super) faces: Keys<FaceKey>,
     steps: usize,
-    /// The baseline with which the map is compared, if it is audited.
+    /// The baseline for comparison, if the map is audited.
     baseline: Option<EmbeddingBaseline>,
-    /// The records that were written since it was last found right, if it is audited.
+    /// The records written since the map was last found valid, if it is audited.
     written: WriteSet,
 }
 
-/// A clone of an audited runner is audited, too.
+/// A clone of an audited runner is also audited.
 impl Clone for EditRunner {
     fn clone(&self) -> Self {
         let Self { map, vertices, half_edges, faces, steps, baseline, written } = self;
@@ -122,7 +122,7 @@ impl Clone for EditRunner {
 }
 
 impl EditRunner {
-    /// Starts with a map, the empty one or another. O(size of the map).
+    /// Creates a runner for a map. O(size of the map).
     #[must_use]
     pub fn new(map: PlanarMap) -> Self {
         let dcel = map.dcel();
@@ -137,9 +137,9 @@ impl EditRunner {
         }
     }
 
-    /// The same, but [`step_checked`](Self::step_checked) validates only what the edit has written, as
-    /// [`Audited`](twinedge::dcel::Audited) does: O(k log n) for k records, and to the same verdict. That an edit that is refused changes
-    /// nothing is checked of links and coordinates then, not of features. O(n log n).
+    /// Creates a runner whose [`step_checked`](Self::step_checked) validates only the records written by the edit, as
+    /// [`Audited`](twinedge::dcel::Audited) does: O(k log k) for k records, with the same verdict. For refused edits it checks
+    /// that links and coordinates are unchanged, but not features. O(n log n).
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -152,7 +152,7 @@ impl EditRunner {
     /// ```
     ///
     /// # Errors
-    /// The map is not valid.
+    /// The map is invalid.
     pub fn audited(map: PlanarMap) -> Result<Self, BaselineError> {
         let baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
         let mut runner = Self::new(map);
@@ -161,13 +161,13 @@ impl EditRunner {
         Ok(runner)
     }
 
-    /// The map.
+    /// Returns the map.
     #[must_use]
     pub const fn map(&self) -> &PlanarMap {
         &self.map
     }
 
-    /// The map, for good.
+    /// Converts the runner into its map.
     #[must_use]
     pub fn into_map(mut self) -> PlanarMap {
         if self.baseline.is_some() {
@@ -176,20 +176,20 @@ impl EditRunner {
         self.map
     }
 
-    /// Runs a whole program, and tells what became of each edit.
+    /// Runs a whole program and returns the outcome of each edit.
     pub fn run(&mut self, program: &EditProgram) -> Vec<EditOutcome> {
         program.0.iter().map(|op| self.step(op)).collect()
     }
 
-    /// Runs a whole program as [`step_checked`](Self::step_checked) does, and tells what became of each edit.
+    /// Runs a whole program as [`step_checked`](Self::step_checked) does, and returns the outcome of each edit.
     ///
     /// # Errors
-    /// [`EditFailure`], at the first edit after which a check fails.
+    /// [`EditFailure`], at the first edit whose check fails.
     pub fn run_checked(&mut self, program: &EditProgram) -> Result<Vec<EditOutcome>, EditFailure> {
         program.0.iter().map(|op| self.step_checked(op)).collect()
     }
 
-    /// Runs one edit. O(log n) for each key that came or went, beside what the edit itself costs.
+    /// Runs one edit. O(log n) for each added or removed key, plus the cost of the edit.
     pub fn step(&mut self, op: &EditOp) -> EditOutcome {
         self.steps += 1;
         match self.edit(op) {
@@ -202,7 +202,7 @@ impl EditRunner {
         }
     }
 
-    /// Notes which keys came and went.
+    /// Records the added and removed keys.
     fn follow(&mut self, edited: &Edited) {
         let dcel = self.map.dcel();
         let vertices = edited.vertices_made.iter().chain(&edited.vertices_dropped);
@@ -228,7 +228,7 @@ impl EditRunner {
     }
 
     /// Runs one edit, and checks that the map keeps every rule, from R1 to T4 and from G1 to G5, or, if the edit is refused, that
-    /// nothing changed. O(n log n) beside what the edit itself costs. See [`audited`](Self::audited) for less.
+    /// nothing changed. O(n log n) plus the cost of the edit. [`audited`](Self::audited) is faster.
     ///
     /// # Errors
     /// [`EditFailure`].
@@ -256,7 +256,7 @@ impl EditRunner {
         }
     }
 
-    /// Validates the map, or what has been written since it was last found right.
+    /// Validates the map, or the records written since it was last found valid.
     fn validated(&mut self) -> Result<(), Box<Report>> {
         let Some(baseline) = &mut self.baseline else {
             return self.map.validate().into_result().map(|_| ());
@@ -266,11 +266,11 @@ impl EditRunner {
         Ok(())
     }
 
-    /// Checks that no number of an edit is past the last, for journals that somebody wrote: there it is a mistake. Empty lists are let
-    /// pass, since [`step`](Self::step) skips such edits. O(arguments).
+    /// Checks that no number of an edit is past the end of its list. In a hand-written journal that is a mistake. Empty lists are
+    /// accepted, since [`step`](Self::step) skips such edits. O(arguments).
     ///
     /// # Errors
-    /// [`PastLast`], of the first such number.
+    /// [`PastLast`], for the first such number.
     ///
     /// ```
     /// use twinedge_map::PlanarMap;
@@ -301,7 +301,7 @@ impl EditRunner {
         checked
     }
 
-    /// Edits; none if there is nothing to choose from.
+    /// Runs the edit; `None` if there is nothing to choose from.
     fn edit(&mut self, op: &EditOp) -> Option<Result<Edited, EditError>> {
         let done = |()| Edited::default();
         Some(match op {
@@ -382,17 +382,15 @@ fn ids(pick: FeaturesPick) -> impl Iterator<Item = FeatureId> {
     (0..16).filter(move |bit| pick.0 >> bit & 1 == 1).map(FeatureId::new)
 }
 
-/// Keys that are there, and keys that are there no more.
 #[derive(Clone, Debug)]
 pub(super) struct Keys<K: Key> {
-    /// All of them.
     all: Vec<K>,
-    /// The places in `all` of those that are there.
+    /// The indices in `all` of the live keys.
     places: SecondaryMap<K, usize>,
-    /// Of those that are there the number in parts of `all`: that with number i, counted from 1, ends there, and is as long as the lowest
-    /// bit of i says (a Fenwick tree).
+    /// The number of live keys in ranges of `all` (a Fenwick tree): range i, counted from 1, ends at key i, and its length is the
+    /// lowest bit of i.
     counts: Vec<usize>,
-    /// Those that are there no more, in the order in which they went.
+    /// The removed keys, in order of removal.
     pub(super) retired: Vec<K>,
 }
 
@@ -409,17 +407,16 @@ impl<K: Key> Keys<K> {
         new
     }
 
-    /// The number of those that are there.
     pub(super) fn len(&self) -> usize {
         self.places.len()
     }
 
-    /// Those that are there, in order. O(all).
+    /// Returns the live keys, in order. O(all).
     pub(super) fn live(&self) -> Vec<K> {
         self.all.iter().copied().filter(|key| self.places.contains_key(*key)).collect()
     }
 
-    /// The `k`-th of those that are there. It starts again where they end. O(log all).
+    /// Returns the `k`-th live key, modulo their number. O(log all).
     pub(super) fn nth(&self, k: u32) -> Option<K> {
         let mut left = (k as usize).checked_rem(self.len())?;
         let (mut before, mut step) = (0, self.all.len().checked_ilog2().map_or(0, |log| 1 << log));
@@ -433,7 +430,7 @@ impl<K: Key> Keys<K> {
         self.all.get(before).copied()
     }
 
-    /// The other one of a pair that came together.
+    /// Returns the other key of a pair that was added together.
     pub(super) fn beside(&self, key: K) -> Option<K> {
         self.all.get(self.places.get(key)? ^ 1).copied()
     }
@@ -450,8 +447,8 @@ impl<K: Key> Keys<K> {
         self.all.push(key);
     }
 
-    /// Of keys that an edit named those that are gone are retired, in order of creation, and those that are new come last, in order of
-    /// their slots. O(k log all) for k keys.
+    /// Updates the lists by the keys that an edit named: removed keys are retired, in order of creation, and new keys are
+    /// appended, in order of their slots. O(k log all) for k keys.
     pub(super) fn update(&mut self, named: Vec<K>, is_there: impl Fn(K) -> bool, slot: impl Fn(K) -> usize) {
         let (there, gone): (Vec<K>, Vec<K>) = named.into_iter().partition(|key| is_there(*key));
         let mut gone: Vec<usize> = gone.into_iter().filter_map(|key| self.places.remove(key)).collect();

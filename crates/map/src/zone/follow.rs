@@ -1,4 +1,4 @@
-//! Going along a line, from one record to the next.
+//! Following a line from one record to the next.
 
 use super::line::{EventRecord, Line, LineEvent, LinePiece, LinePlace};
 use super::query::ZoneElement;
@@ -6,14 +6,14 @@ use crate::locate::located::LocateError;
 use crate::planar_map::PlanarMap;
 use twinedge_geometry::Point;
 
-/// The beginning of a zone: an event, or the inside of a piece, with its place unless that is infinitely far.
+/// The beginning of a zone: an event, or the inside of a piece, with its place unless it is infinitely far away.
 #[derive(Clone, Copy)]
 pub(super) enum ZoneStart<'m> {
     Event(LineEvent<'m>),
     Piece(LinePiece<'m>, Option<LinePlace>),
 }
 
-/// Visits the elements of a zone up to a point, if there is an end. `next` gives the event after a place, in a piece.
+/// Visits the elements of a zone, up to a point if the zone has an end. `next` returns the event after a place in a piece.
 pub(super) fn follow<'m>(
     map: &'m PlanarMap,
     line: &Line,
@@ -26,7 +26,7 @@ pub(super) fn follow<'m>(
         ZoneStart::Event(event) => (Some(event), None, None),
         ZoneStart::Piece(piece, at) => (None, Some(piece), at),
     };
-    // A line meets nothing twice but faces.
+    // A line meets everything but faces at most once.
     let mut left = map.dcel().vertex_count() + map.dcel().edge_count();
     loop {
         if let Some(event) = event {

@@ -1,4 +1,4 @@
-//! The zone of a line, by the index that a map keeps.
+//! The zone of a line, using the index that a map keeps.
 
 use super::follow::{ZoneStart, follow};
 use super::line::{Line, LinePiece, LinePlace};
@@ -11,16 +11,15 @@ use crate::planar_map::PlanarMap;
 use twinedge_geometry::Point;
 
 impl Locator<'_> {
-    /// The elements that a line meets, in order. A face is listed again whenever it is entered again.
+    /// Returns the elements along a line, in order. A face is listed again each time the line enters it.
     ///
-    /// The edges that it meets come from the R-tree of the index that the map keeps, so edges elsewhere cost nothing, even a
-    /// thousand islands in the same face. For m boxes of the tree that the query meets, and k edges and vertices that it meets, this takes
-    /// O(m + k log k), and O(degree) for each vertex. The first call builds the index, O(n log n). On maps, m is a few times the
-    /// square root of the number of edges; but where boxes hardly fit their edges, as with long slanted parallels, m may be
-    /// as large as the map.
+    /// The R-tree of the map's index yields the edges, so edges elsewhere cost nothing, even a thousand islands in the same face.
+    /// If the query meets m boxes of the tree, and k edges and vertices, this takes O(m + k log k), plus O(degree) for each
+    /// vertex. The first call builds the index in O(n log n). On maps, m is typically a few times the square root of the number
+    /// of edges; but if boxes fit their edges badly, as with long slanted parallels, m may be as large as the map.
     ///
     /// # Errors
-    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are the same; use [`Locator::locate`] then.
+    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are equal; use [`Locator::locate`] then.
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -46,8 +45,8 @@ impl Locator<'_> {
 }
 
 impl PlanarMap {
-    /// The elements that a line meets, in order, as [`Locator::zone`] lists them, for a map that changes between questions: where
-    /// it begins is found by [`PlanarMap::locate`].
+    /// Returns the elements along a line, in order, as [`Locator::zone`] does, for a map that changes between queries:
+    /// [`PlanarMap::locate`] finds the beginning.
     ///
     /// ```
     /// use twinedge_geometry::Point;

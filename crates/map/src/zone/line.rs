@@ -1,7 +1,7 @@
 //! A directed line, the places on it where it meets a map, and their order.
 //!
-//! Where a line crosses an edge is a point whose coordinates no double can hold. It is never computed: two places are
-//! compared by asking on which side of one edge the ends of the other lie, which is exact.
+//! The crossing of a line and an edge has coordinates that doubles cannot represent. It is never computed: two places are
+//! compared exactly, by finding the side of one edge on which the ends of the other lie.
 
 use crate::Embedding;
 use crate::planar_map::PlanarMap;
@@ -10,17 +10,15 @@ use twinedge::dcel::{Face, HalfEdge, Vertex};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
-/// The line through two different points, directed from the one to the other.
+/// The line through two different points, directed from the first to the second.
 #[derive(Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) from: Point,
     pub(crate) through: Point,
 }
 
-/// A point of a line.
 #[derive(Clone, Copy)]
 pub(crate) enum LinePlace {
-    /// This one, which lies on the line.
     At(Point),
     /// The point where the segment from the first point, on the left of the line, to the second, on the right, crosses it.
     ///
@@ -34,7 +32,7 @@ pub(crate) enum LinePlace {
     Crossing(Point, Point),
 }
 
-/// A record that a line meets in one point, and where.
+/// A record that a line meets in one point, and the place.
 #[derive(Clone, Copy)]
 pub(crate) struct LineEvent<'m> {
     pub(crate) record: EventRecord<'m>,
@@ -45,11 +43,11 @@ pub(crate) struct LineEvent<'m> {
 #[derive(Clone, Copy)]
 pub(crate) enum EventRecord<'m> {
     Vertex(Vertex<'m>),
-    /// An edge, by the half-edge that crosses from the left of the line to its right: its face is ahead.
+    /// An edge, by the half-edge that crosses from the left of the line to the right: its face is ahead.
     Edge(HalfEdge<'m>),
 }
 
-/// The record that a line goes through between two events.
+/// The record that a line passes through between two events.
 #[derive(Clone, Copy)]
 pub(crate) enum LinePiece<'m> {
     Face(Face<'m>),
@@ -63,15 +61,14 @@ impl Line {
         orientation(self.from, self.through, p)
     }
 
-    /// Compares two places by how far along the line they are. Equal, if the one is the other, or if the map is not plane
-    /// and neither is first.
+    /// Compares two places along the line. They are equal if they coincide, or if the map is not plane and neither is first.
     pub(crate) fn order(&self, a: LinePlace, b: LinePlace) -> Ordering {
         match (a, b) {
             (LinePlace::At(a), LinePlace::At(b)) => self.order_points(a, b),
             (LinePlace::At(p), LinePlace::Crossing(left, right)) => Self::beside(left, right, p),
             (LinePlace::Crossing(left, right), LinePlace::At(p)) => Self::beside(left, right, p).reverse(),
             (LinePlace::Crossing(a, b), LinePlace::Crossing(left, right)) => {
-                // Of two segments that do not cross, one lies on one side of the other.
+                // If two segments do not cross, one lies on one side of the other.
                 Self::both(Self::beside(left, right, a), Self::beside(left, right, b)).unwrap_or_else(|| {
                     Self::both(Self::beside(a, b, left), Self::beside(a, b, right))
                         .map_or(Ordering::Equal, Ordering::reverse)
@@ -80,7 +77,7 @@ impl Line {
         }
     }
 
-    /// Compares two points of the line.
+    /// Compares two points on the line.
     fn order_points(&self, a: Point, b: Point) -> Ordering {
         let order = compare_lexicographic(a, b);
         if compare_lexicographic(self.from, self.through).is_lt() { order } else { order.reverse() }
@@ -95,7 +92,7 @@ impl Line {
         }
     }
 
-    /// The order on which both agree, where equal agrees with anything; none if they contradict each other.
+    /// Returns the order on which both agree, where equal agrees with either, or `None` if they contradict each other.
     fn both(a: Ordering, b: Ordering) -> Option<Ordering> {
         if a == b || b == Ordering::Equal {
             Some(a)
@@ -106,13 +103,12 @@ impl Line {
         }
     }
 
-    /// The event of meeting a vertex.
     pub(crate) fn at<'m>(map: &PlanarMap, vertex: Vertex<'m>) -> LineEvent<'m> {
         LineEvent { record: EventRecord::Vertex(vertex), place: LinePlace::At(map.point(vertex.index())) }
     }
 
-    /// Returns the crossing of the line with an edge, if it passes between the ends of the edge. These are given as the ends of
-    /// one of the half-edges, with their sides.
+    /// Returns the crossing of the line with an edge, if it passes between the ends of the edge. The ends are given for one of
+    /// the half-edges, with their sides.
     #[inline]
     pub(crate) fn crossing(
         h: HalfEdge<'_>,
@@ -130,15 +126,14 @@ impl Line {
         }
     }
 
-    /// Returns the piece that the line goes through after an event. O(degree).
+    /// Returns the piece that follows an event. O(degree).
     pub(crate) fn after<'m>(&self, map: &'m PlanarMap, event: LineEvent<'m>) -> LinePiece<'m> {
         let vertex = match event.record {
             EventRecord::Edge(h) => return LinePiece::Face(h.face()),
             EventRecord::Vertex(vertex) => vertex,
         };
         let center = map.point(vertex.index());
-        // The last half-edge, turning counter-clockwise from the direction of the line: the line leaves between it and
-        // the first.
+        // The last half-edge counter-clockwise from the direction of the line: the line leaves between it and the first.
         let mut last: Option<(u8, Point, HalfEdge<'m>)> = None;
         for h in vertex.rotation() {
             let head = map.point(h.target().index());

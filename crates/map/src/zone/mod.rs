@@ -1,4 +1,4 @@
-//! The zone of a line: the faces, edges and vertices that it meets, in order.
+//! The zone of a line: the faces, edges and vertices along it, in order.
 //!
 //! ```text
 //!        ____________
@@ -7,9 +7,9 @@
 //!       |____________|
 //! ```
 //!
-//! [`Locator::zone`](crate::Locator::zone) and [`PlanarMap::zone`](crate::PlanarMap::zone) find the edges by the R-tree of an
-//! index, and sort the k that are met in O(k log k). Both are exact, also through vertices and along edges: no intersection is ever
-//! computed, and there is no tolerance.
+//! [`Locator::zone`](crate::Locator::zone) and [`PlanarMap::zone`](crate::PlanarMap::zone) find the edges in the R-tree of an
+//! index, and sort the k edges on the line in O(k log k). Both are exact, even through vertices and along edges: no intersection
+//! is ever computed, and there is no tolerance.
 
 mod follow;
 mod indexed;

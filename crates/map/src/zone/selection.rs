@@ -1,4 +1,4 @@
-//! Selection, in an R-tree, of the records that a line may meet.
+//! Selection of the records that a line may meet, in an R-tree.
 
 use super::line::{Line, LineEvent};
 use super::query::QueryLine;
@@ -8,8 +8,8 @@ use rstar::{AABB, RTreeObject, SelectionFunction};
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::Orientation;
 
-/// Visits every record that the line meets in one point and whose box the query meets. Some are visited twice; those beyond
-/// the ends of the query may be among them. The edges of hubs at certain points may be left out.
+/// Visits every record that the line meets in one point and whose box the query meets. Some records are visited twice, and some
+/// may lie beyond the ends of the query. The edges of hubs at certain points may be left out.
 pub(crate) fn each_event<'m>(
     map: &'m PlanarMap,
     line: &Line,
@@ -43,11 +43,10 @@ pub(crate) fn each_event<'m>(
     }
 }
 
-/// Selects the boxes that a query meets, and perhaps some that it just misses: their contents are then tested exactly.
+/// Selects all boxes that a query meets, and perhaps a few that it narrowly misses; their contents are tested exactly afterwards.
 #[derive(Clone)]
 struct Selection {
     from: Point,
-    /// The direction of the line.
     direction: [f64; 2],
     /// The box around the query, perhaps infinite.
     around: AABB<[f64; 2]>,
@@ -58,7 +57,7 @@ struct Selection {
 impl Selection {
     fn new(line: &Line, query: &QueryLine) -> Self {
         let Line { from, through } = *line;
-        // From where to where, in one coordinate.
+        // The range of the query in one coordinate.
         let range = |from: f64, through: f64| {
             let (grows, falls) = (from < through, from > through);
             let (low_end, high_end) = match query {
@@ -76,8 +75,8 @@ impl Selection {
 
     /// Returns true if two points may be on different sides of the line, or on it.
     ///
-    /// Each difference and product is off by at most one part in 2^53, so a side of which the rounded value is so clear is
-    /// the right one; most boxes are far away, and need no exact arithmetic.
+    /// Each difference and product has a relative error of at most 2^-53, so a rounded value beyond the slack has the correct
+    /// sign. Most boxes are far away and need no exact arithmetic.
     fn may_part(&self, a: Point, b: Point) -> bool {
         let [dx, dy] = self.direction;
         let [(a, slack_of_a), (b, slack_of_b)] = [a, b].map(|p| {

@@ -1,7 +1,7 @@
 use super::{Open, Record};
 use crate::diff::ApplyError;
 
-/// Faces are named by the ids of ends that are (number, 0).
+/// The ids of a face's ends are (number, 0).
 fn matched(claims: &[(u128, u128)], largest_ring: usize) -> Result<Vec<(u128, u128)>, ApplyError> {
     let mut open = Open::default();
     for (id, face) in claims {
@@ -19,14 +19,14 @@ fn ids_and_faces_that_are_left_alone_are_matched_one_after_the_other() {
     assert_eq!(matched(&[(1, 11), (1, 12), (2, 12), (2, 13), (3, 13)], 0), Ok(vec![(1, 11), (2, 12), (3, 13)]));
 }
 
-/// Ids 1 and 2 and faces 11 and 12 are a ring; the others hang on a face of it.
+/// Ids 1 and 2 and faces 11 and 12 form a ring; the others hang on a face of the ring.
 #[test]
 fn faces_that_hang_on_a_ring_are_matched_before_it_is_opened() {
     let claims = [(1, 11), (1, 12), (2, 11), (2, 12), (3, 12), (3, 13), (4, 13), (4, 14)];
     assert_eq!(matched(&claims, 2), Ok(vec![(1, 11), (2, 12), (3, 13), (4, 14)]));
 }
 
-/// The same; the others hang on an id of it.
+/// Ids 1 and 2 and faces 11 and 12 form a ring; the others hang on an id of the ring.
 #[test]
 fn ids_that_hang_on_a_ring_are_matched_before_it_is_opened() {
     let claims = [(1, 11), (1, 12), (2, 11), (2, 12), (2, 13), (3, 13), (3, 14), (4, 14)];

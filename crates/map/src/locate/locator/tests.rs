@@ -1,4 +1,4 @@
-//! The work of the search graph, counted in steps and not in seconds.
+//! The work of the search graph, counted in steps instead of seconds.
 
 use super::*;
 use crate::{Builder, Shape};
@@ -17,10 +17,10 @@ fn map(segments: &[[[f64; 2]; 2]], isolated: &[[f64; 2]]) -> PlanarMap {
     builder.build().unwrap()
 }
 
-/// Builds the index, and asks for every vertex and what is beside it. Both must take O(n log n) in all, the index O(n)
-/// memory, and no single search much more than the average may.
+/// Builds the index, and locates every vertex and nearby points. Both must take O(n log n) in all, the index O(n) memory, and no
+/// single search may take much more than the average.
 fn check(name: &str, map: &PlanarMap) {
-    // Steps are counted for each thread, so one must do all.
+    // Steps are counted per thread, so one thread must do all.
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     let (locator, building) = one.install(|| steps_of(|| Locator::new(map).unwrap()));
     let n = (map.dcel().vertex_count() + map.dcel().edge_count()) as f64;
@@ -70,7 +70,7 @@ fn no_drawing_is_hard() {
 
 #[test]
 fn most_of_a_map_needs_no_question() {
-    // A square of 64 by 64 in a sea of 1024 by 1024, which four islands span.
+    // A square of 64 by 64 in a sea of 1024 by 1024 that four islands span.
     let mut segments = Segments::new();
     for i in 0..64 {
         let i = f64::from(i);
