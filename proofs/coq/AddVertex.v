@@ -1,4 +1,4 @@
-(** * AddVertex: adding an isolated vertex to a face keeps all rules (dcel/operators/isolated.rs)
+(** * AddVertex: adding an isolated vertex to a face keeps all rules (dcel/operators/inner.rs)
 
     The operator writes two new rows and one new entry, and touches nothing else.
 

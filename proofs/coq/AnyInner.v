@@ -1,4 +1,4 @@
-(** * AnyInner: wherever a face lists an inner boundary component, it can be moved (move_inner.rs)
+(** * AnyInner: wherever a face lists an inner boundary component, it can be moved (inner.rs)
 
     MoveInner.v moves the last entry of a list. Any other entry changes places with the last one first, as in the Rust code,
     where the last one takes the place of what leaves. The order of a list does not matter (Renaming.v).

@@ -1,4 +1,4 @@
-(** * MoveInner: moving an inner boundary component keeps all rules, if its new face is not inside it (move_inner.rs)
+(** * MoveInner: moving an inner boundary component keeps all rules, if its new face is not inside it (inner.rs)
 
     `move_inner(b, g)` takes an inner boundary component, a hole or an isolated vertex, out of the list of its face and
     appends it to that of another face. It is refused if that face is inside the component: then the component would lie

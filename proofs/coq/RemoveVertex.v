@@ -1,4 +1,4 @@
-(** * RemoveVertex: removing an isolated vertex keeps all rules (dcel/operators/isolated.rs)
+(** * RemoveVertex: removing an isolated vertex keeps all rules (dcel/operators/inner.rs)
 
     The isolated vertex [v] and its boundary component [b] are taken away, and the lists are made anew. Adding the vertex makes the
     same again (AddVertex.v).

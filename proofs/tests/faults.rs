@@ -55,7 +55,6 @@ fn every_part_has_a_fault() {
         "operators/mod.rs",
         "adapt/mod.rs",
         "rules/mod.rs",
-        "checked.rs",
         "corner.rs",
         "near/mod.rs",
         "near/write_set.rs",

@@ -1,6 +1,6 @@
 //! Attributes of a structure: values that follow its operators.
 
-use super::error::{OperatorError, StaleKey};
+use super::access::{OperatorError, StaleKey};
 use super::import::Keys;
 use super::structure::Dcel;
 use crate::store::attributes::{Attribute, Attributed, Attributes, Edges, Faces, Kind, Policy, Value};

@@ -88,33 +88,29 @@ mod assemble;
 mod attributes;
 mod audited;
 mod bulk;
-mod circulators;
 mod elements;
-mod equality;
-mod error;
 pub mod extend;
 mod history;
 mod import;
 mod operators;
 mod recorder;
 mod structure;
-mod timeline;
 mod view;
 
 pub use access::ElementKey;
+pub use access::{OperatorError, StaleKey};
 pub use audited::Audited;
 pub use bulk::{MergedFace, Renamed, Retained};
-pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
-pub use error::{OperatorError, StaleKey};
+pub use elements::{Cycle, Rotation};
 pub use history::History;
+pub use history::Mark;
 pub use import::{FacesError, ImportError, Keys, Outside, Placement, RotationsError};
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
 };
 pub use structure::Dcel;
-pub use timeline::Mark;
 
 pub use crate::store::attributes::{
     Attribute, Attributed, Corners, Edges, Faces, HalfEdges, Policy, Quantity, Value, Vertices,

@@ -18,8 +18,7 @@
 //! Users hold *keys*. A key names one record; after its removal the key is an error, and never names another record. Links are
 //! *slots*: bare numbers, meaningless once the record is removed. Keys are checked where they enter, and slots are then
 //! followed unchecked. This is sound because nothing can be removed while a structure is borrowed for reading, and because
-//! operators keep no slot after they end. structure is borrowed for reading, and because an operator keeps no slot after its
-//! end.
+//! operators keep no slot after they end.
 //!
 //! # Unsafe code
 //!

@@ -3,7 +3,6 @@
 mod compact;
 mod nest;
 mod retain;
-mod splice;
 
 pub use compact::Renamed;
 pub use retain::{MergedFace, Retained};

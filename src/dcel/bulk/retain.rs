@@ -1,8 +1,8 @@
 //! Keeps some vertices and edges, and removes all others.
 
 use super::nest::{Cycle, Group, Groups};
+use crate::dcel::access::OperatorError;
 use crate::dcel::elements::{HalfEdge, Vertex};
-use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
 use crate::store::{

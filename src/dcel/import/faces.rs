@@ -1,9 +1,9 @@
 //! Builds a [`Dcel`] from faces, given as lists of vertices.
 
+use super::from_view::Keys;
 use super::from_view::keys;
 use super::gather::Numbers;
-use super::keys::Keys;
-use super::pieces::Pieces;
+use super::gather::Pieces;
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;

@@ -1,9 +1,9 @@
 //! The serde form of structures.
 
-use super::error::ImportError;
+use super::from_view::ImportError;
+use super::from_view::Outside;
 use super::from_view::import;
 use super::gather::Numbers;
-use super::outside::Outside;
 use crate::dcel::structure::Dcel;
 use crate::slots::NIL;
 use crate::store::{Generations, Live, Store};

@@ -2,7 +2,7 @@
 
 use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
-use crate::dcel::error::{OperatorError, StaleKey};
+use crate::dcel::access::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, Room, VertexLink};
 

@@ -1,6 +1,6 @@
 //! Turns an edge inside the two faces that it separates.
 
-use crate::dcel::error::OperatorError;
+use crate::dcel::access::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryStart, HalfEdgeKey, HalfEdgeSlot, VertexLink};
 

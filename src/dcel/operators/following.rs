@@ -3,8 +3,8 @@
 
 use super::corner::CheckedCorner;
 use super::flip::Turn;
+use crate::dcel::access::OperatorError;
 use crate::dcel::bulk::MergedFace;
-use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::attributes::{Kind, Step};
 use crate::store::{FaceSlot, HalfEdgeSlot, VertexSlot};

@@ -1,12 +1,10 @@
 //! The operators. Each completes all its checks before it changes anything.
 
-mod checked;
 mod connect;
 mod corner;
 mod flip;
 mod following;
-mod isolated;
-mod move_inner;
+mod inner;
 mod remove;
 mod split_edge;
 mod split_vertex;
@@ -15,7 +13,7 @@ mod walk;
 pub use connect::{Connected, Connection, Side, Split};
 pub use corner::Corner;
 pub use flip::Turn;
-pub use isolated::{AddedVertex, RemovedVertex};
+pub use inner::{AddedVertex, RemovedVertex};
 pub use remove::RemovedEdge;
 pub use split_edge::{JoinedEdges, SplitEdge};
 pub use split_vertex::{ContractedEdge, SplitVertex};

@@ -1,7 +1,7 @@
 //! Removes edges.
 
 use super::walk::OneOfTwo;
-use crate::dcel::error::OperatorError;
+use crate::dcel::access::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryKey, BoundaryStart, FaceKey, HalfEdgeKey, HalfEdgeSlot, Room, Store, VertexLink};
 

@@ -1,6 +1,6 @@
 //! Splits an edge by a new vertex, and joins two edges.
 
-use crate::dcel::error::OperatorError;
+use crate::dcel::access::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryStart, HalfEdgeKey, Room, VertexKey, VertexLink};
 

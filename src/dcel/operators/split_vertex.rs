@@ -2,7 +2,7 @@
 
 use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
-use crate::dcel::error::OperatorError;
+use crate::dcel::access::OperatorError;
 use crate::dcel::structure::Dcel;
 use crate::store::{BoundaryStart, HalfEdgeKey, HalfEdgeSlot, Room, VertexKey, VertexLink, VertexSlot};
 

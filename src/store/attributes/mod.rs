@@ -4,14 +4,12 @@
 //! When a policy refuses, only values have changed, and the log restores them.
 
 mod column;
-mod kind;
 mod policy;
-mod quantity;
 
 pub use column::{Saved, Step, Value};
-pub use kind::{Attributed, Corners, Edges, Faces, HalfEdges, Kind, Vertices};
 pub use policy::Policy;
-pub use quantity::Quantity;
+pub use policy::Quantity;
+pub use policy::{Attributed, Corners, Edges, Faces, HalfEdges, Kind, Vertices};
 
 use crate::store::issuer::structure_offset;
 use alloc::boxed::Box;

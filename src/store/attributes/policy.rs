@@ -1,11 +1,12 @@
 //! Policies: the rules by which attribute values follow operators.
 
-use super::kind::{Attributed, Corners, Edges, Faces, HalfEdges, Vertices};
-use super::quantity::Quantity;
+use crate::store::keys::{FaceKey, HalfEdgeKey, VertexKey};
 use alloc::sync::Arc;
 use core::fmt;
+use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::sync::atomic::{AtomicU64, Ordering};
+use slotmap::Key;
 
 pub(super) type Reason = &'static str;
 
@@ -324,3 +325,121 @@ impl<K: Attributed, T> fmt::Debug for Policy<K, T> {
         f.debug_struct("Policy").finish_non_exhaustive()
     }
 }
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Vertices.
+    Vertex,
+    /// Half-edges.
+    HalfEdge,
+    /// Edges.
+    Edge,
+    /// Corners.
+    Corner,
+    /// Faces.
+    Face,
+    /// Records of a structure around the [`Dcel`](crate::dcel::Dcel), such as the features of a map. No operator writes to them.
+    Other,
+}
+
+/// A kind of record with [attributes](super::Attribute): [`Vertices`], [`HalfEdges`], [`Edges`], [`Corners`], [`Faces`], or a kind
+/// defined by a structure around a [`Dcel`](crate::dcel::Dcel), which is [`Kind::Other`].
+pub trait Attributed: Debug + Send + Sync + 'static {
+    /// The keys of these records.
+    type Key: Key + Send + Sync;
+
+    /// The kind.
+    const KIND: Kind = Kind::Other;
+}
+
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub enum $name {}
+
+        impl Attributed for $name {
+            type Key = $key;
+
+            const KIND: Kind = Kind::$kind;
+        }
+    )*};
+}
+
+kinds! {
+    /// Attributes of vertices.
+    Vertices Vertex VertexKey;
+    /// Attributes of half-edges: each side of an edge has its own value.
+    HalfEdges HalfEdge HalfEdgeKey;
+    /// Attributes of edges. Either half-edge names the edge; values are stored under the one with the smaller index.
+    Edges Edge HalfEdgeKey;
+    /// Attributes of [corners](crate::dcel::Corner), each named by the half-edge at whose origin and to whose left it lies. The corner
+    /// of an isolated vertex has no attributes.
+    Corners Corner HalfEdgeKey;
+    /// Attributes of faces, including the unbounded face.
+    Faces Face FaceKey;
+}
+
+/// A value that can be shared between the parts of a split record, and summed when records merge.
+///
+/// Implemented for the usual numbers; you can implement it for your own types.
+///
+/// ```
+/// use twinedge::dcel::Quantity;
+///
+/// assert_eq!(8.0_f64.share(0.25), [6.0, 2.0]);
+/// // Nothing is lost by rounding.
+/// assert_eq!(7_u32.share(0.5), [3, 4]);
+/// ```
+pub trait Quantity: Sized {
+    /// Returns the shares of the remaining part and of the other part, which gets the fraction `part`, from 0 to 1.
+    #[must_use]
+    fn share(&self, part: f64) -> [Self; 2];
+
+    /// Returns the sum. Integers saturate.
+    #[must_use]
+    fn sum(&self, other: &Self) -> Self;
+
+    /// Returns the value at the fraction `part`, from 0 to 1, of the way to another value.
+    #[must_use]
+    fn between(&self, other: &Self, part: f64) -> Self {
+        self.share(part)[0].sum(&other.share(part)[1])
+    }
+}
+
+macro_rules! floats {
+    ($($name:ident)*) => {$(
+        impl Quantity for $name {
+            fn share(&self, part: f64) -> [Self; 2] {
+                let given = self * part as $name;
+                [self - given, given]
+            }
+
+            fn sum(&self, other: &Self) -> Self {
+                self + other
+            }
+        }
+    )*};
+}
+
+macro_rules! integers {
+    ($($name:ident)*) => {$(
+        impl Quantity for $name {
+            #[allow(clippy::cast_lossless, clippy::cast_sign_loss, reason = "for all integers; the share of a number without sign has none")]
+            fn share(&self, part: f64) -> [Self; 2] {
+                // The cast saturates; adding a half rounds, without the standard library.
+                let given = (*self as f64 * part + if *self < 0 as $name { -0.5 } else { 0.5 }) as $name;
+                let given = if part >= 1.0 { *self } else if part <= 0.0 { 0 } else { given };
+                [self.saturating_sub(given), given]
+            }
+
+            fn sum(&self, other: &Self) -> Self {
+                self.saturating_add(*other)
+            }
+        }
+    )*};
+}
+
+floats! { f32 f64 }
+integers! { u32 u64 usize i32 i64 }
