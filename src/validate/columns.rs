@@ -14,7 +14,6 @@ pub(crate) fn column<T: Clone>(n: u32, value: T) -> Result<Vec<T>, Halt> {
     slots::column(n as usize, value).ok_or(Halt::OutOfMemory)
 }
 
-/// A connected component of vertices and edges.
 #[derive(Clone, Copy)]
 pub(crate) struct Component {
     /// Its first vertex, which names it in reports.
@@ -30,7 +29,6 @@ pub(crate) struct Component {
 }
 
 impl Component {
-    /// Starts a component at its first vertex.
     pub(crate) const fn at(vertex: u32) -> Self {
         Self { vertex, vertices: 0, paired: 0, unpaired: 0, cycles: 0, open: false }
     }
@@ -40,7 +38,6 @@ impl Component {
     }
 }
 
-/// The components, in order of their first vertices.
 pub(crate) struct Components {
     /// By vertex: the number of its component; nil if not live.
     pub(crate) of: Vec<u32>,

@@ -46,7 +46,6 @@ pub enum Surface {
 pub struct Expectation {
     surface: Surface,
     open: bool,
-    /// A bit for each requested rule.
     asked: u32,
     /// The numbers of M3, M5, M6 and M7; 0 if not requested.
     numbers: [usize; NUMBERS],
@@ -181,7 +180,6 @@ impl Expectation {
         1 << (rule.index() - Rule::M1.index())
     }
 
-    /// Returns the index of the number of a rule, if it has one.
     const fn place(rule: Rule) -> Option<usize> {
         match rule {
             Rule::M3 => Some(0),

@@ -35,7 +35,6 @@ pub struct Findings {
     /// The first violations of each rule, up to the cap.
     violations: Vec<Violation>,
     collect: Collect,
-    /// The counts so far.
     pub(crate) counts: Counts,
     pub(crate) bounds: Option<Bounds>,
 }
@@ -101,7 +100,6 @@ impl Findings {
         }
     }
 
-    /// Returns the reason why the rule was not checked, or not on every record.
     pub(crate) const fn unchecked(&self, rule: Rule) -> Option<Unchecked> {
         self.outcomes[rule.index()].unchecked
     }

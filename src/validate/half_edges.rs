@@ -112,7 +112,7 @@ impl<'a> Lent<'a> {
     }
 }
 
-/// Reads an entry of a column. Links were checked, but a view may lend links that differ from its answers.
+/// Reads an entry of a column, or nil past its end: a view may lend links that differ from its answers.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "called for each link")]
 fn entry(column: &[u32], h: u32) -> u32 {

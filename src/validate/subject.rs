@@ -133,7 +133,6 @@ impl Slots {
         self.existing(link).map_or(NIL, |slot| slot as u32)
     }
 
-    /// Creates a column with a nil for each slot; `None` if memory runs out.
     pub(crate) fn nils(self) -> Option<Vec<u32>> {
         column(self.count, NIL).ok()
     }
@@ -153,25 +152,21 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         Self { view, extent }
     }
 
-    /// Returns true if the slot exists and holds a vertex.
     #[inline]
     pub(crate) fn is_vertex(&self, v: usize) -> bool {
         self.extent.vertices.is_live(v, |v| self.view.is_vertex(v))
     }
 
-    /// Returns true if the slot exists and holds a half-edge.
     #[inline]
     pub(crate) fn is_half_edge(&self, h: usize) -> bool {
         self.extent.half_edges.is_live(h, |h| self.view.is_half_edge(h))
     }
 
-    /// Returns true if the slot exists and holds a boundary component.
     #[inline]
     pub(crate) fn is_boundary(&self, b: usize) -> bool {
         self.extent.boundaries.is_live(b, |b| self.view.is_boundary(b))
     }
 
-    /// Returns true if the slot exists and holds a face.
     #[inline]
     pub(crate) fn is_face(&self, f: usize) -> bool {
         self.extent.faces.is_live(f, |f| self.view.is_face(f))
@@ -303,7 +298,6 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         Ok(())
     }
 
-    /// Returns the component of the origin of a half-edge.
     pub(crate) fn component_at<'c>(&self, components: &'c mut Components, h: u32) -> Option<&'c mut Component> {
         let c = components.of.get(self.origin(h) as usize).copied()?;
         components.all.get_mut(c as usize)

@@ -132,7 +132,7 @@ fn findings_of(expectation: &Expectation, collect: Collect) -> Findings {
     findings
 }
 
-/// Creates the report. If the run ended early, rules that were not reached have that reason.
+/// Creates the report. If the run ended early, the reason is recorded for rules that were not reached.
 fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), Unchecked>) -> Report {
     let asked = Rule::ALL.iter().filter(|rule| rule.is_optional() && expectation.asks_for(**rule));
     let rules: Vec<Rule> = TOPOLOGICAL.iter().chain(asked).copied().collect();
@@ -144,7 +144,7 @@ fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), U
     findings.into_report(&rules)
 }
 
-/// Records the counts of valid rules R1 … T4, and runs M1 … M8.
+/// Records the counts of rules R1 … T4, which hold, and runs M1 … M8.
 fn enter(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> Flow {
     let Accepted { vertices, isolated, half_edges, unpaired, faces, outer, inner, components, .. } = *accepted;
     let edges = (half_edges - unpaired) / 2 + unpaired;

@@ -5,7 +5,6 @@ use crate::slots::{NIL, Sets};
 use crate::validate::structure::View;
 use alloc::vec::Vec;
 
-/// The cycles of `next`, by face and by component.
 pub(super) struct Cycles {
     /// By cycle: its first half-edge, which represents it.
     pub(super) start: Vec<u32>,
@@ -65,7 +64,6 @@ impl Cycles {
     }
 }
 
-/// Numbers `0 .. n`, grouped by a label.
 pub(super) struct Groups {
     members: Vec<u32>,
     begin: Vec<u32>,

@@ -35,7 +35,6 @@ pub(super) fn live<V: View + ?Sized>(view: &V, slots: usize) -> impl Iterator<It
     (0..slots).filter(|h| view.is_half_edge(*h))
 }
 
-/// Reads an entry of a column as a link.
 pub(super) fn entry(column: &[u32], i: usize) -> Link {
     column.get(i).filter(|entry| **entry != NIL).map(|entry| *entry as usize)
 }

@@ -47,7 +47,6 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug)]
 pub struct FaceLabels<V> {
     view: V,
-    /// The stored and the derived parts.
     parts: Parts,
     /// By face: a half-edge of its outer cycle.
     outer: Vec<u32>,

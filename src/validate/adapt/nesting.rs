@@ -9,7 +9,6 @@ use crate::validate::columns::NIL;
 use crate::validate::structure::Link;
 use alloc::vec::Vec;
 
-/// The search through faces and components.
 struct Search<'a> {
     cycles: &'a Cycles,
     by_component: Groups,
@@ -48,7 +47,6 @@ pub(super) fn outer_cycles(cycles: &Cycles, unbounded: Link) -> Option<Vec<u32>>
 }
 
 impl Search<'_> {
-    /// Follows the cycles of reached faces until no new faces are found.
     fn follow(&mut self) {
         let cycles = self.cycles;
         while let Some(face) = self.queue.pop() {

@@ -7,7 +7,6 @@ use crate::validate::structure::{BoundaryPlace, Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// The contents of the lists of the faces.
 #[derive(Default)]
 pub(super) struct Boundaries {
     pub(super) faces: usize,
@@ -32,7 +31,6 @@ impl Boundaries {
     }
 }
 
-/// The lists read so far.
 struct Lists<'a, V: ?Sized> {
     view: &'a V,
     extent: Extent,

@@ -5,7 +5,6 @@ use crate::validate::structure::View;
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// Counts the cycles.
 #[inline(never)]
 pub(super) fn count<V: View + ?Sized>(view: &V, extent: Extent) -> Option<usize> {
     let mut cycles = 0;

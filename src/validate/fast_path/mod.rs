@@ -70,7 +70,6 @@ pub(crate) struct Accepted {
     pub(crate) half_edges: usize,
     pub(crate) unpaired: usize,
     pub(crate) faces: usize,
-    /// The numbers of outer and inner boundary components.
     pub(crate) outer: usize,
     pub(crate) inner: usize,
     pub(crate) components: usize,

@@ -7,9 +7,7 @@ use alloc::vec::Vec;
 
 /// The starts of the walks around the vertices.
 pub(super) struct Starts {
-    /// The number of live half-edges.
     pub(super) half_edges: usize,
-    /// The number of live half-edges without twin.
     pub(super) unpaired: usize,
     /// By vertex: a half-edge that leaves it, or nil; only if vertices store none.
     leaving: Option<Vec<u32>>,
@@ -67,7 +65,6 @@ impl Starts {
         self.into.get(v).copied().filter(|h| *h != NIL).map(|h| h as usize)
     }
 
-    /// Records the vertex where a half-edge without twin ends.
     fn note_end<V: View + ?Sized>(&mut self, view: &V, extent: Extent, h: u32) -> Option<()> {
         if self.into.is_empty() {
             self.into = extent.vertices.nils()?;

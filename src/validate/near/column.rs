@@ -102,13 +102,11 @@ impl<R: Row> Column<R> {
         self.after.get_mut(*position as usize - 1).map(|row| &mut row.1)
     }
 
-    /// Marks the row as possibly different.
     #[inline]
     pub(super) fn note(&mut self, index: usize) {
         let _ = self.change(index);
     }
 
-    /// The number of rows that may differ.
     pub(super) fn len(&self) -> usize {
         self.after.len()
     }

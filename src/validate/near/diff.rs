@@ -5,7 +5,6 @@ use super::links::{Face, HalfEdge, Label, LinkReader, Vertex};
 use crate::validate::columns::NIL;
 use crate::validate::structure::{Part, View};
 
-/// Sums over a whole structure.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     /// The number of unbounded faces.
@@ -45,7 +44,6 @@ impl Diff {
         }
     }
 
-    /// Computes the sums after the change.
     pub(super) fn add_up(&mut self) -> Sums {
         let half_edges = self.half_edges.growth(|row| i64::from(row.is_live()));
         let vertices = self.vertices.growth(|row| i64::from(row.is_live()));
@@ -58,7 +56,6 @@ impl Diff {
         self.after
     }
 
-    /// Moves on to the state after the change.
     pub(super) fn commit(&mut self) {
         self.before = self.after;
         self.half_edges.commit();
@@ -72,7 +69,7 @@ impl Diff {
         self.half_edges.before(self.half_edges.before(h).twin as usize).next as usize
     }
 
-    /// Finds a half-edge on an old orbit that still `stay`s there. Costs a step for each other half-edge; all of these may differ.
+    /// Finds a half-edge on an old orbit for which `stays` holds. Costs a step for each other half-edge; all of these may differ.
     pub(super) fn remaining(
         &self,
         first: Option<usize>,

@@ -164,7 +164,6 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         if h < self.half_edges { self.view.next(h) } else { None }
     }
 
-    /// Returns the next half-edge clockwise around the origin.
     pub(super) fn clockwise(&self, h: usize) -> Option<usize> {
         if h < self.half_edges { self.next(self.view.twin(h)?) } else { None }
     }

@@ -2,7 +2,6 @@
 
 use alloc::vec::Vec;
 
-/// A half-edge on an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Member {
     /// The vertex or label of the orbit.

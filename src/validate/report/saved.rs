@@ -100,7 +100,6 @@ impl Serialize for Described<'_> {
     }
 }
 
-/// A rule with its outcome, as an entry of a report.
 #[derive(Serialize, Deserialize)]
 struct OutcomeEntry {
     id: Rule,

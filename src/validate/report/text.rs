@@ -22,7 +22,6 @@ impl fmt::Debug for Report {
     }
 }
 
-/// Writes the report with these names.
 pub(super) fn write(report: &Report, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (rule, outcome) in report.outcomes.iter().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly))
     {

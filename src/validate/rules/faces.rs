@@ -229,13 +229,11 @@ pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Fin
 struct Starts<'a, 'f> {
     subject: Subject<'a>,
     fans: &'f [Fan],
-    /// By vertex: the first of them.
     started: Vec<u32>,
     findings: &'f mut Findings,
 }
 
 impl Starts<'_, '_> {
-    /// Records one that starts at this vertex.
     fn at(&mut self, vertex: usize, by: usize, kind: fn(usize) -> Record) -> Flow {
         if !self.subject.is_vertex(vertex) {
             return Ok(());

@@ -126,7 +126,6 @@ fn prev_of_next<H: HalfEdges>(half_edges: H, [h, n]: [u32; 2], pass: &mut Pass<'
     pass.add(Violation::PrevOfNext { half_edge: h as usize, next: n as usize, found: back as usize })
 }
 
-/// Checks `next(prev(h)) = h`.
 #[inline]
 fn next_of_prev<H: HalfEdges>(half_edges: H, [h, p]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
     let back = half_edges.next(p);
@@ -292,7 +291,6 @@ fn whole_rotation(v: u32, fan: Fan, reached: u32, findings: &mut Findings) -> Fl
     })
 }
 
-/// The links followed by a walk around a vertex.
 #[derive(Clone, Copy)]
 struct Walk<'a, H> {
     subject: Subject<'a>,

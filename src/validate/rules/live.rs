@@ -26,7 +26,6 @@ pub(crate) struct Census {
     pub(crate) map_is_live: bool,
     /// The maximum number of list entries that each rule reads. Longer lists are invalid.
     pub(crate) list_budget: usize,
-    /// The fan of each vertex.
     pub(crate) fans: Vec<Fan>,
 }
 
@@ -54,7 +53,6 @@ pub(crate) struct Fan {
     pub(crate) leaving: u32,
 }
 
-/// Counts a half-edge with this origin.
 fn note(fans: &mut [Fan], origin: u32, h: u32) {
     if let Some(fan) = fans.get_mut(origin as usize) {
         *fan = Fan { degree: fan.degree + 1, leaving: h };
@@ -85,7 +83,6 @@ pub(crate) fn live(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &
     Ok(Census { half_edges, edges, vertices, isolated_vertices, map_is_live, list_budget, fans })
 }
 
-/// Returns true if the link leads to a live record of this kind.
 #[inline]
 fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
     match kind {
@@ -96,7 +93,6 @@ fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
     }
 }
 
-/// The links of one record.
 struct Links<'a, 'f> {
     subject: Subject<'a>,
     record: Record,

@@ -115,7 +115,6 @@ fn sides(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow
     if has_faces { faces(subject, findings) } else { cycles(subject, findings) }
 }
 
-/// Checks one face or cycle.
 fn one(subject: Subject<'_>, record: Record, sides: u32, findings: &mut Findings) -> Flow {
     findings.checked(Rule::M3, 1);
     let sides = sides as usize;

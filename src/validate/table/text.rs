@@ -111,7 +111,6 @@ impl fmt::Display for ParseTableError {
 
 impl core::error::Error for ParseTableError {}
 
-/// A link in the text form.
 struct LinkText(Link);
 
 impl fmt::Display for LinkText {
@@ -123,7 +122,6 @@ impl fmt::Display for LinkText {
     }
 }
 
-/// A start in the text form.
 struct StartText(Option<Start>);
 
 impl fmt::Display for StartText {
@@ -136,7 +134,6 @@ impl fmt::Display for StartText {
     }
 }
 
-/// A place in the text form.
 struct PlaceText(Option<BoundaryPlace>);
 
 impl fmt::Display for PlaceText {
@@ -202,7 +199,6 @@ impl fmt::Display for Table {
     }
 }
 
-/// The tokens of a text.
 struct Tokens<'a> {
     text: &'a str,
     position: usize,
@@ -216,7 +212,6 @@ impl<'a> Tokens<'a> {
         Some((token, self.text.len() - rest.len()))
     }
 
-    /// Reads the next token.
     fn token(&mut self, expected: &'static str) -> Result<(&'a str, usize), ParseTableError> {
         let end = ParseTableError::UnexpectedEnd { position: self.text.len(), expected };
         let (token, position) = self.peek().ok_or(end)?;
@@ -224,7 +219,6 @@ impl<'a> Tokens<'a> {
         Ok((token, position))
     }
 
-    /// Reads the name of a section.
     fn name(&mut self, name: &'static str, expected: &'static str) -> Result<(), ParseTableError> {
         match self.token(expected)? {
             (token, _) if token == name => Ok(()),
@@ -286,7 +280,6 @@ impl<'a> Tokens<'a> {
         Ok(list)
     }
 
-    /// Reads the row of a vacant slot, if one follows.
     fn vacant(&mut self) -> bool {
         let Some(("x", position)) = self.peek() else { return false };
         self.position = position + 1;
