@@ -1,4 +1,4 @@
-//! Numbers of slots in 32 bits, as all layers keep them in columns: nil, disjoint sets, the cycles of a permutation.
+//! 32-bit slot numbers, as all layers store them in columns: nil, disjoint sets, and the cycles of a permutation.
 
 use alloc::vec::Vec;
 #[cfg(feature = "dcel")]
@@ -7,7 +7,7 @@ use core::mem;
 /// Nil in a column.
 pub(crate) const NIL: u32 = u32::MAX;
 
-/// A column of so many entries, if there is memory for it.
+/// Allocates `n` copies of `value`; `None` if memory runs out.
 pub(crate) fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     let mut column = Vec::new();
     column.try_reserve_exact(n).ok()?;
@@ -15,14 +15,14 @@ pub(crate) fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     Some(column)
 }
 
-/// Marks the number of a set, in place of a member.
+/// Marks an entry that stores the number of its set instead of a member.
 #[cfg(feature = "dcel")]
 const NUMBERED: u32 = 1 << 31;
 
-/// Disjoint sets of the numbers below some number. Numbers beyond are in no set. n calls take O(n α(n)), where α is the inverse of
+/// Disjoint sets of the numbers below `count`. Larger numbers are in no set. n calls take O(n α(n)), where α is the inverse of
 /// Ackermann's function.
 pub(crate) struct Sets {
-    /// Another member of the same set, or for the one that stands for the set, itself.
+    /// Another member of the same set, or the number itself if it represents the set.
     towards: Vec<u32>,
     rank: Vec<u8>,
     /// The number of sets.
@@ -30,13 +30,12 @@ pub(crate) struct Sets {
 }
 
 impl Sets {
-    /// Sets of one number each.
     #[cfg(feature = "dcel")]
     pub(crate) fn new(count: usize) -> Self {
         Self { towards: (0..count as u32).collect(), rank: alloc::vec![0; count], count }
     }
 
-    /// The same, if there is memory for them.
+    /// Creates sets of one number each; `None` if memory runs out.
     pub(crate) fn try_new(count: usize) -> Option<Self> {
         let mut towards = Vec::new();
         towards.try_reserve_exact(count).ok()?;
@@ -44,7 +43,7 @@ impl Sets {
         Some(Self { towards, rank: column(count, 0)?, count })
     }
 
-    /// The number that stands for the set of `i`. Every second step on the way is shortened.
+    /// Returns the representative of the set of `i`, halving the path to it.
     pub(crate) fn find(&mut self, mut i: u32) -> u32 {
         while let Some(next) = self.towards.get(i as usize).copied().filter(|next| *next != i) {
             let after = self.towards[next as usize];
@@ -54,7 +53,7 @@ impl Sets {
         i
     }
 
-    /// Joins two sets, the one of lower rank to the other.
+    /// Joins two sets by rank.
     pub(crate) fn join(&mut self, i: u32, j: u32) {
         let (i, j) = (self.find(i), self.find(j));
         let (Some(rank_i), Some(rank_j)) = (self.rank.get(i as usize).copied(), self.rank.get(j as usize).copied())
@@ -67,8 +66,8 @@ impl Sets {
         self.towards[low as usize] = high;
     }
 
-    /// The number of the set of `i`: sets are counted in the order in which they are asked for, by `count`. Once one has a number nothing can be
-    /// found or joined. Numbers are below 2^31.
+    /// Returns the number of the set of `i`. Sets are numbered by `count` on first use. After the first call, sets can no longer
+    /// be found or joined. Numbers are below 2^31.
     #[cfg(feature = "dcel")]
     pub(crate) fn number(&mut self, i: u32, count: &mut u32) -> u32 {
         let mut at = i as usize;
@@ -91,13 +90,13 @@ impl Sets {
         numbered ^ NUMBERED
     }
 
-    /// The number of the set of `i`, which has been asked for. O(1).
+    /// Returns the number of the set of `i`, which must have been numbered. O(1).
     #[cfg(feature = "dcel")]
     pub(crate) fn known_number(&self, i: u32) -> u32 {
         self.towards[i as usize] ^ NUMBERED
     }
 
-    /// For each number that of its set, counted in the order of the first members, if there is memory for them.
+    /// Returns the set number of each number, in the order of first members; `None` if memory runs out.
     pub(crate) fn numbered(mut self) -> Option<Vec<u32>> {
         self.rank = Vec::new();
         let mut count = 0;
@@ -114,7 +113,7 @@ impl Sets {
     }
 }
 
-/// The cycles of a permutation: for each number that of its cycle, and for each cycle its smallest number.
+/// Returns the cycle of each number, and the smallest number of each cycle, of a permutation.
 #[cfg(feature = "dcel")]
 pub(crate) fn cycles(next: &[u32]) -> (Vec<u32>, Vec<u32>) {
     let mut of = alloc::vec![NIL; next.len()];

@@ -1,4 +1,4 @@
-//! Columns of 32-bit numbers: the memory of the validator while the rules are run.
+//! Columns of 32-bit numbers: the working memory of the rules.
 
 use super::findings::Halt;
 use crate::slots;
@@ -9,28 +9,26 @@ pub(crate) use crate::slots::NIL;
 /// A column of `n` entries.
 ///
 /// # Errors
-/// [`Halt::OutOfMemory`] if there is no memory for it.
+/// [`Halt::OutOfMemory`] if memory runs out.
 pub(crate) fn column<T: Clone>(n: u32, value: T) -> Result<Vec<T>, Halt> {
     slots::column(n as usize, value).ok_or(Halt::OutOfMemory)
 }
 
-/// A connected component of vertices and edges.
 #[derive(Clone, Copy)]
 pub(crate) struct Component {
-    /// Its first vertex, by which reports name it.
+    /// Its first vertex, which names it in reports.
     pub(crate) vertex: u32,
     pub(crate) vertices: u32,
-    /// Half-edges with and without a twin: the edges are half the former and all of the latter.
+    /// Half-edges with and without a twin: there are `paired / 2 + unpaired` edges.
     pub(crate) paired: u32,
     pub(crate) unpaired: u32,
-    /// Its cycles of `next`, one for an isolated vertex, and one for each open boundary.
+    /// The number of its cycles of `next`, plus one for an isolated vertex, plus one for each open boundary.
     pub(crate) cycles: u32,
-    /// True if some half-edge lacks its twin or its face. The outside of the component may then be there.
+    /// True if some half-edge lacks its twin or its face, so the outside of the component may be there.
     pub(crate) open: bool,
 }
 
 impl Component {
-    /// The component of this vertex, of which nothing else is known yet.
     pub(crate) const fn at(vertex: u32) -> Self {
         Self { vertex, vertices: 0, paired: 0, unpaired: 0, cycles: 0, open: false }
     }
@@ -40,11 +38,10 @@ impl Component {
     }
 }
 
-/// The components, in order of their first vertices.
 pub(crate) struct Components {
-    /// For each vertex the number of its component; nil if it is not live.
+    /// By vertex: the number of its component; nil if not live.
     pub(crate) of: Vec<u32>,
     pub(crate) all: Vec<Component>,
-    /// True if there is neither a loop nor a pair of parallel edges.
+    /// True if there are neither loops nor parallel edges.
     pub(crate) simple: bool,
 }

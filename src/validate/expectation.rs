@@ -1,9 +1,9 @@
-//! The claims to which a structure is held: the surface on which it lies, open boundaries, and the rules M1 … M8.
+//! The claims about a structure: its surface, open boundaries, and the rules M1 … M8.
 
 use super::rule::Rule;
 use super::structure::{Part, Parts};
 
-/// The surface on which the structure is to lie.
+/// The surface on which the structure should lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Surface {
@@ -13,7 +13,7 @@ pub enum Surface {
     Any,
 }
 
-/// The claims to which a structure is held. What it *stores*, [`View::parts`](super::View::parts) says.
+/// The claims about a structure. The stored parts are the answer of [`View::parts`](super::View::parts).
 ///
 /// ```
 /// use twinedge::validate::Expectation;
@@ -24,12 +24,12 @@ pub enum Surface {
 /// let disc = mesh.triangles().components(1).borders(1).genus(0);
 /// ```
 ///
-/// # What can be asked for
+/// # Optional rules
 ///
-/// A structure keeps R1 … T4, or it is broken. M1 … M8 say what else it is to be. Each is checked, and in the report, only if it
-/// is asked for; it needs the rules before it, and where they are broken it is reported as not checked.
+/// A structure that breaks one of R1 … T4 is invalid. M1 … M8 are further claims. Each is checked, and part of the report, only on
+/// request. An optional rule relies on earlier rules; if they are broken, it is reported as not checked.
 ///
-/// | rule | asked for by |
+/// | rule | requested by |
 /// | --- | --- |
 /// | M1 used | [`no_unused_vertices`](Self::no_unused_vertices) |
 /// | M2 simple | [`simple`](Self::simple) |
@@ -40,78 +40,77 @@ pub enum Surface {
 /// | M7 genus | [`genus`](Self::genus) |
 /// | M8 kept | [`border_kept`](Self::border_kept) |
 ///
-/// Most programs that work with triangle meshes take `surface().no_unused_vertices().simple().triangles()` for granted, with
-/// `.open().borders(n)` for a mesh with `n` border loops. M8 is a promise of some libraries, and no more usual than its absence.
+/// Most programs for triangle meshes assume `surface().no_unused_vertices().simple().triangles()`, with `.open().borders(n)` for a mesh
+/// with `n` border loops. Some libraries promise M8, and others do not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expectation {
     surface: Surface,
     open: bool,
-    /// A bit for each optional rule that is asked for.
     asked: u32,
-    /// The numbers of M3, M5, M6 and M7; 0 where they are not asked for.
+    /// The numbers of M3, M5, M6 and M7; 0 if not requested.
     numbers: [usize; NUMBERS],
 }
 
-/// The number of rules that are asked for with a number.
+/// The number of rules that are requested with a number.
 const NUMBERS: usize = 4;
 
 impl Expectation {
-    /// A planar subdivision. Where no unbounded face is stored ([`Part::UnboundedFace`]), a sphere is one, too: any of its faces can be
+    /// A planar subdivision. If no unbounded face is stored ([`Part::UnboundedFace`]), a sphere also qualifies: any of its faces can be
     /// the unbounded one.
     #[must_use]
     pub const fn plane() -> Self {
         Self { surface: Surface::Plane, open: false, asked: 0, numbers: [0; NUMBERS] }
     }
 
-    /// A subdivision of closed orientable surfaces, in which each face has one cycle. An unbounded face and lists of holes, where they are
-    /// stored, are not looked at.
+    /// A subdivision of closed orientable surfaces, in which each face has one cycle. A stored unbounded face and lists of holes are
+    /// ignored.
     #[must_use]
     pub const fn surface() -> Self {
         Self { surface: Surface::Any, open: false, asked: 0, numbers: [0; NUMBERS] }
     }
 
-    /// The same, but open boundaries are legal. At an edge of an open boundary one side is missing, in one of two ways:
+    /// Allows open boundaries. At an edge of an open boundary one side is missing, in one of two ways:
     ///
     /// - There is one half-edge. It has a face, and no twin.
-    /// - There are two half-edges, twins of each other. The one along the boundary has no face (no boundary component,
-    ///   where there are records for these).
+    /// - There are two half-edges, twins of each other. The one along the boundary has no face (or no boundary component, if these are
+    ///   records).
     ///
-    /// Both half-edges of an edge may lack a face. A half-edge with neither twin nor face bounds nothing, and breaks R1. If the
-    /// structure lacks faces, there is nothing to check of that.
+    /// Both half-edges of an edge may lack a face. A half-edge with neither twin nor face bounds nothing, and breaks R1. Without faces
+    /// none of this is checked.
     ///
-    /// The outside of a component may be an open boundary, and then it has no inner boundary component.
+    /// If the outside of a component is an open boundary, the component has no inner boundary component.
     #[must_use]
     pub const fn open(mut self) -> Self {
         self.open = true;
         self
     }
 
-    /// The same, and some half-edge leaves every vertex (M1).
+    /// Requests that some half-edge leaves every vertex (M1).
     #[must_use]
     pub const fn no_unused_vertices(self) -> Self {
         self.ask(Rule::M1, 0)
     }
 
-    /// The same, without loops and parallel edges (M2).
+    /// Requests that there are no loops or parallel edges (M2).
     #[must_use]
     pub const fn simple(self) -> Self {
         self.ask(Rule::M2, 0)
     }
 
-    /// The same, and every bounded face has so many sides (M3).
+    /// Requests that every bounded face has `count` sides (M3).
     #[must_use]
     pub const fn sides(self, count: usize) -> Self {
         self.ask(Rule::M3, count)
     }
 
-    /// The same, and every bounded face has three sides (M3).
+    /// Requests that every bounded face has three sides (M3).
     #[must_use]
     pub const fn triangles(self) -> Self {
         self.sides(3)
     }
 
-    /// The same, without border (M4). Together with [`open`](Self::open), each half-edge at a border is reported as that;
-    /// without, R1 is broken, as links are missing.
+    /// Requests that there is no border (M4). With [`open`](Self::open), M4 reports each half-edge at a border; without, missing links
+    /// break R1.
     ///
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
@@ -131,29 +130,27 @@ impl Expectation {
         self.ask(Rule::M4, 0)
     }
 
-    /// The same, with so many components that have an edge (M5).
+    /// Requests `count` components with an edge (M5).
     #[must_use]
     pub const fn components(self, count: usize) -> Self {
         self.ask(Rule::M5, count)
     }
 
-    /// The same, with so many border loops over all components (M6). A structure has them only if it is
-    /// [`open`](Self::open). With 0 it asks for what [`closed`](Self::closed) asks for, but counts the loops and does not name
-    /// half-edges.
+    /// Requests `count` border loops in all components together (M6). Only an [`open`](Self::open) structure has border loops. A count
+    /// of 0 is equivalent to [`closed`](Self::closed), but counts loops instead of naming half-edges.
     #[must_use]
     pub const fn borders(self, count: usize) -> Self {
         self.ask(Rule::M6, count)
     }
 
-    /// The same, with this genus, added up over all components (M7): how many handles there are.
+    /// Requests this genus, the number of handles of all components together (M7).
     #[must_use]
     pub const fn genus(self, genus: usize) -> Self {
         self.ask(Rule::M7, genus)
     }
 
-    /// The same, and a vertex on the border keeps a half-edge of the border (M8): one without face, or, where the edges of the
-    /// border have one half-edge only, one without twin. Libraries that tell a border vertex by the half-edge that it keeps rely
-    /// on this.
+    /// Requests that every border vertex keeps a half-edge of the border (M8): one without face, or, if border edges have only one
+    /// half-edge, one without twin. Libraries that recognise border vertices by the kept half-edge rely on this.
     ///
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
@@ -179,12 +176,10 @@ impl Expectation {
         self
     }
 
-    /// The bit of an optional rule.
     const fn bit(rule: Rule) -> u32 {
         1 << (rule.index() - Rule::M1.index())
     }
 
-    /// Returns the place of the number of a rule, if it has one.
     const fn place(rule: Rule) -> Option<usize> {
         match rule {
             Rule::M3 => Some(0),
@@ -195,7 +190,7 @@ impl Expectation {
         }
     }
 
-    /// True if the rule is asked for. A rule that is not [optional](Rule::is_optional) always is.
+    /// Returns true if the rule is requested. A rule that is not [optional](Rule::is_optional) always is.
     ///
     /// ```
     /// use twinedge::validate::{Expectation, Rule};
@@ -208,7 +203,7 @@ impl Expectation {
         !rule.is_optional() || self.asked & Self::bit(rule) != 0
     }
 
-    /// The number that M3, M5, M6 or M7 is asked to find; `None` if it is not asked for, and for all other rules.
+    /// Returns the requested number of M3, M5, M6 or M7; `None` for other rules, or without a request.
     #[must_use]
     pub const fn expected_count(&self, rule: Rule) -> Option<usize> {
         match Self::place(rule) {
@@ -217,20 +212,20 @@ impl Expectation {
         }
     }
 
-    /// The surface on which the structure is to lie.
+    /// Returns the surface on which the structure should lie.
     #[must_use]
     pub const fn surface_kind(&self) -> Surface {
         self.surface
     }
 
-    /// True if open boundaries are legal.
+    /// Returns true if open boundaries are allowed.
     #[must_use]
     pub const fn is_open(&self) -> bool {
         self.open
     }
 
-    /// The parts that are looked at, of those that a structure stores: all in the plane; on surfaces no lists of holes, and no
-    /// unbounded face.
+    /// Returns the parts considered, of the stored ones: all parts in the plane; on surfaces neither lists of holes nor an unbounded
+    /// face.
     #[must_use]
     pub const fn looks_at(&self, stored: Parts) -> Parts {
         match self.surface {
@@ -240,7 +235,7 @@ impl Expectation {
     }
 }
 
-/// Every optional rule has a bit, and the numbers of rules have places.
+/// Every optional rule has a bit, and the rules with numbers have indices.
 const _: () = {
     let mut i = 0;
     while i < Rule::ALL.len() {

@@ -6,14 +6,14 @@ use alloc::string::String;
 use core::fmt;
 use core::str::FromStr;
 
-/// The way in which a rule is asked for: by its word alone, or with a number.
+/// The form of a request: a word alone, or with a number.
 #[derive(Clone, Copy)]
 enum Ask {
     Plain(fn(Expectation) -> Expectation),
     Number(fn(Expectation, usize) -> Expectation),
 }
 
-/// The rules that must be asked for, with the word for each.
+/// The optional rules, with the word for each.
 const ASKED: [(Rule, &str, Ask); 8] = [
     (Rule::M1, "no-unused-vertices", Ask::Plain(Expectation::no_unused_vertices)),
     (Rule::M2, "simple", Ask::Plain(Expectation::simple)),
@@ -29,19 +29,19 @@ const ASKED: [(Rule, &str, Ask); 8] = [
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ParseExpectationError {
-    /// It does not begin with `plane` or `surface`.
+    /// The text does not begin with `plane` or `surface`.
     Surface,
-    /// Something else stands in the place of `open` or `asking`.
+    /// Another word in place of `open` or `asking`.
     Claim {
         /// The word.
         word: String,
     },
-    /// The word names no rule that can be asked for.
+    /// The word names no optional rule.
     Rule {
         /// The word.
         word: String,
     },
-    /// No number follows the word of a rule that needs one.
+    /// No number follows the word of a rule that requires one.
     Number {
         /// The word before it.
         after: &'static str,
@@ -118,7 +118,7 @@ impl FromStr for Expectation {
     }
 }
 
-/// The text.
+/// Serializes the text.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Expectation {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -1,24 +1,24 @@
-//! The report under construction: violations, an outcome for each rule, counts.
+//! A report under construction: violations, rule outcomes, and counts.
 
 use super::report::{Bounds, Collect, Counts, Report, RuleOutcome, Unchecked, Violation, keep_some_of_each};
 use super::rule::Rule;
 use alloc::vec::Vec;
 
-/// An error if the run ends early.
+/// An error ends the run early.
 pub type Flow = Result<(), Halt>;
 
 /// A reason to end a run early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Halt {
-    /// Only the first violation was wanted, and it is found.
+    /// The first violation was found, and no more are wanted.
     Found,
-    /// No memory for a column.
+    /// Memory ran out.
     OutOfMemory,
 }
 
-/// A report under construction: the outcome of each rule, and violations. For rules that are checked beside those of [`validate`](super::validate),
-/// such as those of coordinates.
+/// A report under construction: the outcome of each rule, and violations. For rules checked in addition to the rules of
+/// [`validate`](super::validate), such as rules about coordinates.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Findings, Rule, Violation};
@@ -32,16 +32,15 @@ pub enum Halt {
 #[derive(Debug)]
 pub struct Findings {
     outcomes: [RuleOutcome; Rule::ALL.len()],
-    /// Of each rule the first ones, up to the cap.
+    /// The first violations of each rule, up to the cap.
     violations: Vec<Violation>,
     collect: Collect,
-    /// The counts so far.
     pub(crate) counts: Counts,
     pub(crate) bounds: Option<Bounds>,
 }
 
 impl Findings {
-    /// Nothing was checked yet. O(1).
+    /// Creates findings without any checks. O(1).
     #[must_use]
     pub const fn new(collect: Collect) -> Self {
         Self {
@@ -53,10 +52,10 @@ impl Findings {
         }
     }
 
-    /// Notes a violation. O(1), amortised.
+    /// Records a violation. O(1), amortised.
     ///
     /// # Errors
-    /// The run ends, as only the first violation is wanted.
+    /// Ends the run if only the first violation is wanted.
     #[cold]
     pub fn add(&mut self, violation: Violation) -> Flow {
         let found = &mut self.outcomes[violation.rule().index()].violations;
@@ -67,33 +66,33 @@ impl Findings {
         if self.collect == Collect::First { Err(Halt::Found) } else { Ok(()) }
     }
 
-    /// Begins a pass that several rules share, of which this is the first.
+    /// Begins a pass shared by several rules, `first` being the earliest.
     pub(crate) const fn pass(&mut self, first: Rule) -> Pass<'_> {
         Pass { findings: self, first, held_back: None }
     }
 
-    /// Notes that a rule was checked on so many more records. O(1).
+    /// Records that a rule was checked on `count` more records. O(1).
     pub const fn checked(&mut self, rule: Rule, count: u64) {
         self.outcomes[rule.index()].checked += count;
     }
 
-    /// Notes the reason why a rule was not checked, or not on every record. O(1).
+    /// Records the reason why a rule was not checked, or not on every record. O(1).
     pub const fn not_checked(&mut self, rule: Rule, why: Unchecked) {
         self.outcomes[rule.index()].unchecked = Some(why);
     }
 
-    /// Returns the greatest number of violations of a rule that are kept.
+    /// Returns the maximum number of violations kept per rule.
     #[must_use]
     pub const fn cap(&self) -> usize {
         self.collect.cap()
     }
 
-    /// Counts violations that were found elsewhere and not kept.
+    /// Counts violations found elsewhere and not kept.
     pub const fn add_uncollected(&mut self, rule: Rule, count: u64) {
         self.outcomes[rule.index()].violations += count;
     }
 
-    /// Notes the reason, unless the rule was checked on some record or has a reason already.
+    /// Records the reason, unless the rule was checked on some record or has a reason already.
     pub const fn not_checked_yet(&mut self, rule: Rule, why: Unchecked) {
         let outcome = &mut self.outcomes[rule.index()];
         if outcome.unchecked.is_none() && outcome.checked == 0 {
@@ -101,23 +100,21 @@ impl Findings {
         }
     }
 
-    /// Returns the reason why the rule was not checked, or not on every record.
     pub(crate) const fn unchecked(&self, rule: Rule) -> Option<Unchecked> {
         self.outcomes[rule.index()].unchecked
     }
 
-    /// True if no violation of this rule was found.
     pub(crate) const fn holds(&self, rule: Rule) -> bool {
         self.outcomes[rule.index()].violations == 0
     }
 
-    /// The first of these rules that is broken.
+    /// Returns the first broken rule among `rules`.
     #[must_use]
     pub fn broken(&self, rules: &[Rule]) -> Option<Rule> {
         rules.iter().copied().find(|rule| !self.holds(*rule))
     }
 
-    /// The outcomes of these rules and the violations found.
+    /// Returns the report on these rules.
     #[must_use]
     pub fn into_report(self, rules: &[Rule]) -> Report {
         let mut violations = self.violations;
@@ -128,8 +125,8 @@ impl Findings {
     }
 }
 
-/// The findings of a pass that several rules share. Where only the first violation is wanted, it must be of the first broken rule: one
-/// of a later rule is held back until the pass ends.
+/// The findings of a pass shared by several rules. If only the first violation is wanted, it must be of the first broken rule, so
+/// violations of later rules are held back until the pass ends.
 pub(crate) struct Pass<'f> {
     findings: &'f mut Findings,
     first: Rule,
@@ -137,7 +134,7 @@ pub(crate) struct Pass<'f> {
 }
 
 impl Pass<'_> {
-    /// Notes a violation. The run ends here if only the first one is wanted and no earlier rule can be broken.
+    /// Records a violation. Ends the run if only the first one is wanted and no earlier rule can be broken.
     #[cold]
     pub(crate) fn add(&mut self, violation: Violation) -> Flow {
         if self.findings.collect != Collect::First || violation.rule() == self.first {
@@ -149,7 +146,6 @@ impl Pass<'_> {
         Ok(())
     }
 
-    /// Ends the pass.
     pub(crate) fn end(self) -> Flow {
         self.held_back.map_or(Ok(()), |violation| self.findings.add(violation))
     }

@@ -1,21 +1,21 @@
-//! Half-edges as the fast path and the rules read them: asked of a view, or from the columns that it lends.
+//! Half-edges as the fast path and the rules read them: by calls to a view, or from columns that it lends.
 
 use super::columns::NIL;
 use super::structure::{HalfEdgeColumns, Link, Part, View};
 use super::subject::Extent;
 
-/// The links of half-edges as numbers. Nil is [`NIL`]; where a link leads past the last slot, the number is no slot either.
+/// The links of half-edges as numbers. Nil is [`NIL`]; a link past the last slot becomes a number that is no slot.
 pub(crate) trait HalfEdges: Copy {
-    /// True if there is such a slot, and it is live.
+    /// Returns true if the slot exists and is live.
     fn is_live(self, h: u32) -> bool;
     fn origin(self, h: u32) -> u32;
     fn twin(self, h: u32) -> u32;
     fn next(self, h: u32) -> u32;
     fn prev(self, h: u32) -> u32;
-    /// The boundary component that the half-edge names, or the face.
+    /// Returns the boundary component that the half-edge names, or else the face.
     fn name(self, h: u32) -> u32;
 
-    /// L1: the twin of a live half-edge, if it is another live half-edge, whose twin is this one.
+    /// L1: returns the twin of a live half-edge, if it is a different live half-edge whose twin is this one.
     #[inline]
     fn twin_back(self, h: u32) -> Option<u32> {
         let t = self.twin(h);
@@ -23,7 +23,7 @@ pub(crate) trait HalfEdges: Copy {
     }
 }
 
-/// The half-edges of a view.
+/// Half-edges read by calls to a view.
 pub(crate) struct Asked<'a, V: ?Sized> {
     pub(crate) view: &'a V,
     pub(crate) extent: Extent,
@@ -37,14 +37,14 @@ impl<V: ?Sized> Clone for Asked<'_, V> {
 
 impl<V: ?Sized> Copy for Asked<'_, V> {}
 
-/// A link as a number. All that leads past the last slot is one number, which is no slot.
+/// A link as a number. All links past the last slot become the same number, which is no slot.
 #[inline]
 fn number(link: Link) -> u32 {
     link.map_or(NIL, |slot| u32::try_from(slot).unwrap_or(NIL).min(NIL - 1))
 }
 
 impl<V: View + ?Sized> Asked<'_, V> {
-    /// The link that the view answers, if there is such a slot.
+    /// Returns the view's answer, if the slot exists.
     #[inline]
     fn ask(self, h: u32, link: impl FnOnce(&V, usize) -> Link) -> u32 {
         if self.extent.half_edges.has(h as usize) { number(link(self.view, h as usize)) } else { NIL }
@@ -78,20 +78,20 @@ impl<V: View + ?Sized> HalfEdges for Asked<'_, V> {
     }
 }
 
-/// The half-edges in columns that a view lends. Every column has an entry for each slot.
+/// Half-edges in columns lent by a view. Every column has an entry for each slot.
 #[derive(Clone, Copy)]
 pub(crate) struct Lent<'a> {
     origin: &'a [u32],
     next: &'a [u32],
     prev: &'a [u32],
     name: &'a [u32],
-    /// The first live slot, and how many follow, all live. Both numbers are even.
+    /// The first live slot, and the number of live slots from there to the end. Both are even.
     first: u32,
     live: u32,
 }
 
 impl<'a> Lent<'a> {
-    /// The columns of a structure in which all half-edges from `first` on are live. `None` if it lends no such columns.
+    /// Returns the columns of a structure in which all half-edges from `first` on are live. `None` if the view lends no such columns.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "the lengths of the columns are known to be the same in the caller, too")]
     pub(crate) fn of<V: View + ?Sized>(view: &'a V, extent: Extent, first: u32) -> Option<Self> {
@@ -111,7 +111,7 @@ impl<'a> Lent<'a> {
     }
 }
 
-/// An entry of a column. No view can make the rules read behind its end, but one that lends other links than it answers would.
+/// Reads an entry of a column, or nil past its end: a view may lend links that differ from its answers.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "called for each link")]
 fn entry(column: &[u32], h: u32) -> u32 {

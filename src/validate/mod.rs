@@ -1,9 +1,9 @@
-//! The validator: the rules, the trait that a structure implements to be validated, and the report.
+//! The validator: the rules, the trait that a structure implements, and the report.
 //!
-//! [`validate`] answers one question about any half-edge structure: *is it the topology of a planar subdivision* (or, if
-//! asked so, of a map on surfaces), and if not, which record breaks which rule? It trusts no answer of the structure, not
-//! even its counters. On any input (dangling, cyclic, contradictory, huge) it returns, in time and memory linear in the
-//! number of slots, vacant ones included, without panic, recursion or unbounded loop.
+//! [`validate`] answers one question about any half-edge structure: *is it the topology of a planar subdivision* (or, on request, of a
+//! map on surfaces), and if not, which record breaks which rule? It trusts no answer of the structure, not even its counters. On any
+//! input (dangling, cyclic, contradictory, huge) it returns without panic, recursion or unbounded loop, in time and memory linear in
+//! the number of slots, including vacant ones.
 //!
 //! ```
 //! use twinedge::validate::{Collect, Expectation, Link, Parts, Rule, View, validate};
@@ -54,50 +54,48 @@
 //!                                              └─► G3 winding
 //! ```
 //!
-//! Each [`Rule`] has its statement, a picture and a pointer to its check in its documentation. A rule to the right makes
-//! sense only where those to its left hold. If they do not, it is reported as *not checked*, with the reason; so is a rule
-//! about parts that the structure does not store.
+//! The documentation of each [`Rule`] has its statement, a picture and a pointer to its check. A rule makes sense only where the rules
+//! to its left hold. Otherwise it is reported as *not checked*, with the reason; so is a rule about parts that the structure does not
+//! store.
 //!
-//! Of a structure that stores every part, and with [`Expectation::plane`], the rules are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
-//! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
-//! can draw the map, outermost component first, each inside a face already drawn. So a structure that keeps R, L, V, B, F and
-//! T is the topology of some planar subdivision, and every planar subdivision keeps them. G then says that the coordinates
-//! draw that topology: `validate_embedding` of the crate
-//! `twinedge-map` checks it.
+//! For a structure that stores every part, and with [`Expectation::plane`], the rules are complete. R1, L and V make a combinatorial
+//! map; B and F assign each of its cycles and each isolated vertex to exactly one face, exactly once; T1 and T2 make containment a
+//! tree; T3 makes every component plane. From the tree one can draw the map, outermost component first, each inside a face already
+//! drawn. So a structure that keeps R, L, V, B, F and T is the topology of some planar subdivision, and every planar subdivision keeps
+//! them. G then says that the coordinates draw that topology: `validate_embedding` of the crate `twinedge-map` checks it.
 //!
-//! M1 … M8 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
-//! and each is checked, and in the report, only if the [`Expectation`] asks for it.
+//! M1 … M8 are different: a valid structure may break them. They are claims about meshes (closed, of triangles, of this genus); each is
+//! checked, and part of the report, only if the [`Expectation`] requests it.
 //!
-//! # Structures as they are
+//! # Other representations
 //!
-//! A structure that keeps other links than a [`View`] answers (targets instead of origins, borders without `next`, faces that
-//! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
-//! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
+//! An adapter wraps a structure that stores other links than a [`View`] answers (targets instead of origins, borders without `next`,
+//! faces that store nothing). The table of [`adapt`] lists them. [`adapt::Index`] converts keys into the dense indices that a view
+//! needs, and [`Report::named`] prints a report with the keys.
 //!
-//! Structures of other languages are often columns of integers already: `Columns` of the crate `twinedge-columns` reads them where they
-//! lie, and its `Preset` has the expectations for known libraries.
+//! Structures of other languages are often columns of integers already: `Columns` of the crate `twinedge-columns` reads them in place,
+//! and its `Preset` has the expectations for known libraries.
 //!
 //! # After a change
 //!
-//! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each edit of
-//! an editor. `near` of the crate `twinedge-map` validates coordinates, too.
+//! [`near`] validates a structure that was valid before, in the time of the change: after each operator of a test, or each edit of an
+//! editor. `near` of the crate `twinedge-map` also validates coordinates.
 //!
-//! # Why believe it
+//! # Evidence
 //!
-//! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers. The crate `twinedge-trials`
-//! makes every small [`Table`], every change of one cell of a larger one, and a map in each form in which a structure can keep it, for
-//! the two to agree on.
+//! A second implementation, [`mod@reference`], states each rule in sets and quantifiers. The crate `twinedge-trials` compares the two
+//! on every small [`Table`], on every change of one cell of a larger one, and on a map in every supported representation.
 //!
-//! # A verdict that anyone can check
+//! # Certificates
 //!
-//! The crate `twinedge-certificate` has labels for a structure by which a scan without walks, sets and order decides that it is valid. The specification
-//! of that scan is proved in Coq, and the scan in Rust runs beside a checker that is extracted from the proof.
+//! The crate `twinedge-certificate` labels a structure so that a scan without walks, sets or order can decide that it is valid. The
+//! specification of the scan is proved in Coq, and the scan in Rust runs alongside a checker extracted from the proof.
 //!
 //! # With serde
 //!
-//! With the feature `serde`, reports, violations, figures and tables can be written and read. A [`Report`] is written in the form that
-//! `docs/report.md` describes, in a format with named fields such as JSON, and is checked as it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
-//! of that structure can tell.
+//! With the feature `serde`, reports, violations, figures and tables can be written and read. A [`Report`] is written in the form
+//! described by `docs/report.md`, in a format with named fields such as JSON. Reading it back fails if no validation could have
+//! produced it. Only a validation can tell whether a report is true of a structure.
 
 pub mod adapt;
 mod catalogue;

@@ -6,10 +6,9 @@ use core::fmt;
 macro_rules! rules {
     ($($(#[doc = $more:literal])* $rule:ident $name:literal counts $one:literal $many:literal
         $statement:literal in $file:literal broken by $tests:literal $test:literal { $($violations:tt)* })*) => {
-        /// A rule of the structure. The order is that in which they rely on one another: each rule makes sense once those
-        /// before it hold.
+        /// A rule of the structure. The order follows dependencies: each rule makes sense only if the rules before it hold.
         ///
-        /// The [reference](mod@crate::validate::reference) states each rule but G1 … G5 once more, in a function of the same name.
+        /// The [reference](mod@crate::validate::reference) states each rule except G1 … G5 again, in a function of the same name.
         ///
         /// ```
         /// use twinedge::validate::Rule;
@@ -36,25 +35,25 @@ macro_rules! rules {
             /// All rules, in order.
             pub const ALL: &[Self] = &[$(Self::$rule),*];
 
-            /// The id: `R1` … `G5`.
+            /// Returns the id: `R1` … `G5`.
             #[must_use]
             pub const fn id(self) -> &'static str {
                 match self { $(Self::$rule => stringify!($rule),)* }
             }
 
-            /// The name in one word or two.
+            /// Returns the name, one word or two.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$rule => $name,)* }
             }
 
-            /// The noun for so many of what the rule is checked on: `vertex`, `vertices`.
+            /// Returns the noun for `count` records that the rule is checked on: `vertex`, `vertices`.
             #[must_use]
             pub const fn unit(self, count: u64) -> &'static str {
                 match self { $(Self::$rule => if count == 1 { $one } else { $many },)* }
             }
 
-            /// The rule in one sentence.
+            /// Returns the rule as one sentence.
             #[must_use]
             pub const fn statement(self) -> &'static str {
                 match self { $(Self::$rule => $statement,)* }
@@ -66,25 +65,25 @@ macro_rules! rules {
 catalogue! { rules }
 
 impl Rule {
-    /// True if the rule is about coordinates (G1 … G5).
+    /// Returns true if the rule is about coordinates (G1 … G5).
     #[must_use]
     pub const fn is_geometric(self) -> bool {
         self.id().as_bytes()[0] == b'G'
     }
 
-    /// True if the rule is checked only where the expectation asks for it (M1 … M8).
+    /// Returns true if the rule is checked only on request (M1 … M8).
     #[must_use]
     pub const fn is_optional(self) -> bool {
         self.id().as_bytes()[0] == b'M'
     }
 
-    /// True if the rule is checked only in the plane: B2, T1, T2 and T4.
+    /// Returns true if the rule is checked only in the plane: B2, T1, T2 and T4.
     #[must_use]
     pub const fn is_planar(self) -> bool {
         matches!(self, Self::B2 | Self::T1 | Self::T2 | Self::T4)
     }
 
-    /// The position in [`Rule::ALL`].
+    /// Returns the position in [`Rule::ALL`].
     #[must_use]
     pub const fn index(self) -> usize {
         self as usize

@@ -1,4 +1,4 @@
-//! The structure that is judged, as the rules read it: links as slots in range, or nil.
+//! The structure under judgement, as the rules read it: links as slots in range, or nil.
 
 use super::columns::{Component, Components, NIL, column};
 use super::expectation::{Expectation, Surface};
@@ -8,7 +8,7 @@ use super::structure::{Link, Part, Parts, Start, View};
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// A structure under judgement: its view, the numbers of its slots, the claims to which it is held, and the parts that are looked at.
+/// A structure under judgement: its view, numbers of slots, claims, and the parts considered.
 pub(crate) struct Subject<'a, V: ?Sized = dyn View + 'a> {
     pub(crate) view: &'a V,
     pub(crate) extent: Extent,
@@ -22,7 +22,7 @@ impl<V: ?Sized> Clone for Subject<'_, V> {
 
 impl<V: ?Sized> Copy for Subject<'_, V> {}
 
-/// The numbers of slots, the parts that are looked at, and the claims. They are asked for once.
+/// The numbers of slots, the parts considered, and the claims, all read once.
 #[derive(Clone, Copy)]
 pub(crate) struct Extent {
     pub(crate) vertices: Slots,
@@ -34,7 +34,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    /// That of a structure that is held to this expectation.
+    /// Reads the extent of a structure under this expectation.
     ///
     /// # Errors
     /// [`Unchecked::TooLarge`] if there are more slots of a kind than the columns can number.
@@ -62,7 +62,7 @@ impl Extent {
         matches!(self.expect.surface_kind(), Surface::Plane)
     }
 
-    /// The boundary component, or without records for these the face, that the half-edge names.
+    /// Returns the boundary component that the half-edge names, or without records for these the face.
     #[inline]
     pub(crate) fn name<V: View + ?Sized>(&self, view: &V, h: usize) -> Link {
         if self.has(Part::BoundaryComponents) { view.boundary(h) } else { view.face(h) }
@@ -71,14 +71,14 @@ impl Extent {
 
 /// The number of slots of one kind.
 ///
-/// In 32 bits: where a structure keeps its links in 32 bits too, with all of them set for nil, one comparison tells that a link is not
-/// nil and that its slot exists.
+/// With 32 bits, and links stored in 32 bits with nil as all ones, one comparison shows that a link is not nil and that its slot
+/// exists. nil and that its slot exists.
 #[derive(Clone, Copy)]
 pub(crate) struct Slots {
     pub(crate) count: u32,
     /// No slot before this one is live.
     first: u32,
-    /// True if all slots from the first one on are known to be live.
+    /// True if all slots from `first` on are known to be live.
     are_live: bool,
 }
 
@@ -90,24 +90,23 @@ impl Slots {
         self.count as usize
     }
 
-    /// Finds the first live slot, and out if all are live from there on.
+    /// Finds the first live slot, and whether all slots from there on are live.
     fn surveyed(self, is_live: impl Fn(usize) -> bool) -> Self {
         let first = self.all().find(|slot| is_live(*slot)).unwrap_or(self.count());
         Self { first: first as u32, are_live: (first..self.count()).all(is_live), ..self }
     }
 
-    /// The first live slot, where all from there on are known to be live.
+    /// Returns the first live slot, if all slots from there on are known to be live.
     pub(crate) fn live_from(self) -> Option<u32> {
         self.are_live.then_some(self.first)
     }
 
-    /// True if there is such a slot, and it is live. `ask` is called only where the live slots are not known.
+    /// Returns true if the slot exists and is live. Calls `ask` only if the live slots are not known.
     #[inline]
     pub(crate) fn is_live(self, slot: usize, ask: impl FnOnce(usize) -> bool) -> bool {
         self.has(slot) && slot >= self.first as usize && (self.are_live || ask(slot))
     }
 
-    /// The live slots, in order.
     fn live(self, ask: impl Fn(usize) -> bool) -> impl Iterator<Item = usize> {
         (self.first as usize..self.count()).filter(move |slot| self.are_live || ask(*slot))
     }
@@ -122,26 +121,25 @@ impl Slots {
         slot < self.count()
     }
 
-    /// A link, if the slot that it leads to exists.
+    /// Returns a link, if its slot exists.
     #[inline]
     pub(crate) fn existing(self, link: Link) -> Link {
         link.filter(|slot| self.has(*slot))
     }
 
-    /// A link as a number in range, or [`NIL`].
+    /// Converts a link into a number in range, or [`NIL`].
     #[inline]
     pub(crate) fn number(self, link: Link) -> u32 {
         self.existing(link).map_or(NIL, |slot| slot as u32)
     }
 
-    /// A column with a nil for each slot, if there is memory for it.
     pub(crate) fn nils(self) -> Option<Vec<u32>> {
         column(self.count, NIL).ok()
     }
 }
 
 impl<'a, V: View + ?Sized> Subject<'a, V> {
-    /// The same structure, of which it is known where all slots from the first live one on are live, so that the rules need not ask.
+    /// Surveys the live slots, so that the rules can skip asking where all slots from the first live one on are live.
     pub(crate) fn surveyed(self) -> Self {
         let Self { view, mut extent } = self;
         extent.vertices = extent.vertices.surveyed(|v| view.is_vertex(v));
@@ -154,46 +152,38 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         Self { view, extent }
     }
 
-    /// True if there is such a slot, and it holds a vertex.
     #[inline]
     pub(crate) fn is_vertex(&self, v: usize) -> bool {
         self.extent.vertices.is_live(v, |v| self.view.is_vertex(v))
     }
 
-    /// True if there is such a slot, and it holds a half-edge.
     #[inline]
     pub(crate) fn is_half_edge(&self, h: usize) -> bool {
         self.extent.half_edges.is_live(h, |h| self.view.is_half_edge(h))
     }
 
-    /// True if there is such a slot, and it holds a boundary component.
     #[inline]
     pub(crate) fn is_boundary(&self, b: usize) -> bool {
         self.extent.boundaries.is_live(b, |b| self.view.is_boundary(b))
     }
 
-    /// True if there is such a slot, and it holds a face.
     #[inline]
     pub(crate) fn is_face(&self, f: usize) -> bool {
         self.extent.faces.is_live(f, |f| self.view.is_face(f))
     }
 
-    /// Every live vertex, in order.
     pub(crate) fn vertices(self) -> impl Iterator<Item = usize> + 'a {
         self.extent.vertices.live(move |v| self.view.is_vertex(v))
     }
 
-    /// Every live half-edge, in order.
     pub(crate) fn half_edges(self) -> impl Iterator<Item = u32> + 'a {
         self.extent.half_edges.live(move |h| self.view.is_half_edge(h)).map(|h| h as u32)
     }
 
-    /// Every live boundary component, in order.
     pub(crate) fn boundaries(self) -> impl Iterator<Item = usize> + 'a {
         self.extent.boundaries.live(move |b| self.view.is_boundary(b))
     }
 
-    /// Every live face, in order.
     pub(crate) fn faces(self) -> impl Iterator<Item = usize> + 'a {
         self.extent.faces.live(move |f| self.view.is_face(f))
     }
@@ -231,17 +221,16 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         self.is_half_edge(h as usize)
     }
 
-    /// A link to a half-edge, if it is live.
+    /// Returns a link to a half-edge, if it is live.
     pub(crate) fn live_half_edge(&self, link: Link) -> Option<usize> {
         self.extent.half_edges.existing(link).filter(|h| self.is_half_edge(*h))
     }
 
-    /// A link to a boundary component, if it is live.
+    /// Returns a link to a boundary component, if it is live.
     pub(crate) fn live_boundary(&self, link: Link) -> Option<usize> {
         self.extent.boundaries.existing(link).filter(|b| self.is_boundary(*b))
     }
 
-    /// The target of a half-edge without twin.
     pub(crate) fn target_by_next(&self, h: u32) -> u32 {
         match self.next(h) {
             NIL => NIL,
@@ -249,7 +238,7 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         }
     }
 
-    /// The vertex where a half-edge ends, with twin or without.
+    /// Returns the vertex where a half-edge ends, with or without a twin.
     pub(crate) fn target(&self, h: u32) -> u32 {
         match self.twin(h) {
             NIL => self.target_by_next(h),
@@ -257,29 +246,28 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         }
     }
 
-    /// The vertices that the edge of a half-edge joins, the smaller one first.
+    /// Returns the vertices at the ends of an edge, the smaller one first.
     pub(crate) fn ends(&self, h: u32) -> [u32; 2] {
         let (origin, target) = (self.origin(h), self.target(h));
         [origin.min(target), origin.max(target)]
     }
 
-    /// True if the face link of a half-edge is live, or legally nil.
+    /// Returns true if the face link of a half-edge is live, or legally nil.
     pub(crate) fn is_sound_face_link(&self, link: Link) -> bool {
         link.map_or(self.is_open(), |f| self.is_face(f))
     }
 
-    /// True if the structure has faces and the half-edge has none, or no boundary component to have one. A cycle of such
-    /// half-edges is a border loop.
+    /// Returns true if the structure has faces and the half-edge has none, or no boundary component. A cycle of such half-edges is a
+    /// border loop.
     pub(crate) fn lacks_face(&self, h: usize) -> bool {
         self.has(Part::Faces) && self.extent.name(self.view, h).is_none()
     }
 
-    /// The outer boundary component, or half-edge, that the face names.
+    /// Returns the outer boundary component, or half-edge, named by the face.
     pub(crate) fn outer(&self, f: usize) -> Link {
         if self.has(Part::BoundaryComponents) { self.view.outer(f) } else { self.view.outer_half_edge(f) }
     }
 
-    /// Returns the start of the outer boundary component of a face.
     pub(crate) fn outer_start(&self, f: usize) -> Option<Start> {
         if self.has(Part::BoundaryComponents) {
             self.view.boundary_start(self.extent.boundaries.existing(self.view.outer(f))?)
@@ -288,8 +276,8 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         }
     }
 
-    /// Calls `visit` with each face, position and start of the inner lists, for structures without boundary components. So many
-    /// entries are read.
+    /// Calls `visit` with each face, position and start of the inner lists, for structures without boundary components. Reads at most
+    /// `budget` entries.
     pub(crate) fn for_each_inner_start(
         &self,
         mut budget: usize,
@@ -310,13 +298,12 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         Ok(())
     }
 
-    /// The component of the vertex where a half-edge starts.
     pub(crate) fn component_at<'c>(&self, components: &'c mut Components, h: u32) -> Option<&'c mut Component> {
         let c = components.of.get(self.origin(h) as usize).copied()?;
         components.all.get_mut(c as usize)
     }
 
-    /// The number of the component in which a boundary component starts. `of` has the number of the component of each vertex.
+    /// Returns the component number of a start. `of` has the component number of each vertex.
     pub(crate) fn component_of_start(&self, of: &[u32], start: Option<Start>) -> Option<usize> {
         let vertex = match start? {
             Start::HalfEdge(h) if self.extent.half_edges.has(h) => self.origin(h as u32) as usize,

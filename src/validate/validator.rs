@@ -1,4 +1,4 @@
-//! The validator: the fast path, or else the rules R1 … T4 in order; then M1 … M8 where they are asked for.
+//! The validator: the fast path, or else the rules R1 … T4 in order; then the requested rules of M1 … M8.
 
 use super::columns::Components;
 use super::expectation::{Expectation, Surface};
@@ -13,7 +13,7 @@ use super::structure::{Part, View};
 use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
-/// The rules that are always checked. `twinedge-map` checks G1 … G5; M1 … M8 are asked for.
+/// The rules that are always checked. M1 … M8 are checked on request, and G1 … G5 by `twinedge-map`.
 const TOPOLOGICAL: &[Rule] = &[
     Rule::R1,
     Rule::L1,
@@ -31,20 +31,21 @@ const TOPOLOGICAL: &[Rule] = &[
     Rule::T4,
 ];
 
-/// Validates any half-edge structure: rules R1 … T4, and those of M1 … M8 that the expectation asks for.
+/// Validates any half-edge structure: rules R1 … T4, and the requested rules of M1 … M8.
 ///
-/// Cost: O(n) time (but for the inverse of Ackermann's function) and memory, n being the number of slots of all kinds. It
-/// does not panic unless the [`View`] does, and it always ends. At most so many bytes are in use at a time, besides the violations that are kept:
+/// Cost: O(n) time (up to the inverse of Ackermann's function) and memory, where n is the number of slots of all kinds. It does not
+/// panic unless the [`View`] does, and it always terminates. At most this number of bytes is in use at a time, not counting kept
+/// violations:
 ///
 /// | | per vertex | per component | per half-edge | per boundary component |
-/// | --- | --- | --- | --- | --- |
-/// | right | 16 | 20 | 1 | 1 |
+/// | valid | 16 | 20 | 1 | 1 |
+/// | otherwise | 16 | 72 | 4 | 4 |
 /// | elsewhere | 16 | 72 | 4 | 4 |
 ///
-/// A structure without border that is right takes 8 per vertex where neighbours have close numbers and vertices keep a
-/// half-edge. Where the table says 1, it is one bit. A border loop takes 12. Elsewhere a component takes 24 bytes in a list that doubles: 72 while the list is
-/// copied to twice its size, at most 50 after that. The components are counted only where they are found, by V2. M2 and M3
-/// take 4 more per half-edge, 8 per vertex and 4 per face for themselves.
+/// A valid structure without border takes 8 per vertex if neighbours have close numbers and vertices store a half-edge. A 1 in the
+/// table stands for one bit. A border loop takes 12. Otherwise a component takes 24 bytes in a list that doubles: 72 while the list is
+/// copied, at most 50 after that. Components are only counted where V2 finds them. M2 and M3 take 4 more per half-edge, 8 per vertex
+/// and 4 per face.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
@@ -59,12 +60,12 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
     judge(view, expectation, collect, fast_path::accept)
 }
 
-/// True if [`validate`] finds nothing wrong: a verdict without a report.
+/// Returns true if [`validate`] finds nothing wrong: a verdict without a report.
 ///
-/// It stops at the first record that is wrong, so it takes less time for a wrong structure than [`validate`], which looks for the rule that is
-/// broken first. For a right structure it takes the same.
+/// It stops at the first broken record, so for an invalid structure it takes less time than [`validate`], which looks for the first
+/// broken rule. For a valid structure it takes the same time.
 ///
-/// Cost: O(n) time and memory, as [`validate`]. False if there is no memory for it.
+/// Cost: O(n) time and memory, as [`validate`]. Returns false if memory runs out.
 ///
 /// ```
 /// use twinedge::validate::{Expectation, Table, accepts};
@@ -81,7 +82,7 @@ pub fn accepts<V: View + ?Sized>(view: &V, expectation: &Expectation) -> bool {
     })
 }
 
-/// The same report without the fast path: every rule asks each record.
+/// Validates without the fast path: every rule checks each record. The report is the same.
 ///
 /// Only useful for comparing the two. O(n).
 ///
@@ -122,7 +123,7 @@ fn judge<V: View + ?Sized>(
     report(expectation, findings, ended)
 }
 
-/// No findings yet. On surfaces the rules of the plane have their reason, before any other.
+/// Creates empty findings. On surfaces the rules of the plane are unchecked for that reason.
 fn findings_of(expectation: &Expectation, collect: Collect) -> Findings {
     let mut findings = Findings::new(collect);
     for rule in TOPOLOGICAL.iter().filter(|rule| rule.is_planar() && expectation.surface_kind() != Surface::Plane) {
@@ -131,7 +132,7 @@ fn findings_of(expectation: &Expectation, collect: Collect) -> Findings {
     findings
 }
 
-/// The report of these findings. What was not reached, if the run ended early, has the reason.
+/// Creates the report. If the run ended early, the reason is recorded for rules that were not reached.
 fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), Unchecked>) -> Report {
     let asked = Rule::ALL.iter().filter(|rule| rule.is_optional() && expectation.asks_for(**rule));
     let rules: Vec<Rule> = TOPOLOGICAL.iter().chain(asked).copied().collect();
@@ -143,7 +144,7 @@ fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), U
     findings.into_report(&rules)
 }
 
-/// Enters what the rules R1 … T4 count where they hold, and runs M1 … M8.
+/// Records the counts of rules R1 … T4, which hold, and runs M1 … M8.
 fn enter(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> Flow {
     let Accepted { vertices, isolated, half_edges, unpaired, faces, outer, inner, components, .. } = *accepted;
     let edges = (half_edges - unpaired) / 2 + unpaired;
@@ -200,8 +201,8 @@ fn enter(subject: Subject<'_>, accepted: &Accepted, findings: &mut Findings) -> 
     mesh::mesh(subject, &census, accepted.simple, findings)
 }
 
-/// Runs every rule on every record. Half-edges are read from the columns that the view lends, if all are live from the first on. Otherwise
-/// they are asked for; only the passes that do so are compiled for each type of view.
+/// Runs every rule on every record. Half-edges are read from columns lent by the view if all are live from the first live one on, and
+/// otherwise by calls; only the passes that make these calls are compiled for each type of view.
 fn all_rules<V: View + ?Sized>(subject: Subject<'_, V>, findings: &mut Findings) -> Flow {
     let Subject { view, extent } = subject.surveyed();
     let subject: Subject<'_> = Subject { view: &view, extent };
@@ -211,7 +212,7 @@ fn all_rules<V: View + ?Sized>(subject: Subject<'_, V>, findings: &mut Findings)
     }
 }
 
-/// The rules where columns are lent, compiled once.
+/// The rules on lent columns, compiled once.
 fn rules_of_lent(subject: Subject<'_>, lent: Lent<'_>, findings: &mut Findings) -> Flow {
     every_rule(subject, lent, findings)
 }
@@ -242,7 +243,7 @@ fn every_rule(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &mut F
     mesh::mesh(subject, &census, is_simple, findings)
 }
 
-/// Runs T1 … T4, after the counts that they need.
+/// Runs T1 … T4, after computing the counts that they need.
 fn whole_map(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,

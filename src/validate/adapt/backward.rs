@@ -1,14 +1,13 @@
-//! Structures whose cycles are linked backwards.
+//! An adapter for structures whose cycles are linked backwards.
 
 use super::inverse::{entry, inverse};
 use crate::validate::structure::{Link, Part, Parts, View};
 use alloc::vec::Vec;
 
-/// A structure whose half-edges keep `prev` and not `next`, with the `next` that follows: the inverse of `prev`.
+/// A structure whose half-edges store `prev` but not `next`; `next` is derived as the inverse of `prev`.
 ///
-/// Where two half-edges have the same `prev`, another one is no half-edge's `prev`, so it has no next, and R1 is broken.
-/// L2 is broken, too, at the second of the two. (The reverse, `next` without `prev`, needs no adapter:
-/// [`parts`](View::parts) leaves out [`Part::Prev`].)
+/// If two half-edges have the same `prev`, some half-edge has no `next`, which breaks R1; L2 is also broken, at the second
+/// of the two. (The reverse, `next` without `prev`, needs no adapter: [`parts`](View::parts) omits [`Part::Prev`].)
 ///
 /// ```
 /// use twinedge::validate::adapt::Backward;
@@ -43,8 +42,8 @@ pub struct Backward<V> {
 }
 
 impl<V: View> Backward<V> {
-    /// Wraps the structure. O(n) time; 4 bytes per half-edge. `None` if there is no memory for that, or the structure claims
-    /// more than `u32::MAX - 1` half-edges.
+    /// Wraps the structure. O(n) time; 4 bytes per half-edge. `None` if memory runs out, or if the structure claims more
+    /// than `u32::MAX - 1` half-edges.
     #[must_use]
     pub fn of(view: V) -> Option<Self> {
         let next = inverse(&view, V::prev)?;

@@ -1,10 +1,10 @@
-//! Structures whose half-edges along a border have no `next`.
+//! An adapter for structures whose border half-edges have no `next`.
 
 use super::inverse::{entry, filled, inverse, live, nils};
 use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
 
-/// A structure whose half-edges along a border are there, but have neither face nor `next`, with the `next` that follows.
+/// A structure that stores border half-edges without face and `next`; their `next` is derived.
 ///
 /// ```text
 ///        \ faces /         b, without face and next, ends at w. From its twin the walk turns around w,
@@ -12,14 +12,14 @@ use alloc::vec::Vec;
 ///   ─── b ─► w ── c ──►    half-edge as b is, next(b) = c and prev(c) = b.
 /// ```
 ///
-/// A border half-edge is one of which `next`, `face` and `boundary` are all nil; one that lacks `next` alone breaks R1, and
-/// so does one where the walk ends elsewhere than at a border half-edge. Along one border all half-edges keep their `next`
-/// or none does. Each fan of faces gets a border of its own, so that two fans at one vertex break V2. L3 compares the
-/// origin of `c` with that of the twin of `b`, which are stored.
+/// For a border half-edge, `next`, `face` and `boundary` are all nil. A half-edge that lacks only `next` breaks R1, and so
+/// does a walk that ends elsewhere than at a border half-edge. Along one border, either all half-edges store `next` or none
+/// does. Each fan of faces gets its own border, so two fans at one vertex break V2. L3 compares the stored origin of `c`
+/// with the stored origin of `b`'s twin.
 ///
-/// In a structure without faces, a nil `next` is all that makes a border.
+/// In a structure without faces, a nil `next` alone makes a border.
 ///
-/// The expectation needs [`open`](crate::validate::Expectation::open), because the border has no face.
+/// The expectation needs [`open`](crate::validate::Expectation::open), because borders have no face.
 ///
 /// ```
 /// use twinedge::validate::adapt::Borders;
@@ -54,8 +54,8 @@ pub struct Borders<V> {
 }
 
 impl<V: View> Borders<V> {
-    /// Wraps the structure. O(n) time; 8 bytes per half-edge, and 5 more meanwhile. `None` if there is no memory for that,
-    /// or the structure claims more than `u32::MAX - 1` half-edges.
+    /// Wraps the structure. O(n) time; 8 bytes per half-edge, and 5 more temporarily. `None` if memory runs out, or if the
+    /// structure claims more than `u32::MAX - 1` half-edges.
     #[must_use]
     pub fn of(view: V) -> Option<Self> {
         let before = inverse(&view, V::next)?;
@@ -71,13 +71,12 @@ impl<V: View> Borders<V> {
     }
 }
 
-/// True if the half-edge bounds no face and has no next.
 fn is_border<V: View>(view: &V, h: usize) -> bool {
     view.is_half_edge(h) && view.next(h).is_none() && view.face(h).is_none() && view.boundary(h).is_none()
 }
 
-/// Turns around the target of a border half-edge to the half-edge that follows no other one. Half-edges that another walk
-/// has passed end the walk, so that all walks together are O(n).
+/// Turns around the target of a border half-edge to the half-edge without a predecessor. Stops at half-edges that another
+/// walk has passed, so all walks together are O(n).
 fn around<V: View>(view: &V, before: &[u32], border: usize, passed: &mut [bool]) -> Link {
     let mut arriving = border;
     loop {

@@ -1,25 +1,24 @@
-//! The cycles of a structure, the face that each names, and the component that each belongs to.
+//! The cycles of a structure, with the face and the component of each.
 
 use super::inverse::{entry, filled, fits, live, nils};
 use crate::slots::{NIL, Sets};
 use crate::validate::structure::View;
 use alloc::vec::Vec;
 
-/// The cycles of `next`, by face and by component.
 pub(super) struct Cycles {
-    /// Per cycle its first half-edge, which stands for it.
+    /// By cycle: its first half-edge, which represents it.
     pub(super) start: Vec<u32>,
-    /// Per cycle the face that its first half-edge names, or nil.
+    /// By cycle: the face of its first half-edge, or nil.
     pub(super) face: Vec<u32>,
-    /// For each cycle its component. There are no more components than cycles.
+    /// By cycle: its component. There are no more components than cycles.
     pub(super) component: Vec<u32>,
-    /// Per cycle whether one of its half-edges has no twin.
+    /// By cycle: whether one of its half-edges has no twin.
     pub(super) unpaired: Vec<bool>,
     by_face: Groups,
 }
 
 impl Cycles {
-    /// Finds all cycles. O(n α(n)). None if there is no memory for them.
+    /// Finds all cycles; `None` if memory runs out. O(n α(n)).
     pub(super) fn of<V: View>(view: &V) -> Option<Self> {
         let mut of = nils(view.half_edge_slots())?;
         let faces = fits(view.face_slots())?;
@@ -56,25 +55,22 @@ impl Cycles {
         Some(Self { start, face, component, unpaired, by_face })
     }
 
-    /// The number of slots for faces.
     pub(super) fn faces(&self) -> usize {
         self.by_face.begin.len() - 1
     }
 
-    /// The cycles that name this face.
     pub(super) fn of_face(&self, face: usize) -> &[u32] {
         self.by_face.group(face)
     }
 }
 
-/// Numbers `0 .. n`, grouped by a label.
 pub(super) struct Groups {
     members: Vec<u32>,
     begin: Vec<u32>,
 }
 
 impl Groups {
-    /// Groups the numbers by their labels, which are less than `groups`, or nil: then a number is in no group.
+    /// Groups the numbers by label, which is nil or less than `groups`. Numbers labelled nil are in no group.
     pub(super) fn of(labels: &[u32], groups: usize) -> Option<Self> {
         let mut begin = filled(groups + 1, 0_u32)?;
         for label in labels.iter().filter(|label| **label != NIL) {
@@ -93,7 +89,6 @@ impl Groups {
         Some(Self { members, begin })
     }
 
-    /// The numbers with this label.
     pub(super) fn group(&self, label: usize) -> &[u32] {
         &self.members[self.begin[label] as usize..self.begin[label + 1] as usize]
     }

@@ -1,16 +1,16 @@
-//! Dense indices for records that have names of their own.
+//! Dense indices for records with other names.
 
 use crate::validate::report::Record;
 use crate::validate::structure::Link;
 use alloc::vec::Vec;
 
-/// Dense indices for the ids of one kind of record: keys, handles, pointers, names, whatever can be ordered.
+/// Dense indices for the ids of one kind of record: keys, handles, pointers, names, or any other ordered type.
 ///
-/// A [`View`](crate::validate::View) answers by indices `0 .. n`. For a structure with ids make one `Index` for its vertices,
-/// one for its half-edges and one for its faces, and answer each question by [`follow`](Self::follow). An id that is nobody's
-/// (of a record that was removed, or of another structure) becomes a link that dangles, which R1 reports. The report does not know
-/// that id: it says that the link leads to no record at all, with the record and the field where your structure has the id. To print a
-/// report with the ids of the records, see [`Report::named`](crate::validate::Report::named), and [`Ids::name`](super::Ids::name).
+/// A [`View`](crate::validate::View) uses indices `0 .. n`. For a structure with ids, create an `Index` each for its vertices,
+/// half-edges and faces, and answer every question with [`follow`](Self::follow). An unknown id (of a removed record, or of another
+/// structure) becomes a dangling link, which R1 reports. The report does not contain that id, only the record and the field where the
+/// structure stores it. [`Report::named`](crate::validate::Report::named) prints a report with ids; see
+/// [`Ids::name`](super::Ids::name).
 ///
 /// ```
 /// use twinedge::validate::adapt::Index;
@@ -48,17 +48,17 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Index<K> {
     ids: Vec<K>,
-    /// Indices in the order of their ids.
+    /// Indices in the order of ids.
     sorted: Vec<usize>,
 }
 
 impl<K: Ord> Index<K> {
-    /// Numbers the ids in the order in which they come. If an id comes twice, links lead to the first.
+    /// Numbers the ids in the given order. A repeated id refers to its first occurrence.
     ///
-    /// O(n log n) time, O(n) if they come in order; the ids and 8 bytes for each.
+    /// O(n log n) time, O(n) if they are sorted; stores the ids and 8 bytes for each.
     ///
     /// # Panics
-    /// May panic if `Ord` is no total order for `K`.
+    /// May panic if `Ord` is not a total order for `K`.
     #[must_use]
     pub fn of(ids: impl IntoIterator<Item = K>) -> Self {
         let ids: Vec<K> = ids.into_iter().collect();
@@ -67,10 +67,10 @@ impl<K: Ord> Index<K> {
         Self { ids, sorted }
     }
 
-    /// Numbers more ids, after those that there are. An id that has an index keeps it. O(n log n) for n ids in all.
+    /// Numbers more ids, after the existing ones. Known ids keep their indices. O(n log n) for n ids in all.
     ///
-    /// For a structure that changes: extend the index after each change by the ids of all live records, so that an index stays the
-    /// name of one record, and answer `is_vertex`, `is_half_edge` and `is_face` by the structure.
+    /// For a structure that changes: after each change, extend the index with the ids of all live records, so that an index always
+    /// names the same record, and answer `is_vertex`, `is_half_edge` and `is_face` from the structure.
     ///
     /// ```
     /// use twinedge::validate::adapt::Index;
@@ -80,7 +80,7 @@ impl<K: Ord> Index<K> {
     /// ```
     ///
     /// # Panics
-    /// May panic if `Ord` is no total order for `K`.
+    /// May panic if `Ord` is not a total order for `K`.
     pub fn extend(&mut self, ids: impl IntoIterator<Item = K>) {
         let first = self.ids.len();
         let more: Vec<K> = ids.into_iter().filter(|id| self.get(id).is_none()).collect();
@@ -99,38 +99,38 @@ impl<K: Ord> Index<K> {
         self.sorted.sort_by(|a, b| self.ids[*a].cmp(&self.ids[*b]));
     }
 
-    /// Returns the number of ids, which is the number of slots.
+    /// Returns the number of ids, which is also the number of slots.
     #[must_use]
     pub fn len(&self) -> usize {
         self.ids.len()
     }
 
-    /// True if there are no ids.
+    /// Returns true if there are no ids.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.ids.is_empty()
     }
 
-    /// The id with this index. O(1).
+    /// Returns the id with this index. O(1).
     #[must_use]
     pub fn id(&self, index: usize) -> Option<&K> {
         self.ids.get(index)
     }
 
-    /// The index of this id. O(log n).
+    /// Returns the index of this id. O(log n).
     #[must_use]
     pub fn get(&self, id: &K) -> Option<usize> {
         let first = *self.sorted.get(self.sorted.partition_point(|i| self.ids[*i] < *id))?;
         (self.ids[first] == *id).then_some(first)
     }
 
-    /// A link by id as a link by index: nil stays nil, and an id that is nobody's dangles. O(log n).
+    /// Converts a link from ids to indices: nil stays nil, and an unknown id dangles. O(log n).
     #[must_use]
     pub fn link(&self, id: Option<K>) -> Link {
         Some(self.get(&id?).unwrap_or(usize::MAX))
     }
 
-    /// The link that the record with this index keeps: `stored` says it by ids, `to` turns it into an index. O(log n).
+    /// Returns a link of the record with this index: `stored` reads it as an id, and `to` converts it into an index. O(log n).
     #[must_use]
     pub fn follow<T: Ord>(&self, index: usize, to: &Index<T>, stored: impl FnOnce(&K) -> Option<T>) -> Link {
         to.link(stored(self.id(index)?))
@@ -138,7 +138,7 @@ impl<K: Ord> Index<K> {
 }
 
 impl<K: core::fmt::Debug> Index<K> {
-    /// The `Debug` form of the id with this index; the index, if no id has it.
+    /// Returns the `Debug` form of the id with this index, or the index if it has no id.
     #[must_use]
     pub fn name(&self, index: usize) -> alloc::string::String {
         match self.ids.get(index) {
@@ -160,17 +160,17 @@ impl<K: core::fmt::Debug> Index<K> {
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Ids<V, H, F> {
-    /// Those of the vertices.
+    /// The ids of the vertices.
     pub vertices: Index<V>,
-    /// Those of the half-edges.
+    /// The ids of the half-edges.
     pub half_edges: Index<H>,
-    /// Those of the faces.
+    /// The ids of the faces.
     pub faces: Index<F>,
 }
 
 impl<V: core::fmt::Debug, H: core::fmt::Debug, F: core::fmt::Debug> Ids<V, H, F> {
-    /// The `Debug` form of the id of a record, for [`Report::named`](crate::validate::Report::named); its index, if it has no id,
-    /// as boundary components have none.
+    /// Returns the `Debug` form of the id of a record, for [`Report::named`](crate::validate::Report::named), or its index if it has
+    /// no id, as for boundary components.
     #[must_use]
     pub fn name(&self, record: Record) -> alloc::string::String {
         match record {

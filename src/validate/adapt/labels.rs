@@ -1,4 +1,4 @@
-//! Structures whose faces keep nothing: half-edges name their face, and that is all.
+//! An adapter for structures whose half-edges name their face, and whose faces store nothing.
 
 use super::cycles::Cycles;
 use super::inverse::{entry, filled, fits, live, nils};
@@ -7,15 +7,15 @@ use crate::validate::columns::NIL;
 use crate::validate::structure::{HalfEdgeColumns, Link, Part, Parts, Start, View};
 use alloc::vec::Vec;
 
-/// A structure whose half-edges name their [face](View::face) and whose faces keep nothing, with the lists of the faces that
-/// follow: [`outer_half_edge`](View::outer_half_edge) and [`inner_start`](View::inner_start).
+/// A structure whose half-edges name their [face](View::face) and whose faces store nothing. The lists of the faces are derived:
+/// [`outer_half_edge`](View::outer_half_edge) and [`inner_start`](View::inner_start).
 ///
-/// For a structure in which each face has one cycle, as in a mesh, it is [`one_cycle`](Self::one_cycle); for faces with
-/// holes, [`with_holes`](Self::with_holes). [`parts`](View::parts) answers what follows, too: the structure need not say that it has faces.
+/// Use [`one_cycle`](Self::one_cycle) if each face has one cycle, as in a mesh, and [`with_holes`](Self::with_holes) if faces have
+/// holes. [`parts`](View::parts) includes the derived parts, so the structure's own `parts` can omit faces.
 ///
-/// Since the lists follow from the labels, B1 and F2 cannot find a list that contradicts them. What the labels alone
-/// can break is found: a label that changes along a cycle (B1), a face that no half-edge names (F1), a face that two
-/// cycles name where each has one (F2), cycles that cannot nest as a tree (T1), labels that lead nowhere (R1).
+/// Since lists are derived from labels, B1 and F2 cannot find a list that contradicts the labels. They still find a label that changes
+/// along a cycle (B1), a face that no half-edge names (F1), two cycles naming a face that should have one (F2), cycles that cannot nest
+/// as a tree (T1), and labels that lead nowhere (R1).
 ///
 /// ```
 /// use twinedge::validate::adapt::FaceLabels;
@@ -47,20 +47,18 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug)]
 pub struct FaceLabels<V> {
     view: V,
-    /// Those of the structure, and those that follow.
     parts: Parts,
-    /// Per face a half-edge of its outer cycle.
+    /// By face: a half-edge of its outer cycle.
     outer: Vec<u32>,
-    /// Half-edges of the inner cycles, face by face; where those of each face begin.
+    /// Half-edges of the inner cycles, grouped by face, and the beginning of each group.
     inner: Vec<u32>,
     begin: Vec<u32>,
 }
 
 impl<V: View> FaceLabels<V> {
-    /// Wraps a structure in which each face has one cycle: the first half-edge that names the face is its outer half-edge.
+    /// Wraps a structure with one cycle per face: the first half-edge that names a face is its outer half-edge.
     ///
-    /// O(n) time; 4 bytes per face. `None` if there is no memory for that, or the structure claims more than `u32::MAX - 1`
-    /// records of one kind.
+    /// O(n) time; 4 bytes per face. `None` if memory runs out, or if the structure claims more than `u32::MAX - 1` records of one kind.
     #[must_use]
     pub fn one_cycle(view: V) -> Option<Self> {
         let mut outer = nils(view.face_slots())?;
@@ -74,19 +72,18 @@ impl<V: View> FaceLabels<V> {
         Some(Self { view, parts, outer, inner: Vec::new(), begin: Vec::new() })
     }
 
-    /// Wraps a structure whose faces may have holes: which cycle of a face is its outer one, and which are holes, follows
-    /// from the unbounded face.
+    /// Wraps a structure whose faces may have holes. The unbounded face determines which cycles are outer.
     ///
-    /// All cycles of the unbounded face are inner. Each is the outside of a component, and the other cycles of that component
-    /// are the outer ones of their faces. All other cycles of those faces are inner again, and so on. Where the unbounded
-    /// face is no record, give `None`, and it begins with the components at an open boundary, or else with any: which of
-    /// two components lies in which is not in the labels, and if one reading is a map, so is the other.
+    /// All cycles of the unbounded face are inner. Each is the outside of a component, whose other cycles are the outer ones of their
+    /// faces. All other cycles of those faces are again inner, and so on. If the unbounded face is not a record, pass `None`: the
+    /// search then begins with the components at an open boundary, or else with any component. Labels do not determine which of two
+    /// components contains the other, and if one reading is a map, so is the other.
     ///
-    /// No face lists isolated vertices, since no half-edge names their face. Where the unbounded face has a record,
-    /// isolated vertices break B2.
+    /// No face lists isolated vertices, since no half-edge names their face. If the unbounded face is a record, isolated vertices break
+    /// B2.
     ///
-    /// O(n) time; 4 bytes per face and per cycle, and about 20 per half-edge meanwhile. `None` if there is no memory for
-    /// that, or the structure claims more than `u32::MAX - 1` records of one kind.
+    /// O(n) time; 4 bytes per face and per cycle, and about 20 per half-edge temporarily. `None` if memory runs out, or if the
+    /// structure claims more than `u32::MAX - 1` records of one kind.
     ///
     /// ```
     /// use twinedge::validate::adapt::FaceLabels;
@@ -125,7 +122,6 @@ impl<V: View> FaceLabels<V> {
         Some(Self { view, parts, outer, inner, begin })
     }
 
-    /// The inner cycles of a face.
     fn listed(&self, face: usize) -> &[u32] {
         let bound = |f: usize| self.begin.get(f).map(|i| *i as usize);
         match (bound(face), face.checked_add(1).and_then(bound)) {

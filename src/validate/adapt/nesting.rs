@@ -1,7 +1,7 @@
-//! The outer cycle of each face, found from the labels of the half-edges and the unbounded face.
+//! Finds the outer cycle of each face from the labels of the half-edges and the unbounded face.
 //!
-//! Faces and components, joined by cycles, are a tree where the structure is a map. It hangs from the unbounded face, and the
-//! cycle that joins a face to the component above it is its outer one.
+//! In a map, faces and components, joined by cycles, form a tree rooted at the unbounded face. The cycle that joins a face to its
+//! parent component is its outer one.
 
 use super::cycles::{Cycles, Groups};
 use super::inverse::{filled, nils};
@@ -9,20 +9,19 @@ use crate::validate::columns::NIL;
 use crate::validate::structure::Link;
 use alloc::vec::Vec;
 
-/// The search through faces and components.
 struct Search<'a> {
     cycles: &'a Cycles,
     by_component: Groups,
-    /// Per face its outer cycle, as far as it is known.
+    /// By face: its outer cycle, once known.
     outer: Vec<u32>,
     face_reached: Vec<bool>,
-    /// By the number of a cycle that stands for it.
+    /// By the number of a cycle that represents the component.
     component_reached: Vec<bool>,
-    /// Faces whose cycles are still to be followed.
+    /// Reached faces whose cycles are still to be followed.
     queue: Vec<u32>,
 }
 
-/// Per face the number of its outer cycle, or nil. O(n). None if there is no memory for them.
+/// By face: the number of its outer cycle, or nil. `None` if memory runs out. O(n).
 pub(super) fn outer_cycles(cycles: &Cycles, unbounded: Link) -> Option<Vec<u32>> {
     let count = cycles.start.len();
     let mut search = Search {
@@ -48,7 +47,6 @@ pub(super) fn outer_cycles(cycles: &Cycles, unbounded: Link) -> Option<Vec<u32>>
 }
 
 impl Search<'_> {
-    /// Follows the cycles of the faces that were reached, until no more are.
     fn follow(&mut self) {
         let cycles = self.cycles;
         while let Some(face) = self.queue.pop() {
@@ -60,8 +58,7 @@ impl Search<'_> {
         }
     }
 
-    /// Enters a component: its cycles are the outer ones of their faces. The one through which it is entered, its outside, is not,
-    /// because the face of that has been reached.
+    /// Enters a component: its cycles are the outer ones of their faces, except its outside, whose face was reached before.
     fn enter(&mut self, component: u32) {
         if core::mem::replace(&mut self.component_reached[component as usize], true) {
             return;

@@ -1,30 +1,29 @@
-//! Structures whose half-edges keep their target.
+//! An adapter for structures whose half-edges store their target.
 
 use super::inverse::{entry, filled, inverse, live, nils};
 use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// A structure whose half-edges keep their target, with the origins that follow.
+/// A structure whose half-edges store their target; origins are derived.
 ///
-/// The origin of a half-edge is the target of its twin: `origin(h) = target(twin(h))`. Then L3, which compares
+/// The origin of a half-edge is the target of its twin: `origin(h) = target(twin(h))`. So L3, which compares
 /// `origin(next(h))` with `origin(twin(h))`, compares
 ///
 /// ```text
 ///   target(twin(next(h))) = target(h)
 /// ```
+/// which are two stored facts: all half-edges that arrive at a vertex name it. (Deriving along `next`, for example copying
+/// a target to the origin of the next half-edge, would compare a fact with itself.) V1 compares `target(twin(leaving(v)))`
+/// with `v`. If the structure stores a half-edge that *arrives* at the vertex, let `leaving` answer its twin (or, without
+/// a twin, its next): V1 then checks the target of the stored half-edge.
 ///
-/// which are two stored facts: all half-edges that arrive at one vertex name that vertex. (A derivation along `next`, for
-/// example a target that is copied to the origin of the next half-edge, would compare a fact with itself.) V1 compares
-/// `target(twin(leaving(v)))` with `v`. If the structure keeps a half-edge that *arrives* at the vertex, let `leaving`
-/// answer its twin (or, if it has none, its next): V1 then compares the target of the stored half-edge.
+/// A half-edge without twin, at an open boundary, starts where the previous boundary half-edge ends, which is found by
+/// walking around the vertex, by `twin∘prev`, to the last half-edge without twin. So each stored target is the origin of
+/// exactly one half-edge, and every target is read. If the walk fails, R1, L1 or L2 is broken.
 ///
-/// A half-edge without twin, at an open boundary, starts where the one before it on the boundary ends. That one is
-/// found by walking around the vertex, by `twin∘prev` from the half-edge to the last one without twin. So each stored
-/// target is the origin of exactly one half-edge, and none goes unread. Where the walk finds none, R1, L1 or L2 is broken.
-///
-/// A violation that speaks of the origin of a half-edge is about the target of the half-edge that
-/// [`origin_from`](Self::origin_from) names.
+/// A violation about the origin of a half-edge concerns the target of the half-edge returned by
+/// [`origin_from`](Self::origin_from).
 ///
 /// ```
 /// use twinedge::validate::adapt::Targets;
@@ -56,11 +55,11 @@ use core::fmt;
 pub struct Targets<V, F> {
     view: V,
     target: F,
-    /// Per half-edge the one whose target is its origin.
+    /// By half-edge: the half-edge whose target is its origin.
     from: Vec<u32>,
 }
 
-/// Without the function that gives the targets.
+/// Omits the function that returns targets.
 impl<V: fmt::Debug, F> fmt::Debug for Targets<V, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Targets").field("view", &self.view).field("from", &self.from).finish_non_exhaustive()
@@ -68,8 +67,9 @@ impl<V: fmt::Debug, F> fmt::Debug for Targets<V, F> {
 }
 
 impl<V: View, F: Fn(usize) -> Link> Targets<V, F> {
-    /// Wraps the structure; `target` gives the target of a half-edge. `origin` of the structure is not asked. O(n) time; 4 bytes per half-edge, and 5 more meanwhile. `None` if there is no memory for that,
-    /// or the structure claims more than `u32::MAX - 1` half-edges.
+    /// Wraps the structure; `target` returns the target of a half-edge. The structure's own `origin` is never called. O(n)
+    /// time; 4 bytes per half-edge, and 5 more temporarily. `None` if memory runs out, or if the structure claims more
+    /// than `u32::MAX - 1` half-edges.
     #[must_use]
     pub fn of(view: V, target: F) -> Option<Self> {
         let before = inverse(&view, V::next)?;
@@ -85,15 +85,15 @@ impl<V: View, F: Fn(usize) -> Link> Targets<V, F> {
         Some(Self { view, target, from })
     }
 
-    /// The half-edge whose target is the origin of this one; `None` if there is none, or no such half-edge. O(1).
+    /// Returns the half-edge whose target is the origin of this one; `None` if there is none. O(1).
     #[must_use]
     pub fn origin_from(&self, half_edge: usize) -> Link {
         entry(&self.from, half_edge)
     }
 }
 
-/// Walks around the origin of a half-edge without twin to the half-edge without twin that arrives there. Half-edges that
-/// another walk has passed end the walk, so that all walks together are O(n).
+/// Walks around the origin of a half-edge without twin to the half-edge without twin that arrives there. Stops at
+/// half-edges that another walk has passed, so all walks together are O(n).
 fn around<V: View>(view: &V, before: &[u32], start: usize, passed: &mut [bool]) -> Link {
     let mut h = start;
     loop {

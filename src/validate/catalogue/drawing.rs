@@ -4,8 +4,8 @@ macro_rules! drawing_rules {
     ($define:ident $($before:tt)*) => {
         $define! {
             $($before)*
-            /// A coordinate is also refused if it is out of the range in which the predicates are exact. Of an edge with bends, these are checked,
-            /// and each segment between them.
+            /// Also refuses coordinates outside the range in which the predicates are exact. For an edge with bends,
+            /// the bends and the segments between them are checked.
             G1 "finite" counts "vertex" "vertices"
                 "coordinates are finite, and no edge has zero length"
                 in "crates/map/src/drawing/finite" broken by "crates/map/tests/map/drawing/embeddings" "g1_a_coordinate_that_is_not_finite"
@@ -69,7 +69,7 @@ macro_rules! drawing_rules {
             /// / \    ----+----        /
             /// ```
             ///
-            /// A bend is no endpoint: edges do not meet there, and an edge does not pass through its own bends.
+            /// A bend is not an endpoint: edges do not meet there, and an edge does not pass through its own bends.
             G4 "disjoint" counts "edge" "edges"
                 "edges meet only at shared endpoints"
                 in "crates/map/src/drawing/disjoint" broken by "crates/map/tests/map/drawing/embeddings" "g4_a_square_twisted_into_a_bow_tie"

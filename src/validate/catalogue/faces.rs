@@ -5,7 +5,8 @@ macro_rules! faces_rules {
         $crate::validate::catalogue::whole::whole_rules! {
             $define
             $($before)*
-            /// Without records for boundary components: the face is constant along `next`, and a face keeps half-edges of its own.
+            /// Without records for boundary components: the face is constant along `next`, and a face lists only half-edges of its
+            /// own.
             ///
             /// ```text
             /// ┌──► 4 ──► 4 ──► 4 ──┐ start of 4
@@ -37,7 +38,7 @@ macro_rules! faces_rules {
                     cause "the half-edge that the face kept went to another face"
                     remedy "let each face keep a half-edge that names it";
             }
-            /// Without records for boundary components, entries of the lists of the faces stand for them.
+            /// Without records for boundary components, the list entries of the faces take their place.
             ///
             /// ```text
             /// ·v    isolated(v) = 7 ◄──► start(7) = v

@@ -5,8 +5,8 @@ macro_rules! links_rules {
         $crate::validate::catalogue::faces::faces_rules! {
             $define
             $($before)*
-            /// At an open boundary twin or face may be nil, but not both. Lists with more than twice as many entries as there are boundary
-            /// components, and 16, are not read to the end, and break the rule, too.
+            /// At an open boundary twin or face may be nil, but not both. A list is not read to the end if all lists together have more
+            /// entries than twice the number of boundary components plus 16; this also breaks the rule.
             ///
             /// ```text
             /// half-edge 3 ── next ──► 7     ok if slot 7 holds a half-edge

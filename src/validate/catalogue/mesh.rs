@@ -5,7 +5,7 @@ macro_rules! mesh_rules {
         $crate::validate::catalogue::drawing::drawing_rules! {
             $define
             $($before)*
-            /// Checked where the expectation asks for it by `no_unused_vertices`.
+            /// Checked on request, by `no_unused_vertices`.
             ///
             /// ```text
             /// ·──────·
@@ -22,7 +22,7 @@ macro_rules! mesh_rules {
                     cause "faces were deleted and their vertices kept, or the vertex belongs to a line or a point of the input"
                     remedy "delete the vertex, or do not ask for `no_unused_vertices`";
             }
-            /// Checked where the expectation asks for it by `simple`. A face with two sides has parallel edges.
+            /// Checked on request, by `simple`. A face with two sides has parallel edges.
             ///
             /// ```text
             ///            e
@@ -44,8 +44,8 @@ macro_rules! mesh_rules {
                     cause "two faces at an edge were not joined as twins, an edge was flipped onto one that was there, or a face has two sides"
                     remedy "join the half-edges as twins, or subdivide one of the edges; look for an edge between the vertices before one is made";
             }
-            /// Checked where the expectation asks for it by `sides` or `triangles`. The sides of a face are all half-edges that bound
-            /// it, those of its holes too. The unbounded face may have any number. Without faces, each cycle of `next` is a face.
+            /// Checked on request, by `sides` or `triangles`. The sides of a face are all half-edges that bound it, including its
+            /// holes. The unbounded face may have any number. Without faces, each cycle of `next` counts as a face.
             ///
             /// ```text
             /// ·──────·
@@ -63,8 +63,8 @@ macro_rules! mesh_rules {
                     cause "an edge of the face was split and the face was not, or the input mixes triangles with other polygons"
                     remedy "split the face by diagonals, or ask for the number that its faces have";
             }
-            /// Checked where the expectation asks for it by `closed`. Together with `open`, it names each half-edge at a border; without,
-            /// R1 finds that links are missing.
+            /// Checked on request, by `closed`. With `open`, it names each half-edge at a border; without, R1 reports the missing
+            /// links.
             ///
             /// ```text
             /// ·───►───·
@@ -82,7 +82,7 @@ macro_rules! mesh_rules {
                     cause "the surface has a hole or a rim, or two faces at an edge were not joined as twins"
                     remedy "fill the hole, join the faces, or ask for the `borders` that there are instead";
             }
-            /// Checked where the expectation asks for it by `components`. Isolated vertices do not count: M1 is about them.
+            /// Checked on request, by `components`. Isolated vertices do not count: M1 is about them.
             ///
             /// ```text
             /// ·───·     ·───·
@@ -99,8 +99,8 @@ macro_rules! mesh_rules {
                     cause "parts that should meet have vertices of their own where they touch, or loose parts were left behind"
                     remedy "merge the vertices that coincide, or delete the loose parts";
             }
-            /// Checked where the expectation asks for it by `borders`. A border loop is a cycle of half-edges without face, or a cycle
-            /// that the missing twins would make: both ways of keeping a border have the same number.
+            /// Checked on request, by `borders`. A border loop is a cycle of half-edges without face, or a cycle that the missing twins
+            /// would form: both representations of a border yield the same number.
             ///
             /// ```text
             /// ┌─────────────┐
@@ -119,7 +119,7 @@ macro_rules! mesh_rules {
                     cause "faces are missing, or neighbouring faces were not joined as twins"
                     remedy "fill the holes, or join the faces";
             }
-            /// Checked where the expectation asks for it by `genus`.
+            /// Checked on request, by `genus`.
             ///
             /// ```text
             ///    ______
@@ -136,8 +136,8 @@ macro_rules! mesh_rules {
                     cause "faces are missing on both sides of a tunnel, a small handle was left by a reconstruction, or vertices were merged across a gap"
                     remedy "cut the handle and close both ends, or ask for the genus that the surface has";
             }
-            /// Checked where the expectation asks for it by `border_kept`. Libraries that promise it tell a border vertex from an inner one
-            /// by the one half-edge. Where vertices keep none, it is not checked.
+            /// Checked on request, by `border_kept`. Libraries that promise it recognise a border vertex by this half-edge. Not checked
+            /// if vertices store no half-edge.
             ///
             /// ```text
             ///   f  ╱

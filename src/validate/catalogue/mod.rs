@@ -1,8 +1,8 @@
-//! Every rule with its violations: the table from which [`Rule`](super::Rule) and [`Violation`](super::Violation) are made.
+//! Every rule with its violations: the table from which [`Rule`](super::Rule) and [`Violation`](super::Violation) are generated.
 //!
-//! A rule is a row: its documentation, id and name, the noun for what it is checked on, its statement, the file of its check, and the
-//! test that breaks it alone. Its violations follow: variant and fields, kind, sentence, usual cause and remedy. A field is of one of the
-//! kinds that `violation.rs` lists; `with` names what else the sentence says.
+//! A rule is a row: documentation, id and name, the noun for the checked records, its statement, the file of its check, and the test
+//! that breaks only it. Its violations follow: variant and fields, kind, sentence, usual cause and remedy. The kinds of fields are
+//! listed in `violation.rs`; `with` names further words of the sentence.
 
 pub(super) mod drawing;
 pub(super) mod faces;
@@ -10,7 +10,7 @@ pub(super) mod links;
 pub(super) mod mesh;
 pub(super) mod whole;
 
-/// Hands all rows, in the order of the rules, to the macro of this name.
+/// Passes all rows, in the order of the rules, to the macro of this name.
 macro_rules! catalogue {
     ($define:ident) => {
         $crate::validate::catalogue::links::links_rules! { $define }

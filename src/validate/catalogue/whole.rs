@@ -64,7 +64,7 @@ macro_rules! whole_rules {
                     cause "the answers of the structure changed during the validation"
                     remedy "do not change the structure while it is validated";
             }
-            /// It follows from the other rules, and checks the counting.
+            /// Follows from the other rules, and cross-checks the counting.
             T4 "bounds" counts "map" "maps"
                 "a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`"
                 in "src/validate/rules/whole" broken by "tests/validate/violations" "t4_is_broken_with_t1_where_faces_are_counted_wrong"

@@ -1,4 +1,4 @@
-//! The border loops that missing twins would make.
+//! Border loops made of missing twins.
 
 use super::starts::Starts;
 use crate::validate::columns::NIL;
@@ -6,8 +6,8 @@ use crate::validate::structure::View;
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// A vertex of each border loop. Where the walks across the vertices have found one half-edge without twin that ends at a vertex
-/// of the border, and one that leaves it, these follow one another around.
+/// Returns a vertex of each border loop. At a vertex of the border, a half-edge without twin that ends there is followed by the
+/// one that leaves it.
 pub(super) fn loops<V: View + ?Sized>(view: &V, extent: Extent, starts: &mut Starts) -> Option<Vec<u32>> {
     let mut into = core::mem::take(&mut starts.into);
     let mut loops = Vec::new();

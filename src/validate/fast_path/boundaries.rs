@@ -7,18 +7,17 @@ use crate::validate::structure::{BoundaryPlace, Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// The lists of the faces, read.
 #[derive(Default)]
 pub(super) struct Boundaries {
     pub(super) faces: usize,
-    /// The number of faces that have an outer boundary component.
+    /// The number of faces with an outer boundary component.
     pub(super) outer: usize,
     pub(super) inner: Vec<Inner>,
     /// The number of inner boundary components that are isolated vertices.
     pub(super) at_vertex: usize,
 }
 
-/// An inner boundary component: where it starts, and the face that lists it.
+/// An inner boundary component: its start, and the face that lists it.
 #[derive(Clone, Copy)]
 pub(super) struct Inner {
     pub(super) vertex: u32,
@@ -26,13 +25,12 @@ pub(super) struct Inner {
 }
 
 impl Boundaries {
-    /// The number of cycles listed. No two are the same.
+    /// The number of listed cycles, all of them different.
     pub(super) fn cycles(&self) -> usize {
         self.outer + self.inner.len() - self.at_vertex
     }
 }
 
-/// The lists so far.
 struct Lists<'a, V: ?Sized> {
     view: &'a V,
     extent: Extent,
@@ -40,8 +38,8 @@ struct Lists<'a, V: ?Sized> {
     found: Boundaries,
 }
 
-/// Reads the lists of all faces, and the half-edges and vertices where boundary components start. `next` must be a permutation along which
-/// the names of half-edges are constant.
+/// Reads the lists of all faces, and the starts of boundary components. `next` must be a permutation along which the names of
+/// half-edges are constant.
 #[inline(never)]
 pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, starts: &Starts) -> Option<Boundaries> {
     let mut lists = Lists { view, extent, starts, found: Boundaries::default() };
@@ -55,8 +53,8 @@ pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, starts: &Starts) 
 }
 
 impl<V: View + ?Sized> Lists<'_, V> {
-    /// With records: checks that every boundary component is listed once, by the face that it names, at the place that it says. With
-    /// stored places no marks are needed: two places mean two boundary components.
+    /// With records: checks that every boundary component is listed once, by the face it names, at the place it claims. Stored places
+    /// need no marks: two places mean two boundary components.
     fn by_record(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
         let boundaries = extent.boundaries.all().filter(|b| view.is_boundary(*b)).count();
@@ -83,7 +81,7 @@ impl<V: View + ?Sized> Lists<'_, V> {
         (unlisted == 0).then_some(())
     }
 
-    /// Checks that a boundary component is listed by the face that it names, at the place that it says.
+    /// Checks that a boundary component is listed by the face it names, at the place it claims.
     #[inline]
     fn list(&self, f: usize, b: usize, place: BoundaryPlace, listed: &mut Marks) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
@@ -94,11 +92,11 @@ impl<V: View + ?Sized> Lists<'_, V> {
         is_new.then_some(())
     }
 
-    /// Without records: checks that each start names the face that lists it, and that no cycle is listed twice. Two cycles of different
-    /// faces are never the same, so only cycles of a face with several are walked along, and marked.
+    /// Without records: checks that each start names the face that lists it, and that no cycle is listed twice. Cycles of different
+    /// faces differ, so only the cycles of a face with several are walked and marked.
     fn by_label(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
-        // Isolated vertices are listed, too.
+        // Isolated vertices are also listed.
         let mut entries_left = self.starts.half_edges.checked_add(extent.vertices.count())?;
         let mut passed = Marks::default();
         let mut listed = Marks::default();
@@ -133,7 +131,7 @@ impl<V: View + ?Sized> Lists<'_, V> {
         Some(())
     }
 
-    /// Counts an outer boundary component, if it starts at a live half-edge that `is_named` rightly.
+    /// Counts an outer boundary component that starts at a live half-edge for which `is_named` holds.
     #[inline]
     fn outer(&mut self, start: Start, is_named: impl Fn(usize) -> bool) -> Option<()> {
         let Start::HalfEdge(h) = start else { return None };
@@ -142,7 +140,7 @@ impl<V: View + ?Sized> Lists<'_, V> {
         is_right.then_some(())
     }
 
-    /// Counts an inner boundary component, if it starts so, or at a live vertex.
+    /// Counts an inner boundary component that starts at such a half-edge or at a live vertex.
     fn inner(&mut self, f: usize, start: Start, is_named: impl Fn(usize) -> bool) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
         let vertex = match start {

@@ -12,10 +12,10 @@ pub(super) struct ComponentNumbers {
     pub(super) count: usize,
 }
 
-/// Joins vertices until so few components are left, or every edge is used.
+/// Joins vertices until `count` components are left, or every edge is used.
 ///
-/// First each vertex joins its neighbour with the smallest number. Numbers fall along these steps, so they end, and where
-/// neighbours have close numbers they end at one vertex of each component. What is left is joined edge by edge.
+/// First each vertex joins its neighbour with the smallest number. Numbers fall along these steps, so they end, and if
+/// neighbours have close numbers they end at one vertex of each component. The rest is joined edge by edge.
 #[inline(never)]
 pub(super) fn join<V: View + ?Sized>(
     view: &V,
@@ -41,7 +41,7 @@ pub(super) fn join<V: View + ?Sized>(
         if sets.count == fewest {
             break;
         }
-        // Without twin the edge ends where the next one starts.
+        // Without twin the edge ends at the origin of the next half-edge.
         let t = match view.twin(h as usize) {
             Some(t) if t < h as usize => continue,
             Some(t) => extent.half_edges.existing(Some(t))?,

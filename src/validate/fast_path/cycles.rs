@@ -1,15 +1,14 @@
-//! The cycles of `next`, where it is known to be a permutation.
+//! The cycles of `next`, which must be a permutation.
 
 use super::marks::Marks;
 use crate::validate::structure::View;
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// Counts the cycles.
 #[inline(never)]
 pub(super) fn count<V: View + ?Sized>(view: &V, extent: Extent) -> Option<usize> {
     let mut cycles = 0;
-    // Most cycles are short. Their half-edges are told by reading on, without marks.
+    // Most cycles are short. Following their links is enough to recognise them, without marks.
     let mut long = Marks::default();
     for h in extent.half_edges.all().filter(|h| view.is_half_edge(*h)) {
         let [is_short, is_first] = short(view, extent, h)?;
@@ -29,7 +28,7 @@ pub(super) fn count<V: View + ?Sized>(view: &V, extent: Extent) -> Option<usize>
     Some(cycles)
 }
 
-/// Tells whether the cycle of a half-edge has four half-edges at most, and whether this one has the smallest number of them.
+/// Returns whether the cycle of a half-edge has at most four half-edges, and whether this one has the smallest number.
 #[inline]
 fn short<V: View + ?Sized>(view: &V, extent: Extent, first: usize) -> Option<[bool; 2]> {
     let next = |h| extent.half_edges.existing(view.next(h));
@@ -42,8 +41,8 @@ fn short<V: View + ?Sized>(view: &V, extent: Extent, first: usize) -> Option<[bo
     Some([next(fourth)? == first, first <= second.min(third).min(fourth)])
 }
 
-/// Counts the cycles whose half-edges name nothing, and returns a vertex of each. Each of their half-edges must have a twin, or it bounds
-/// nothing.
+/// Counts the cycles whose half-edges name nothing, and returns a vertex of each. Each of their half-edges must have a twin, or it
+/// bounds nothing.
 #[cold]
 #[inline(never)]
 pub(super) fn unnamed<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Vec<u32>> {

@@ -3,12 +3,12 @@
 use crate::validate::subject::Slots;
 use alloc::vec::Vec;
 
-/// A set of slots, one bit each.
+/// A set of slots, stored as bits.
 #[derive(Default)]
 pub(super) struct Marks(Vec<u64>);
 
 impl Marks {
-    /// Makes room for so many slots, if there was none; none if there is no memory for it.
+    /// Allocates room for `slots`, if there is none yet; `None` if memory runs out.
     pub(super) fn make_room(&mut self, slots: Slots) -> Option<()> {
         if self.0.is_empty() {
             let words = slots.count().div_ceil(64);
@@ -23,7 +23,7 @@ impl Marks {
         self.0.get(slot / 64).is_some_and(|word| word >> (slot % 64) & 1 == 1)
     }
 
-    /// Marks the slot; none if it was marked, or there is no room for it.
+    /// Marks the slot; `None` if it is marked already, or out of range.
     #[inline]
     pub(super) fn mark(&mut self, slot: usize) -> Option<()> {
         let word = self.0.get_mut(slot / 64)?;
@@ -33,7 +33,7 @@ impl Marks {
         is_new.then_some(())
     }
 
-    /// Takes the slot out of the set; none if it is not in it.
+    /// Removes the slot from the set; `None` if it is not in it.
     #[inline]
     pub(super) fn clear(&mut self, slot: usize) -> Option<()> {
         let word = self.0.get_mut(slot / 64)?;
@@ -43,7 +43,7 @@ impl Marks {
         was_marked.then_some(())
     }
 
-    /// The first slot of the set in the word of this one or after it.
+    /// Returns the first slot of the set in the word of this slot or after it.
     pub(super) fn first_from(&self, slot: usize) -> Option<usize> {
         let words = self.0.get(slot / 64..)?;
         let (i, word) = words.iter().enumerate().find(|(_, word)| **word != 0)?;
@@ -51,7 +51,6 @@ impl Marks {
     }
 }
 
-/// The bit of a slot in its word.
 fn bit(slot: usize) -> u64 {
     1 << (slot % 64)
 }

@@ -1,7 +1,7 @@
-//! The common case first: most structures that are validated are valid. The fast path accepts a valid structure, or gives up.
+//! The fast path: most validated structures are valid. It accepts a valid structure, or returns `None`.
 //!
-//! It looks whether R1 … T3 hold, all at once. If they do, it returns the counts of the report. If a record breaks a rule, or there is no
-//! memory, it gives up, and the rules look at every record. It takes every expectation.
+//! It checks R1 … T3 all at once. If they hold, it returns the counts of the report. If a record breaks a rule, or memory runs out, the
+//! rules then look at every record. It supports every expectation.
 //!
 //! ```text
 //!   around v, from leaving(v):                 at an open boundary, across v,
@@ -12,38 +12,39 @@
 //!      / n |      t                            origin(n) = v, prev(n) = t, boundary(n) = boundary(t)
 //! ```
 //!
-//! # Why this is enough
+//! # Why this suffices
 //!
-//! Say that each step finds what the picture says, where `t = twin(h)`, `twin(t) = h ≠ t` and `t` and `n` are live, that each walk returns to
-//! where it started, or at an open boundary ends at a half-edge without twin, and that all walks together take as many steps as there are
-//! half-edges.
+//! Suppose that each step finds the relations in the picture, where `t = twin(h)`, `twin(t) = h ≠ t`, and `t` and `n` are live; that
+//! each walk returns to its start, or at an open boundary ends at a half-edge without twin; and that all walks together take one step
+//! per half-edge.
 //!
 //! - A walk that returns visits no half-edge twice, and walks around different vertices do not meet: their half-edges have different
-//!   origins. So every half-edge `n` is visited once, by one step from one `t`. That is L1, L3, V1, V2 and R1 of half-edges; and
-//!   `next` is a permutation, whose inverse is `prev` (L2).
-//! - At an open boundary a rotation that is not closed is a chain, and begins after a half-edge without twin that ends at the vertex. These
-//!   are noted first. If two end at one vertex, two fans share it, and V2 is broken. A chain ends at the first half-edge without twin, so as
-//!   many leave the vertex as end there: one. They follow one another around the border loops.
-//! - Where vertices keep no half-edge, one that leaves each vertex is noted first.
-//! - Each boundary component is listed once, by the face that it names, at the place that it says (F1, F2), and starts at a half-edge that names
-//!   it, or at an isolated vertex that names it (B2). Without records, each start names the face that lists it, and the cycles of
-//!   a face with several are marked. Names are constant along `next`, so no two of the listed cycles are the same: there are at
-//!   least as many cycles as are listed. At an open boundary the cycles that name nothing are counted, too.
-//! - Euler's formula says `V − E + cycles = 2C − 2g`, where an isolated vertex has one cycle and border loops are cycles. So
-//!   `V − E + listed ≤ 2C`. Components are joined until both are equal. Then no cycle is left that is not listed, which is the rest of
-//!   B1 and of R1, and `g = 0` (T3).
-//! - If all edges are used up before, there are handles, or cycles that are not listed. In the plane both are wrong. On surfaces, and
-//!   where there are no faces, the cycles are counted: a cycle of up to four half-edges by the one with the smallest number; the half-edges of longer
-//!   cycles are marked, and these cycles are walked along.
-//! - Then each component needs one inner boundary component, or none if a border loop is its outside (T1), and containment
-//!   must not lead back (T2).
+//!   origins. So every half-edge `n` is visited once, by one step from one `t`. That is L1, L3, V1, V2 and R1 of half-edges; and `next`
+//!   is a permutation with the inverse `prev` (L2).
+//! - At an open boundary a rotation that is not closed is a chain, and begins after a half-edge without twin that ends at the vertex.
+//!   These half-edges are recorded first. If two end at one vertex, two fans share it, and V2 is broken. A chain ends at the first
+//!   half-edge without twin, so exactly one such half-edge ends at the vertex, and one leaves it. They follow one another around the
+//!   border loops.
+//! - If vertices store no half-edge, one that leaves each vertex is recorded first.
+//! - Each boundary component is listed once, by the face it names, at the place it claims (F1, F2), and starts at a half-edge that
+//!   names it, or at an isolated vertex that names it (B2). Without records, each start names the face that lists it, and the cycles of
+//!   a face with several are marked. Names are constant along `next`, so all listed cycles differ: the number of cycles is at least the
+//!   number of list entries. At an open boundary the cycles that name nothing are also counted.
+//! - Euler's formula says `V − E + cycles = 2C − 2g`, where an isolated vertex has one cycle and border loops are cycles. So `V − E +
+//!   listed ≤ 2C`. Components are joined until both sides are equal. Then every cycle is listed, which is the rest of B1 and of R1, and
+//!   `g = 0` (T3).
+//! - If all edges are used up before, there are handles, or cycles that are not listed. In the plane both are invalid. On surfaces, and
+//!   without faces, the cycles are counted: a cycle of up to four half-edges at its smallest half-edge; longer cycles are walked and
+//!   marked.
+//! - Finally, each component needs one inner boundary component, unless a border loop is its outside (T1), and containment must not be
+//!   circular (T2).
 //!
-//! # How it is known
+//! # Evidence
 //!
-//! This argument is tested, not proved. Two of its parts are theorems of `proofs/coq`: Euler's formula for each component (`component_euler`),
-//! and that components may be joined until Euler's formula allows no fewer (`few_sets_are_components`). `proofs/coq/FastPath.v` proves an
-//! older fast path, which scanned the half-edges by index and walked along every cycle, for the closed plane with every part.
-//! `proofs/coq/compare --fast-path` compares the two on tables.
+//! This argument is tested, not proved. Two of its parts are theorems of `proofs/coq`: Euler's formula for each component
+//! (`component_euler`), and that components may be joined until Euler's formula allows no fewer (`few_sets_are_components`).
+//! `proofs/coq/FastPath.v` proves an older fast path, which scanned the half-edges by index and walked along every cycle, for the
+//! closed plane with every part. `proofs/coq/compare --fast-path` compares the two on tables.
 
 mod borders;
 mod boundaries;
@@ -67,22 +68,20 @@ pub(crate) struct Accepted {
     pub(crate) vertices: usize,
     pub(crate) isolated: usize,
     pub(crate) half_edges: usize,
-    /// The half-edges without twin.
     pub(crate) unpaired: usize,
     pub(crate) faces: usize,
-    /// The outer boundary components, and the inner ones.
     pub(crate) outer: usize,
     pub(crate) inner: usize,
     pub(crate) components: usize,
-    /// The cycles that are no border loops.
+    /// The number of cycles other than border loops.
     pub(crate) cycles: usize,
     pub(crate) borders: usize,
     pub(crate) genus: usize,
-    /// True if there is neither a loop nor a pair of parallel edges.
+    /// True if there are neither loops nor parallel edges.
     pub(crate) simple: bool,
 }
 
-/// Accepts a structure that keeps R1 … T3, or gives up.
+/// Accepts a structure that keeps R1 … T3, or returns `None`.
 pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accepted> {
     let Subject { view, extent } = subject;
     let mut starts = starts::find(view, extent)?;
@@ -103,7 +102,7 @@ pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accept
     let (half_edges, unpaired) = (starts.half_edges, starts.unpaired);
     drop(starts);
     let (vertices, isolated, simple) = (around.vertices, around.isolated, around.simple);
-    // Euler's formula: at genus 0, V + cycles − E is twice the number of components. The sum is negative where the handles outnumber the
+    // By Euler's formula, V + cycles − E is twice the number of components at genus 0. It is negative if there are more handles than
     // components.
     let signed = |n: usize| i64::try_from(n).ok();
     let edges = (half_edges - unpaired) / 2 + unpaired;
@@ -139,7 +138,7 @@ pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accept
     })
 }
 
-/// T1: for each component the face in which it lies. `None` if a component has two outsides, or one needs an outside and has none.
+/// T1: the face in which each component lies. `None` if a component has two outsides, or lacks one that it needs.
 fn outsides(of: &[u32], count: usize, open: &[bool], inner: &[Inner], extent: Extent) -> Option<Vec<u32>> {
     let mut lies_in = column(count as u32, NIL).ok()?;
     for entry in inner {

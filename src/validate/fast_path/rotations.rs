@@ -1,4 +1,4 @@
-//! The walks around the vertices: R1 … V2 of half-edges and vertices, and that names are constant along `next`.
+//! Walks around the vertices: R1 … V2 of half-edges and vertices, and constant names along `next`.
 
 use super::starts::Starts;
 use crate::validate::columns::NIL;
@@ -7,23 +7,22 @@ use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// The result of the walks around the vertices.
 pub(super) struct Rotations {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
-    /// The number of isolated vertices that name a boundary component that starts at them.
+    /// The number of isolated vertices that name a boundary component starting at them.
     pub(super) claimed: usize,
-    /// True if there is neither a loop nor a pair of parallel edges.
+    /// True if there are neither loops nor parallel edges.
     pub(super) simple: bool,
-    /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
+    /// By vertex: the smallest number among its neighbours and itself.
     pub(super) nearest: Vec<u32>,
 }
 
-/// Walks around every vertex, in order of their numbers. `None` if a record breaks a rule, or the walks do not visit every half-edge.
+/// Walks around every vertex, in order of their numbers. `None` if a record breaks a rule, or if the walks miss a half-edge.
 #[inline(never)]
 pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, starts: &Starts) -> Option<Rotations> {
     let asked = Asked { view, extent };
-    // Decided once, and not at each half-edge.
+    // Decided once instead of at each half-edge.
     match (extent.has(Part::Prev), extent.has(Part::Faces)) {
         (true, true) => match starts.first_live(view, extent).and_then(|first| Lent::of(view, extent, first)) {
             Some(lent) => walk_and::<V, _, true, true>(view, extent, starts, lent),
@@ -47,7 +46,7 @@ fn walk_and<V: View + ?Sized, H: HalfEdges, const PREV: bool, const NAMES: bool>
     half_edges: H,
 ) -> Option<Rotations> {
     let mut tally = Tally { left: starts.half_edges, simple: true };
-    // Per vertex the last vertex from which it was seen as a neighbour: seen twice from one means parallel edges.
+    // By vertex: the last vertex that had it as a neighbour. Seeing it twice from one vertex means parallel edges.
     let mut seen_from = extent.vertices.nils()?;
     let mut nearest = extent.vertices.nils()?;
     let [mut vertices, mut isolated, mut claimed] = [0; 3];
@@ -80,15 +79,14 @@ fn walk_and<V: View + ?Sized, H: HalfEdges, const PREV: bool, const NAMES: bool>
     (left == 0).then_some(Rotations { vertices, isolated, claimed, simple, nearest })
 }
 
-/// The counts of the walks so far.
 #[derive(Clone, Copy)]
 struct Tally {
-    /// The number of half-edges left to visit.
+    /// The number of half-edges still to visit.
     left: usize,
     simple: bool,
 }
 
-/// Walks around `v`, from a half-edge that leaves it, and returns the smallest number among `v` and its neighbours.
+/// Walks around `v`, starting at a half-edge that leaves it, and returns the smallest number among `v` and its neighbours.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "a call for each vertex costs more than the checks of its half-edges")]
 fn around<H: HalfEdges, const PREV: bool, const NAMES: bool>(
@@ -112,7 +110,7 @@ fn around<H: HalfEdges, const PREV: bool, const NAMES: bool>(
     }
 }
 
-/// Walks across `v` at an open boundary, from the half-edge without twin that ends there to the half-edge without twin that leaves it.
+/// Walks across `v` at an open boundary, from the half-edge without twin that ends there to the one that leaves it.
 #[cold]
 #[inline(never)]
 fn across<H: HalfEdges, const PREV: bool, const NAMES: bool>(
@@ -134,7 +132,7 @@ fn across<H: HalfEdges, const PREV: bool, const NAMES: bool>(
     Some(nearest.min(see(v, half_edges.origin(next), seen_from, tally)?))
 }
 
-/// Steps from `t`, which ends at `v`, to its next half-edge: L2, L3, and that both name the same.
+/// Steps from `t`, which ends at `v`, to its next half-edge: checks L2, L3, and that both have the same name.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "called for each half-edge")]
 fn step<H: HalfEdges, const PREV: bool, const NAMES: bool>(
@@ -152,7 +150,7 @@ fn step<H: HalfEdges, const PREV: bool, const NAMES: bool>(
     holds.then_some(n)
 }
 
-/// Notes a neighbour of `v`. A loop leads to its own vertex twice.
+/// Records a neighbour of `v`. A loop sees its own vertex twice.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "called for each half-edge")]
 fn see(v: u32, neighbour: u32, seen_from: &mut [u32], tally: &mut Tally) -> Option<u32> {
@@ -161,8 +159,8 @@ fn see(v: u32, neighbour: u32, seen_from: &mut [u32], tally: &mut Tally) -> Opti
     Some(neighbour)
 }
 
-/// Half of B2: whether the isolated vertex names a boundary component, which then starts at it. It need not if it may lie in
-/// an unbounded face that has no record.
+/// Half of B2: whether the isolated vertex names a boundary component that starts at it. It is optional if the vertex can lie in an
+/// unbounded face without a record.
 fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -> Option<bool> {
     let Some(b) = view.isolated(v) else {
         return (!extent.has(Part::UnboundedFace)).then_some(false);

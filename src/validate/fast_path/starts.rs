@@ -1,24 +1,22 @@
-//! The half-edges by index: how many there are, and where the walks around the vertices start.
+//! The half-edges by index: their number, and the starts of the walks around the vertices.
 
 use crate::validate::columns::NIL;
 use crate::validate::structure::{Part, View};
 use crate::validate::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
-/// The places where the walks around the vertices start.
+/// The starts of the walks around the vertices.
 pub(super) struct Starts {
-    /// The number of live half-edges.
     pub(super) half_edges: usize,
-    /// The number of live half-edges without twin.
     pub(super) unpaired: usize,
-    /// Per vertex a half-edge that leaves it, or nil, where vertices keep none.
+    /// By vertex: a half-edge that leaves it, or nil; only if vertices store none.
     leaving: Option<Vec<u32>>,
-    /// Per vertex the half-edge without twin that ends there, or nil; empty if all have one.
+    /// By vertex: the half-edge without twin that ends there, or nil; empty if all half-edges have twins.
     pub(super) into: Vec<u32>,
 }
 
-/// Counts the half-edges, and notes the starts that the structure does not keep. `None` if two half-edges without twin end at one vertex:
-/// two fans share it.
+/// Counts the half-edges, and records the starts that the structure does not store. `None` if two half-edges without twin end at one
+/// vertex: two fans share it.
 pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Starts> {
     let mut starts = Starts { half_edges: 0, unpaired: 0, leaving: None, into: Vec::new() };
     if !extent.has(Part::Leaving) {
@@ -48,13 +46,12 @@ pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Starts>
 }
 
 impl Starts {
-    /// The first live half-edge, if all from there on are live.
+    /// Returns the first live half-edge, if all half-edges from there on are live.
     pub(super) fn first_live<V: View + ?Sized>(&self, view: &V, extent: Extent) -> Option<u32> {
         let first = extent.half_edges.count.checked_sub(self.half_edges as u32)?;
         (0..first).all(|h| !view.is_half_edge(h as usize)).then_some(first)
     }
 
-    /// A half-edge that leaves the vertex.
     #[inline]
     pub(super) fn leaving<V: View + ?Sized>(&self, view: &V, v: usize) -> Option<usize> {
         match &self.leaving {
@@ -63,13 +60,11 @@ impl Starts {
         }
     }
 
-    /// The half-edge without twin that ends at the vertex.
     #[inline]
     pub(super) fn into(&self, v: usize) -> Option<usize> {
         self.into.get(v).copied().filter(|h| *h != NIL).map(|h| h as usize)
     }
 
-    /// Notes the vertex where a half-edge without twin ends.
     fn note_end<V: View + ?Sized>(&mut self, view: &V, extent: Extent, h: u32) -> Option<()> {
         if self.into.is_empty() {
             self.into = extent.vertices.nils()?;

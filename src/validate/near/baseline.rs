@@ -1,4 +1,4 @@
-//! The structure as it was when it was last found right.
+//! The structure when it was last found valid.
 
 use super::check::{Scratch, check};
 use super::diff::Diff;
@@ -11,32 +11,32 @@ use crate::validate::validator::validate;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-/// The links of a structure that was found right, to compare it with after a change. See [`validate_near`].
+/// The links of a valid structure, for comparison after a change. See [`validate_near`].
 ///
-/// Takes 24 bytes per half-edge, 12 per vertex, 20 per boundary component, and 12 per face. The memory
-/// that a check takes is kept for the next one: some 40 bytes for each record that was written, where there were most of them.
+/// Takes 24 bytes per half-edge, 12 per vertex, 20 per boundary component, and 12 per face. Checks reuse their memory: about 40
+/// bytes for each written record, for the largest change so far.
 #[derive(Clone, Debug)]
 pub struct Baseline {
     expect: Expectation,
-    /// The links, and what the last check has found of those that were written.
+    /// The links, and the state of the written records in the last check.
     diff: Diff,
     scratch: Scratch,
 }
 
-/// The reason for which there is no [`Baseline`] of a structure.
+/// The reason why a structure has no [`Baseline`].
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum BaselineError {
     /// The structure breaks a rule.
     Invalid(Box<Report>),
-    /// The expectation allows open boundaries, where local validation is not to be had.
+    /// The expectation allows open boundaries, which are not validated locally.
     OpenBoundaries,
-    /// The structure has lists of inner boundary components, and lacks what they are checked by: records for boundary
-    /// components, the place that each has in the list, or the unbounded face.
+    /// The structure has lists of inner boundary components, but lacks a part needed to check them: records for boundary
+    /// components, their places in the lists, or the unbounded face.
     Lacks(Part),
-    /// The answers of the view changed while it was read.
+    /// The view changed its answers while it was read.
     Changing,
-    /// The structure need not lie in the plane, so it has no drawing there to validate.
+    /// The structure may lie outside the plane, so there is no drawing to validate.
     NotPlane,
     /// Edges have bends, which are not validated locally.
     Bends,
@@ -60,11 +60,11 @@ impl core::fmt::Display for BaselineError {
 impl core::error::Error for BaselineError {}
 
 impl Baseline {
-    /// Validates the structure in full, and keeps its links. O(n).
+    /// Validates the structure in full, and stores its links. O(n).
     ///
     /// # Errors
-    /// The structure is not valid; or the expectation has open boundaries, or faces with holes and without boundary components,
-    /// places or an unbounded face.
+    /// The structure is not valid; or the expectation has open boundaries; or faces have holes but no boundary components, places
+    /// or unbounded face.
     pub fn new<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
         Self::supports(expectation, expectation.looks_at(view.parts()))?;
         validate(view, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
@@ -73,7 +73,7 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// Returns an error for structures that are not validated locally: for those with these parts, or for this expectation.
+    /// Returns an error if structures with these parts, or with this expectation, are not validated locally.
     ///
     /// # Errors
     /// [`BaselineError::OpenBoundaries`], [`BaselineError::Lacks`].
@@ -88,7 +88,7 @@ impl Baseline {
         }
     }
 
-    /// The links of a structure that is known to be right, as changes since there was nothing: see [`commit`](Self::commit). O(n).
+    /// Creates a baseline of a structure known to be valid, as changes to an empty one: see [`commit`](Self::commit). O(n).
     ///
     /// # Errors
     /// [`BaselineError::Changing`].
@@ -98,25 +98,24 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// The links before and after, as the last check has found them. O(1).
+    /// Returns the links before and after the change seen by the last check. O(1).
     #[must_use]
     pub const fn changes(&self) -> &Diff {
         &self.diff
     }
 
-    /// Moves on to the structure as the last check has found it. O(records that were written).
+    /// Moves on to the structure seen by the last check. O(written records).
     pub fn commit(&mut self) {
         self.diff.commit();
     }
 
-    /// The expectation that the structure is held to.
+    /// Returns the expectation.
     #[must_use]
     pub const fn expectation(&self) -> &Expectation {
         &self.expect
     }
 
-    /// Reads every link of a structure that is right: all records are written, and there were none before. Nothing if the links are not right.
-    /// O(n).
+    /// Reads every link of a valid structure, as if all records were new and written. `None` if the links are invalid. O(n).
     pub fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
         let now = LinkReader::new(view, self.expect)?;
         let written = WriteSet {
@@ -131,22 +130,21 @@ impl Baseline {
         check(&mut self.diff, &now, &written, &mut Scratch::default())
     }
 
-    /// Checks the links of the records that were written, and finds what has changed. Nothing if these links cannot be right. The cost is that of
-    /// [`validate_near`].
+    /// Checks the links of the written records, and computes the difference; `None` if the new state cannot be valid. Takes the
+    /// time of [`validate_near`].
     pub fn check<V: View + ?Sized>(&mut self, view: &V, written: &WriteSet) -> Option<()> {
         let now = LinkReader::new(view, self.expect)?;
         check(&mut self.diff, &now, written, &mut self.scratch)
     }
 }
 
-/// Validates a structure after a change, in time proportional to the change: [what is checked](super#what-is-checked).
+/// Validates a structure after a change, in time proportional to the change: see [what is checked](super#what-is-checked).
 ///
-/// `written` names every record that has changed since the baseline was made or last moved on. If all is right, the
-/// baseline moves on to the structure as it is. Costs O(k log k) for k records that were written, and the walks in step along the
-/// cycles and rotations between them; it does not depend on the size of the structure.
+/// `written` must name every record that has changed since the baseline was created or last moved on. If the structure is valid,
+/// the baseline moves on to it. Costs O(k log k) for k written records, plus the walks in step along the cycles and rotations
+/// between them, regardless of the size of the structure.
 ///
-/// If something is wrong, the structure is validated in full, so that the report is that of [`validate`]: O(n). The baseline stays
-/// as it is then.
+/// Otherwise the structure is validated in full, and the report is the result of [`validate`]: O(n). The baseline then stays unchanged.
 ///
 /// ```
 /// use twinedge::validate::near::{Baseline, WriteSet, validate_near};
@@ -173,7 +171,7 @@ pub fn validate_near<V: View + ?Sized>(
         return Ok(());
     }
     validate(view, &baseline.expect, Collect::All).into_result()?;
-    // The structure is right: some record that has changed was not named.
+    // The structure is valid: some changed record was not named.
     if baseline.read(view).is_some() {
         baseline.commit();
     }

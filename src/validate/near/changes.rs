@@ -1,7 +1,7 @@
-//! The links before a change and after it, as a [`Baseline`](super::Baseline) knows them: for checks of more than links.
+//! The links before and after a change, as stored in a [`Baseline`](super::Baseline), for checks beyond links.
 //!
-//! A structure with coordinates checks its links [near](super::Baseline::check) a change, reads from [`Diff`] which of them differ, checks
-//! what follows from that, and then [moves the baseline on](super::Baseline::commit).
+//! A structure with coordinates checks its links [near](super::Baseline::check) a change, reads the differences from [`Diff`], checks
+//! their consequences, and then [moves the baseline on](super::Baseline::commit).
 
 pub use super::column::{Column, Row, TIMES, Time};
 pub use super::diff::Diff;

@@ -1,4 +1,4 @@
-//! The check itself: everything that the records which have changed can break.
+//! The check: everything that the changed records can break.
 
 use super::column::Row;
 use super::diff::Diff;
@@ -8,12 +8,12 @@ use super::write_set::WriteSet;
 use crate::validate::expectation::Surface;
 use crate::validate::structure::{Part, Start, View};
 
-/// Memory that is kept from one check to the next.
+/// Memory reused by the next check.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
-    /// Half-edges that are new at a vertex, or are followed by another one there.
+    /// Half-edges that are new at a vertex, or have a new successor there.
     rotations: Members,
-    /// Half-edges that are new on a label, or lead to another one.
+    /// Half-edges that are new on a label, or have a new `next`.
     cycles: Members,
     walks: Walks,
 }
@@ -25,7 +25,7 @@ struct Check<'a, V: ?Sized> {
     scratch: &'a mut Scratch,
 }
 
-/// Finds the links after a change. Nothing if a rule from R1 to F2 is broken, or the sum of Euler's formula.
+/// Computes the links after a change. `None` if a rule from R1 to F2 is broken, or the sum of Euler's formula.
 pub(super) fn check<V: View + ?Sized>(
     diff: &mut Diff,
     now: &LinkReader<'_, V>,
@@ -52,10 +52,10 @@ pub(super) fn check<V: View + ?Sized>(
 }
 
 impl<V: View + ?Sized> Check<'_, V> {
-    /// R1 of half-edges, L1, L2, L3, and the labels along `next`: of each half-edge that may differ.
+    /// R1 of half-edges, L1, L2, L3, and constant labels along `next`, for each half-edge that may differ.
     ///
-    /// Of L2 it is enough that `prev` of each one's `next` is that one: no two have the same `next` then, so each is the `next` of one,
-    /// and that is its `prev`.
+    /// For L2 it is enough that `prev(next(h)) = h` for each: then no two have the same `next`, so each is the `next` of one half-edge,
+    /// its `prev`.
     fn half_edges(&mut self) -> Option<()> {
         for h in &self.written.half_edges {
             self.diff.half_edges.note(*h);
@@ -68,7 +68,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         let h = self.diff.half_edges.index(position);
         let (before, mut row) = (self.diff.half_edges.before(h), now.half_edge(h)?);
         if row.is_live() && !now.has(Part::Prev) {
-            // As before, unless another one is found that leads here.
+            // Unchanged, unless another half-edge turns out to lead here.
             row.prev = before.prev;
         }
         self.diff.half_edges.put(position, row);
@@ -103,14 +103,14 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(())
     }
 
-    /// Another half-edge follows this one in a rotation.
+    /// Records that a half-edge has a new successor in a rotation.
     fn turns(&mut self, v: u32, h: usize, is_old: bool) {
         self.diff.vertices.note(v as usize);
         self.scratch.rotations.push(Member { of: v, half_edge: h as u32, is_old });
     }
 
-    /// The same rules of the half-edges that lead to those that may differ, as their twins or their `next`, and do not differ
-    /// themselves. A half-edge that is vacant now has no links, so what still leads to it is found.
+    /// Checks these rules also for unchanged half-edges whose twin or `next` may differ. A vacant half-edge has no links, so links that
+    /// still lead to it are found.
     fn neighbours(&mut self) -> Option<()> {
         for position in 0..self.diff.half_edges.len() {
             let half_edges = &self.diff.half_edges;
@@ -142,7 +142,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(())
     }
 
-    /// L2 where there is no `prev`: no two half-edges lead to the same.
+    /// L2 without `prev`: no two half-edges have the same `next`.
     fn previous(&mut self) -> Option<()> {
         for position in 0..self.diff.half_edges.len() {
             let half_edges = &mut self.diff.half_edges;
@@ -153,7 +153,7 @@ impl<V: View + ?Sized> Check<'_, V> {
             if !row.is_live() || before as usize == h {
                 continue;
             }
-            // The one that led there before, if any, must lead elsewhere.
+            // The half-edge that led there before, if any, must lead elsewhere.
             let is_free = index(before).is_none_or(|led| half_edges.after(led).next != row.next);
             let prev = &mut half_edges.change(next)?.prev;
             if *prev != before || !is_free {
@@ -164,10 +164,10 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(())
     }
 
-    /// The labels that may be wrong: beside those that half-edges have come to or gone from, those that may differ, those of vertices
-    /// that may, and those that were the outer ones of faces that may.
+    /// Checks labels that may be invalid: labels that half-edges have joined or left, labels that may differ, labels of vertices that
+    /// may differ, and former outer labels of faces that may differ.
     ///
-    /// R1, B1, the labels' half of B2, and F2 of those that say that they are outer ones; of the others, see [`Self::faces`].
+    /// R1, B1, the labels' half of B2, and F2 of outer labels; [`Self::faces`] checks F2 of the others.
     fn labels(&mut self) -> Option<()> {
         let (diff, now, written) = (&mut *self.diff, self.now, self.written);
         if now.has(Part::BoundaryComponents) {
@@ -220,11 +220,11 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(row)
     }
 
-    /// R1 of faces, F1, and F2 of the lists: of those that may differ, and of those of which a boundary component has come, gone, or
-    /// got another place.
+    /// R1 of faces, F1, and F2 of the lists: for faces that may differ, and faces with a boundary component that was added, removed or
+    /// moved.
     ///
-    /// Of a list it is enough that each entry is a boundary component that says so, and that the list is as long as there are some that
-    /// name the face and say that they are inner ones: then no entry is missing, and none is there twice.
+    /// For a list it is enough that each entry is a boundary component that claims this place, and that the length of the list is the
+    /// number of boundary components that claim to be inner ones of the face: then no entry is missing or repeated.
     fn faces(&mut self) -> Option<()> {
         let (diff, now) = (&mut *self.diff, self.now);
         for f in &self.written.faces {
@@ -242,7 +242,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         self.written.listed.iter().try_for_each(|(f, i)| entry(now, *f, *i))?;
         for position in 0..diff.faces.len() {
             let f = diff.faces.index(position);
-            // Whatever a face listed that is vacant now must be listed elsewhere, or be no more.
+            // A label that a vacant face listed must be listed elsewhere, or be vacant too.
             let (named, row) = (diff.faces.after(f).inner, now.face(f)?);
             let is_outer = |b: usize| now.label(b).is_some_and(|row| row.face as usize == f && row.place == OUTER);
             if row.inner != named || !index(row.outer).is_none_or(is_outer) {
@@ -253,8 +253,8 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(())
     }
 
-    /// V1, V2 and B2 of each vertex that may differ, of those that half-edges have come to or gone from, or turn elsewhere, and of
-    /// those that the labels are or were.
+    /// V1, V2 and B2 of each vertex that may differ, that half-edges have joined or left or turn around differently, or that is or was
+    /// the vertex of a changed label.
     fn vertices(&mut self) -> Option<()> {
         let diff = &mut *self.diff;
         self.written.vertices.iter().for_each(|v| diff.vertices.note(*v));
@@ -298,8 +298,8 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(Vertex { leaving: link(leaving), isolated: link(isolated) })
     }
 
-    /// F1's one unbounded face, and Euler's formula for the whole: where every component has one inner boundary component and
-    /// genus 0, `V − E + F = 1 + inner`.
+    /// F1's one unbounded face, and Euler's formula for the whole: if every component has one inner boundary component and genus 0, `V
+    /// − E + F = 1 + inner`.
     fn euler(&mut self) -> Option<()> {
         let now = self.now;
         if !now.has(Part::BoundaryComponents) {
@@ -312,7 +312,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     }
 }
 
-/// The entry of a list, if it is that long.
+/// Checks an entry of a list, if the list is long enough.
 fn entry<V: View + ?Sized>(now: &LinkReader<'_, V>, f: usize, i: usize) -> Option<()> {
     if !now.is_face(f) || i >= now.view.inner_count(f) {
         return Some(());

@@ -1,4 +1,4 @@
-//! Rows by index, before a change and after it.
+//! Rows by index, before and after a change.
 
 use alloc::vec::Vec;
 
@@ -14,7 +14,7 @@ pub trait Row: Copy + PartialEq {
     }
 }
 
-/// Before a change, or after it.
+/// Before or after a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Time {
     /// Before the change.
@@ -23,15 +23,15 @@ pub enum Time {
     After,
 }
 
-/// Both, in order.
+/// Both times, in order.
 pub const TIMES: [Time; 2] = [Time::Before, Time::After];
 
-/// Rows by index, vacant beyond the end, and what has become of some. To find a row takes O(1) at both times.
+/// Rows by index, vacant beyond the end, and the new state of changed rows. Finding a row takes O(1) at both times.
 #[derive(Clone, Debug)]
 pub struct Column<R> {
-    /// Each with the position that it has in `after`, from 1 on, or 0.
+    /// Each row with its position in `after`, from 1 on, or 0.
     before: Vec<(R, u32)>,
-    /// Rows that may differ, each once, with their indices.
+    /// Rows that may differ, without repetitions, with their indices.
     after: Vec<(u32, R)>,
 }
 
@@ -42,27 +42,27 @@ impl<R> Default for Column<R> {
 }
 
 impl<R: Row> Column<R> {
-    /// Makes it as long as there are slots, if it is shorter.
+    /// Extends the column to this number of slots.
     pub fn fit(&mut self, slots: usize) {
         if self.before.len() < slots {
             self.before.resize(slots, (R::VACANT, 0));
         }
     }
 
-    /// The number of rows. O(1).
+    /// Returns the number of rows. O(1).
     #[must_use]
     pub fn slots(&self) -> usize {
         self.before.len()
     }
 
-    /// The row before the change. O(1).
+    /// Returns the row before the change. O(1).
     #[inline]
     #[must_use]
     pub fn before(&self, index: usize) -> R {
         self.before.get(index).map_or(R::VACANT, |row| row.0)
     }
 
-    /// The row after the change. O(1).
+    /// Returns the row after the change. O(1).
     #[inline]
     #[must_use]
     pub fn after(&self, index: usize) -> R {
@@ -73,7 +73,7 @@ impl<R: Row> Column<R> {
         }
     }
 
-    /// The row before or after the change. O(1).
+    /// Returns the row before or after the change. O(1).
     #[inline]
     #[must_use]
     pub fn at(&self, time: Time, index: usize) -> R {
@@ -83,14 +83,15 @@ impl<R: Row> Column<R> {
         }
     }
 
-    /// Returns true for a row that may differ.
+    /// Returns true if the row may differ.
     #[inline]
     #[must_use]
     pub fn may_differ(&self, index: usize) -> bool {
         self.before.get(index).is_some_and(|row| row.1 != 0)
     }
 
-    /// The row after the change, which may differ from now on. Nothing if the column has no such row: it is, and was, vacant.
+    /// Returns the row after the change, marking it as possibly different; `None` if the column has no such row, because it
+    /// is and was vacant.
     #[inline]
     pub fn change(&mut self, index: usize) -> Option<&mut R> {
         let (row, position) = self.before.get_mut(index)?;
@@ -101,47 +102,44 @@ impl<R: Row> Column<R> {
         self.after.get_mut(*position as usize - 1).map(|row| &mut row.1)
     }
 
-    /// Notes that the row may differ.
     #[inline]
     pub(super) fn note(&mut self, index: usize) {
         let _ = self.change(index);
     }
 
-    /// The number of rows that may differ.
     pub(super) fn len(&self) -> usize {
         self.after.len()
     }
 
-    /// The index of one of these.
+    /// The index of one of these rows.
     #[inline]
     pub(super) fn index(&self, position: usize) -> usize {
         self.after[position].0 as usize
     }
 
-    /// Sets one of these, as it is after the change.
+    /// Sets one of these rows to its state after the change.
     #[inline]
     pub(super) fn put(&mut self, position: usize, row: R) {
         self.after[position].1 = row;
     }
 
-    /// All of these: index, before, after.
+    /// Returns all rows that may differ: index, before, after.
     pub fn changes(&self) -> impl Iterator<Item = (usize, R, R)> + '_ {
         self.after.iter().map(|(index, row)| (*index as usize, self.before(*index as usize), *row))
     }
 
-    /// The growth of a sum over all rows.
     pub(super) fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
         self.changes().map(|(_, before, after)| term(after) - term(before)).sum()
     }
 
-    /// Forgets what has changed. Keeps the memory.
+    /// Forgets the changes, but keeps the memory.
     pub fn clear(&mut self) {
         for (index, _) in self.after.drain(..) {
             self.before[index as usize].1 = 0;
         }
     }
 
-    /// Lets the rows be what they are after the change. After a change of most of them, the memory for it is given back.
+    /// Replaces the rows by their state after the change. If most rows changed, frees the memory for changes.
     pub fn commit(&mut self) {
         for (index, row) in self.after.drain(..) {
             self.before[index as usize] = (row, 0);

@@ -1,21 +1,20 @@
-//! The links of a structure before a change and after it.
+//! The links of a structure before and after a change.
 
 use super::column::{Column, Row};
 use super::links::{Face, HalfEdge, Label, LinkReader, Vertex};
 use crate::validate::columns::NIL;
 use crate::validate::structure::{Part, View};
 
-/// Sums over a whole structure.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
-    /// Unbounded faces.
+    /// The number of unbounded faces.
     pub(super) unbounded: i64,
-    /// 2V − 2E + 2F less two for each inner boundary component.
+    /// 2V − 2E + 2F − 2 · (inner boundary components).
     pub(super) euler: i64,
 }
 
-/// The links of a structure that was right, and of each record that may differ, its links now. With coordinates, the places of
-/// vertices, too. Every check near a change reads only this.
+/// The links of a valid structure, and the new links of each record that may differ. With coordinates, also the places of vertices.
+/// Every check near a change reads only this.
 #[derive(Clone, Debug, Default)]
 pub struct Diff {
     /// Half-edges.
@@ -31,7 +30,7 @@ pub struct Diff {
 }
 
 impl Diff {
-    /// Nothing has changed, and there is room for the records that there are now.
+    /// Forgets the changes, and makes room for the current records.
     pub(super) fn clear<V: View + ?Sized>(&mut self, now: &LinkReader<'_, V>) {
         self.half_edges.clear();
         self.vertices.clear();
@@ -45,7 +44,6 @@ impl Diff {
         }
     }
 
-    /// Adds up the sums after the change.
     pub(super) fn add_up(&mut self) -> Sums {
         let half_edges = self.half_edges.growth(|row| i64::from(row.is_live()));
         let vertices = self.vertices.growth(|row| i64::from(row.is_live()));
@@ -58,7 +56,6 @@ impl Diff {
         self.after
     }
 
-    /// Lets all be as it is after the change.
     pub(super) fn commit(&mut self) {
         self.before = self.after;
         self.half_edges.commit();
@@ -67,13 +64,12 @@ impl Diff {
         self.faces.commit();
     }
 
-    /// The half-edge that followed clockwise in the rotation.
+    /// The next half-edge clockwise before the change.
     pub(super) fn clockwise_before(&self, h: usize) -> usize {
         self.half_edges.before(self.half_edges.before(h).twin as usize).next as usize
     }
 
-    /// One of the half-edges on an orbit of before that still `stay` there. It costs a step for each that does not, and these may all
-    /// differ.
+    /// Finds a half-edge on an old orbit for which `stays` holds. Costs a step for each other half-edge; all of these may differ.
     pub(super) fn remaining(
         &self,
         first: Option<usize>,
@@ -81,7 +77,7 @@ impl Diff {
         stays: impl Fn(HalfEdge) -> bool,
     ) -> Option<usize> {
         let orbit = core::iter::successors(first, |h| Some(step(*h)).filter(|next| Some(*next) != first));
-        // No longer than there are some that may differ, in case the structure before was not right because something was not named.
+        // Limited to the number of half-edges that may differ, in case an unnamed change made the previous structure invalid.
         let stays = |h: &usize| !self.half_edges.may_differ(*h) || stays(self.half_edges.after(*h));
         orbit.take(self.half_edges.len() + 1).find(stays)
     }

@@ -1,4 +1,4 @@
-//! The links of records, as rows of 32-bit numbers, and their reader.
+//! The links of records as rows of 32-bit numbers, and their reader.
 
 use super::column::Row;
 use crate::validate::columns::NIL;
@@ -10,13 +10,12 @@ pub(super) const VACANT: u32 = NIL - 1;
 /// The place of an outer boundary component.
 pub(super) const OUTER: u32 = NIL;
 
-/// The link in a column, unless it is nil.
+/// Returns the link in a column, unless it is nil.
 #[must_use]
 pub fn index(link: u32) -> Option<usize> {
     (link < VACANT).then_some(link as usize)
 }
 
-/// A link for a column.
 pub(super) fn link(index: Option<usize>) -> u32 {
     index.map_or(NIL, |i| i as u32)
 }
@@ -24,13 +23,13 @@ pub(super) fn link(index: Option<usize>) -> u32 {
 /// The links of a half-edge. Its *label* is its boundary component, or its face where there are no boundary components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HalfEdge {
-    /// The vertex at which it starts.
+    /// The vertex where it starts.
     pub origin: u32,
     /// Its twin.
     pub twin: u32,
-    /// The half-edge after it.
+    /// The next half-edge.
     pub next: u32,
-    /// The half-edge before it.
+    /// The previous half-edge.
     pub prev: u32,
     /// Its label.
     pub label: u32,
@@ -45,7 +44,7 @@ impl Row for HalfEdge {
 pub struct Vertex {
     /// A half-edge that leaves it.
     pub leaving: u32,
-    /// The boundary component that it is.
+    /// The boundary component of an isolated vertex.
     pub isolated: u32,
 }
 
@@ -53,8 +52,8 @@ impl Row for Vertex {
     const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
 }
 
-/// The boundary component or face of a label: where it starts, and the face and the place where it is listed. Without records for boundary
-/// components it is a face, and only the start counts.
+/// The boundary component or face of a label: its start, and the face and place where it is listed. Without records for boundary
+/// components it is a face with only a start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Label {
     /// An isolated vertex, or a half-edge.
@@ -77,30 +76,30 @@ impl Label {
             Start::Vertex(v) => Self { starts_at: v as u32, is_vertex: true, face, place },
         }
     }
-    /// The half-edge or isolated vertex at which it starts.
+    /// Returns the half-edge or isolated vertex where it starts.
     #[must_use]
     pub const fn start(&self) -> Start {
         let at = self.starts_at as usize;
         if self.is_vertex { Start::Vertex(at) } else { Start::HalfEdge(at) }
     }
-    /// The isolated vertex that a live one is.
+    /// Returns the isolated vertex of a live label.
     #[must_use]
     pub fn vertex(&self) -> Option<usize> {
         (self.is_live() && self.is_vertex).then_some(self.starts_at as usize)
     }
-    /// The face that lists it inside, with the position.
+    /// Returns the face that lists it as an inner boundary component, with the position.
     #[must_use]
     pub fn inner(&self) -> Option<(usize, usize)> {
         (self.is_live() && self.place != OUTER).then_some((self.face as usize, self.place as usize))
     }
 }
 
-/// A face, where there are records for boundary components: its outer one, or nil, and how many inner ones there are.
+/// A face, if boundary components are records: its outer boundary component, or nil, and the number of inner ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Face {
     /// Its outer boundary component.
     pub outer: u32,
-    /// The number of its inner ones.
+    /// The number of inner boundary components.
     pub inner: u32,
 }
 
@@ -108,7 +107,7 @@ impl Row for Face {
     const VACANT: Self = Self { outer: VACANT, inner: 0 };
 }
 
-/// Reads the links of a structure as it is now: a view, its numbers of slots, and what it has.
+/// Reads the current links of a structure: its view, numbers of slots, and parts.
 pub(super) struct LinkReader<'a, V: ?Sized> {
     pub(super) view: &'a V,
     pub(super) expect: Expectation,
@@ -120,7 +119,7 @@ pub(super) struct LinkReader<'a, V: ?Sized> {
 }
 
 impl<'a, V: View + ?Sized> LinkReader<'a, V> {
-    /// Nothing if there are more slots than can be numbered.
+    /// Returns `None` if there are more slots than 32-bit numbers.
     pub(super) fn new(view: &'a V, expect: Expectation) -> Option<Self> {
         let (vertices, half_edges) = (view.vertex_slots(), view.half_edge_slots());
         let parts = expect.looks_at(view.parts());
@@ -147,7 +146,7 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         f < self.faces && self.view.is_face(f)
     }
 
-    /// A half-edge with its links. Vacant if the slot is; nothing if a link does not lead to a live record.
+    /// Returns a half-edge with its links, vacant if the slot is; `None` if a link does not lead to a live record.
     pub(super) fn half_edge(&self, h: usize) -> Option<HalfEdge> {
         if !self.is_half_edge(h) {
             return Some(HalfEdge::VACANT);
@@ -160,28 +159,26 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         Some(HalfEdge { origin, twin, next, prev, label })
     }
 
-    /// The next half-edge, asked anew. What a view says that changes its answers may lead anywhere.
+    /// Returns the current `next`. A view that changes its answers may return any link.
     pub(super) fn next(&self, h: usize) -> Option<usize> {
         if h < self.half_edges { self.view.next(h) } else { None }
     }
 
-    /// The next half-edge clockwise around the origin, likewise.
     pub(super) fn clockwise(&self, h: usize) -> Option<usize> {
         if h < self.half_edges { self.next(self.view.twin(h)?) } else { None }
     }
 
-    /// The label of a half-edge of which nothing else is asked.
+    /// Returns only the label of a half-edge.
     pub(super) fn label_of(&self, h: usize) -> Option<usize> {
         if self.has(Part::BoundaryComponents) { self.view.boundary(h) } else { self.view.face(h) }
     }
 
-    /// The boundary component that an isolated vertex names. A vacant slot is not asked.
+    /// Returns the boundary component named by an isolated vertex; `None` for a vacant slot.
     pub(super) fn isolated(&self, v: usize) -> Option<usize> {
         let names = self.has(Part::BoundaryComponents) && self.has(Part::Holes) && self.is_vertex(v);
         if names { self.view.isolated(v) } else { None }
     }
 
-    /// The start of a live label.
     pub(super) fn start(&self, b: usize) -> Option<Start> {
         if self.has(Part::BoundaryComponents) {
             self.view.boundary_start(b)
@@ -190,7 +187,7 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         }
     }
 
-    /// A face with the length of its list. Vacant if the slot is; nothing if its outer boundary component is.
+    /// Returns a face with the length of its list, vacant if the slot is; `None` if its outer boundary component is not live.
     pub(super) fn face(&self, f: usize) -> Option<Face> {
         if !self.is_face(f) {
             return Some(Face::VACANT);
@@ -203,7 +200,7 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         Some(Face { outer, inner })
     }
 
-    /// A label with its links. Vacant if the slot is; nothing if a link does not lead to a live record.
+    /// Returns a label with its links, vacant if the slot is; `None` if a link does not lead to a live record.
     pub(super) fn label(&self, b: usize) -> Option<Label> {
         if !self.is_label(b) {
             return Some(Label::VACANT);

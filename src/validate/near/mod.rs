@@ -1,7 +1,7 @@
 //! Validation after a small change, in time proportional to the change.
 //!
-//! A [`Baseline`] keeps the links of a structure that was found right. [`validate_near`] takes the structure as it is now,
-//! and the [`WriteSet`] of what has changed since. It looks at those and at what they can break, and moves the baseline on.
+//! A [`Baseline`] stores the links of a valid structure. [`validate_near`] takes the structure's current state, and the
+//! [`WriteSet`] of records changed since. It checks these and the records that they can break, and moves the baseline on.
 //!
 //! ```text
 //!        before             after: h, n and p have changed
@@ -14,17 +14,17 @@
 //!
 //! | rules | how |
 //! | --- | --- |
-//! | R1 … F2 | completely: if they held before, and all records that have changed are named, they hold now |
+//! | R1 … F2 | completely: if they held before, and all changed records are named, they hold now |
 //! | T1 and T3 | by their sum: V − E + F = 1 + the number of inner boundary components. Only for maps in the plane with boundary components and an unbounded face |
 //! | T1 of each component, T2, T4, M1 … M8 | not checked |
 //!
-//! # Why it need not walk around a cycle
+//! # No walks around whole cycles
 //!
 //! V2 and B1 say that all half-edges with one origin, or one boundary component, lie on one orbit of a permutation. A half-edge
-//! of which neither the origin nor the following one has changed lies on an orbit with one that has, or on an orbit that has not
-//! changed at all. So it is enough that those that have changed lie on one orbit, and that one of them was there before if
-//! any of those before are left. They are found on one orbit by walks in step from all of them, of which one need not end:
-//! an operator that relabels the shorter of two cycles is checked in the time that it took.
+//! with unchanged origin and successor lies on an orbit with a changed half-edge, or on an orbit without changes. So it is
+//! enough that the changed half-edges lie on one orbit, and that one of them was there before if any earlier half-edges remain.
+//! Walks in step from all changed half-edges establish this, and one of the walks may be left unfinished: an operator that
+//! relabels the shorter of two cycles is checked in the time that it took.
 //!
 //! Coordinates are validated after a change by `near` of the crate `twinedge-map`, which reads the [changes] of the links.
 

@@ -1,8 +1,7 @@
-//! A test for half-edges on one orbit: those that are new in a rotation or on a cycle, or are followed by another one there.
+//! Tests whether half-edges lie on one orbit: half-edges that are new in a rotation or on a cycle, or have a new successor there.
 
 use alloc::vec::Vec;
 
-/// A half-edge on an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Member {
     /// The vertex or label of the orbit.
@@ -12,7 +11,6 @@ pub(super) struct Member {
     pub(super) is_old: bool,
 }
 
-/// Members of several orbits.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Members(Vec<Member>);
 
@@ -26,7 +24,7 @@ impl Members {
     pub(super) fn sort(&mut self) {
         self.0.sort_unstable();
     }
-    /// Those of one orbit, when all are sorted.
+    /// Returns the members of one orbit, after sorting.
     pub(super) fn of(&self, orbit: usize) -> &[Member] {
         let from = self.0.partition_point(|member| (member.of as usize) < orbit);
         let rest = &self.0[from..];
@@ -34,33 +32,33 @@ impl Members {
     }
 }
 
-/// Memory for the walks, which is kept.
+/// Memory for the walks, which is reused.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walks {
-    /// The member from which each walk that has not ended comes, and where it is.
+    /// The member where each unfinished walk began, and its current half-edge.
     under_way: Vec<(usize, usize)>,
-    /// By member the one that its walk has met.
+    /// By member: the member that its walk has met.
     meets: Vec<Option<usize>>,
     is_met: Vec<bool>,
 }
 
 impl Walks {
-    /// Finds all members on one orbit of the permutation `step`, and on it what `remains` of those of before. They are sorted, and
-    /// differ from each other.
+    /// Checks that all members lie on one orbit of the permutation `step`, together with any earlier half-edges that remain. Members
+    /// are sorted and distinct.
     ///
     /// ```text
     ///    a ──► · ──► b ──► c ──► · ──► · ──► · ──► …        a meets b, b meets c: c leads back to a
     /// ```
     ///
-    /// The walks from all members advance in step. Each ends at the first member that it meets. One of them need not end: no two
-    /// meet the same member, so if the others form one chain, the last leads back to its beginning. The walks do not overlap, so
-    /// there are at most as many steps as the orbit has elements, and no more than there are members times the second largest of the
-    /// distances between them.
+    /// The walks from all members advance in step, and each ends at the first member that it meets. One walk may be left unfinished:
+    /// no two walks meet the same member, so if the others form one chain, the last one leads back to its beginning. Walks do not
+    /// overlap, so the number of steps is at most the size of the orbit, and at most the number of members times the second largest
+    /// distance between them.
     ///
-    /// An orbit without member is one of before, all of it. So if any half-edge remains, a member must be an old one.
+    /// An orbit without members is an unchanged one. So if any earlier half-edge remains, a member must be an old one.
     ///
-    /// Nothing if they do not lie on one, if a step leads nowhere, or after more than `limit` steps, as can be where `step` is no
-    /// permutation.
+    /// Returns `None` if the members lie on several orbits, if a step leads nowhere, or after more than `limit` steps, which can
+    /// happen if `step` is not a permutation.
     pub(super) fn on_one(
         &mut self,
         members: &[Member],
@@ -96,7 +94,7 @@ impl Walks {
                 under_way.swap_remove(position);
             }
         }
-        // From the one that no walk has met, if there is one, the chain is as long as there are members.
+        // From the member that no walk has met, if there is one, the chain must contain all members.
         let first = is_met.iter().position(|met| !met).unwrap_or(0);
         let chain = core::iter::successors(Some(first), |at| meets.get(*at).copied()?.filter(|next| *next != first));
         (chain.take(members.len()).count() == members.len()).then_some(())

@@ -1,12 +1,12 @@
-//! The records that a change has written.
+//! The records written by a change.
 
 use alloc::vec::Vec;
 
-/// The write set of a change, by index: all records that were added, removed, or had a link changed since the structure was last
-/// found right. A vertex that lies elsewhere is among them, and so is a half-edge whose bends are others.
+/// The write set of a change, by index: all records that were added or removed, or whose links changed, since the structure was
+/// last found valid. It also contains vertices that moved and half-edges with new bends.
 ///
-/// An index may occur several times. A record that is named without having changed costs time and does no harm. If one that has
-/// changed is missing, the answer of [`validate_near`](super::validate_near) means nothing.
+/// Repetitions are allowed. Naming an unchanged record costs time but does no harm. If a changed record is missing, the answer
+/// of [`validate_near`](super::validate_near) is meaningless.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct WriteSet {
     /// Vertices.
@@ -15,14 +15,14 @@ pub struct WriteSet {
     pub half_edges: Vec<usize>,
     /// Boundary components.
     pub boundaries: Vec<usize>,
-    /// Faces whose outer boundary component has changed, or whose list has become longer or shorter.
+    /// Faces whose outer boundary component or list length has changed.
     pub faces: Vec<usize>,
-    /// Entries of the lists of inner boundary components that were written: the face and the position.
+    /// Written entries of the lists of inner boundary components: the face and the position.
     pub listed: Vec<(usize, usize)>,
 }
 
 impl WriteSet {
-    /// Forgets all of them. Keeps the memory.
+    /// Removes all records, but keeps the memory.
     pub fn clear(&mut self) {
         self.vertices.clear();
         self.half_edges.clear();
@@ -31,7 +31,7 @@ impl WriteSet {
         self.listed.clear();
     }
 
-    /// Adds the records of another. O(records).
+    /// Adds the records of another write set. O(records).
     pub fn extend(&mut self, more: Self) {
         self.vertices.extend(more.vertices);
         self.half_edges.extend(more.half_edges);
@@ -40,7 +40,7 @@ impl WriteSet {
         self.listed.extend(more.listed);
     }
 
-    /// Returns true if there are none.
+    /// Returns true if there are no records.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let Self { vertices, half_edges, boundaries, faces, listed } = self;

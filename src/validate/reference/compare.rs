@@ -12,26 +12,26 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Disagreement {
-    /// The first broken rule is another one, or only one of them finds a broken rule.
+    /// The first broken rules differ, or only one validator finds a broken rule.
     FirstBrokenRule {
         /// By the fast validator.
         fast: Option<Rule>,
         /// By the reference.
         reference: Option<Rule>,
     },
-    /// A later rule, which the fast validator checked, is broken for one of them only.
+    /// A later rule, which the fast validator checked, is broken according to only one of them.
     LaterRule {
         /// The rule.
         rule: Rule,
         /// True if the fast validator finds it broken, false if the reference does.
         fast: bool,
     },
-    /// The report of the fast validator contradicts itself: it finds no broken rule, but calls the structure invalid, or
-    /// the other way round.
+    /// The report of the fast validator contradicts itself: it calls the structure invalid without a broken rule, or valid with
+    /// one.
     Incoherent {
         /// True if the report calls the structure valid.
         valid: bool,
-        /// The first broken rule by the same report.
+        /// The first broken rule in the same report.
         fast: Option<Rule>,
     },
 }
@@ -73,16 +73,15 @@ impl fmt::Display for Disagreement {
 
 impl core::error::Error for Disagreement {}
 
-/// Judges a structure by both validators, and returns the broken rule that is the first for both; none if the structure
-/// is valid for both.
+/// Judges a structure by both validators, and returns the common first broken rule; `None` if both call the structure valid.
 ///
-/// Both must find the same first broken rule, if any. Where R1 holds, they must also agree on each later rule, except
-/// those that the fast validator declines to check because another one is broken.
+/// Both must find the same first broken rule, if any. Where R1 holds, they must also agree on each later rule, except rules
+/// that the fast validator does not check because another one is broken.
 ///
-/// Cost: O(n³) and more, as the reference.
+/// Cost: O(n³) and more, as for the reference.
 ///
 /// # Errors
-/// [`Disagreement`] if they differ. On a structure whose answers do not change, that is a fault of this crate.
+/// [`Disagreement`] if they differ. If the answers of the structure do not change, that is a fault of this crate.
 ///
 /// ```
 /// use twinedge::validate::reference::compare;
@@ -98,7 +97,7 @@ pub fn compare<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<
     disagreement(&report, &broken).map_or(Ok(broken.first().copied()), Err)
 }
 
-/// As [`compare`], but later rules are not compared, which takes less time.
+/// Like [`compare`], but skips later rules, which takes less time.
 ///
 /// # Errors
 /// [`Disagreement`] if they differ.
@@ -108,7 +107,8 @@ pub fn compare_first<V: View + ?Sized>(view: &V, expectation: &Expectation) -> R
     first(&report, reference).map_or(Ok(reference), Err)
 }
 
-/// Returns the difference between a report of the fast validator and the [`broken_rules`] of the reference; none if they agree.
+/// Returns the difference between a report of the fast validator and the [`broken_rules`] of the reference; `None` if they
+/// agree.
 #[must_use]
 pub fn disagreement(report: &Report, broken: &[Rule]) -> Option<Disagreement> {
     let reference = broken.first().copied();
@@ -126,7 +126,7 @@ pub fn disagreement(report: &Report, broken: &[Rule]) -> Option<Disagreement> {
     })
 }
 
-/// The difference in the first broken rule.
+/// Returns the difference in the first broken rule.
 fn first(report: &Report, reference: Option<Rule>) -> Option<Disagreement> {
     let fast = report.broken_rules().find(|rule| !rule.is_geometric());
     let valid = report.is_valid();

@@ -7,7 +7,7 @@ use crate::validate::structure::{Link, Part, Start, View};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
-/// Every broken rule, in order; none if the structure is valid.
+/// Returns every broken rule, in order; none for a valid structure.
 ///
 /// Cost: O(n³) and more.
 ///
@@ -24,7 +24,7 @@ pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Ve
     rules().into_iter().filter(|(_, holds)| !holds(&s)).map(|(rule, _)| rule).collect()
 }
 
-/// The first broken rule alone, which takes less time than all of them.
+/// Returns only the first broken rule, which takes less time.
 ///
 /// Cost: O(n³) and more.
 ///
@@ -39,9 +39,9 @@ pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) 
     first_broken_of(view, expectation, Rule::ALL)
 }
 
-/// The first of these rules that is broken, in their order. Rules about coordinates are passed over.
+/// Returns the first broken rule among `rules`, in their order. Rules about coordinates are skipped.
 ///
-/// A rule that is broken keeps those after it from being looked at, so their order decides what is read of the structure.
+/// Rules after a broken one are not evaluated, so the order determines which parts of the structure are read.
 ///
 /// Cost: O(n³) and more.
 ///
@@ -59,7 +59,7 @@ pub fn first_broken_of<V: View + ?Sized>(view: &V, expectation: &Expectation, or
     order.iter().copied().find(is_broken)
 }
 
-/// A rule and the function that says whether it holds.
+/// A rule, and the function that decides whether it holds.
 type Statement<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
 
 fn rules<'a, V: View + ?Sized>() -> [Statement<'a, V>; 22] {
@@ -93,8 +93,8 @@ fn rules<'a, V: View + ?Sized>() -> [Statement<'a, V>; 22] {
 ///
 /// At an open boundary twin or face may be nil, but not both. A vertex needs a leaving half-edge only if some half-edge leaves it.
 ///
-/// Lists that together hold more than twice as many inner boundary components as there are, and 16, are broken, too: the
-/// fast validator does not read them to the end. Without records for boundary components, vertices and half-edges count.
+/// The rule is also broken if all lists together have more inner boundary components than twice the number of boundary components
+/// plus 16: the fast validator stops reading there. Without records for boundary components, vertices and half-edges count.
 fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let vertex = |link| s.vertices.contains(&link);
     let half_edge = |link| s.half_edges.contains(&link);
@@ -166,8 +166,8 @@ fn v2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.
 ///
-/// So the half-edges of a component are the cycle of its start, or none if it starts at a vertex. Without records for
-/// boundary components: the face is constant along `next`, and a face lists half-edges of its own.
+/// So the half-edges of a component are the cycle of its start, which is empty if it starts at a vertex. Without records for
+/// boundary components: the face is constant along `next`, and a face lists only half-edges of its own.
 fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     match s.says {
         Says::Nothing => true,
@@ -194,9 +194,9 @@ fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 /// B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name
 /// each other.
 ///
-/// At other vertices none starts, and they name none. Without a record of the unbounded face, an isolated vertex may
-/// lie there, where none starts. Without records for boundary components, entries of the lists of the faces stand for
-/// them.
+/// No component starts at other vertices, and they name none. Without a record of the unbounded face, an isolated vertex may lie
+/// there, and then no component starts at it. Without records for boundary components, the list entries of the faces take their
+/// place.
 fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.lacks(Part::Holes)
         || s.vertices.iter().all(|&v| {
@@ -216,7 +216,7 @@ fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// F1 outer: a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none.
 ///
-/// A face keeps one link for it, so that there are never two. It is a cycle: an isolated vertex encloses nothing.
+/// A face stores one link for it, so there are never two. It is a cycle: an isolated vertex encloses nothing.
 fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let is_unbounded = |f: &&Link| !s.entries().iter().any(|e| e.face == **f && e.is_outer());
     let unbounded = s.faces.iter().filter(is_unbounded).count();
@@ -227,8 +227,8 @@ fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// F2 listed: every boundary component is listed exactly once, by the face it names, at the place it says.
 ///
-/// Without records for boundary components: every cycle that has a face is listed exactly once, one that has none at
-/// most once (and then B1 is broken).
+/// Without records for boundary components: every cycle with a face is listed exactly once, a cycle without one at most once (and
+/// then B1 is broken).
 fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     match s.says {
         Says::Nothing => true,
@@ -251,7 +251,7 @@ fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 ///
 /// All its other boundary components are outer.
 ///
-/// It has none where its outside has no record: at an open boundary, or where the unbounded face is missing.
+/// It lacks one if its outside has no record: at an open boundary, or without a record of the unbounded face.
 fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     !s.has_containment()
         || s.components().iter().all(|c| {
@@ -262,7 +262,8 @@ fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// T2 nesting: containment is a tree rooted at the unbounded face.
 ///
-/// Containment is component in face, and face bounded by component: no component lies, through others, inside itself.
+/// A component lies in a face, and a face is bounded by a component: no component may lie inside itself, directly or through
+/// others.
 fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     if !s.has_containment() {
         return true;
@@ -311,7 +312,7 @@ fn m2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// M3 sides: every bounded face has the expected number of sides.
 ///
-/// The sides of a face are the half-edges that bound it. Without faces, each cycle is one.
+/// The sides of a face are the half-edges that bound it. Without faces, each cycle counts as a face.
 fn m3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let Some(expected) = s.expect.expected_count(Rule::M3) else { return true };
     let sides = |f: Link| s.half_edges.iter().filter(|&&h| s.face_of(h) == f).count();

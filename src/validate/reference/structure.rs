@@ -1,4 +1,4 @@
-//! A structure in the words in which the rules are stated: sets of records, and links that are followed to nil.
+//! A structure in the terms of the rules: sets of records, and links that lead to a live record or to nil.
 
 use crate::validate::expectation::{Expectation, Surface};
 use crate::validate::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
@@ -6,7 +6,7 @@ use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 use core::cell::OnceCell;
 
-/// The kind of link by which half-edges name the faces that they bound.
+/// The kind of link by which half-edges name their faces.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Says {
     Nothing,
@@ -18,7 +18,7 @@ pub(super) enum Says {
 pub(super) struct Entry {
     pub(super) face: Link,
     pub(super) place: BoundaryPlace,
-    /// The boundary component that is listed, where there are records for them.
+    /// The listed boundary component, if boundary components are records.
     pub(super) boundary: Link,
     /// The start of the listed boundary component.
     pub(super) start: Option<Start>,
@@ -30,11 +30,11 @@ impl Entry {
     }
 }
 
-/// The structure in the words of the rules. A link that is nil, or does not lead to a live record, is followed to nil.
+/// The structure in the terms of the rules. A link that does not lead to a live record is treated as nil.
 pub(super) struct Structure<'a, V: ?Sized> {
     view: &'a V,
     pub(super) expect: Expectation,
-    /// The parts that are looked at.
+    /// The parts considered.
     parts: Parts,
     pub(super) open: bool,
     pub(super) says: Says,
@@ -42,7 +42,7 @@ pub(super) struct Structure<'a, V: ?Sized> {
     pub(super) half_edges: Vec<Link>,
     pub(super) boundaries: Vec<Link>,
     pub(super) faces: Vec<Link>,
-    /// The entries of the lists of the faces, read when they are asked for first.
+    /// The entries of the lists of the faces, read on first use.
     entries: OnceCell<Vec<Entry>>,
 }
 
@@ -82,7 +82,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         })
     }
 
-    /// The entry of the face at that place; none where the face has no outer boundary component.
+    /// The entry of the face at that place; `None` if the face has no outer boundary component.
     fn entry(&self, f: usize, place: BoundaryPlace) -> Option<Entry> {
         let boundary = match (self.says, place) {
             (Says::Boundary, BoundaryPlace::Outer) => self.view.outer(f),
@@ -118,7 +118,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.view.next(live(&self.half_edges, h)?)
     }
 
-    /// The half-edge before `h`; without `prev`, that whose next is `h`.
+    /// The half-edge before `h`; without `prev`, the half-edge whose next is `h`.
     pub(super) fn prev(&self, h: Link) -> Link {
         if self.lacks(Part::Prev) {
             return self.half_edges.iter().copied().find(|&g| self.next(g) == h).flatten();
@@ -154,12 +154,12 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.view.boundary_place(live(&self.boundaries, b)?)
     }
 
-    /// True if `h` legally has no twin.
+    /// True if the twin of `h` is legally missing.
     pub(super) fn on_border(&self, h: Link) -> bool {
         self.open && self.twin(h).is_none()
     }
 
-    /// The end of `h`: the origin of its twin, or without twin that of its next.
+    /// The end of `h`: the origin of its twin, or without a twin the origin of its next.
     pub(super) fn target(&self, h: Link) -> Link {
         self.origin(if self.twin(h).is_some() { self.twin(h) } else { self.next(h) })
     }
@@ -174,7 +174,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         orbit(h, |h| self.next(h))
     }
 
-    /// The orbit of `h` under `next∘twin`, and under `twin∘prev`, which matters only where it ends at an open boundary.
+    /// The orbit of `h` under `next∘twin`, and under `twin∘prev`, which matters only at an open boundary.
     pub(super) fn rotation(&self, h: Link) -> BTreeSet<Link> {
         &orbit(h, |h| self.next(self.twin(h))) | &orbit(h, |h| self.twin(self.prev(h)))
     }
@@ -191,7 +191,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.vertices.iter().map(|&v| self.connected_to(v)).collect()
     }
 
-    /// All vertices that `v` is connected to: the smallest set with `v` that no edge leaves.
+    /// All vertices connected to `v`: the smallest set with `v` that no edge leaves.
     fn connected_to(&self, v: Link) -> BTreeSet<Link> {
         let mut set = BTreeSet::from([v]);
         loop {
@@ -209,19 +209,17 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.half_edges.iter().filter(|&&h| vertices.contains(&self.origin(h))).map(|&h| edge(h)).collect()
     }
 
-    /// All edges.
     pub(super) fn all_edges(&self) -> BTreeSet<BTreeSet<Link>> {
         self.edges(&self.vertices.iter().copied().collect())
     }
 
-    /// True if there is neither a loop nor a pair of parallel edges.
+    /// True if there are neither loops nor parallel edges.
     pub(super) fn is_simple(&self) -> bool {
         let edges = self.all_edges();
         edges.iter().all(|e| self.ends(e).len() == 2)
             && edges.iter().all(|d| edges.iter().all(|e| d == e || self.ends(d) != self.ends(e)))
     }
 
-    /// The face that a half-edge bounds.
     pub(super) fn face_of(&self, h: Link) -> Link {
         match self.says {
             Says::Nothing => None,
@@ -244,7 +242,8 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         edge.iter().flat_map(|&h| [self.origin(h), self.target(h)]).collect()
     }
 
-    /// Returns the number of cycles of a component: those of `next`, or one if it is an isolated vertex, and one for each border.
+    /// Returns the number of cycles of a component: its cycles of `next`, or one for an isolated vertex, plus one for each
+    /// border.
     pub(super) fn cycles(&self, component: &BTreeSet<Link>) -> usize {
         let of_component = |h: &&Link| component.contains(&self.origin(**h));
         let half_edges: Vec<&Link> = self.half_edges.iter().filter(of_component).collect();
@@ -254,25 +253,25 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         usize::from(half_edges.is_empty()) + cycles.len() + borders.len()
     }
 
-    /// The half-edges without twin that follow one another from `h`, each from the target of the one before.
+    /// The half-edges without twin that follow one another from `h`, each from the target of the previous one.
     pub(super) fn border(&self, h: Link) -> BTreeSet<Link> {
         let follows = |g: Link, h: Link| self.on_border(h) && self.origin(h) == self.target(g);
         orbit(h, |g| self.half_edges.iter().copied().find(|&h| follows(g, h)).flatten())
     }
 
-    /// True if some half-edge of the component lacks its twin, or its face.
+    /// True if some half-edge of the component lacks its twin or its face.
     pub(super) fn is_open_somewhere(&self, component: &BTreeSet<Link>) -> bool {
         let of_component = |h: &&Link| component.contains(&self.origin(**h));
         self.half_edges.iter().filter(of_component).any(|&h| self.on_border(h) || self.lacks_face(h))
     }
 }
 
-/// The index of the record to which the link leads, if it is among these.
+/// The index of the record to which the link leads, if it is among `records`.
 fn live(records: &[Link], link: Link) -> Option<usize> {
     if records.contains(&link) { link } else { None }
 }
 
-/// `x`, `step(x)`, `step(step(x))`, … until nil or until it repeats.
+/// `x`, `step(x)`, `step(step(x))`, … up to nil or the first repetition.
 pub(super) fn orbit(x: Link, step: impl Fn(Link) -> Link) -> BTreeSet<Link> {
     let mut seen = BTreeSet::new();
     let mut at = x;

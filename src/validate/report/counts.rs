@@ -1,7 +1,7 @@
 //! The counts of a validation.
 
-/// The numbers of records, and of components, cycles, borders and handles. `None` is what could not be counted because a
-/// rule that the counting relies on is broken.
+/// The numbers of records, components, cycles, borders and handles. A number is `None` if a rule that its counting relies on is
+/// broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Counts {
@@ -9,22 +9,22 @@ pub struct Counts {
     pub vertices: usize,
     /// Half-edges.
     pub half_edges: usize,
-    /// E: pairs of twins, and half-edges without twin where the boundary is open.
+    /// E: pairs of twins, plus half-edges without twin at open boundaries.
     pub edges: usize,
-    /// F: face records, the unbounded one included.
+    /// F: face records, including the unbounded face.
     pub faces: usize,
     /// Boundary components listed as outer.
     pub outer_boundaries: usize,
-    /// Boundary components listed as inner, isolated vertices included.
+    /// Boundary components listed as inner, including isolated vertices.
     pub inner_boundaries: usize,
     /// Vertices that no half-edge leaves.
     pub isolated_vertices: usize,
     /// C: connected components.
     pub components: Option<usize>,
-    /// Cycles of `next` that are no border loops. Without faces, all of them.
+    /// Cycles of `next`, not counting border loops. Without faces, all cycles.
     pub cycles: Option<usize>,
-    /// Border loops, which T3 counts with the cycles: cycles of half-edges that have no face, and cycles that the missing twins
-    /// of half-edges would make. So both ways of keeping a border have the same number.
+    /// Border loops, which T3 counts with the cycles: cycles of half-edges without face, and cycles that missing twins would
+    /// form. Both representations of a border yield the same number.
     pub borders: Option<usize>,
     /// The sum of the genera of the components.
     pub genus: Option<usize>,
@@ -46,11 +46,12 @@ impl Counts {
         genus: None,
     };
 
-    /// χ = V − E + F of the whole, F being the faces, or, where there are none, the cycles that are no border loops. `None` if
-    /// components could not be counted.
+    /// χ = V − E + F of the whole, where F is the number of faces, or without faces the number of cycles that are not border
+    /// loops. `None` if components could not be counted.
     ///
-    /// Where each face has one cycle, T3 adds up to `χ = 2 · components − isolated_vertices − 2 · genus − borders`. For a map in
-    /// the plane with its unbounded face, `χ = 1 + components`. It does not depend on the way in which a border is kept.
+    /// If each face has one cycle, the sum of T3 over all components is `χ = 2 · components − isolated_vertices − 2 · genus −
+    /// borders`. For a map in the plane with its unbounded face, `χ = 1 + components`. It does not depend on the representation
+    /// of borders.
     ///
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Table, validate};
@@ -69,12 +70,12 @@ impl Counts {
     }
 }
 
-/// The bounds of T4, for a simple map: the most edges and faces that its number of vertices allows.
+/// The bounds of T4: the maximum numbers of edges and faces of a simple map with this number of vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
-    /// `3V − 6`, the most edges possible.
+    /// `3V − 6`, the maximum number of edges.
     pub most_edges: usize,
-    /// `2V − 4`, the most faces possible.
+    /// `2V − 4`, the maximum number of faces.
     pub most_faces: usize,
 }

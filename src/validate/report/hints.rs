@@ -1,6 +1,6 @@
-//! Hints of a report where a whole column of links is nil or dangling, where half-edges have no twin, where a list of a face
-//! has a nil, or where no face of a plane is unbounded. The cause is more often a wrong answer of `View::parts`, or a method of the
-//! view that is not implemented, than broken records.
+//! Hints for reports: a whole column of links is nil or dangling, half-edges have no twin, a list of a face has a nil, or no face
+//! of a plane is unbounded. The cause is more often an incorrect answer of `View::parts`, or a missing method of the view, than
+//! broken records.
 
 use super::counts::Counts;
 use super::record::{Field, Record};
@@ -10,7 +10,7 @@ use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
 use core::fmt;
 
-/// The columns that a structure may lack: the field, and the part that it belongs to.
+/// The columns that a structure may lack: the field, and its part.
 const COLUMNS: [(Field, Part); 4] = [
     (Field::Prev, Part::Prev),
     (Field::Boundary, Part::BoundaryComponents),
@@ -18,11 +18,11 @@ const COLUMNS: [(Field, Part); 4] = [
     (Field::Leaving, Part::Leaving),
 ];
 
-/// Writes the hints, a line each.
+/// Writes the hints, one per line.
 pub(super) fn write(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result {
     nil_columns(f, report)?;
     let any = |is_meant: fn(&Violation) -> bool| report.violations.iter().any(is_meant);
-    // Half-edges may lack their twins where open boundaries are legal.
+    // Half-edges may lack twins if open boundaries are legal.
     if any(|violation| nil_at(*violation, Field::Twin).is_some()) {
         writeln!(f, "hint: a twin is nil; if the structure has a border, use `Expectation::open()`")?;
     }
@@ -56,13 +56,13 @@ pub(super) fn write(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result 
     Ok(())
 }
 
-/// True if the structure is valid, and every face has an outer boundary component and there is no border: it has no outside.
+/// True if the structure is valid, every face has an outer boundary component, and there is no border: it has no outside.
 fn is_sphere(report: &Report) -> bool {
     let Counts { faces, outer_boundaries, borders, .. } = report.counts;
     faces > 0 && outer_boundaries == faces && borders == Some(0) && report.is_valid()
 }
 
-/// Writes a line for each column that is nil throughout.
+/// Writes a line for each column in which every link is nil.
 fn nil_columns(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result {
     let all_kept = report.violations_left_out() == 0;
     for (field, part) in COLUMNS {
@@ -90,7 +90,7 @@ fn nil_columns(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result {
     Ok(())
 }
 
-/// The half-edge or vertex whose link is nil, if it is this link.
+/// The half-edge or vertex whose link is nil, if the link is in this column.
 fn nil_at(violation: Violation, column: Field) -> Option<usize> {
     match violation {
         Violation::Nil { record: Record::HalfEdge(i) | Record::Vertex(i), field } if field == column => Some(i),

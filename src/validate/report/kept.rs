@@ -1,11 +1,12 @@
-//! The violations that are kept where there are more than may be.
+//! Selects the violations to keep if there are too many.
 
 use super::violation::Violation;
 use crate::validate::rule::Rule;
 use alloc::vec::Vec;
 
-/// Keeps so many of the violations, which are in the order of the rules. Each broken rule keeps its first ones: as many as all others
-/// may, and where some have fewer, the earlier rules more. If there are more rules than may be kept, the first rules keep one each.
+/// Keeps at most `cap` violations, which are in the order of the rules. Each broken rule keeps its first ones, with an equal share
+/// for every rule; the unused share of rules with few goes to earlier rules. If there are more rules than `cap`, the first rules keep
+/// one each.
 pub(crate) fn keep_some_of_each(violations: &mut Vec<Violation>, cap: usize) {
     if violations.len() <= cap {
         return;

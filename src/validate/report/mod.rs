@@ -1,4 +1,4 @@
-//! The result of a validation: an outcome per rule, the violations, the counts, and on success the figures of the structure.
+//! The result of a validation: rule outcomes, violations, counts, and on success the figures of the structure.
 
 mod counts;
 mod hints;
@@ -26,7 +26,7 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// The number of violations to collect. All violations of each rule are counted, except with `First`.
+/// The number of violations to keep. Except with `First`, all violations of each rule are counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Collect {
     /// Stop at the first violation of the first broken rule.
@@ -34,13 +34,13 @@ pub enum Collect {
     /// Keep up to [`Collect::DEFAULT_CAP`] violations, some of each broken rule.
     #[default]
     All,
-    /// Keep up to this many violations, some of each broken rule, or if that is too few, one of each of the first broken rules.
+    /// Keep up to this number of violations, some of each broken rule, or if it is too small, one of each of the first broken rules.
     /// With 0 they are only counted.
     AtMost(usize),
 }
 
 impl Collect {
-    /// The number of violations that `All` keeps.
+    /// The maximum kept by `All`.
     pub const DEFAULT_CAP: usize = 1000;
 
     pub(crate) const fn cap(self) -> usize {
@@ -58,28 +58,27 @@ impl Collect {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Unchecked {
-    /// It relies on this rule, which is broken.
+    /// It relies on this broken rule.
     Broken(Rule),
     /// The structure does not store this part.
     Lacks(Part),
-    /// It is a [rule of the plane](Rule::is_planar), and the structure is held to a surface. Reports in text leave the rule out.
+    /// It is a [rule of the plane](Rule::is_planar), but the structure may lie on any surface. Reports in text omit the rule.
     PlaneOnly,
-    /// It is a rule of simple maps with at least three vertices: there are loops, parallel edges or fewer vertices.
+    /// It only applies to simple maps with at least three vertices: there are loops, parallel edges or fewer vertices.
     NotSimple,
-    /// The run ended with the first violation, as asked.
+    /// The run ended with the first violation, as requested.
     Stopped,
     /// The structure claims more than `u32::MAX - 1` records of one kind.
     TooLarge,
-    /// There was not enough memory for the check.
+    /// Memory ran out.
     OutOfMemory,
-    /// The faces list more than twice as many inner boundary components as there are, and 16: the rest of the lists was
-    /// not read.
+    /// The faces list more inner boundary components than twice their number plus 16; the rest of the lists was not read.
     ListTooLong,
 }
 
 impl Unchecked {
-    /// True if a structure can be valid although the rule was not checked: it does not store the part that the rule is about, or
-    /// the rule does not apply to it.
+    /// Returns true if a structure can be valid although the rule was not checked: it does not store the part that the rule is
+    /// about, or the rule does not apply to it.
     #[must_use]
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Lacks(_) | Self::PlaneOnly | Self::NotSimple)
@@ -113,13 +112,12 @@ pub struct RuleOutcome {
     pub unchecked: Option<Unchecked>,
 }
 
-/// The numbers of a structure in which no violation was found and every rule that applies to it was checked.
+/// The numbers of a valid structure: no violation was found, and every applicable rule was checked.
 ///
-/// By T3, added up over the components with one cycle for each isolated vertex,
-/// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
+/// Adding up T3 over all components, with one cycle for each isolated vertex, yields `vertices − edges + cycles + borders +
+/// isolated_vertices = 2 · components − 2 · genus`.
 ///
-/// No number depends on the way in which a structure keeps its border: half-edges that have no face, or edges that have one
-/// half-edge only.
+/// No number depends on the representation of borders: half-edges without face, or edges with only one half-edge.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Table, validate};
@@ -141,21 +139,21 @@ pub struct Figures {
     pub vertices: usize,
     /// E.
     pub edges: usize,
-    /// F, the unbounded face included.
+    /// F, including the unbounded face.
     pub faces: usize,
     /// C.
     pub components: usize,
-    /// Cycles of `next` that are no border loops.
+    /// Cycles of `next`, not counting border loops.
     pub cycles: usize,
-    /// Border loops: cycles of half-edges that have no face, and cycles that missing twins would make.
+    /// Border loops: cycles of half-edges without face, and cycles that missing twins would form.
     pub borders: usize,
     /// Vertices that no half-edge leaves.
     pub isolated_vertices: usize,
     /// The sum of the genera of the components: 0 in the plane.
     pub genus: usize,
-    /// χ = V − E + F, as [`Counts::euler_characteristic`] says.
+    /// χ = V − E + F, as in [`Counts::euler_characteristic`].
     pub euler_characteristic: isize,
-    /// The bounds of T4, if the map is simple and has three vertices.
+    /// The bounds of T4, if the map is simple and has at least three vertices.
     pub bounds: Option<Bounds>,
     /// The rules that do not apply to this structure, with the reason.
     pub not_checked: Vec<(Rule, Unchecked)>,
@@ -188,20 +186,20 @@ pub struct Report {
 }
 
 impl Report {
-    /// The rules of this validation, in order, each with its outcome.
+    /// Returns the rules of this validation, in order, with their outcomes.
     #[must_use]
     pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, RuleOutcome)> + '_ {
         self.outcomes.iter().copied()
     }
 
-    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates, M where it was
-    /// not asked for).
+    /// Returns the outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates, M without a
+    /// request).
     #[must_use]
     pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
     }
 
-    /// The rules of which a violation was found, in order. All but the first may be consequences of it.
+    /// Returns the broken rules, in order. All but the first may be consequences of it.
     ///
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
@@ -215,14 +213,14 @@ impl Report {
         self.outcomes.iter().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| *rule)
     }
 
-    /// The violations that were kept, in the order of the rules: some of each broken rule.
+    /// Returns the kept violations, in the order of the rules: some of each broken rule.
     #[must_use]
     pub fn violations(&self) -> &[Violation] {
         &self.violations
     }
 
-    /// The first violation of the first broken rule: the one to look at first, as others may follow from it. `None` if the structure
-    /// is valid, or violations are only counted.
+    /// Returns the first violation of the first broken rule, which may have caused the others. `None` if the structure is valid, or
+    /// if violations are only counted.
     ///
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
@@ -237,41 +235,39 @@ impl Report {
         self.violations.first()
     }
 
-    /// Adds the outcomes and violations of rules that are checked after these.
-    /// Adds the outcomes and violations of other rules, which come after those of this report. O(violations).
+    /// Appends the outcomes and violations of later rules. O(violations).
     pub fn append(&mut self, later: Self, collect: Collect) {
         self.outcomes.extend(later.outcomes);
         self.violations.extend(later.violations);
         keep_some_of_each(&mut self.violations, collect.cap());
     }
 
-    /// The number of violations found, kept or not.
+    /// Returns the number of violations found, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.outcomes.iter().map(|(_, o)| o.violations).sum()
     }
 
-    /// The number of violations found and not kept.
     fn violations_left_out(&self) -> u64 {
         self.violation_count().saturating_sub(self.violations.len() as u64)
     }
 
-    /// The numbers of records, components, cycles, borders and handles.
+    /// Returns the numbers of records, components, cycles, borders and handles.
     #[must_use]
     pub const fn counts(&self) -> &Counts {
         &self.counts
     }
 
-    /// True if no violation was found and every rule that applies was checked.
+    /// Returns true if no violation was found and every applicable rule was checked.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.outcomes.iter().all(|(_, o)| o.violations == 0 && o.unchecked.is_none_or(Unchecked::is_by_design))
     }
 
-    /// The figures, or the report itself if the structure is not valid.
+    /// Returns the figures of a valid structure.
     ///
     /// # Errors
-    /// The report, if a violation was found or a rule that applies was not checked.
+    /// The report, if a violation was found or an applicable rule was not checked.
     ///
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
@@ -293,7 +289,7 @@ impl Report {
         }
     }
 
-    /// The figures, if the structure is valid.
+    /// Returns the figures, if the structure is valid.
     #[must_use]
     pub fn figures(&self) -> Option<Figures> {
         let Counts { vertices, edges, faces, isolated_vertices, .. } = self.counts;
@@ -316,5 +312,5 @@ impl Report {
     }
 }
 
-/// So that [`Report::into_result`] can be followed by `?`.
+/// Allows `?` after [`Report::into_result`].
 impl core::error::Error for Report {}

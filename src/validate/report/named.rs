@@ -1,4 +1,4 @@
-//! Reports and violations in which records have the names that the owner of the structure gives them.
+//! Reports and violations with the owner's names for records.
 
 use super::Report;
 use super::names::Names;
@@ -8,7 +8,7 @@ use super::violation::{Sentence, Violation};
 use alloc::string::{String, ToString};
 use core::fmt;
 
-/// A report or a violation that prints records by other names than their indices: see [`Report::named`] and
+/// A report or a violation that prints names of records instead of indices: see [`Report::named`] and
 /// [`Violation::named`].
 pub struct Named<'a, T: ?Sized, F> {
     what: &'a T,
@@ -16,7 +16,7 @@ pub struct Named<'a, T: ?Sized, F> {
 }
 
 impl Report {
-    /// The report with the records named by their owner: `names` gives the name of a record, without its kind.
+    /// Returns the report with the owner's names for records: `names` returns the name of a record, without its kind.
     ///
     /// A value that leads to no live record has no name, and stays the number that the view answered.
     ///
@@ -38,7 +38,7 @@ impl Report {
 }
 
 impl Violation {
-    /// The violation with the records named by their owner, as [`Report::named`] does it.
+    /// Returns the violation with the owner's names for records, like [`Report::named`].
     ///
     /// ```
     /// use twinedge::validate::Violation;
@@ -65,7 +65,7 @@ impl<N: fmt::Display, F: Fn(Record) -> N> fmt::Display for Named<'_, Violation, 
 }
 
 impl<N: fmt::Display, F: Fn(Record) -> N> Named<'_, Violation, F> {
-    /// The sentence alone, without the id of the rule.
+    /// Returns the sentence alone, without the id of the rule.
     #[must_use]
     pub fn message(&self) -> String {
         let write_name = |record, f: &mut fmt::Formatter<'_>| write!(f, "{}", (self.names)(record));

@@ -1,4 +1,4 @@
-//! Names of records in sentences: their indices, or the names that the owner of the structure gives them.
+//! Names of records in sentences: indices, or the owner's names.
 
 use super::record::Record;
 use crate::validate::structure::{BoundaryPlace, Link};
@@ -7,11 +7,10 @@ use core::fmt;
 /// Writes the name of a record, without its kind.
 pub(super) type WriteName<'a> = &'a dyn Fn(Record, &mut fmt::Formatter<'_>) -> fmt::Result;
 
-/// The names of records in sentences.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'a>(pub(super) Option<WriteName<'a>>);
 
-/// The name of one record, after some words. A link may be nil.
+/// The name of one record, preceded by words. A link may be nil.
 pub(super) struct Name<'a> {
     names: Names<'a>,
     record: Option<Record>,
@@ -22,11 +21,11 @@ pub(super) struct Name<'a> {
 #[derive(Clone, Copy)]
 enum Before {
     Nothing,
-    /// Its kind.
+    /// The kind of the record.
     Kind,
-    /// Its kind, and of a half-edge its cycle.
+    /// The kind of the record; for a half-edge, its cycle.
     CycleOf,
-    /// That it is this boundary component, or lies on it.
+    /// The record is, or lies on, this boundary component.
     Component(&'static str),
 }
 
@@ -37,7 +36,7 @@ pub(super) struct Ends<'a>(pub(super) [Name<'a>; 2]);
 pub(super) struct PlaceText(pub(super) Option<BoundaryPlace>);
 
 impl<'a> Names<'a> {
-    /// The index of each record is its name.
+    /// Indices as names.
     pub(super) const INDICES: Self = Self(None);
 
     pub(super) fn vertex(self, index: usize) -> Name<'a> {
@@ -71,7 +70,7 @@ impl<'a> Names<'a> {
         Name { names: self, record: Some(record), before: Before::CycleOf }
     }
 
-    /// A boundary component, by its own record, or by the half-edge or vertex by which its face lists it.
+    /// A boundary component, by its own record, or by the half-edge or vertex that its face lists.
     pub(super) const fn component(self, which: &'static str, record: Record) -> Name<'a> {
         Name { names: self, record: Some(record), before: Before::Component(which) }
     }

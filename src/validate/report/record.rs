@@ -1,4 +1,4 @@
-//! Records and their fields, by which a report names what is wrong.
+//! Records and their fields, as named in reports.
 
 use core::fmt;
 
@@ -18,7 +18,7 @@ pub enum Record {
 }
 
 impl Record {
-    /// The index of the record.
+    /// Returns the index of the record.
     #[must_use]
     pub const fn index(&self) -> usize {
         match self {
@@ -26,7 +26,7 @@ impl Record {
         }
     }
 
-    /// The kind of record, as sentences call it.
+    /// The kind of record, as used in sentences.
     pub(super) const fn kind(self) -> &'static str {
         match self {
             Self::Vertex(_) => "vertex",

@@ -1,4 +1,4 @@
-//! Reports as documents, and reports that are read again: what a validation could not have reported is refused.
+//! Reports as documents. Reading refuses reports that no validation could produce.
 
 use super::counts::{Bounds, Counts};
 use super::record::Record;
@@ -11,34 +11,34 @@ use core::fmt;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// An inconsistency in a report that is read: it cannot come from a validation.
+/// An inconsistency in a report being read, which cannot come from a validation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Inconsistency {
-    /// It is in the form of another version.
+    /// The report has another version.
     Schema,
-    /// A violation says that it breaks another rule than this.
+    /// A violation claims to break another rule than this one.
     OtherRule(Rule),
-    /// It says that it is valid, or not, and its outcomes say otherwise.
+    /// The verdict contradicts the outcomes.
     Verdict,
-    /// The rules are not in order, or one is there twice.
+    /// The rules are not in order, or one is repeated.
     RuleOrder(Rule),
-    /// A rule that every validation checks has no outcome, or some rules about coordinates have one and this has none.
+    /// A rule that every validation checks has no outcome, or only some rules about coordinates have one.
     MissingRule(Rule),
     /// The violations are not in the order of the rules.
     ViolationOrder(Rule),
     /// More violations of a rule are kept than its outcome counts, or it has no outcome.
     ViolationCount(Rule),
-    /// The violations of all rules together are more than can be counted.
+    /// The total number of violations cannot be represented.
     TooManyViolations,
-    /// A rule that cannot be checked because another is broken, which is not.
+    /// A rule is unchecked because of another rule, which is not broken.
     NotBroken(Rule),
-    /// Every rule holds, but something was not counted.
+    /// Every rule holds, but a count is missing.
     NotCounted,
-    /// Every rule holds, and the counts cannot be those of one structure.
+    /// Every rule holds, but no structure has these counts.
     Counts,
-    /// Every rule holds, and the counts break Euler's formula.
+    /// Every rule holds, but the counts break Euler's formula.
     Euler,
-    /// The bounds are not those of T4.
+    /// The bounds differ from T4.
     Bounds,
 }
 
@@ -62,9 +62,9 @@ impl fmt::Display for Inconsistency {
     }
 }
 
-/// The name and version of the form in which a [`Report`] is written: the value of its key `schema`. `docs/report.md` describes it.
+/// The name and version of the form of a written [`Report`]: the value of its key `schema`. See `docs/report.md`.
 ///
-/// Within a version, keys and names are added, and none changes or goes.
+/// Within a version, keys and names may be added, but none changes or disappears.
 pub const REPORT_SCHEMA: &str = "twinedge-report/1";
 
 /// A violation as an entry of a report: rule, kind, fields, records and message.
@@ -100,7 +100,6 @@ impl Serialize for Described<'_> {
     }
 }
 
-/// A rule with its outcome, as an entry of a report.
 #[derive(Serialize, Deserialize)]
 struct OutcomeEntry {
     id: Rule,
@@ -134,7 +133,7 @@ impl Serialize for Report {
     }
 }
 
-/// A violation that is read. What follows from its fields is compared.
+/// A violation being read. Derived entries are compared.
 #[derive(Deserialize)]
 struct ViolationEntry {
     rule: Rule,
@@ -142,7 +141,7 @@ struct ViolationEntry {
     violation: Violation,
 }
 
-/// The keys of a report that are read. The others follow from these.
+/// The keys of a report that are read. The others are derived.
 #[derive(Deserialize)]
 #[serde(rename = "Report")]
 struct Fields {
@@ -202,14 +201,14 @@ impl Fields {
     }
 }
 
-/// Compares the counts of a valid structure with one another.
+/// Checks the counts of a valid structure against one another.
 fn counts_agree(report: &Report) -> Result<(), Inconsistency> {
     let Counts { vertices, half_edges, edges, isolated_vertices, components, cycles, borders, genus, .. } =
         report.counts;
     let (Some(components), Some(cycles), Some(borders), Some(genus)) = (components, cycles, borders, genus) else {
         return Err(Inconsistency::NotCounted);
     };
-    // Each edge has one half-edge or two, and each component a vertex.
+    // Each edge has one half-edge or two, and each component has a vertex.
     let fit = isolated_vertices <= components
         && components <= vertices
         && edges <= half_edges

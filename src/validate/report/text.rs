@@ -1,4 +1,4 @@
-//! Reports in words: a line for each rule, then hints, then a line for each violation that was kept.
+//! Reports in words: a line for each rule, then hints, then a line for each kept violation.
 
 use super::hints;
 use super::names::Names;
@@ -7,22 +7,21 @@ use super::words::Number;
 use super::{Report, Unchecked};
 use core::fmt;
 
-/// A line for each rule but those of the plane on surfaces, then hints, then a line for each violation that was kept. There is a hint
-/// where a link is nil in all records, as it is if the structure does not have it.
+/// Writes a line for each rule (on surfaces without the rules of the plane), then hints, then a line for each kept violation. A hint
+/// appears if a link is nil in all records, as when the structure does not store it.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write(self, Names::INDICES, f)
     }
 }
 
-/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+/// Writes the text of `Display`, so a failed `unwrap` or `main` prints readable lines.
 impl fmt::Debug for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
 }
 
-/// Writes the report, with the records named so.
 pub(super) fn write(report: &Report, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (rule, outcome) in report.outcomes.iter().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly))
     {

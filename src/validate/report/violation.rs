@@ -1,4 +1,4 @@
-//! Every way of breaking a rule, with the records involved, what usually causes it and what mends it.
+//! Every way of breaking a rule, with the records involved, its usual cause and its remedy.
 
 use super::names::{Ends, Name, Names, PlaceText};
 use super::record::{Field, Record};
@@ -9,7 +9,7 @@ use crate::validate::structure::{BoundaryPlace, Link};
 use alloc::string::{String, ToString};
 use core::fmt;
 
-/// The type of a field of this kind.
+/// The type of this kind of field.
 macro_rules! field_type {
     (half_edge_link) => { Link };
     (boundary_link) => { Link };
@@ -26,7 +26,7 @@ macro_rules! field_type {
     ($index:ident) => { usize };
 }
 
-/// A field of this kind as sentences say it.
+/// The text of this kind of field in sentences.
 macro_rules! in_words {
     (vertex $names:ident $value:ident) => {
         $names.vertex($value)
@@ -78,7 +78,7 @@ macro_rules! in_words {
     };
 }
 
-/// The record that a field of this kind names, if it does.
+/// The record that this kind of field names, if any.
 macro_rules! named_record {
     (vertex $value:ident) => {
         Some(Record::Vertex($value))
@@ -116,8 +116,8 @@ macro_rules! violations {
             says $sentence:literal $(with |$names:ident| { $($extra:ident = $expression:expr),+ })?
             cause $cause:literal remedy $remedy:literal;)*
     })*) => {
-        /// One broken rule, with the records that break it. `Display` prints the id of the rule, and in a sentence what is wrong and
-        /// why it matters.
+        /// One broken rule, with the records that break it. `Display` prints the id of the rule, and a sentence about the fault and
+        /// its consequence.
         ///
         /// Numbers are the indices of the [`View`](crate::validate::View).
         ///
@@ -149,34 +149,34 @@ macro_rules! violations {
         }
 
         impl Violation {
-            /// All names of violations, in the order of the rules: see [`kind`](Self::kind).
+            /// The names of all violations, in the order of the rules: see [`kind`](Self::kind).
             pub const KINDS: &[&str] = &[$($($word),*),*];
 
-            /// The name of the violation, in snake case. Names do not change between versions.
+            /// Returns the name of the violation, in snake case. Names do not change between versions.
             #[must_use]
             pub const fn kind(&self) -> &'static str {
                 match self { $($(Self::$variant { .. } => $word,)*)* }
             }
 
-            /// The rule that is broken.
+            /// Returns the broken rule.
             #[must_use]
             pub const fn rule(&self) -> Rule {
                 match self { $($(Self::$variant { .. } => Rule::$rule,)*)* }
             }
 
-            /// The usual cause of such a violation, as part of a sentence.
+            /// Returns the usual cause of such a violation, as part of a sentence.
             #[must_use]
             pub const fn cause(&self) -> &'static str {
                 match self { $($(Self::$variant { .. } => $cause,)*)* }
             }
 
-            /// The change that mends it, as part of a sentence.
+            /// Returns the fix, as part of a sentence.
             #[must_use]
             pub const fn remedy(&self) -> &'static str {
                 match self { $($(Self::$variant { .. } => $remedy,)*)* }
             }
 
-            /// The records that are involved, the one at fault first; two at the most, none where the whole structure is meant.
+            /// Returns the records involved, the one at fault first; at most two, or no record if the whole structure is at fault.
             #[must_use]
             #[allow(unused_variables, reason = "some fields name no record")]
             pub fn records(&self) -> [Option<Record>; 2] {
@@ -190,13 +190,13 @@ macro_rules! violations {
                 [named.next(), named.next()]
             }
 
-            /// The sentence alone, without the id of the rule.
+            /// Returns the sentence alone, without the id of the rule.
             #[must_use]
             pub fn message(&self) -> String {
                 Sentence(self, Names::INDICES).to_string()
             }
 
-            /// Writes the sentence, with the records named so.
+            /// Writes the sentence with these names.
             #[allow(unused_variables, reason = "some fields are said in other words")]
             fn write(&self, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 match *self {
@@ -219,7 +219,7 @@ impl fmt::Display for Violation {
     }
 }
 
-/// The sentence of a violation, with its records named so.
+/// The sentence of a violation, with these names.
 pub(super) struct Sentence<'a>(pub(super) &'a Violation, pub(super) Names<'a>);
 
 impl fmt::Display for Sentence<'_> {
@@ -228,7 +228,7 @@ impl fmt::Display for Sentence<'_> {
     }
 }
 
-/// An index that no live record has. That of an id that is nobody's is as large as can be.
+/// An index that no live record has. For an unknown id it is the largest possible index.
 struct Dangling(usize);
 
 impl fmt::Display for Dangling {

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// A number and its noun: `1 map`, `2 maps`.
+/// A number with its noun: `1 map`, `2 maps`.
 pub(super) struct Number(pub(super) u64, pub(super) &'static str, pub(super) &'static str);
 
 impl fmt::Display for Number {

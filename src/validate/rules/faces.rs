@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 
 /// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.
 ///
-/// Without records for boundary components: the face is constant along `next`, and a face keeps half-edges of its own.
+/// Without records for boundary components: the face is constant along `next`, and a face lists only half-edges of its own.
 pub(crate) fn cycle(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,
@@ -31,7 +31,7 @@ pub(crate) fn cycle(
     }
 }
 
-/// Returns for each boundary component the number of half-edges that name it.
+/// Returns the number of half-edges that name each boundary component.
 fn boundary_constant(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,
@@ -53,7 +53,7 @@ fn boundary_constant(
         }
         let (half_edge, next) = (h as usize, n as usize);
         let (boundary, found) = (subject.view.boundary(half_edge), subject.view.boundary(next));
-        // A dangling link breaks R1, not this rule. Nil meets something else only at an open boundary.
+        // A dangling link breaks R1, not this rule. Nil meets a different link only at an open boundary.
         let dangles = |link: &Option<usize>| link.is_some_and(|b| !subject.extent.boundaries.has(b));
         let is_needed = !subject.is_open() && (boundary.is_none() || found.is_none());
         if boundary != found && ![boundary, found].iter().any(dangles) && !is_needed {
@@ -74,7 +74,7 @@ fn one_cycle_each(
     let is_constant = findings.holds(Rule::B1);
     let walkable = census.map_is_live && findings.holds(Rule::L2) && is_constant;
     starts_and_sizes(subject, half_edges, sizes, walkable, findings)?;
-    // Without these rules no cycle can be walked along.
+    // Without these rules cycles cannot be walked.
     let broken = census.links_broken().or_else(|| findings.broken(&[Rule::L2]));
     if let Some(rule) = broken.filter(|_| is_constant) {
         findings.not_checked(Rule::B1, Unchecked::Broken(rule));
@@ -82,7 +82,8 @@ fn one_cycle_each(
     Ok(())
 }
 
-/// Checks that each start names its own boundary component, and where `walkable`, that its cycle has all half-edges that do.
+/// Checks that each start names its own boundary component, and if `walkable`, that its cycle contains all half-edges that name
+/// it.
 fn starts_and_sizes(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,
@@ -116,7 +117,7 @@ fn second_cycle(boundary: usize, cycle: u32, half_edges: u32, findings: &mut Fin
     findings.add(Violation::SecondCycle { boundary, cycle: cycle as usize, half_edges: half_edges as usize })
 }
 
-/// The length of the cycle through `start`, walking no further than `limit`.
+/// The length of the cycle through `start`, at most `limit`.
 fn cycle_length(half_edges: impl HalfEdges, start: u32, limit: u32) -> u32 {
     let mut length = 0;
     let mut h = start;
@@ -177,7 +178,7 @@ fn names_its_face(subject: Subject<'_>, face: usize, h: usize, findings: &mut Fi
 /// B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each other.
 ///
 /// Finds the boundary components that start at each vertex, then checks each vertex. Without records for boundary components,
-/// entries of the lists of the faces stand for them.
+/// the list entries of the faces take their place.
 pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     for part in [Part::Faces, Part::Holes] {
         if !subject.has(part) {
@@ -212,7 +213,7 @@ pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Fin
                 findings.add(Violation::ConnectedNamesBoundary { vertex, boundary })?;
             }
         } else if start == NIL {
-            // Nothing can start at a vertex in the unbounded face if that has no record.
+            // Nothing can start at a vertex in an unbounded face without a record.
             if names.is_some() || subject.has(Part::UnboundedFace) {
                 findings.add(Violation::IsolatedUnclaimed { vertex })?;
             }
@@ -224,17 +225,15 @@ pub(crate) fn isolated(subject: Subject<'_>, census: &Census, findings: &mut Fin
     Ok(())
 }
 
-/// The boundary components that start at vertices, or the faces that list vertices.
+/// Boundary components that start at vertices, or faces that list vertices.
 struct Starts<'a, 'f> {
     subject: Subject<'a>,
     fans: &'f [Fan],
-    /// For each vertex the first of them.
     started: Vec<u32>,
     findings: &'f mut Findings,
 }
 
 impl Starts<'_, '_> {
-    /// Notes one that starts at this vertex.
     fn at(&mut self, vertex: usize, by: usize, kind: fn(usize) -> Record) -> Flow {
         if !self.subject.is_vertex(vertex) {
             return Ok(());
@@ -341,7 +340,7 @@ fn components_listed(subject: Subject<'_>, mut budget: usize, findings: &mut Fin
     Ok(())
 }
 
-/// Checks one entry of a list. What dangles is left to R1.
+/// Checks one entry of a list. Dangling links are left to R1.
 fn check_entry(
     subject: Subject<'_>,
     listed: &mut [bool],
@@ -398,13 +397,13 @@ fn cycles_listed(subject: Subject<'_>, list_budget: usize, findings: &mut Findin
     Ok(())
 }
 
-/// Notes that the rest of a list is not known. R1 has reported it, unless the list has grown since.
+/// Records that the rest of a list is unknown. R1 has reported it, unless the list has grown since.
 fn list_not_read(face: usize, claimed: usize, findings: &mut Findings) -> Flow {
     findings.not_checked(Rule::F2, Unchecked::ListTooLong);
     if findings.unchecked(Rule::R1).is_none() { list_too_long(face, claimed, findings) } else { Ok(()) }
 }
 
-/// Finds the face at which the budget for list entries was spent, if it was.
+/// Finds the face at which the budget for list entries ran out, if it did.
 fn find_list_not_read(subject: Subject<'_>, budget: usize, entries: usize, findings: &mut Findings) -> Flow {
     if entries < budget {
         return Ok(());

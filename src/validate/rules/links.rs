@@ -12,8 +12,8 @@ use crate::validate::structure::Part;
 use crate::validate::subject::Subject;
 use alloc::vec::Vec;
 
-/// Runs L1, L2 and L3 on every half-edge whose links are live. Returns the predecessor of each half-edge, if V2 needs them: where there is
-/// no `prev`, at an open boundary.
+/// Runs L1, L2 and L3 on every half-edge with live links. At an open boundary without `prev`, returns the predecessor of each
+/// half-edge, for V2.
 pub(crate) fn half_edges<H: HalfEdges>(
     subject: Subject<'_>,
     half_edges: H,
@@ -27,7 +27,7 @@ pub(crate) fn half_edges<H: HalfEdges>(
     }
     let Subject { view, extent } = subject;
     let vertices = extent.vertices;
-    // The common case, in which all three hold: only other half-edges are looked at closely.
+    // The common case: if all three hold, the half-edge needs no closer look.
     let holds = |h: u32| {
         half_edges.twin_back(h).is_some_and(|t| {
             let (n, p, target) = (half_edges.next(h), half_edges.prev(h), half_edges.origin(t));
@@ -59,7 +59,7 @@ pub(crate) fn half_edges<H: HalfEdges>(
     Ok(if subject.is_open() { before } else { Vec::new() })
 }
 
-/// Runs L1, L2 and L3 on one half-edge, and counts which of them could be checked.
+/// Runs L1, L2 and L3 on one half-edge, and counts the rules that could be checked.
 #[inline(never)]
 fn half_edge<H: HalfEdges>(
     subject: Subject<'_>,
@@ -95,7 +95,7 @@ fn half_edge<H: HalfEdges>(
 
 /// L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h`.
 ///
-/// Checks one half-edge and its twin. Dangling links are left to R1, here and below.
+/// Checks one half-edge and its twin. Here and below, dangling links are left to R1.
 #[inline]
 fn mutual<H: HalfEdges>(subject: Subject<'_>, half_edges: H, [h, t]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
     let (half_edge, twin) = (h as usize, t as usize);
@@ -106,7 +106,7 @@ fn mutual<H: HalfEdges>(subject: Subject<'_>, half_edges: H, [h, t]: [u32; 2], p
     if back == h {
         return Ok(());
     }
-    // At an open boundary nil is a legal link, but not for a half-edge that is named as a twin.
+    // At an open boundary nil is legal, but not for a half-edge named as a twin.
     if half_edges.is_live(back) || back == NIL && subject.is_open() {
         let found = (back != NIL).then_some(back as usize);
         return pass.add(Violation::TwinNotMutual { half_edge, twin, found });
@@ -126,7 +126,6 @@ fn prev_of_next<H: HalfEdges>(half_edges: H, [h, n]: [u32; 2], pass: &mut Pass<'
     pass.add(Violation::PrevOfNext { half_edge: h as usize, next: n as usize, found: back as usize })
 }
 
-/// Checks `next(prev(h)) = h`.
 #[inline]
 fn next_of_prev<H: HalfEdges>(half_edges: H, [h, p]: [u32; 2], pass: &mut Pass<'_>) -> Flow {
     let back = half_edges.next(p);
@@ -136,7 +135,7 @@ fn next_of_prev<H: HalfEdges>(half_edges: H, [h, p]: [u32; 2], pass: &mut Pass<'
     pass.add(Violation::NextOfPrev { half_edge: h as usize, prev: p as usize, found: back as usize })
 }
 
-/// Checks, without `prev`, that no half-edge before `h` has the same next, and notes that `h` precedes it.
+/// Checks, without `prev`, that no earlier half-edge has the same next, and records `h` as the predecessor.
 fn distinct([h, n]: [u32; 2], before: &mut [u32], pass: &mut Pass<'_>) -> Flow {
     let first = core::mem::replace(&mut before[n as usize], h);
     if first == NIL {
@@ -147,7 +146,7 @@ fn distinct([h, n]: [u32; 2], before: &mut [u32], pass: &mut Pass<'_>) -> Flow {
 
 /// L3 target: `origin(next(h)) = origin(twin(h))`.
 ///
-/// Checks one half-edge with its twin and its next, and returns whether both have a live origin.
+/// Checks one half-edge with its twin and its next, and returns true if both have a live origin.
 #[inline]
 fn target<H: HalfEdges>(
     subject: Subject<'_>,
@@ -195,8 +194,7 @@ pub(crate) fn leaving(subject: Subject<'_>, findings: &mut Findings) -> Flow {
 
 /// V2 rotation: the rotation of a vertex is all half-edges with that origin.
 ///
-/// `before` has the predecessor of each half-edge where it is needed and there is no `prev`. Returns the components, unless V2 cannot be
-/// checked.
+/// `before` contains the predecessor of each half-edge, if needed and not stored. Returns the components, unless V2 cannot be checked.
 pub(crate) fn rotation<H: HalfEdges>(
     subject: Subject<'_>,
     half_edges: H,
@@ -213,16 +211,15 @@ pub(crate) fn rotation<H: HalfEdges>(
     Ok(Some(found))
 }
 
-/// Walks around all vertices. They are visited in the order in which they are found, which causes by far the fewest cache misses
-/// where neighbours have close numbers.
+/// Walks around all vertices. They are visited in the order of discovery, which causes by far the fewest cache misses if neighbours
+/// have close numbers.
 fn rotations<H: HalfEdges>(walk: Walk<'_, H>, census: &Census, findings: &mut Findings) -> Result<Components, Halt> {
     let Walk { subject, half_edges, .. } = walk;
     let vertices = subject.extent.vertices.count;
-    // The number of the component of each vertex that was visited. A vertex that was found and not visited yet has the one found after it, or
-    // itself.
+    // The component number of each visited vertex. A vertex that was found but not visited stores the vertex found after it, or itself.
     let mut of = column(vertices, NIL)?;
-    // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges. Nobody asks on surfaces, but
-    // for M2.
+    // The last vertex that had a vertex as neighbour: seeing it twice from one vertex means parallel edges. On surfaces only M2 needs
+    // this.
     let asks = subject.extent.is_plane() || subject.extent.expect.asks_for(Rule::M2);
     let mut seen_from = column(if asks { vertices } else { 0 }, NIL)?;
     let mut all: Vec<Component> = Vec::new();
@@ -258,7 +255,7 @@ fn rotations<H: HalfEdges>(walk: Walk<'_, H>, census: &Census, findings: &mut Fi
                     component.paired += 1;
                     neighbour(half_edges.origin(t));
                 }
-                // A half-edge without twin that ends at `v` is reached from `v` only as the one before `h`.
+                // A half-edge without twin that ends at `v` can only be reached from `v` as the predecessor of `h`.
                 let before = if is_open { walk.before(h) } else { None };
                 if let Some(before) = before.filter(|before| half_edges.twin(*before) == NIL) {
                     neighbour(half_edges.origin(before));
@@ -278,10 +275,10 @@ fn rotations<H: HalfEdges>(walk: Walk<'_, H>, census: &Census, findings: &mut Fi
     Ok(Components { of, all, simple })
 }
 
-/// Checks one vertex, where the walk around it reached `reached` of its half-edges.
+/// Checks one vertex, of whose half-edges the walk reached `reached`.
 ///
-/// Where L holds, `next∘twin` permutes the half-edges that leave one vertex, so the rotation of a vertex is all of them if
-/// and only if its orbit is as long as the vertex has half-edges.
+/// Where L holds, `next∘twin` permutes the half-edges that leave one vertex, so the rotation of a vertex contains all of them if and
+/// only if the size of its orbit equals the degree of the vertex.
 fn whole_rotation(v: u32, fan: Fan, reached: u32, findings: &mut Findings) -> Flow {
     if reached == fan.degree {
         return Ok(());
@@ -294,17 +291,15 @@ fn whole_rotation(v: u32, fan: Fan, reached: u32, findings: &mut Findings) -> Fl
     })
 }
 
-/// The links that a walk around a vertex follows.
 #[derive(Clone, Copy)]
 struct Walk<'a, H> {
     subject: Subject<'a>,
     half_edges: H,
-    /// The predecessor of each half-edge, where there is no `prev`.
+    /// The predecessor of each half-edge, if there is no `prev`.
     before: &'a [u32],
 }
 
 impl<H: HalfEdges> Walk<'_, H> {
-    /// The half-edge before `h` on its cycle.
     fn before(&self, h: u32) -> Option<u32> {
         let before = if self.subject.has(Part::Prev) {
             self.half_edges.prev(h)
@@ -314,9 +309,8 @@ impl<H: HalfEdges> Walk<'_, H> {
         self.half_edges.is_live(before).then_some(before)
     }
 
-    /// Calls `visit` for each half-edge of a fan and its twin, in order of rotation. Stops when the walk returns or has
-    /// reached as many half-edges as name the vertex as their origin, and returns how many it reached. At an open boundary it goes on
-    /// from the start in the other direction.
+    /// Calls `visit` for each half-edge of a fan and its twin, in order of rotation. Stops when the walk returns, or after `degree`
+    /// half-edges, and returns the number reached. At an open boundary it continues from the start in the other direction.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "`visit` is called for each half-edge")]
     fn around(&self, Fan { degree, leaving: start }: Fan, mut visit: impl FnMut(u32, u32)) -> u32 {
@@ -335,7 +329,7 @@ impl<H: HalfEdges> Walk<'_, H> {
         if self.subject.is_open() { reached + self.back(start, degree - reached, &mut visit) } else { reached }
     }
 
-    /// Goes on from the start in the other direction, to so many half-edges at most, and returns how many it reached.
+    /// Continues from the start in the other direction, to at most `most` half-edges, and returns the number reached.
     #[inline(never)]
     fn back(&self, start: u32, most: u32, visit: &mut dyn FnMut(u32, u32)) -> u32 {
         let mut h = start;

@@ -1,11 +1,11 @@
-//! R1, and the census of the records that it reads.
+//! R1, and the census of records taken while checking it.
 //!
 //! At an open boundary the twin or the face of a half-edge may be nil, but not both: such a half-edge bounds nothing, and
 //! no other record is on its other side.
 //!
-//! A structure may claim lists of any length. Each boundary component is listed once, so no more than twice as many
-//! entries as there are boundary components, and 16, are read; a list that goes on after that breaks R1, because its links
-//! cannot be said to be live. Without records for boundary components, vertices and half-edges are counted instead.
+//! A structure may claim lists of any length. Each boundary component is listed once, so reading stops after twice the
+//! number of boundary components plus 16 entries. A list that continues breaks R1, because its links cannot be shown to be
+//! live. Without records for boundary components, vertices and half-edges are counted instead.
 
 use crate::validate::columns::{NIL, column};
 use crate::validate::findings::{Findings, Flow, Halt};
@@ -16,32 +16,31 @@ use crate::validate::structure::{Link, Part, Start};
 use crate::validate::subject::Subject;
 use alloc::vec::Vec;
 
-/// The numbers of records that R1 counts, and the state of the links that the later rules follow.
+/// The numbers of records, and the state of the links that later rules follow.
 pub(crate) struct Census {
     pub(crate) half_edges: usize,
     pub(crate) edges: usize,
     pub(crate) vertices: usize,
     pub(crate) isolated_vertices: usize,
-    /// True if the links among half-edges and vertices (the combinatorial map) are live.
+    /// True if the links between half-edges and vertices (the combinatorial map) are live.
     pub(crate) map_is_live: bool,
-    /// The entries of lists that each rule reads. Lists with more are broken.
+    /// The maximum number of list entries that each rule reads. Longer lists are invalid.
     pub(crate) list_budget: usize,
-    /// The fan of each vertex.
     pub(crate) fans: Vec<Fan>,
 }
 
 impl Census {
-    /// The first broken rule among those that make the half-edges and vertices a combinatorial map.
+    /// Returns the first broken rule of those required for a combinatorial map.
     pub(crate) fn map_broken(&self, findings: &Findings) -> Option<Rule> {
         self.links_broken().or_else(|| findings.broken(&[Rule::L1, Rule::L2, Rule::L3]))
     }
 
-    /// R1, if a link among half-edges and vertices breaks it.
+    /// Returns R1, if a link between half-edges and vertices breaks it.
     pub(crate) fn links_broken(&self) -> Option<Rule> {
         if self.map_is_live { None } else { Some(Rule::R1) }
     }
 
-    /// The first broken rule among those that make the rotations of the vertices whole, so that components are known.
+    /// Returns the first broken rule of those required for whole rotations, which determine components.
     pub(crate) fn rotations_broken(&self, findings: &Findings) -> Option<Rule> {
         self.map_broken(findings).or_else(|| findings.broken(&[Rule::V2]))
     }
@@ -54,14 +53,12 @@ pub(crate) struct Fan {
     pub(crate) leaving: u32,
 }
 
-/// Counts a half-edge with this origin.
 fn note(fans: &mut [Fan], origin: u32, h: u32) {
     if let Some(fan) = fans.get_mut(origin as usize) {
         *fan = Fan { degree: fan.degree + 1, leaving: h };
     }
 }
 
-/// The kind of record that a link leads to.
 #[derive(Clone, Copy)]
 enum RecordKind {
     Vertex,
@@ -79,14 +76,13 @@ pub(crate) fn live(subject: Subject<'_>, half_edges: impl HalfEdges, findings: &
     let map_is_live = findings.holds(Rule::R1);
     let [vertices, isolated_vertices] = vertices(subject, &fans, findings)?;
     let boundaries = boundaries(subject, findings)?;
-    // Valid lists stay far below this, and corrupt ones are read far enough to find what they list twice.
+    // Valid lists stay far below this, and corrupt lists are read far enough to find repeated entries.
     let records = if subject.has(Part::BoundaryComponents) { boundaries } else { half_edges + vertices };
     let list_budget = 2 * records + 16;
     faces(subject, list_budget, findings)?;
     Ok(Census { half_edges, edges, vertices, isolated_vertices, map_is_live, list_budget, fans })
 }
 
-/// True if the link leads to a live record of that kind.
 #[inline]
 fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
     match kind {
@@ -97,7 +93,6 @@ fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
     }
 }
 
-/// The links of one record.
 struct Links<'a, 'f> {
     subject: Subject<'a>,
     record: Record,
@@ -105,7 +100,7 @@ struct Links<'a, 'f> {
 }
 
 impl Links<'_, '_> {
-    /// Checks one link; nil is a violation only where the record needs it.
+    /// Checks one link; nil is a violation only if the record needs the link.
     fn check(&mut self, field: Field, link: Link, kind: RecordKind, is_needed: bool) -> Flow {
         let record = self.record;
         match link {
@@ -164,7 +159,7 @@ fn links_of_half_edges(
     Ok([live, edges])
 }
 
-/// Checks the links of one half-edge. They are asked for once more, to say what each is.
+/// Checks the links of one half-edge, reading them again to report each.
 #[cold]
 fn half_edge(subject: Subject<'_>, h: usize, findings: &mut Findings) -> Flow {
     let Subject { view, extent } = subject;
@@ -185,12 +180,12 @@ fn half_edge(subject: Subject<'_>, h: usize, findings: &mut Findings) -> Flow {
     } else {
         (Field::Face, RecordKind::Face)
     };
-    // At an open boundary one of the two sides is missing, not both.
+    // At an open boundary only one of the two sides may be missing.
     let is_needed = is_closed || twin.is_none();
     links.check(field, extent.name(view, h), kind, is_needed)
 }
 
-/// Returns the numbers of vertices and of isolated ones.
+/// Returns the number of vertices and of isolated vertices.
 fn vertices(subject: Subject<'_>, fans: &[Fan], findings: &mut Findings) -> Result<[usize; 2], Halt> {
     let names_boundary = subject.has(Part::BoundaryComponents) && subject.has(Part::Holes);
     let (mut live, mut isolated) = (0, 0);
@@ -203,7 +198,7 @@ fn vertices(subject: Subject<'_>, fans: &[Fan], findings: &mut Findings) -> Resu
             links.check(Field::Leaving, subject.view.leaving(v), RecordKind::HalfEdge, is_connected)?;
         }
         if names_boundary {
-            // B2 decides if a vertex without half-edges may lack it.
+            // B2 decides whether a vertex without half-edges may lack it.
             links.check(Field::Isolated, subject.view.isolated(v), RecordKind::Boundary, false)?;
         }
     }
@@ -213,7 +208,6 @@ fn vertices(subject: Subject<'_>, fans: &[Fan], findings: &mut Findings) -> Resu
     Ok([live, isolated])
 }
 
-/// Returns the number of boundary components.
 fn boundaries(subject: Subject<'_>, findings: &mut Findings) -> Result<usize, Halt> {
     let mut live = 0;
     for b in subject.boundaries() {
@@ -254,7 +248,7 @@ fn faces(subject: Subject<'_>, mut budget: usize, findings: &mut Findings) -> Fl
     Ok(())
 }
 
-/// Reports a list that is not read to its end: links that are not read cannot be said to be live.
+/// Reports a list that is not read to its end: unread links cannot be shown to be live.
 pub(crate) fn list_too_long(face: usize, claimed: usize, findings: &mut Findings) -> Flow {
     findings.not_checked(Rule::R1, Unchecked::ListTooLong);
     findings.add(Violation::ListTooLong { face, claimed })

@@ -1,4 +1,4 @@
-//! M1 … M8: claims about meshes, each checked if asked for.
+//! M1 … M8: claims about meshes, each checked on request.
 
 use super::live::Census;
 use super::whole::borders_broken;
@@ -9,7 +9,7 @@ use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
 use crate::validate::subject::Subject;
 
-/// Runs M1 … M8, as far as they are asked for. `is_simple` says that there is neither a loop nor a pair of parallel edges.
+/// Runs the requested rules of M1 … M8. `is_simple` is true if there are neither loops nor parallel edges.
 pub(crate) fn mesh(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut Findings) -> Flow {
     used(subject, census, findings)?;
     simple(subject, census, is_simple, findings)?;
@@ -21,8 +21,8 @@ pub(crate) fn mesh(subject: Subject<'_>, census: &Census, is_simple: bool, findi
     kept(subject, census, findings)
 }
 
-/// True if an optional rule is passed over: it was not asked for, or the rule that it needs is broken, which is then entered as
-/// the reason.
+/// Returns true if an optional rule is skipped: it was not requested, or a rule that it needs is broken, which is recorded as the
+/// reason.
 fn passes_over(subject: Subject<'_>, rule: Rule, broken: Option<Rule>, findings: &mut Findings) -> bool {
     if !subject.extent.expect.asks_for(rule) {
         return true;
@@ -35,7 +35,7 @@ fn passes_over(subject: Subject<'_>, rule: Rule, broken: Option<Rule>, findings:
 
 /// M1 used: some half-edge leaves every vertex.
 ///
-/// It needs live origins.
+/// Needs live origins.
 fn used(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     if passes_over(subject, Rule::M1, census.links_broken(), findings) {
         return Ok(());
@@ -55,8 +55,8 @@ fn used(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow 
 
 /// M2 simple: no edge is a loop, and no two edges join the same vertices.
 ///
-/// The edges are sorted by their smaller end, so that edges with the same ends are found in linear time. Of several edges that
-/// join the same vertices, each but the first is reported, together with the first.
+/// The edges are sorted by their smaller end, so edges with the same ends are found in linear time. Of parallel edges, each but
+/// the first is reported, together with the first.
 fn simple(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut Findings) -> Flow {
     if passes_over(subject, Rule::M2, census.map_broken(findings), findings) {
         return Ok(());
@@ -66,7 +66,7 @@ fn simple(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut
         return Ok(());
     }
     let (vertices, half_edges) = (subject.extent.vertices.count, subject.extent.half_edges.count);
-    // For each vertex the first edge of which it is the smaller end, and for each half-edge that stands for its edge the next one.
+    // By vertex: the first edge with this smaller end; by half-edge that represents its edge: the next such edge.
     let mut first = column(vertices, NIL)?;
     let mut next = column(half_edges, NIL)?;
     for h in (0..half_edges).rev().filter(|h| subject.is_live_half_edge(*h)) {
@@ -78,7 +78,7 @@ fn simple(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut
             }
         }
     }
-    // For each vertex the last edge that was seen to lead there.
+    // By vertex: the last edge seen to lead there.
     let mut seen = column(vertices, NIL)?;
     for v in 0..vertices {
         let mut h = first[v as usize];
@@ -103,8 +103,8 @@ fn simple(subject: Subject<'_>, census: &Census, is_simple: bool, findings: &mut
 
 /// M3 sides: every bounded face has the expected number of sides.
 ///
-/// It needs closed cycles, each with one face. The sides of a face are all half-edges that bound it; without faces, they are
-/// the half-edges of a cycle.
+/// Needs closed cycles, each with one face. The sides of a face are all half-edges that bound it; without faces, the half-edges of
+/// a cycle.
 fn sides(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     let has_faces = subject.has(Part::Faces);
     let below: &[Rule] = if has_faces { &[Rule::R1, Rule::L2, Rule::B1, Rule::F1] } else { &[Rule::L2] };
@@ -115,7 +115,6 @@ fn sides(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow
     if has_faces { faces(subject, findings) } else { cycles(subject, findings) }
 }
 
-/// One face, or one cycle.
 fn one(subject: Subject<'_>, record: Record, sides: u32, findings: &mut Findings) -> Flow {
     findings.checked(Rule::M3, 1);
     let sides = sides as usize;
@@ -162,13 +161,13 @@ fn cycles(subject: Subject<'_>, findings: &mut Findings) -> Flow {
 
 /// M4 closed: every half-edge has a twin and bounds a face.
 ///
-/// It needs live links.
+/// Needs live links.
 fn closed(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     if passes_over(subject, Rule::M4, census.links_broken(), findings) {
         return Ok(());
     }
     findings.checked(Rule::M4, census.half_edges as u64);
-    // R1 has shown that nothing is missing.
+    // R1 has shown that no link is missing.
     if !subject.is_open() {
         return Ok(());
     }
@@ -209,7 +208,7 @@ fn connected(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> 
 
 /// M6 borders: there are as many border loops as expected.
 ///
-/// Compares the number of border loops, which is known unless a rule that the counting relies on is broken.
+/// Compares the number of border loops, which is known unless a rule that its counting relies on is broken.
 fn borders(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     let broken = census.rotations_broken(findings).or_else(|| borders_broken(subject, findings));
     if passes_over(subject, Rule::M6, broken, findings) {
@@ -225,7 +224,7 @@ fn borders(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Fl
 
 /// M7 genus: the genera of the components add up to the genus expected.
 ///
-/// Compares the sum that T3 has made.
+/// Compares the sum computed by T3.
 fn genus(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     let broken = census.rotations_broken(findings).or_else(|| findings.broken(&[Rule::T3]));
     if passes_over(subject, Rule::M7, broken, findings) {
@@ -241,7 +240,7 @@ fn genus(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow
 
 /// M8 kept: if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face.
 ///
-/// It needs live links and V1.
+/// Needs live links and V1.
 fn kept(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
     let broken = census.links_broken().or_else(|| findings.broken(&[Rule::V1]));
     if passes_over(subject, Rule::M8, broken, findings) {
@@ -252,12 +251,12 @@ fn kept(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow 
         return Ok(());
     }
     findings.checked(Rule::M8, census.vertices as u64);
-    // R1 has shown that nothing is missing.
+    // R1 has shown that no link is missing.
     if !subject.is_open() {
         return Ok(());
     }
     let is_on_border = |h: usize| subject.view.twin(h).is_none() || subject.lacks_face(h);
-    // For each vertex the first half-edge of the border that leaves it.
+    // By vertex: the first half-edge of the border that leaves it.
     let mut border = column(subject.extent.vertices.count, NIL)?;
     for h in subject.half_edges().filter(|h| is_on_border(*h as usize)) {
         if let Some(border) = border.get_mut(subject.origin(h) as usize) {

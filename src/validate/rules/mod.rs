@@ -1,5 +1,5 @@
-//! The checks of the rules, in the groups of the [catalogue](super::catalogue): [`links`], [`faces`], [`whole`], [`mesh`]. R1 stands in
-//! [`live`]. G1 … G5 are checked by the crate `twinedge-map`.
+//! The checks of the rules, grouped as in the [catalogue](super::catalogue): [`links`], [`faces`], [`whole`], [`mesh`]. R1 is in
+//! [`live`]. The crate `twinedge-map` checks G1 … G5.
 
 pub(super) mod faces;
 pub(super) mod links;

@@ -1,4 +1,4 @@
-//! T1 … T4: containment and Euler's formula, and the counts of cycles that they need.
+//! T1 … T4: containment and Euler's formula, and the required counts of cycles.
 
 use crate::validate::columns::{Components, NIL, column};
 use crate::validate::findings::{Findings, Flow, Halt};
@@ -9,10 +9,10 @@ use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Subject;
 use alloc::vec::Vec;
 
-/// Counts the cycles of each component for T3, and notes which components are open.
+/// Counts the cycles of each component for T3, and records which components are open.
 ///
-/// Counted are the cycles of `next`, one cycle for each isolated vertex, and one for each border loop that missing twins would
-/// make. Cycles of `next` without face are border loops, too.
+/// Counts the cycles of `next`, one cycle for each isolated vertex, and one for each border loop that missing twins would
+/// form. Cycles of `next` without face are also border loops.
 pub(crate) fn count_cycles(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,
@@ -21,7 +21,7 @@ pub(crate) fn count_cycles(
 ) -> Flow {
     let by_record = subject.has(Part::BoundaryComponents) && !subject.is_open();
     let [cycles, without_face] = if by_record && findings.broken(&[Rule::R1, Rule::B1]).is_none() {
-        // B1 has shown that boundary components and cycles are the same.
+        // B1 has shown that boundary components correspond to cycles.
         [boundaries_with_cycle(subject, components), 0]
     } else {
         cycles_of_next(subject, half_edges, components)?
@@ -50,7 +50,7 @@ fn boundaries_with_cycle(subject: Subject<'_>, components: &mut Components) -> u
     cycles
 }
 
-/// Returns how many cycles of `next` are no border loops, and how many are.
+/// Returns the number of cycles of `next` that are not border loops, and the number of border loops among them.
 fn cycles_of_next(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,
@@ -76,8 +76,8 @@ fn cycles_of_next(
     Ok(cycles)
 }
 
-/// Half-edges without twin follow one another around each border loop: where V2 holds, one at most leaves a vertex.
-/// Returns how many such loops there are.
+/// Returns the number of border loops of half-edges without twin. Where V2 holds, at most one such half-edge leaves a vertex,
+/// so they follow one another.
 fn borders(subject: Subject<'_>, components: &mut Components) -> Result<usize, Halt> {
     let mut border_at = column(subject.extent.vertices.count, NIL)?;
     for h in subject.half_edges().filter(|h| subject.twin(*h) == NIL) {
@@ -103,13 +103,13 @@ fn borders(subject: Subject<'_>, components: &mut Components) -> Result<usize, H
     Ok(borders)
 }
 
-/// The rule without which a cycle does not either have a face or bound nothing, if it is broken: at an open boundary,
-/// border loops cannot be told from the others then.
+/// Returns the rule that ensures that the half-edges of a cycle either have one face or bound nothing, if it is broken: then
+/// border loops at an open boundary cannot be recognised.
 pub(crate) fn borders_broken(subject: Subject<'_>, findings: &Findings) -> Option<Rule> {
     if subject.is_open() { findings.broken(&[Rule::B1]) } else { None }
 }
 
-/// Returns the reason why T1 and T2 cannot be checked, if there is one.
+/// Returns the reason why T1 and T2 cannot be checked, if any.
 fn containment_unchecked(subject: Subject<'_>, findings: &Findings) -> Option<Unchecked> {
     if !subject.has(Part::Holes) {
         return Some(Unchecked::Lacks(Part::Holes));
@@ -120,7 +120,7 @@ fn containment_unchecked(subject: Subject<'_>, findings: &Findings) -> Option<Un
 
 /// T1 outside: each component has exactly one inner boundary component, its outside.
 ///
-/// Returns the face in which each component lies, nil for a component that lies in none.
+/// Returns the face in which each component lies, or nil.
 pub(crate) fn outside(
     subject: Subject<'_>,
     components: &Components,
@@ -150,7 +150,7 @@ pub(crate) fn outside(
         }
     }
     findings.checked(Rule::T1, count as u64);
-    // A component in the unbounded face has no inner boundary component if that face has no record.
+    // A component in an unbounded face without a record has no inner boundary component.
     if subject.has(Part::UnboundedFace) {
         for (component, outside) in components.all.iter().zip(&outside) {
             if outside.is_none() && !component.open {
@@ -161,7 +161,7 @@ pub(crate) fn outside(
     Ok(lies_in)
 }
 
-/// Returns the start of the inner boundary component at this position, and the record by which a report names it.
+/// Returns the start of the inner boundary component at this position, and the record that names it in reports.
 fn inner(subject: Subject<'_>, f: usize, i: usize) -> (Option<Start>, Option<Record>) {
     if subject.has(Part::BoundaryComponents) {
         let b = subject.extent.boundaries.existing(subject.view.inner(f, i));
@@ -191,7 +191,7 @@ pub(crate) fn nesting(subject: Subject<'_>, components: &Components, lies_in: &[
 
 /// Calls `visit` with one component of each loop of containment, and the face in which it lies.
 ///
-/// From each component outwards, until the unbounded face or a component that was passed before.
+/// Walks from each component outwards, to the unbounded face or a component that was passed before.
 pub(crate) fn each_nested_in_itself<V: View + ?Sized>(
     subject: Subject<'_, V>,
     of: &[u32],
@@ -199,7 +199,7 @@ pub(crate) fn each_nested_in_itself<V: View + ?Sized>(
     mut visit: impl FnMut(usize, usize) -> Flow,
 ) -> Flow {
     let count = lies_in.len() as u32;
-    // The round in which a component was first passed; all rounds before the present one ended well or were reported.
+    // The round in which a component was first passed; all earlier rounds ended well or were reported.
     let mut passed = column(count, NIL)?;
     for first in 0..count {
         let mut c = first as usize;
@@ -221,7 +221,7 @@ pub(crate) fn each_nested_in_itself<V: View + ?Sized>(
     Ok(())
 }
 
-/// The component whose outer boundary component bounds this face; none for the unbounded one.
+/// Returns the component whose outer boundary component bounds this face; `None` for the unbounded face.
 fn container<V: View + ?Sized>(subject: Subject<'_, V>, of: &[u32], face: u32) -> Option<usize> {
     let face = subject.extent.faces.existing(Some(face as usize))?;
     subject.component_of_start(of, subject.outer_start(face))
@@ -254,7 +254,7 @@ pub(crate) fn euler(subject: Subject<'_>, components: &Components, findings: &mu
 
 /// T4 bounds: a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`.
 ///
-/// It follows from the rules before it, so it is a check of the counting.
+/// Follows from the rules before it, so it cross-checks the counting.
 pub(crate) fn bounds(is_simple: bool, findings: &mut Findings) -> Flow {
     let (vertices, edges, faces) = (findings.counts.vertices, findings.counts.edges, findings.counts.faces);
     if !is_simple || vertices < 3 {

@@ -1,9 +1,9 @@
-//! Views written as a list of answers.
+//! Writes views as lists of answers.
 
-/// Writes the methods of a [`View`](crate::validate::View), an answer to a line.
+/// Writes the methods of a [`View`](crate::validate::View), one answer per line.
 ///
-/// It stands inside `impl View for …`. First comes the name of the structure in the answers, then each question with the names of
-/// its arguments, which are indices, and its answer. Questions that are left out have the answers of the trait.
+/// Use it inside `impl View for …`. First comes the name of the structure, then each question with the names of its arguments,
+/// which are indices, and its answer. Omitted questions keep the defaults of the trait.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Parts, View, validate};
@@ -65,7 +65,7 @@ macro_rules! view_answers {
     (@method [$this:ident $answer:expr] $method:ident($($argument:ident),*) -> $type:ty) => {
         fn $method(&self, $($argument: usize),*) -> $type {
             let $this = self;
-            // Not every answer looks at the structure.
+            // Some answers ignore the structure.
             let _ = $this;
             $answer
         }

@@ -1,14 +1,14 @@
-//! Structures that answer as another one does: references, boxes, and views that hand some questions on.
+//! Delegation between views: references, boxes, and views that forward some questions.
 
 use super::columns::HalfEdgeColumns;
 use super::view::View;
 use alloc::boxed::Box;
 
-/// Writes the methods of a [`View`](crate::validate::View) that hand their questions on to another view.
+/// Writes the methods of a [`View`](crate::validate::View) that forward their questions to another view.
 ///
-/// It stands inside `impl View for …`, and takes the form of a closure from the structure to the view that answers. Then
-/// follows which methods are written: all of them but `half_edge_columns`, `except` some, or `only` some. A view that
-/// answers everything as the other one does lends its columns by hand.
+/// Use it inside `impl View for …`, with a closure from the structure to the other view, and the methods to write: all
+/// methods but `half_edge_columns`, `except` some, or `only` some. A view whose answers are all forwarded implements
+/// `half_edge_columns` by hand.
 ///
 /// ```
 /// use twinedge::delegate_view;
@@ -90,7 +90,7 @@ macro_rules! delegate_view {
         $crate::delegate_view!(@unless [$this $view] inner_start [$($excepted)*]);
     };
 
-    // Writes a method unless it is among those excepted.
+    // Writes a method unless it is excluded.
     (@unless $to:tt vertex_slots [vertex_slots $($others:ident)*]) => {};
     (@unless $to:tt half_edge_slots [half_edge_slots $($others:ident)*]) => {};
     (@unless $to:tt boundary_slots [boundary_slots $($others:ident)*]) => {};

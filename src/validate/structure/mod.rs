@@ -1,4 +1,4 @@
-//! The structure that is validated: the trait that it implements, and the parts that it stores.
+//! The structure to validate: the trait that it implements, and the parts that it stores.
 
 mod answers;
 mod columns;

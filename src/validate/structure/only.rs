@@ -1,12 +1,12 @@
-//! Structures of which only some parts are looked at.
+//! Restricts a structure to some parts.
 
 use super::columns::HalfEdgeColumns;
 use super::parts::Parts;
 use super::view::View;
 
-/// A structure of which only some parts are looked at.
+/// A structure restricted to some parts.
 ///
-/// [`parts`](View::parts) answers those that are in both sets; all other questions are handed on. It costs nothing.
+/// [`parts`](View::parts) answers the parts in both sets; all other questions are forwarded. It costs nothing.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Rule, Table, validate};
@@ -25,13 +25,13 @@ pub struct Only<V> {
 }
 
 impl<V> Only<V> {
-    /// The structure, of which these parts are looked at.
+    /// Restricts the structure to these parts.
     #[must_use]
     pub const fn new(view: V, parts: Parts) -> Self {
         Self { view, parts }
     }
 
-    /// The whole structure. O(1).
+    /// Returns the whole structure. O(1).
     pub const fn whole(&self) -> &V {
         &self.view
     }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// A part that some structures store and others do not. Rules about a part that is not stored are not checked, and the report says so.
+/// A part that some structures store and others do not. Rules about a missing part are not checked, and the report says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -16,13 +16,13 @@ pub enum Part {
     Faces,
     /// Records for boundary components. Without them half-edges name their face and faces name half-edges.
     BoundaryComponents,
-    /// The place of a boundary component in the list of its face, as stored in the boundary component.
+    /// The place of a boundary component in the list of its face, stored in the boundary component.
     Places,
-    /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
-    /// is not represented. Nor is the face in which an isolated vertex lies: `isolated` is not read, and B2 is not checked.
+    /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and neither containment (T1, T2) nor
+    /// the face of an isolated vertex is represented: `isolated` is not read, and B2 is not checked.
     Holes,
-    /// The one face without outer boundary component. Without it, a component that lies outside all others lies in no
-    /// face: it has no inner boundary component, and if it is an isolated vertex, no boundary component starts there.
+    /// The one face without outer boundary component. Without it, a component outside all others lies in no face: it has no inner
+    /// boundary component, and for an isolated vertex no boundary component exists.
     UnboundedFace,
 }
 
@@ -42,7 +42,7 @@ impl Part {
         1 << self as u8
     }
 
-    /// The name of the part, without article.
+    /// Returns the name of the part, without article.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -56,7 +56,7 @@ impl Part {
         }
     }
 
-    /// The word for the part, as tables and JSON have it.
+    /// Returns the word for the part in tables and JSON.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -70,27 +70,27 @@ impl Part {
         }
     }
 
-    /// The part for which this is the [word](Self::word).
+    /// Returns the part with this [word](Self::word).
     #[must_use]
     pub fn from_word(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|part| part.word() == word)
     }
 
-    /// The bits of the parts on which this one depends.
+    /// The bits of the parts that this one depends on.
     const fn needs(self) -> u8 {
         match self {
             Self::Prev | Self::Leaving | Self::Faces => 0,
             Self::BoundaryComponents | Self::Holes => Self::Faces.bit(),
             Self::Places => Self::Faces.bit() | Self::BoundaryComponents.bit(),
-            // An unbounded face has inner boundary components only.
+            // An unbounded face has only inner boundary components.
             Self::UnboundedFace => Self::Faces.bit() | Self::Holes.bit(),
         }
     }
 }
 
-/// A set of parts: all that a structure stores beside `origin`, `twin` and `next`. The answer of [`View::parts`](super::View::parts).
+/// A set of parts that a structure stores besides `origin`, `twin` and `next`: the answer of [`View::parts`](super::View::parts).
 ///
-/// A part comes with those on which it depends, and goes with those that depend on it. Places depend on boundary components, the
+/// Adding a part adds its dependencies, and removing a part removes its dependents. Places depend on boundary components, the
 /// unbounded face on holes, and all four on faces.
 ///
 /// ```
@@ -104,7 +104,7 @@ impl Part {
 pub struct Parts(u8);
 
 impl Parts {
-    /// No part: a combinatorial map of `origin`, `twin` and `next`.
+    /// No parts: a combinatorial map of `origin`, `twin` and `next`.
     pub const NONE: Self = Self(0);
 
     /// Every part.
@@ -117,13 +117,13 @@ impl Parts {
         Self(all)
     };
 
-    /// These parts, this one, and those on which it depends.
+    /// Returns these parts with `part` and its dependencies.
     #[must_use]
     pub const fn with(self, part: Part) -> Self {
         Self(self.0 | part.bit() | part.needs())
     }
 
-    /// These parts without this one and those that depend on it.
+    /// Returns these parts without `part` and its dependents.
     #[must_use]
     pub const fn without(self, part: Part) -> Self {
         let (mut rest, mut i) = (self.0 & !part.bit(), 0);
@@ -136,46 +136,46 @@ impl Parts {
         Self(rest)
     }
 
-    /// The parts that are in both sets.
+    /// Returns the parts in both sets.
     #[must_use]
     pub const fn intersection(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
-    /// True if the part is stored.
+    /// Returns true if the part is stored.
     #[must_use]
     pub const fn has(self, part: Part) -> bool {
         self.0 & part.bit() != 0
     }
 
-    /// The parts one by one, in the order of [`Part::ALL`].
+    /// Returns the parts one by one, in the order of [`Part::ALL`].
     pub fn iter(self) -> impl Iterator<Item = Part> {
         Part::ALL.into_iter().filter(move |part| self.has(*part))
     }
 }
 
-/// Every part, as a [`Table`](super::super::Table) has unless it says otherwise.
+/// Every part, the default of a [`Table`](super::super::Table).
 impl Default for Parts {
     fn default() -> Self {
         Self::ALL
     }
 }
 
-/// These parts, and those on which they depend.
+/// Collects parts, with their dependencies.
 impl FromIterator<Part> for Parts {
     fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
         parts.into_iter().fold(Self::NONE, Self::with)
     }
 }
 
-/// The set of the parts.
+/// Prints the set of parts.
 impl fmt::Debug for Parts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_set().entries(self.iter()).finish()
     }
 }
 
-/// A list of the parts. A part brings those on which it depends when it is read.
+/// A list of the parts. Reading adds dependencies.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Parts {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -1,4 +1,4 @@
-//! A structure as plain tables, like those in the textbooks. Every field can be set to anything.
+//! A structure as plain tables, like those in textbooks. Every field can have any value.
 
 mod text;
 
@@ -13,7 +13,7 @@ use alloc::vec::Vec;
 pub struct VertexRow {
     /// A half-edge that leaves the vertex.
     pub leaving: Link,
-    /// The boundary component that it is, if isolated.
+    /// The boundary component of an isolated vertex.
     pub isolated: Link,
 }
 
@@ -29,7 +29,7 @@ pub struct HalfEdgeRow {
     pub next: Link,
     /// The half-edge that precedes on the cycle.
     pub prev: Link,
-    /// The boundary component that it is part of.
+    /// Its boundary component.
     pub boundary: Link,
     /// The face to its left, in tables without boundary components.
     pub face: Link,
@@ -61,7 +61,7 @@ pub struct FaceRow {
     pub inner_starts: Vec<Option<Start>>,
 }
 
-/// A structure as plain tables. A row that is `None` is vacant: the record was retired.
+/// A structure as plain tables. A row that is `None` is vacant.
 ///
 /// `Display` and `FromStr` write and read it as one line of text.
 ///
@@ -83,7 +83,7 @@ pub struct FaceRow {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Table {
-    /// The parts that are stored, as [`View::parts`] answers. All, if nothing else is said.
+    /// The stored parts, as [`View::parts`] answers. The default is all parts.
     #[cfg_attr(feature = "serde", serde(default))]
     pub parts: Parts,
     /// The vertex table.
@@ -96,7 +96,7 @@ pub struct Table {
     pub faces: Vec<Option<FaceRow>>,
 }
 
-/// `n` rows, or nothing if there is no memory for them.
+/// Creates `n` rows; `None` if memory runs out.
 fn rows<T>(n: usize, row: impl FnMut(usize) -> T) -> Option<Vec<T>> {
     let mut rows = Vec::new();
     rows.try_reserve_exact(n).ok()?;
@@ -105,8 +105,8 @@ fn rows<T>(n: usize, row: impl FnMut(usize) -> T) -> Option<Vec<T>> {
 }
 
 impl Table {
-    /// A copy of all answers of a structure, O(n) for n slots and list entries. `None` if there is no memory for all that
-    /// it claims to have.
+    /// Copies all answers of a structure. `None` if there is no memory for its claimed size. O(n) for n slots and list
+    /// entries.
     #[must_use]
     pub fn copy_of<V: View + ?Sized>(view: &V) -> Option<Self> {
         let vertices = rows(view.vertex_slots(), |v| {
@@ -134,7 +134,7 @@ impl Table {
             let listed = view.inner_count(f);
             let mut inner = rows(listed, |i| view.inner(f, i))?;
             let mut inner_starts = rows(listed, |i| view.inner_start(f, i))?;
-            // A structure answers one of the two questions, and the other one with nil.
+            // A structure answers one of the two questions, and nil to the other.
             if inner_starts.iter().all(Option::is_none) {
                 inner_starts.clear();
             } else if inner.iter().all(Option::is_none) {

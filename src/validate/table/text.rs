@@ -2,27 +2,27 @@
 //!
 //! # The form
 //!
-//! Sections in this order, tokens separated by white space. Each section is a letter, the number of rows, and the rows: one
-//! for each slot. `P` may be left out, and then every part is stored.
+//! Sections in this order, tokens separated by white space. Each section is a letter, the number of rows, and the rows, one
+//! per slot. `P` may be omitted; then every part is stored.
 //!
 //! | section | fields of a row |
 //! | --- | --- |
-//! | `P` | the [word](Part::word) for a part that is stored |
+//! | `P` | the [word](Part::word) for a stored part |
 //! | `V` | leaving, isolated |
 //! | `H` | origin, twin, next, prev, boundary |
 //! | `B` | face, start, place |
-//! | `F` | outer, the number of inner boundary components, each of these |
+//! | `F` | outer, the number of inner boundary components, the inner boundary components |
 //!
 //! A link is an index or `-` for nil. A start is `h3` (half-edge 3), `v3` (vertex 3) or `-`. A place is `o` (outer), `i3`
 //! (inner position 3) or `-`. The row of a vacant slot is `x`.
 //!
-//! Two more sections follow, in this order, where half-edges name faces or faces keep half-edges. Each of them has as
-//! many rows as the section that it extends, and the same rows are vacant.
+//! Two more sections follow, in this order, if half-edges name faces or faces store half-edges. Each has the same number of
+//! rows as the section that it extends, with the same vacant rows.
 //!
 //! | section | fields of a row |
 //! | --- | --- |
 //! | `HF` | for each half-edge: face |
-//! | `FH` | for each face: outer half-edge, the number of inner starts, each of these |
+//! | `FH` | for each face: outer half-edge, the number of inner starts, the inner starts |
 //!
 //! ```
 //! use twinedge::validate::{Collect, Expectation, Table, validate};
@@ -58,25 +58,25 @@ pub enum ParseTableError {
         /// The missing token.
         expected: &'static str,
     },
-    /// Something else stands where this is expected.
+    /// Another token stands where this one is expected.
     UnexpectedToken {
         /// The position of the token.
         position: usize,
         /// The token expected there.
         expected: &'static str,
     },
-    /// A number does not fit into a `usize`.
+    /// A number is too large for `usize`.
     NumberTooLarge {
         /// The position of the number.
         position: usize,
     },
-    /// `HF` has another number of rows than `H`, or `FH` than `F`.
+    /// The number of rows of `HF` differs from `H`, or of `FH` from `F`.
     RowCount {
         /// The position of the number.
         position: usize,
-        /// The number of rows of the section that it extends.
+        /// The number of rows of the extended section.
         expected: usize,
-        /// The number that stands there.
+        /// The number found.
         found: usize,
     },
 }
@@ -111,7 +111,6 @@ impl fmt::Display for ParseTableError {
 
 impl core::error::Error for ParseTableError {}
 
-/// A link in the text form.
 struct LinkText(Link);
 
 impl fmt::Display for LinkText {
@@ -123,7 +122,6 @@ impl fmt::Display for LinkText {
     }
 }
 
-/// A start in the text form.
 struct StartText(Option<Start>);
 
 impl fmt::Display for StartText {
@@ -136,7 +134,6 @@ impl fmt::Display for StartText {
     }
 }
 
-/// A place in the text form.
 struct PlaceText(Option<BoundaryPlace>);
 
 impl fmt::Display for PlaceText {
@@ -149,7 +146,7 @@ impl fmt::Display for PlaceText {
     }
 }
 
-/// Writes a section: its name, the number of its rows, and each row, `x` where it is vacant.
+/// Writes a section: its name, the number of its rows, and each row, `x` if vacant.
 fn write_section<T>(
     f: &mut fmt::Formatter<'_>,
     name: &str,
@@ -202,21 +199,19 @@ impl fmt::Display for Table {
     }
 }
 
-/// The tokens of a text, read one after the other.
 struct Tokens<'a> {
     text: &'a str,
     position: usize,
 }
 
 impl<'a> Tokens<'a> {
-    /// The next token and its position, without reading it; none at the end.
+    /// Returns the next token and its position, without consuming it; `None` at the end.
     fn peek(&self) -> Option<(&'a str, usize)> {
         let rest = self.text[self.position..].trim_ascii_start();
         let token = rest.split_ascii_whitespace().next()?;
         Some((token, self.text.len() - rest.len()))
     }
 
-    /// Reads the next token.
     fn token(&mut self, expected: &'static str) -> Result<(&'a str, usize), ParseTableError> {
         let end = ParseTableError::UnexpectedEnd { position: self.text.len(), expected };
         let (token, position) = self.peek().ok_or(end)?;
@@ -224,7 +219,6 @@ impl<'a> Tokens<'a> {
         Ok((token, position))
     }
 
-    /// Reads the name of a section.
     fn name(&mut self, name: &'static str, expected: &'static str) -> Result<(), ParseTableError> {
         match self.token(expected)? {
             (token, _) if token == name => Ok(()),
@@ -273,12 +267,12 @@ impl<'a> Tokens<'a> {
         Part::from_word(token).ok_or(ParseTableError::UnexpectedToken { position, expected: PART })
     }
 
-    /// Reads a list: how many entries, and these.
+    /// Reads a list: the number of entries, then the entries.
     fn list<T>(
         &mut self,
         mut entry: impl FnMut(&mut Self) -> Result<T, ParseTableError>,
     ) -> Result<Vec<T>, ParseTableError> {
-        // Not collected with a capacity: the text may claim any number.
+        // Collecting without a capacity: the text may claim any number.
         let mut list = Vec::new();
         for _ in 0..self.count()? {
             list.push(entry(self)?);
@@ -286,7 +280,6 @@ impl<'a> Tokens<'a> {
         Ok(list)
     }
 
-    /// Reads the row of a vacant slot, if one follows.
     fn vacant(&mut self) -> bool {
         let Some(("x", position)) = self.peek() else { return false };
         self.position = position + 1;
@@ -301,7 +294,7 @@ impl<'a> Tokens<'a> {
         self.list(|tokens| if tokens.vacant() { Ok(None) } else { row(tokens).map(Some) })
     }
 
-    /// Reads a section that extends these rows, if it follows.
+    /// Reads a section that extends these rows, if present.
     fn extension<T>(
         &mut self,
         name: &str,
@@ -338,16 +331,17 @@ fn number(digits: &str, position: usize, expected: &'static str) -> Result<usize
     digits.parse().map_err(|_| ParseTableError::NumberTooLarge { position })
 }
 
-/// Reads the text form, O(n) for n bytes.
+/// Reads the text form. O(n) for n bytes.
 ///
-/// Sections are `P`, which may be left out, `V`, `H`, `B` and `F`, then `HF` and `FH` where half-edges name faces or faces keep half-edges. Each is
-/// followed by the number of its rows and the rows: `P` a part that is stored; `V` leaving, isolated; `H` origin, twin, next, prev, boundary; `B`
-/// face, start (`h3`, `v3`), place (`o`, `i3`); `F` outer, the number of inner boundary components, these; `HF` face; `FH`
-/// outer half-edge, the number of inner starts, these. `-` is nil, `x` the row of a vacant slot.
+/// Sections are `P` (optional), `V`, `H`, `B` and `F`, then `HF` and `FH` if half-edges name faces or faces store
+/// half-edges. Each is followed by the number of its rows and the rows: `P` a stored part; `V` leaving, isolated; `H`
+/// origin, twin, next, prev, boundary; `B` face, start (`h3`, `v3`), place (`o`, `i3`); `F` outer, the number of inner
+/// boundary components, the components; `HF` face; `FH` outer half-edge, the number of inner starts, the starts. `-` is
+/// nil, `x` the row of a vacant slot.
 ///
 /// # Errors
-/// [`ParseTableError`], with the position, if the text is anything else. Any links are fine, those that lead nowhere
-/// included: whether the table is right is for [`validate`](crate::validate::validate) to say.
+/// [`ParseTableError`], with the position, if the text has another form. Links may lead anywhere or nowhere:
+/// [`validate`](crate::validate::validate) judges the table.
 ///
 /// ```
 /// use twinedge::validate::{ParseTableError, Table};

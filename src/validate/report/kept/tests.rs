@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Returns the number of violations of L1, L2 and L3 that are kept out of so many.
+/// Returns the numbers of violations of L1, L2 and L3 that are kept.
 fn kept(found: [usize; 3], cap: usize) -> [usize; 3] {
     let of = [
         Violation::TwinIsSelf { half_edge: 0 },
