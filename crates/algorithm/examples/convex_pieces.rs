@@ -1,4 +1,4 @@
-//! A floor plan cut into convex rooms: triangulate, look at each diagonal once, and keep those that are essential.
+//! A floor plan cut into convex rooms: triangulates, examines each diagonal once, and keeps the essential ones.
 //!
 //! ```text
 //! cargo run -p twinedge-algorithm --example convex_pieces
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     map.insert_segment([7.0, 3.0], [7.0, 5.0])?;
     let area = face_area(&map, room)?;
 
-    // The triangulation is the map itself: the diagonals are edges of it, and all that is kept is the list of them.
+    // The triangulation is the map itself: the diagonals are its edges, and only their list is kept separately.
     let triangulation = triangulate(&mut map, [room])?.remove(0);
     println!(
         "{} triangles by {} diagonals; {} reflex corners",
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         triangulation.reflex
     );
 
-    // Each diagonal is looked at once: two links and one exact predicate at each end.
+    // Each diagonal is examined once: two links and one exact predicate at each end.
     let mut pieces = triangulation.triangles;
     for diagonal in triangulation.diagonals {
         let h = map.dcel().at(diagonal);
@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    // Nothing is lost: the pieces are faces of the map, all but the column and the outside.
+    // The pieces are faces of the map, along with the column and the outside.
     assert!(map.validate().is_valid());
     assert_eq!(map.dcel().face_count(), pieces + 2);
     let covered: f64 =

@@ -1,8 +1,8 @@
-//! The core of an editor of parcels: one is split by a line, a corner that two share is moved, two are merged, and all of it is undone
-//! and redone, saved and loaded. Each step is validated in its own time.
+//! The core of an editor of parcels: splits a parcel by a line, moves a corner shared by two, merges two, undoes and redoes
+//! everything, and saves and loads it. Each step is validated in time proportional to its size.
 //!
-//! Owners and taxes are attributes of faces. Both parts of a split parcel have its owners, and its tax is shared out by area; a merged parcel
-//! has the owners of both, and the sum. Each parcel has a number for good. Undoing brings back what was.
+//! Owners and taxes are attributes of faces. Both parts of a split parcel inherit its owners, and its tax is divided by area; a
+//! merged parcel has the owners of both, and the sum. Each parcel has a permanent number. Undoing restores the old values.
 //!
 //! ```text
 //! cargo run -p twinedge-algorithm --example editor
@@ -17,7 +17,6 @@ use twinedge_map::edit::EditError;
 use twinedge_map::near::{EmbeddingBaseline, validate_embedding_near};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
-/// The saved form of an attribute: the values by key.
 type Values<T> = SecondaryMap<FaceKey, T>;
 
 struct Editor {
@@ -39,7 +38,7 @@ fn owners() -> Policy<Faces, String> {
 }
 
 impl Editor {
-    /// Takes a map that somebody drew: its parcels are numbered at once.
+    /// Takes an existing map and numbers its parcels.
     fn new(mut map: PlanarMap) -> Outcome<Self> {
         let number = map.add_attribute(Policy::of_faces().ids(1));
         let owners = map.add_attribute(owners());
@@ -60,7 +59,7 @@ impl Editor {
         Ok(done)
     }
 
-    /// The owners, the area and the tax of each parcel, in the order of their owners.
+    /// Returns the owners, the area and the tax of each parcel, sorted by owners.
     fn parcels(&self) -> Outcome<Vec<(String, f64, f64)>> {
         let map = self.history.get();
         let mut parcels = Vec::new();
@@ -73,7 +72,7 @@ impl Editor {
     }
 }
 
-/// The parcels in their order, rounded: the line of the cut crosses two sides where no double is.
+/// Returns the parcels in order, rounded: the cut crosses two sides where there is no exact double.
 fn rounded(parcels: Vec<(String, f64, f64)>) -> Vec<(String, f64, f64)> {
     let round = |x: f64| (x * 1e6).round() / 1e6;
     parcels.into_iter().map(|(owners, area, tax)| (owners, round(area), round(tax))).collect()
@@ -90,7 +89,7 @@ fn main() -> Outcome<()> {
         map.set_value(tax, parcel, 160.0)
     })?;
 
-    // Any line through the parcel, whatever its slant.
+    // Any line through the parcel, at any slant.
     let cut = editor.edit("split it", |map| map.split_face(parcel, [0.5, -1.0], [0.8, 0.1]))?;
     let (kept, made) = cut.faces_split[0];
     let shares = rounded(editor.parcels()?);
@@ -107,7 +106,7 @@ fn main() -> Outcome<()> {
     assert!(editor.edit("open to the outside", |map| map.merge_faces(made, outside)).is_err());
     assert_eq!(editor.parcels()?, divided);
 
-    // The ends of the fence are vertices of degree 2 then. The moved one is a corner of its own, the other one is dropped.
+    // The ends of the fence are vertices of degree 2 then. The moved end is a real corner, the other one is dropped.
     editor.edit("merge the two", |map| {
         let merged = map.merge_faces(kept, made)?;
         let straight = merged.vertices.into_iter().filter(|v| *v != cut.vertices[0]);
@@ -126,7 +125,7 @@ fn main() -> Outcome<()> {
     while editor.step(History::redo)? {}
     assert_eq!(editor.parcels()?, merged);
 
-    // Saved and loaded: the map, the values by key, and the number that the next parcel gets.
+    // Saved and loaded: the map, the values by key, and the number of the next parcel.
     let map = editor.history.get();
     let saved = serde_json::to_string(&(map, map.next_id(number), map.values(number), map.values(owners)))?;
     let (mut map, next, numbers, names): (PlanarMap, u64, Values<u64>, Values<String>) = serde_json::from_str(&saved)?;

@@ -1,4 +1,4 @@
-//! Pick's theorem on a small map: the area of a face from the lattice points that it has.
+//! Pick's theorem on a small map: the area of a face from its lattice points.
 //!
 //! ```text
 //! cargo run -p twinedge-algorithm --example lattice_points
@@ -9,7 +9,7 @@ use twinedge_algorithm::lattice::of_map;
 use twinedge_map::PlanarMap;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // The polygon of the lecture, with 30 lattice points inside and 22 on its boundary, and a hole in it.
+    // The polygon of the lecture, with 30 lattice points inside and 22 on its boundary, and a hole.
     let mut map = PlanarMap::new();
     map.insert_ring([[0.0, 0.0], [5.0, 0.0], [5.0, 4.0], [2.0, 10.0], [0.0, 9.0]])?;
     show(&map)?;

@@ -1,4 +1,4 @@
-//! Lays a flood over parcels and says how much of each lies under water.
+//! Overlays parcels with a flood and computes the flooded area of each.
 
 use twinedge_algorithm::area::{face_area, feature_area};
 use twinedge_algorithm::contour::of_faces;

@@ -1,5 +1,5 @@
-//! The political map of the world: the contour of a country, all its neighbours, the country of a coordinate, a colouring,
-//! and the countries that one crosses from one to another.
+//! The political map of the world: the contour of a country, its neighbours, the country at a coordinate, a colouring, and the
+//! countries on a route.
 //!
 //! ```text
 //! cargo run -p twinedge-algorithm --example political_map
@@ -13,7 +13,6 @@ use twinedge_formats::io::geojson;
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, FeatureId, Located, Locator, PlanarMap};
 
-/// A country by its name.
 fn country(map: &PlanarMap, name: &str) -> Result<FeatureId, Box<dyn Error>> {
     Ok(map.features().find(|feature| map.name(*feature) == Some(name)).ok_or("it is on the map")?)
 }
@@ -23,8 +22,8 @@ fn name(map: &PlanarMap, country: FeatureId) -> &str {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // Every ring of every country is a chain of segments. Borders that two countries share become one edge with a country on
-    // each side, and what the edges enclose are the faces.
+    // Every ring of every country is a chain of segments. A border shared by two countries becomes one edge with a country on
+    // each side, and the edges enclose the faces.
     let mut builder = Builder::new();
     let file: &[u8] = include_bytes!("../../../cli/data/world-110m.geojson");
     geojson::read(file, |feature| builder.feature(&feature).map(drop).map_err(Box::<dyn Error>::from))?;
@@ -59,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert_eq!(name(&map, found), expected);
     }
 
-    // A colouring, checked: no border has the same colour on both sides.
+    // A colouring, verified: no border has the same colour on both sides.
     let colours = feature_colours(&map);
     let graph = borders(&map);
     for edge in graph.edge_indices() {

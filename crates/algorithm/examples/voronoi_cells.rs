@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let diagram = voronoi(&sites, Some([Point::new(0.0, 0.0), Point::new(10.0, 10.0)]))?;
     assert!(diagram.map.validate().is_valid());
 
-    // Each office has a cell; its neighbours are those across the edges.
+    // Each office has a cell; its neighbours are across the edges.
     let mut borders = BTreeSet::new();
     for (site, (name, ..)) in OFFICES.iter().enumerate() {
         let around = neighbours::of_face(&diagram.map, diagram.cells[site])?;
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         borders.extend(beside.into_iter().map(|other| [site.min(other), site.max(other)]));
     }
 
-    // The nearest office of a place is that of the cell it is in.
+    // The nearest office of a place is the site of its cell.
     let locator = Locator::new(&diagram.map)?;
     let home = Point::new(5.0, 3.5);
     let Located::Face(cell) = locator.locate(home)? else { return Err("two offices are nearest".into()) };
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("From ({}, {}) it is nearest to {}.", home.x, home.y, OFFICES[nearest].0);
     assert_eq!(OFFICES[nearest].0, "Bridge");
 
-    // The dual: offices are joined if their cells have a border in common, here or beyond the box.
+    // The dual: offices are joined if their cells have a common border, inside or outside the box.
     let triangles = delaunay(&sites)?;
     let number = |v| triangles.vertices.iter().position(|vertex| *vertex == v);
     let joined: BTreeSet<[usize; 2]> = { triangles.map.dcel().half_edges() }

@@ -1,10 +1,10 @@
 //! Areas, by the shoelace formula.
 //!
-//! The sum runs over triangles that share the first point of the ring, so it is as accurate for a small ring far from the
-//! origin as for one near it. It is compensated, so it is as accurate for a long ring as for a short one. What remains is
-//! the rounding of each triangle: at worst a few units in the last place of the squared diameter of the ring.
+//! The sum runs over triangles that share the first point of the ring, so it is as accurate for a small ring far from the origin
+//! as near it. The sum is compensated, so it is as accurate for a long ring as for a short one. Only the rounding of each
+//! triangle remains: at worst a few units in the last place of the squared diameter of the ring.
 //!
-//! Where coordinates are near [`MAX_COORDINATE`](twinedge_geometry::MAX_COORDINATE), an area may be infinite.
+//! Areas may be infinite for coordinates near [`MAX_COORDINATE`](twinedge_geometry::MAX_COORDINATE).
 //!
 //! Source for the compensation: A. Neumaier, "Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen",
 //! ZAMM 54 (1974) 39-51.
@@ -14,7 +14,7 @@ use twinedge::dcel::{Boundary, BoundaryKey, FaceKey, HalfEdge, StaleKey};
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
-/// A compensated sum: the rounding errors are summed as well.
+/// A compensated sum: rounding errors are also summed.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sum {
     total: f64,
@@ -30,7 +30,7 @@ impl Sum {
         self.total = total;
     }
 
-    /// The sum. O(1).
+    /// Returns the sum. O(1).
     #[must_use]
     pub fn value(self) -> f64 {
         // Beyond the largest number, the sum of the errors is NaN.
@@ -46,9 +46,9 @@ impl FromIterator<f64> for Sum {
     }
 }
 
-/// The area that a ring encloses: positive if it turns counter-clockwise, negative if clockwise. O(points).
+/// Returns the area that a ring encloses: positive if it turns counter-clockwise, negative if clockwise. O(points).
 ///
-/// The last point may or may not repeat the first.
+/// The last point may repeat the first.
 ///
 /// ```
 /// use twinedge_algorithm::area::ring_area;
@@ -76,8 +76,8 @@ pub(super) fn boundary(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
     ring_area(boundary.half_edges().map(HalfEdge::origin).map(|v| map.point(v.index())))
 }
 
-/// The signed area inside a boundary component: positive for an outer one, negative for a hole, 0 for an isolated vertex and
-/// for a hole that is only a line. O(its half-edges).
+/// Returns the signed area inside a boundary component: positive for an outer one, negative for a hole, 0 for an isolated vertex
+/// or a hole that is only a line. O(its half-edges).
 ///
 /// ```
 /// use twinedge_algorithm::area::boundary_area;
@@ -97,7 +97,7 @@ pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey>
     Ok(boundary(map, map.dcel().boundary(key)?))
 }
 
-/// The area of a face, without its holes; infinite for the unbounded face. O(its half-edges).
+/// Returns the area of a face, without its holes; infinite for the unbounded face. O(its half-edges).
 ///
 /// # Errors
 /// [`StaleKey::Face`].
@@ -123,7 +123,7 @@ pub fn face_area(map: &PlanarMap, key: FaceKey) -> Result<f64, StaleKey> {
     Ok(sum.value())
 }
 
-/// The area of all faces that a feature covers. O(faces of the map · log + half-edges of those covered).
+/// Returns the area of all faces that a feature covers. O(faces of the map · log + half-edges of those covered).
 ///
 /// ```
 /// use twinedge_algorithm::area::feature_area;

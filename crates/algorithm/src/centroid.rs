@@ -1,4 +1,4 @@
-//! Centroids: the centre of mass of what a face, or all faces of a feature, cover.
+//! Centroids: the centre of mass of a face, or of all faces of a feature.
 //!
 //! The sums run over triangles that share the first point of each boundary component, as for [areas](super::area).
 
@@ -37,8 +37,8 @@ impl Moments {
     }
 }
 
-/// The centroid of a face without its holes; none for the unbounded face, and where areas are too large or too small for
-/// their numbers. It need not lie in the face. O(its half-edges).
+/// Returns the centroid of a face without its holes; `None` for the unbounded face, and if areas overflow or underflow. The
+/// centroid may lie outside the face. O(its half-edges).
 ///
 /// # Errors
 /// [`StaleKey::Face`].
@@ -58,15 +58,15 @@ pub fn face_centroid(map: &PlanarMap, face: FaceKey) -> Result<Option<Point>, St
     Ok(of_faces(map, &[face]))
 }
 
-/// The centroid of all faces that a feature covers; none if it covers nothing. O(faces of the map · log + half-edges of those
-/// covered).
+/// Returns the centroid of all faces that a feature covers; `None` if it covers nothing. O(faces of the map · log + half-edges of
+/// those covered).
 #[must_use]
 pub fn feature_centroid(map: &PlanarMap, feature: FeatureId) -> Option<Point> {
     let faces: Vec<Face<'_>> = faces_of(map, feature).into_iter().filter_map(|f| map.dcel().face(f).ok()).collect();
     of_faces(map, &faces)
 }
 
-/// The centroid of some faces together; none if the unbounded face is among them.
+/// Returns the joint centroid of some faces; `None` if they include the unbounded face.
 pub(super) fn of_faces(map: &PlanarMap, faces: &[Face<'_>]) -> Option<Point> {
     let mut starts = faces.iter().map(|face| face.outer_half_edge());
     let origin = map.point(starts.next()??.origin().index());

@@ -3,14 +3,14 @@
 use twinedge::dcel::{Face, FaceKey};
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The features that cover a face, without those that leak. O(log n), as long as the map is plane.
+/// Returns the features that cover a face, without features that leak. O(log n) on a plane map.
 pub fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
     let plane = map.is_plane();
     map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
 }
 
-/// Returns true if a feature seems to cover the unbounded face, which none does on a plane map: then the faces that it covers are
-/// not known. O(log n + features that do).
+/// Returns true if a feature seems to cover the unbounded face, which never happens on a plane map: its extent is unknown then.
+/// O(log n + leaking features).
 ///
 /// ```
 /// use twinedge_algorithm::claims::leaks;
@@ -27,9 +27,9 @@ pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
     map.features_of(map.dcel().unbounded_face().key()).into_iter().flatten().any(|f| f == feature)
 }
 
-/// The faces that a feature covers, in order of their indices. O(faces · log).
+/// Returns the faces that a feature covers, in order of their indices. O(faces · log).
 ///
-/// None for a feature of another map that this one does not have.
+/// Empty for a feature that this map does not have.
 ///
 /// ```
 /// use twinedge_algorithm::claims::{faces_by_feature, faces_of};
@@ -51,8 +51,8 @@ pub fn faces_of(map: &PlanarMap, feature: FeatureId) -> Vec<FaceKey> {
     map.dcel().faces().filter(covers).map(Face::key).collect()
 }
 
-/// The faces that each feature covers, by [`FeatureId::index`]; none for a feature that [leaks]. O(faces · log + answer). For
-/// an example see [`faces_of`].
+/// Returns the faces that each feature covers, by [`FeatureId::index`]; empty for a feature that [leaks]. O(faces · log +
+/// answer). [`faces_of`] has an example.
 #[must_use]
 pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
     let mut faces = vec![Vec::new(); map.features().count()];
@@ -64,7 +64,7 @@ pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
     faces
 }
 
-/// The faces that more than one feature covers, in order of their indices. O(faces · log).
+/// Returns the faces that more than one feature covers, in order of their indices. O(faces · log).
 ///
 /// ```
 /// use twinedge_algorithm::claims::overlaps;

@@ -1,7 +1,7 @@
-//! Colours that tell neighbours apart.
+//! Colours that distinguish neighbours.
 //!
 //! The features are removed one by one, always one with the fewest neighbours left. In reverse order each gets the smallest
-//! colour that none of its neighbours has by then. Where every feature is one face, the graph of neighbours is planar: some
+//! colour not used by its already coloured neighbours. If every feature is one face, the graph of neighbours is planar: some
 //! feature always has at most five neighbours left, and six colours suffice. Features of several parts may need more.
 //!
 //! Source: D. W. Matula and L. L. Beck, "Smallest-last ordering and clustering and graph coloring algorithms", Journal of the
@@ -11,9 +11,8 @@ use super::claims::features_of;
 use std::collections::BTreeSet;
 use twinedge_map::PlanarMap;
 
-/// A colour for each feature, by [`FeatureId::index`](twinedge_map::FeatureId::index): numbers from 0, different for two
-/// features with an edge between them or a face in common. Where a face is claimed more than once, only its first two
-/// features count. O(n log n).
+/// Returns a colour for each feature, by [`FeatureId::index`](twinedge_map::FeatureId::index): numbers from 0, different for two
+/// features with a common edge or face. If more than two features claim a face, only the first two count there. O(n log n).
 ///
 /// ```
 /// use twinedge_algorithm::colouring::feature_colours;

@@ -1,8 +1,9 @@
 //! The outline of a set of faces, as polygons with holes.
 //!
-//! Edges between two faces of the set vanish; so do lines and isolated vertices inside it. What is left has a face of the
-//! set on its left and another one on its right. From the end of such a half-edge the outline goes on along the same wedge
-//! of the set, so at a vertex where parts of the set meet like the black fields of a chessboard, it stays with its own:
+//! Edges between two faces of the set vanish; so do lines and isolated vertices inside it. The remaining half-edges have a face
+//! of the set on their left and another face on their right. From the end of such a half-edge the outline continues along the
+//! same wedge of the set. So at a vertex where parts of the set meet like the black fields of a chessboard, it stays with its own
+//! part:
 //!
 //! ```text
 //!   ┌───────┐               ┌───────────┐
@@ -16,12 +17,12 @@
 //!    touch at a vertex      hole touches it        touch at a vertex
 //! ```
 //!
-//! The polygons are valid by the rules of the OGC: every ring is simple (an outline that visits a vertex twice is cut there
-//! into rings), rings of a polygon meet at single vertices only, and its interior is connected. Parts of the set that meet
-//! at vertices only are polygons apart; a hole that touches the outer ring, or another hole, is still a hole.
+//! The polygons are valid by the rules of the OGC: every ring is simple (an outline that visits a vertex twice is cut there into
+//! rings), rings of a polygon meet only at single vertices, and its interior is connected. Parts of the set that meet only at
+//! vertices are separate polygons; a hole that touches the outer ring, or another hole, remains a hole.
 //!
-//! Cutting needs no geometry: the parts of the set are found across its inner edges, each part has one ring that turns
-//! counter-clockwise, and all its others are holes.
+//! Cutting needs no geometry: the parts of the set are found across its inner edges, each part has one counter-clockwise ring,
+//! and all its other rings are holes.
 //!
 //! Source for the rules: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 6.1.11.
 
@@ -44,12 +45,12 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    /// All rings, the outer one first.
+    /// Returns all rings, the outer one first.
     pub fn rings(&self) -> impl Iterator<Item = &[Point]> {
         core::iter::once(&self.outer).chain(&self.holes).map(Vec::as_slice)
     }
 
-    /// Returns the enclosed area, without that of the holes. O(points).
+    /// Returns the enclosed area, without the holes. O(points).
     #[must_use]
     pub fn area(&self) -> f64 {
         let sum: Sum = self.rings().map(|ring| ring_area(ring.iter().copied())).collect();
@@ -65,10 +66,10 @@ impl From<Polygon> for Shape {
     }
 }
 
-/// The outline of a set of faces: polygons that at most touch each other at vertices.
+/// The outline of a set of faces: polygons that touch each other at most at vertices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contour {
-    /// One for each part of the set, in order of the smallest index of a face in it.
+    /// One polygon for each part of the set, in order of its smallest face index.
     pub polygons: Vec<Polygon>,
 }
 
@@ -91,10 +92,10 @@ impl From<Contour> for Feature {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum ContourError {
-    /// A key names nothing.
+    /// A key is stale.
     #[error(transparent)]
     Stale(#[from] StaleKey),
-    /// The unbounded face is in the set, and no ring encloses it.
+    /// The unbounded face is in the set; no ring encloses it.
     #[error("the unbounded face has no contour")]
     Unbounded,
     /// The map is not plane, and the rings around the part with this face do not enclose it.
@@ -102,10 +103,10 @@ pub enum ContourError {
     NotPlane(FaceKey),
 }
 
-/// The contour of a set of faces; naming one twice changes nothing. O(half-edges of the faces), expected; faces that are
-/// not in order of their indices are sorted first.
+/// Returns the contour of a set of faces; repetitions have no effect. O(half-edges of the faces), expected; faces not in order of
+/// their indices are sorted first.
 ///
-/// On a map that is not plane the rings are those that the links make, and may cross.
+/// On a map that is not plane, the rings follow the links and may cross.
 ///
 /// # Errors
 /// [`ContourError`].
@@ -165,7 +166,7 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
     Ok(Contour { polygons })
 }
 
-/// The contour of a feature: of all faces that it covers. O(faces of the map · log + half-edges of those covered), expected.
+/// Returns the contour of all faces that a feature covers. O(faces of the map · log + half-edges of those covered), expected.
 ///
 /// ```
 /// use twinedge_algorithm::contour::of_feature;
@@ -182,12 +183,12 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
 /// ```
 ///
 /// # Errors
-/// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
+/// [`ContourError`], if the map is not plane or the feature covers the unbounded face.
 pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, ContourError> {
     of_faces(map, faces_of(map, feature))
 }
 
-/// The contours of all features, by [`FeatureId::index`]. O(faces · log + half-edges of the faces of each), expected.
+/// Returns the contours of all features, by [`FeatureId::index`]. O(faces · log + half-edges of the faces of each), expected.
 ///
 /// ```
 /// use twinedge_algorithm::contour::of_features;
@@ -205,12 +206,12 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, Contou
 /// ```
 ///
 /// # Errors
-/// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
+/// [`ContourError`], if the map is not plane or a feature covers the unbounded face.
 pub fn of_features(map: &PlanarMap) -> Result<Vec<Contour>, ContourError> {
     faces_by_feature(map).into_iter().map(|faces| of_faces(map, faces)).collect()
 }
 
-/// The contour of one face, which is a single polygon. O(its half-edges), expected.
+/// Returns the contour of one face, a single polygon. O(its half-edges), expected.
 ///
 /// ```
 /// use twinedge_algorithm::contour::{ContourError, of_face};
@@ -233,9 +234,7 @@ pub fn of_face(map: &PlanarMap, face: FaceKey) -> Result<Polygon, ContourError> 
 
 /// The connected parts of a set of faces, across the edges between them.
 struct Parts {
-    /// The part of each face, by its index.
     of: FxHashMap<usize, usize>,
-    /// The first face of each part.
     first: Vec<FaceKey>,
     count: usize,
 }
@@ -276,7 +275,7 @@ impl Parts {
     /// set.
     fn after<'a>(&self, h: HalfEdge<'a>) -> HalfEdge<'a> {
         let mut next = h.next();
-        // Before it comes round to the twin of `h`, there is an edge to a face outside the set.
+        // The walk reaches an edge to a face outside the set before it returns to the twin of `h`.
         while !self.bounded_by(next) {
             next = next.twin().next();
         }
@@ -284,14 +283,14 @@ impl Parts {
     }
 }
 
-/// The rings of the closed outline with `start`, cut wherever it visits a vertex again.
+/// Returns the rings of the closed outline with `start`, cut wherever it visits a vertex again.
 fn rings<'a>(parts: &Parts, start: HalfEdge<'a>, visited: &mut FxHashSet<usize>) -> Vec<Vec<HalfEdge<'a>>> {
     let mut rings = Vec::new();
     let mut chain = Vec::new();
-    // The place in the chain at which each of its vertices is the origin.
+    // The index in the chain where each of its vertices is the origin.
     let mut places = FxHashMap::default();
     let mut h = start;
-    // Each half-edge of the contour follows one other, so the walk comes back to its start.
+    // Each half-edge of the contour has one successor and one predecessor, so the walk returns to its start.
     while visited.insert(h.index()) {
         places.insert(h.origin().index(), chain.len());
         chain.push(h);
@@ -307,7 +306,7 @@ fn rings<'a>(parts: &Parts, start: HalfEdge<'a>, visited: &mut FxHashSet<usize>)
     rings
 }
 
-/// The points of a ring from the lexicographically smallest one on, and back to it.
+/// Returns the points of a ring, starting and ending with the lexicographically smallest.
 fn closed(map: &PlanarMap, ring: &[HalfEdge<'_>]) -> Vec<Point> {
     let mut points: Vec<Point> = ring.iter().map(|h| map.point(h.origin().index())).collect();
     let low = (0..points.len()).min_by(|i, j| compare_lexicographic(points[*i], points[*j])).unwrap_or(0);
@@ -316,8 +315,8 @@ fn closed(map: &PlanarMap, ring: &[HalfEdge<'_>]) -> Vec<Point> {
     points
 }
 
-/// Returns true if a simple ring, closed and from its smallest point on, turns counter-clockwise. No point of it lies to the left
-/// of the smallest one, so the turn there decides.
+/// Returns true if a simple closed ring that starts at its smallest point turns counter-clockwise. No point lies to the left of
+/// the smallest one, so the turn there decides.
 fn turns_left(points: &[Point]) -> bool {
     match points {
         [low, next, .., last, _] => orientation(*last, *low, *next) == Orientation::CounterClockwise,

@@ -1,13 +1,13 @@
-//! Walks over a map: its faces, its vertices and its features as graphs of the crate `petgraph`.
+//! Walks over a map: its faces, vertices and features as graphs for the crate `petgraph`.
 //!
 //! | graph | nodes | edges | made |
 //! | --- | --- | --- | --- |
-//! | [`Dual`] | faces, the unbounded one included | edges of the map, each joining the faces on its sides | a view, nothing is copied |
-//! | [`Skeleton`] | vertices | edges of the map, each joining its ends | a view, nothing is copied |
-//! | [`borders`] | features | pairs of features with a border in common | a graph of its own |
+//! | [`Dual`] | faces, including the unbounded one | edges of the map, each joining the faces on its sides | a view, without copying |
+//! | [`Skeleton`] | vertices | edges of the map, each joining its ends | a view, without copying |
+//! | [`borders`] | features | pairs of features with a common border | a separate graph |
 //!
-//! The views implement petgraph's visit traits, so its algorithms run on them as they are: shortest ways, components,
-//! bridges, articulation points, spanning trees. [`route`] does the most usual one.
+//! The views implement petgraph's visit traits, so its algorithms run on them directly: shortest paths, components, bridges,
+//! articulation points, spanning trees. [`route`] covers the most common use.
 //!
 //! ```
 //! use petgraph::algo::{articulation_points::articulation_points, bridges, connected_components, dijkstra};
@@ -32,9 +32,9 @@
 //! # Ok::<(), twinedge_map::edit::EditError>(())
 //! ```
 //!
-//! An edge is a bridge of the skeleton if and only if the same face lies on both its sides: it is a loop of the dual. The dual
-//! has no bridge, as no edge of the map is a loop; but petgraph (0.8) counts parallel edges as if each were the only one, so
-//! do not ask it for the bridges of a dual.
+//! An edge is a bridge of the skeleton if and only if it has the same face on both sides: it is a loop of the dual. The dual has
+//! no bridge, as no edge of the map is a loop; but petgraph (0.8) treats each parallel edge as the only one, so do not use it to
+//! find bridges of a dual.
 
 use super::centroid::of_faces;
 use super::claims::{faces_by_feature, features_of};
@@ -117,7 +117,7 @@ macro_rules! view {
         }
 
         impl<'m> $name<'m> {
-            /// The view of a map. O(records).
+            /// Creates the view of a map. O(records).
             #[must_use]
             pub fn new(map: &'m PlanarMap) -> Self {
                 Self { map, nodes: Nodes::new(map.dcel().$all().map(|node| (node.index(), node.key()))) }
@@ -155,13 +155,13 @@ macro_rules! view {
                 self.nodes.keys.len()
             }
 
-            /// `usize::MAX` for a key that is stale.
+            /// Returns `usize::MAX` for a stale key.
             fn to_index(&self, node: $key) -> usize {
                 let number = self.map.dcel().$record(node).ok().and_then(|node| self.nodes.numbers.get(node.index()));
                 number.map_or(usize::MAX, |number| *number as usize)
             }
 
-            /// The null key for a number out of range.
+            /// Returns the null key for a number out of range.
             fn from_index(&self, number: usize) -> $key {
                 self.nodes.keys.get(number).copied().unwrap_or_default()
             }
@@ -198,7 +198,7 @@ macro_rules! view {
             }
         }
 
-        /// Each edge of the map once.
+        /// Yields each edge of the map once.
         impl<'g> IntoEdgeReferences for &'g $name<'_> {
             type EdgeRef = MapEdge<$key>;
             type EdgeReferences = Box<dyn Iterator<Item = MapEdge<$key>> + 'g>;
@@ -208,7 +208,7 @@ macro_rules! view {
             }
         }
 
-        /// Each edge at the node once, with the node as its source; none for a key that is stale.
+        /// Yields each edge at the node once, with the node as its source; nothing for a stale key.
         impl<'g> IntoEdges for &'g $name<'_> {
             type Edges = Box<dyn Iterator<Item = MapEdge<$key>> + 'g>;
 
@@ -231,8 +231,8 @@ macro_rules! view {
 }
 
 view! {
-    /// The dual of a map: its faces, joined across its edges. Two faces with several edges between them are joined as often,
-    /// and an edge with one face on both sides is a loop.
+    /// The dual of a map: its faces, joined across its edges. Two faces with several common edges are joined several times, and
+    /// an edge with one face on both sides is a loop.
     Dual, FaceKey, faces, face, |h| h.face().key(), |face: Face<'g>| face.half_edges()
 }
 
@@ -241,9 +241,9 @@ view! {
     Skeleton, VertexKey, vertices, vertex, |h| h.origin().key(), |vertex: Vertex<'g>| vertex.rotation()
 }
 
-/// The features of a map, joined where they have a border in common, with the length of the border; the number of a node is
-/// [`FeatureId::index`]. What a border is, [`neighbours`](super::neighbours) says; where two features overlap, the length is the
-/// mean of that of the one with the other and that of the other with the one.
+/// Returns the features of a map as a graph, joined where they have a [common border](super::neighbours), weighted by the length
+/// of the border; the number of a node is [`FeatureId::index`]. If two features overlap, the length is the mean of the lengths
+/// from both sides.
 ///
 /// O(edges · k² · log) for edges with up to k features on a side.
 ///
@@ -285,26 +285,25 @@ pub fn borders(map: &PlanarMap) -> UnGraph<FeatureId, f64> {
     graph
 }
 
-/// The measure by which a way is short.
+/// The measure of a route.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum By {
-    /// Few borders; of ways with as many, the one that is shortest from centroid to centroid.
+    /// Few borders; on a tie, the shortest route from centroid to centroid.
     #[default]
     Borders,
-    /// A short way from centroid to centroid.
+    /// A short route from centroid to centroid.
     Length,
 }
 
-/// A way from feature to feature.
+/// A route between two features.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Route {
-    /// The features, both ends included.
+    /// The features, including both ends.
     pub features: Vec<FeatureId>,
-    /// The distances between the centroids of features that follow each other, added up, in the units of the coordinates.
+    /// The sum of the distances between the centroids of successive features, in the units of the coordinates.
     pub length: f64,
 }
 
-/// The cost of a way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 struct Cost {
     borders: u32,
@@ -319,10 +318,10 @@ impl Add for Cost {
     }
 }
 
-/// The best way from one feature to another, across borders; none if there is no way, or if one of them is no feature of the
+/// Returns the best route between two features across borders; `None` if there is none, or if one of them is not a feature of the
 /// map.
 ///
-/// O(edges of the map · log), and what [`borders`] takes.
+/// O(edges of the map · log), plus the cost of [`borders`].
 ///
 /// ```
 /// use twinedge_algorithm::dual::{By, route};
@@ -349,7 +348,7 @@ pub fn route(map: &PlanarMap, from: FeatureId, to: FeatureId, by: By) -> Option<
         of_faces(map, &faces)
     };
     let centroids: Vec<Option<Point>> = faces_by_feature(map).into_iter().map(centroid).collect();
-    // A feature with a border covers a face, and has a centroid unless numbers overflow.
+    // A feature with a border covers a face, so it has a centroid unless numbers overflow.
     let distance = |a: NodeIndex, b: NodeIndex| {
         let both = centroids[a.index()].zip(centroids[b.index()]);
         both.map_or(0.0, |(a, b)| (b.x - a.x).hypot(b.y - a.y))

@@ -1,4 +1,4 @@
-//! Outlines as the types of the crate [geo-types](::geo_types), which the Rust geospatial crates share.
+//! Outlines as types of the crate [geo-types](::geo_types), shared by the Rust geospatial crates.
 //!
 //! ```
 //! use geo_types::{Geometry, MultiPolygon, polygon};

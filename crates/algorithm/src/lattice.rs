@@ -1,4 +1,4 @@
-//! Lattice polygons: Pick's theorem, for every face of a map whose coordinates are integers.
+//! Lattice polygons: Pick's theorem, for every face of a map with integer coordinates.
 //!
 //! For a polygon whose vertices are lattice points, with I lattice points inside and B on its boundary, the area is
 //!
@@ -11,17 +11,17 @@
 //! ```
 //!
 //! with B over all boundaries. This holds for every bounded face of a plane map, if B is counted *along* the boundary: each
-//! boundary cycle is walked, and every lattice point counts as often as the walk comes to it. So a point on an edge that
-//! dangles in the face counts twice (its end once), and a vertex where holes touch counts once for each of its corners in
-//! the face. Holes that touch are one boundary component, and one hole. An isolated vertex is a hole with an empty walk.
-//! It follows from Euler's formula for the face cut open along its boundary, in triangles of area 1/2.
+//! boundary cycle is walked, and every lattice point counts each time the walk visits it. So a point on an edge that dangles in
+//! the face counts twice (its end once), and a vertex where holes touch counts once for each of its corners in the face. Holes
+//! that touch are one boundary component, and one hole. An isolated vertex is a hole with an empty walk. The theorem follows from
+//! Euler's formula for the face cut open along its boundary, in triangles of area 1/2.
 //!
-//! The three numbers are found independently, in exact integers, so that the theorem is a check of all of them:
+//! The three numbers are computed independently, in exact integers, so that the theorem checks all of them:
 //!
 //! - 2 A by the shoelace formula over the half-edges,
 //! - B by greatest common divisors, one for each half-edge,
-//! - I by rows: on each row, the lattice points strictly between an edge with the face to its right and the next one with
-//!   the face to its left. The rows of one edge are summed in O(log) steps, as a sum of rounded-down quotients.
+//! - I by rows: on each row, the lattice points strictly between an edge with the face to its right and the next one with the
+//!   face to its left. The rows of one edge are summed in O(log) steps, as a sum of rounded-down quotients.
 //!
 //! Sources: G. Pick, "Geometrisches zur Zahlenlehre", Lotos 19 (1899) 311-319; B. Grünbaum and G. C. Shephard, "Pick's
 //! theorem", American Mathematical Monthly 100 (1993) 150-161; for the sum: R. L. Graham, D. E. Knuth and O. Patashnik,
@@ -48,13 +48,13 @@ use twinedge_map::{Embedding, NotPlane, PlanarMap};
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LatticeError {
-    /// A key names nothing.
+    /// A key is stale.
     #[error(transparent)]
     Stale(#[from] StaleKey),
     /// The unbounded face has no area.
     #[error("the unbounded face has no area")]
     Unbounded,
-    /// The map is not plane, so it is not known what lies inside a face.
+    /// The map is not plane, so the inside of a face is undefined.
     #[error(transparent)]
     NotPlane(#[from] NotPlane),
     /// The coordinates of a vertex are not both integers.
@@ -85,16 +85,16 @@ pub enum LatticeError {
 pub struct LatticeCount {
     /// Twice the area, 2 A.
     pub area_doubled: i128,
-    /// The lattice points strictly inside, I.
+    /// The number of lattice points strictly inside, I.
     pub interior: i128,
-    /// The lattice points along the boundary, B: each as often as a walk along the boundary cycles comes to it.
+    /// The number of lattice points along the boundary, B: each counts every time a walk along the boundary cycles visits it.
     pub boundary: i128,
-    /// The inner boundary components, h.
+    /// The number of inner boundary components, h.
     pub holes: i128,
 }
 
 impl LatticeCount {
-    /// Returns true if A = I + B / 2 − 1 + h. This is so for every face, and so checks the three numbers.
+    /// Returns true if A = I + B / 2 − 1 + h. This holds for every face, and so checks the three numbers.
     #[must_use]
     pub const fn pick_holds(&self) -> bool {
         self.area_doubled == 2 * self.interior + self.boundary - 2 + 2 * self.holes
@@ -109,13 +109,13 @@ pub struct LatticeMap {
     pub faces: Vec<(FaceKey, LatticeCount)>,
     /// The sums over all bounded faces.
     pub total: LatticeCount,
-    /// Twice the area of everything that is not the unbounded face, by the boundary of that face alone.
+    /// Twice the area of all bounded faces, computed from the boundary of the unbounded face alone.
     pub covered_doubled: i128,
 }
 
 impl LatticeMap {
-    /// Returns true if the theorem holds for every face, and for the sums: Σ A = Σ I + Σ B / 2 − F + Σ h for F bounded faces, and
-    /// the faces fill what the unbounded face leaves.
+    /// Returns true if the theorem holds for every face and for the sums: Σ A = Σ I + Σ B / 2 − F + Σ h for F bounded faces; and
+    /// the faces fill the complement of the unbounded face.
     #[must_use]
     pub fn pick_holds(&self) -> bool {
         let LatticeCount { area_doubled, interior, boundary, holes } = self.total;
@@ -141,7 +141,7 @@ pub fn of_face(map: &PlanarMap, face: FaceKey) -> Result<LatticeCount, LatticeEr
 /// Counts the lattice points of all bounded faces. O(n log C) for n half-edges and coordinates up to C.
 ///
 /// # Errors
-/// [`LatticeError`], but for [`LatticeError::Unbounded`] and [`LatticeError::Stale`].
+/// [`LatticeError`], except [`LatticeError::Unbounded`] and [`LatticeError::Stale`].
 ///
 /// ```
 /// use twinedge_algorithm::lattice;
@@ -172,7 +172,7 @@ pub fn of_map(map: &PlanarMap) -> Result<LatticeMap, LatticeError> {
     Ok(LatticeMap { faces, total, covered_doubled: -outline.area_doubled })
 }
 
-/// A lattice point. Sums wrap: what they come to fits, however large what is added up.
+/// A lattice point. Sums wrap: the totals fit, even if intermediate values do not.
 type Whole = [i128; 2];
 
 fn whole(map: &PlanarMap, vertex: Vertex<'_>) -> Result<Whole, LatticeError> {
@@ -187,14 +187,14 @@ fn whole(map: &PlanarMap, vertex: Vertex<'_>) -> Result<Whole, LatticeError> {
     }
 }
 
-/// The numbers of a face; of the unbounded one, the area is minus that of everything else, and the points inside mean
-/// nothing.
+/// Counts a face. For the unbounded face, the area is minus the area of all others, and the number of points inside is
+/// meaningless.
 fn count(map: &PlanarMap, face: Face<'_>) -> Result<LatticeCount, LatticeError> {
     let mut count = LatticeCount { area_doubled: 0, interior: 0, boundary: 0, holes: face.inner_count() as i128 };
     for boundary in face.boundaries() {
         if let Some(vertex) = boundary.isolated_vertex() {
             whole(map, vertex)?;
-            // The row just above passes over it.
+            // The row slightly above passes over it.
             count.interior = count.interior.wrapping_sub(1);
         }
         for h in boundary.half_edges() {
@@ -210,11 +210,10 @@ fn count(map: &PlanarMap, face: Face<'_>) -> Result<LatticeCount, LatticeError> 
 
 /// Returns the contribution of a half-edge to the number of lattice points inside the face to its left.
 ///
-/// Each row is looked at just above the lattice points on it, where it passes through no vertex: from the rows where an edge
-/// starts to the one before that where it ends. A point on the row is inside if it lies between an edge that runs
-/// downwards, with the face to its right on the page, and one that runs upwards: more than the place where the row meets the
-/// first, less than where it meets the second. What lies on a horizontal edge with the face above is inside by this rule, and
-/// is taken off.
+/// Each row is examined slightly above its lattice points, where it passes through no vertex: from the row where an edge starts
+/// to the one before the row where it ends. A point on the row is inside if it lies between an edge that runs downwards, with the
+/// face to its right on the page, and an edge that runs upwards: beyond the intersection of the row and the first, and before the
+/// intersection with the second. By this rule, points on a horizontal edge with the face above are inside; they are subtracted.
 fn row_points(a: Whole, b: Whole) -> i128 {
     let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     if dy > 0 {
@@ -252,7 +251,8 @@ fn corner_points(map: &PlanarMap, h: HalfEdge<'_>) -> Result<i128, LatticeError>
         (true, true) => i128::from(turn > 0),
         (true, false) | (false, true) => 0,
         (false, false) => {
-            // Neither is above the row, so the corner has all above it or nothing. Opposite directions lie on the row.
+            // Neither is above the row, so the corner contains everything above it or nothing. Opposite directions lie on the
+            // row.
             let below = turn > 0 || turn == 0 && ax < 0 && bx > 0;
             -i128::from(!below)
         }
@@ -266,11 +266,11 @@ fn gcd(mut a: i128, mut b: i128) -> i128 {
     a
 }
 
-/// The sum of ⌊(a·i + b) / m⌋ for i from 0 to n − 1, for m > 0. O(log m).
+/// Returns the sum of ⌊(a·i + b) / m⌋ for i from 0 to n − 1, for m > 0. O(log m).
 fn floor_sum(mut n: i128, mut m: i128, mut a: i128, mut b: i128) -> i128 {
     let mut sum: i128 = 0;
     loop {
-        // The integer parts of slope and height give a triangle and a rectangle. The rest is a triangle under a line with a slope
+        // The integer parts of slope and height form a triangle and a rectangle. The rest is a triangle under a line with a slope
         // and a height below one.
         sum = sum.wrapping_add((n * (n - 1) / 2).wrapping_mul(a.div_euclid(m))).wrapping_add(n * b.div_euclid(m));
         (a, b) = (a.rem_euclid(m), b.rem_euclid(m));
@@ -278,7 +278,7 @@ fn floor_sum(mut n: i128, mut m: i128, mut a: i128, mut b: i128) -> i128 {
         if top < m {
             return sum;
         }
-        // The same points by columns instead of rows.
+        // Counts these points by columns instead of rows.
         (n, b) = (top / m, top % m);
         (m, a) = (a, m);
     }

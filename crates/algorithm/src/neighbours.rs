@@ -1,4 +1,4 @@
-//! Neighbours: which faces or features share a border, where it runs, and how long it is.
+//! Neighbours: faces or features that share a border, with its course and its length.
 //!
 //! ```text
 //!   ┌───────┬───────┐
@@ -8,8 +8,8 @@
 //!           └───────┘
 //! ```
 //!
-//! Two faces are neighbours if an edge has one of them on one side and the other on the other. The border of a feature with
-//! another is the part of its own boundary beyond which the other lies, whether or not the other lies on this side as well:
+//! Two faces are neighbours if an edge has one of them on each side. The border of a feature with another is the part of its own
+//! boundary beyond which the other lies, even if the other also lies on this side:
 //!
 //! ```text
 //!   ┌───────┬─┬───────┐     a and b overlap. The border of a with b is the right side of the overlap, the end of a; that of
@@ -18,9 +18,9 @@
 //!   └───────┴─┴───────┘
 //! ```
 //!
-//! Where nothing overlaps, two features see the same border, each from its side, and all of it is shared.
+//! If nothing overlaps, two features see the same border, each from its side, and all of it is shared.
 //!
-//! Lengths are those of the plane, in the units of the coordinates: for longitudes and latitudes, degrees.
+//! Lengths are planar, in the units of the coordinates: in degrees for longitudes and latitudes.
 
 use super::area::{Sum, face_area};
 use super::claims::{faces_of, features_of};
@@ -30,32 +30,32 @@ use twinedge::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex};
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
-/// A neighbour, and the border with it.
+/// A neighbour, with the common border.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Neighbour<K> {
     /// The neighbour.
     pub neighbour: K,
-    /// The border, in maximal chains: each ends where nothing of this border goes on, or more than one edge of it does. A
-    /// chain that comes back to its start repeats it. The face or feature asked about lies to the left.
+    /// The border, in maximal chains: each ends where no edge of this border continues it, or several do. A closed chain repeats
+    /// its start. The queried face or feature lies to the left.
     pub borders: Vec<Vec<Point>>,
-    /// The length of all these chains together.
+    /// The total length of these chains.
     pub length: f64,
-    /// The length of those edges of them on which one ends and the other begins: all, unless the two overlap there.
+    /// The total length of edges where one ends and the other begins: the full length, unless the two overlap there.
     pub shared: f64,
 }
 
-/// Two features that have a border with each other or overlap.
+/// Two features with a common border or an overlap.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
-    /// The two, in order.
+    /// The two features, in order.
     pub features: [FeatureId; 2],
-    /// The border of the first with the second, as [`of_feature`] gives it; empty where the second lies inside the first.
+    /// The border of the first with the second, as in [`of_feature`]; empty if the second lies inside the first.
     pub border: Neighbour<FeatureId>,
     /// The area that both cover.
     pub overlap: f64,
 }
 
-/// The neighbours of a face across its edges, in order of their indices; the unbounded face may be one. An edge with the
+/// Returns the neighbours of a face across its edges, in order of their indices; the unbounded face may be one. An edge with the
 /// face on both sides is no border. O(n log n) for its n half-edges.
 ///
 /// # Errors
@@ -91,10 +91,10 @@ pub fn of_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<Neighbour<FaceKey>>,
     Ok(borders.into_iter().filter_map(with).collect())
 }
 
-/// The neighbours of a feature beyond its own boundary, in order. O(faces of the map · log + m log n) for m pairs of a half-edge of a face
-/// that the feature covers and a feature on the other side.
+/// Returns the neighbours of a feature beyond its own boundary, in order. O(faces of the map · log + m log n) for m pairs of a
+/// half-edge of a face that the feature covers and a feature on the other side.
 ///
-/// None for a feature of another map that this one does not have.
+/// Empty for a feature that this map does not have.
 ///
 /// ```
 /// use twinedge_algorithm::neighbours::of_feature;
@@ -126,8 +126,8 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Vec<Neighbour<FeatureI
     borders.into_iter().map(|(other, border)| neighbour_feature(map, other, &border)).collect()
 }
 
-/// All pairs of features that have a border with each other or overlap, in order. O(n log n) for n half-edges, each counted
-/// once for each pair of a feature on its side and a feature across it.
+/// Returns all pairs of features with a common border or an overlap, in order. O(n log n) for n half-edges, each counted once for
+/// each pair of a feature on its side and a feature across it.
 ///
 /// ```
 /// use twinedge_algorithm::neighbours::pairs;
@@ -173,15 +173,15 @@ pub fn pairs(map: &PlanarMap) -> Vec<Pair> {
     found.into_iter().map(pair).collect()
 }
 
-/// As [`neighbour`], for a feature: edges with it on both sides are not shared.
+/// Like [`neighbour`], for a feature: edges with it on both sides are not shared.
 fn neighbour_feature(map: &PlanarMap, other: FeatureId, border: &[HalfEdge<'_>]) -> Neighbour<FeatureId> {
     let is_shared = |h: &&HalfEdge<'_>| !features_of(map, h.face()).any(|f| f == other);
     let shared: Sum = border.iter().filter(is_shared).map(|h| length(map, *h)).collect();
     Neighbour { shared: shared.value(), ..neighbour(map, other, border) }
 }
 
-/// The faces that meet a face at a vertex and nowhere along an edge, in order of their indices. O(n log n) for the n
-/// half-edges that leave its vertices.
+/// Returns the faces that meet a face at a vertex but along no edge, in order of their indices. O(n log n) for the n half-edges
+/// that leave its vertices.
 ///
 /// ```
 /// use twinedge_algorithm::neighbours::touching_face;
@@ -213,9 +213,8 @@ pub fn touching_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<FaceKey>, Stal
     Ok(touching.into_values().collect())
 }
 
-/// The features that meet a feature at a vertex and nowhere along an edge, in order. Features that overlap it meet it in
-/// more than that. O(faces of the map · log + n log n) for n pairs of a half-edge that leaves one of its vertices and a feature
-/// there.
+/// Returns the features that meet a feature only at vertices, in order. Features that overlap it are not among them. O(faces of
+/// the map · log + n log n) for n pairs of a half-edge that leaves one of its vertices and a feature there.
 ///
 /// ```
 /// use twinedge_algorithm::neighbours::{of_feature, touching_feature};
@@ -249,7 +248,7 @@ fn covered(map: &PlanarMap, feature: FeatureId) -> Vec<Face<'_>> {
     faces_of(map, feature).into_iter().filter_map(|f| map.dcel().face(f).ok()).collect()
 }
 
-/// The vertices on the boundaries of faces, each once.
+/// Returns the vertices on the boundaries of faces, each once.
 fn around<'a>(faces: &[Face<'a>]) -> Vec<Vertex<'a>> {
     let mut seen = FxHashSet::default();
     faces.iter().flat_map(|f| f.half_edges()).map(HalfEdge::origin).filter(|v| seen.insert(v.index())).collect()
@@ -266,10 +265,10 @@ fn neighbour<K>(map: &PlanarMap, neighbour: K, border: &[HalfEdge<'_>]) -> Neigh
     Neighbour { neighbour, borders: chains(map, border), length, shared: length }
 }
 
-/// A set of half-edges as maximal chains: each ends where none goes on, or more than one comes or leaves. O(n log n).
+/// Joins a set of half-edges to maximal chains: each ends where none continues it, or several arrive or leave. O(n log n).
 #[must_use]
 pub fn chains(map: &PlanarMap, border: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
-    // By where they start.
+    // Sorted by start.
     let mut leaving: Vec<(usize, usize)> = border.iter().enumerate().map(|(i, h)| (h.origin().index(), i)).collect();
     leaving.sort_unstable();
     let mut arriving: Vec<usize> = border.iter().map(|h| h.target().index()).collect();
@@ -282,7 +281,7 @@ pub fn chains(map: &PlanarMap, border: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
         let first = arriving.partition_point(|w| *w < v);
         arriving[first..].iter().take(2).filter(|w| **w == v).count()
     };
-    // The one half-edge that leaves a vertex; none unless one comes and one leaves.
+    // Returns the only half-edge that leaves a vertex where exactly one arrives.
     let onward = |v: usize| {
         let mut here = starts_at(v);
         let next = here.next().map(|(_, i)| *i);
@@ -291,7 +290,7 @@ pub fn chains(map: &PlanarMap, border: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
     let mut taken = vec![false; border.len()];
     let mut found = Vec::new();
     let ends = (0..border.len()).filter(|i| onward(border[*i].origin().index()).is_none());
-    // After all chains with ends, those left are closed, and may start anywhere.
+    // After all chains with ends, the remaining ones are closed, and may start anywhere.
     for start in ends.chain(0..border.len()) {
         let mut chain = Vec::new();
         let mut at = Some(start);

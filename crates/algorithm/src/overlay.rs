@@ -1,4 +1,4 @@
-//! Two maps laid over each other: one map that knows for each of its faces where it lies in both.
+//! Overlaying two maps: one map in which each face knows its face in both.
 //!
 //! ```text
 //!   ┌───────┐                       ┌───────┐
@@ -8,12 +8,11 @@
 //!                 └───────┘              └───────┘
 //! ```
 //!
-//! The edges of both are [noded](twinedge_geometry::noding) together. A face of either map becomes what its boundary, rounded
-//! like everything, encloses by parity. Snap rounding never moves a vertex across an edge, so together these areas still
-//! cover the plane once: faces thinner than a cell may vanish, but no face of the result lies in two faces of one map.
+//! The edges of both are [noded](twinedge_geometry::noding) together. A face of either map becomes the area that its rounded
+//! boundary encloses by parity. Snap rounding never moves a vertex across an edge, so together these areas still cover the plane
+//! once: faces thinner than a cell may vanish, but no face of the result lies in two faces of one map.
 //!
-//! Source for the idea, with a sweep in place of the rounding: de Berg et al., "Computational Geometry", 3rd edition,
-//! section 2.3.
+//! Source for the idea, with a sweep instead of rounding: de Berg et al., "Computational Geometry", 3rd edition, section 2.3.
 
 use std::collections::HashMap;
 use thiserror::Error;
@@ -44,27 +43,27 @@ impl std::fmt::Display for Operand {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OverlayError {
-    /// The edges of one of the maps do not meet at shared endpoints only, so its faces are not known.
+    /// The edges of one map meet other than at shared endpoints, so its faces are undefined.
     #[error("the {0} one: {1}")]
     NotPlane(Operand, NotPlane),
     /// The edges cannot be noded on this grid, or there is no room.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// The policy of an attribute does not allow to cut a face, or to drop one of which nothing is left.
+    /// The policy of an attribute refuses to split or drop a face.
     #[error(transparent)]
     Attribute(#[from] OperatorError),
 }
 
-/// The choice among the faces covered by one or the other of two features.
+/// A choice among the faces covered by two features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// Covered by either.
     Union,
     /// Covered by both.
     Intersection,
-    /// Covered by the feature of the left map and not by that of the right.
+    /// Covered by the left map's feature but not by the right map's.
     Difference,
-    /// Covered by one and not by the other.
+    /// Covered by exactly one of them.
     SymmetricDifference,
 }
 
@@ -79,32 +78,32 @@ impl Operation {
     }
 }
 
-/// The map that two maps make together.
+/// The overlay of two maps.
 ///
-/// Its features are those of the left map and then those of the right, in their orders.
+/// Its features are the features of the left map followed by the features of the right map, in their orders.
 #[derive(Clone, Debug)]
 pub struct Overlay {
     map: PlanarMap,
-    /// By index of face: its face in the left map and in the right.
+    /// For each face, its face in the left map and in the right.
     faces: Vec<[FaceKey; 2]>,
     /// By [`FeatureId::index`] in the left and in the right map.
     features: [Vec<FeatureId>; 2],
 }
 
 impl Overlay {
-    /// The map of both. For an example see [`overlay`].
+    /// Returns the map. [`overlay`] has an example.
     #[must_use]
     pub const fn map(&self) -> &PlanarMap {
         &self.map
     }
 
-    /// The map of both, to keep.
+    /// Converts the overlay into its map.
     #[must_use]
     pub fn into_map(self) -> PlanarMap {
         self.map
     }
 
-    /// The face of one of the maps in which a face of the overlay lies. O(1).
+    /// Returns the face of one of the maps that contains a face of the overlay. O(1).
     ///
     /// ```
     /// use twinedge_algorithm::overlay::{Operand, overlay};
@@ -130,16 +129,16 @@ impl Overlay {
         Ok(faces[operand as usize])
     }
 
-    /// Returns the feature of the overlay for a feature of one of the maps; none, if that map has no such feature. O(1).
+    /// Returns the feature of the overlay for a feature of one of the maps; `None` if that map has no such feature. O(1).
     #[must_use]
     pub fn feature_of(&self, operand: Operand, feature: FeatureId) -> Option<FeatureId> {
         self.features[operand as usize].get(feature.index()).copied()
     }
 
-    /// The faces that two features, one of each map, make together. A feature that does not exist covers nothing.
-    /// O(faces + features of each).
+    /// Returns the faces of an operation on two features, one of each map. A feature that does not exist covers nothing. O(faces
+    /// + features of each).
     ///
-    /// [`contour::of_faces`](super::contour::of_faces) makes polygons of them.
+    /// [`contour::of_faces`](super::contour::of_faces) converts them to polygons.
     pub fn faces(&self, operation: Operation, left: FeatureId, right: FeatureId) -> impl Iterator<Item = FaceKey> + '_ {
         let features = [self.feature_of(Operand::Left, left), self.feature_of(Operand::Right, right)];
         self.map.dcel().faces().map(Face::key).filter(move |face| {
@@ -151,10 +150,9 @@ impl Overlay {
     }
 }
 
-/// Lays two maps over each other, on a grid. The [attributes](PlanarMap::carry_parts) that faces and features have in either
-/// go with them.
+/// Lays two maps over each other, on a grid. Their [attributes](PlanarMap::carry_parts) of faces and features are carried over.
 ///
-/// O((n + k) log n + the sizes of what lies inside each face, holes included) for n edges that meet k times.
+/// O((n + k) log n) for n edges that meet k times, plus the total size of the contents of all faces, holes included.
 ///
 /// ```
 /// use twinedge_algorithm::area::face_area;
@@ -207,18 +205,16 @@ pub fn overlay(left: &PlanarMap, right: &PlanarMap, snap: Snap) -> Result<Overla
     Ok(both)
 }
 
-/// The meaning of a feature that is handed to the builder.
 #[derive(Clone, Debug)]
 enum Meaning {
-    /// The area of a face of one of the maps.
     Face(Operand, FaceKey),
     /// Edges along which certain features of one of the maps run.
     Along(Operand, Vec<FeatureId>),
-    /// Edges and vertices, so that they are there.
+    /// Edges and vertices that only need to exist.
     Nothing,
 }
 
-/// Hands the faces and edges of a map to the builder, as features, and says what each stands for.
+/// Adds the faces and edges of a map to the builder, as features, and records the meaning of each.
 fn gather(
     operand: Operand,
     map: &PlanarMap,
@@ -236,7 +232,7 @@ fn gather(
         let rings = face.boundaries().map(ring).filter(|ring| !ring.is_empty()).collect();
         take(vec![Shape::Polygon(rings)], Meaning::Face(operand, face.key()))?;
     }
-    // Edges by the features along them; those along which none runs may bound no face either.
+    // Edges by the features along them; edges without features are included, since they may bound no face.
     let mut along: HashMap<Vec<FeatureId>, Vec<Shape>> = HashMap::new();
     let mut sets = Vec::new();
     for h in map.dcel().edges() {
@@ -258,11 +254,11 @@ fn gather(
     take(alone.map(|v| Shape::Point(at(v))).collect(), Meaning::Nothing)
 }
 
-/// The faces and edges of the two maps from which those of the overlay come.
+/// The origins of the overlay's faces and edges in the two maps.
 struct Labels {
-    /// By index of face: its face in the left map and in the right.
+    /// For each face, its face in the left map and in the right.
     faces: Vec<[FaceKey; 2]>,
-    /// Edges, and the features of the builder that run along them.
+    /// Edges with the builder's features along them.
     edges: Vec<(HalfEdgeKey, Vec<usize>)>,
 }
 
@@ -284,8 +280,7 @@ impl Labels {
 }
 
 impl Overlay {
-    /// Gives each face and edge the features that it has in both maps. All keys and features are of this map, so none is
-    /// refused.
+    /// Assigns to each face and edge its features in both maps. All keys and features belong to this map, so none is refused.
     fn put_features(&mut self, maps: [&PlanarMap; 2], edges: &[(HalfEdgeKey, Vec<usize>)], meanings: &[Meaning]) {
         let faces: Vec<_> = self.map.dcel().faces().map(|face| (face.key(), face.index())).collect();
         for (face, index) in faces {

@@ -1,15 +1,15 @@
-//! The structure as the tests read it: each link from the structure if it stores it, and from the labels if not.
+//! The structure as the tests read it: each link from the structure if stored there, otherwise from the labels.
 
 use super::columns::{Column, Labels, MOST_SLOTS};
 use super::storage::{Columns, Entries as _, Numbers as _};
 use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, View};
 
-/// A structure together with labels. What is asked of a slot that is vacant, or not there, is nil.
+/// A structure together with labels. Vacant or missing slots answer nil.
 pub(super) struct Answers<'a, V: ?Sized, C = Labels> {
     pub(super) view: &'a V,
     pub(super) labels: &'a C,
     parts: Parts,
-    /// The numbers of slots, asked for once.
+    /// The numbers of slots, read once.
     pub(super) vertices: usize,
     pub(super) half_edges: usize,
     pub(super) boundaries: usize,
@@ -32,19 +32,19 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         }
     }
 
-    /// Each half-edge has a rank, and numbers fit into columns.
+    /// Returns true if each half-edge has a rank, and numbers fit into columns.
     pub(super) fn readable(&self) -> bool {
         let slots = [self.vertices, self.half_edges, self.boundaries, self.faces];
         self.labels.column(Column::HalfEdgeRank).count() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
     }
 
-    /// True if the structure has records for boundary components.
+    /// Returns true if the structure has records for boundary components.
     #[inline(always)]
     pub(super) fn by_record(&self) -> bool {
         self.parts.has(Part::BoundaryComponents)
     }
 
-    /// True if half-edges and faces name each other, without boundary components.
+    /// Returns true if half-edges and faces name each other, without boundary components.
     #[inline(always)]
     pub(super) fn by_name(&self) -> bool {
         self.parts.has(Part::Faces) && !self.by_record()
@@ -94,20 +94,19 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         }
     }
 
-    /// The twin, the next and the previous half-edge.
     #[inline(always)]
     pub(super) fn links(&self, h: usize) -> [Link; 3] {
         [self.twin(h), self.next(h), self.prev(h)]
     }
 
-    /// The same, if all are live.
+    /// Returns the twin, the next and the previous half-edge, if all are live.
     #[inline(always)]
     pub(super) fn live_links(&self, h: usize) -> Option<[usize; 3]> {
         let live = |link: Link| link.filter(|h| self.is_half_edge(*h));
         Some([live(self.twin(h))?, live(self.next(h))?, live(self.prev(h))?])
     }
 
-    /// The half-edge that its origin keeps.
+    /// Returns the half-edge kept by its origin.
     #[inline(always)]
     pub(super) fn kept(&self, h: usize) -> Link {
         self.leaving(self.origin(h)?)
@@ -203,7 +202,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         }
     }
 
-    /// The half-edge with which the boundary component starts, if it is a cycle.
+    /// Returns the half-edge at the start of the boundary component, if it is a cycle.
     #[inline(always)]
     pub(super) fn cycle_start(&self, b: usize) -> Link {
         match self.start(b) {
@@ -216,7 +215,7 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
         matches!(self.place(b), Some(BoundaryPlace::Inner(_)))
     }
 
-    /// The link leads to a half-edge with a lower rank than that of `h`.
+    /// Returns true if the link leads to a half-edge with a lower rank than `h`.
     #[inline(always)]
     pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
         let rank = self.labels.column(Column::HalfEdgeRank);
@@ -224,8 +223,8 @@ impl<'a, V: View + ?Sized, C: Columns> Answers<'a, V, C> {
     }
 }
 
-/// True if there is a slot of this number. In 32 bits: of a structure that keeps its links so, with all bits set for nil, one comparison then
-/// tells that a link is not nil and that its slot is there.
+/// Returns true if there is a slot with this number. In 32 bits: for a structure that stores links in 32 bits, with all bits set
+/// for nil, one comparison then decides that a link is not nil and that its slot exists.
 #[inline(always)]
 const fn has(slots: usize, i: usize) -> bool {
     i < slots as u32 as usize

@@ -1,7 +1,7 @@
-//! The checker: a scan that looks at each record once, with the records that its links name.
+//! The checker: a scan that reads each record once, with the records named by its links.
 //!
-//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Labels.v`, under the same name. There
-//! is no walk, no set, no order, and nothing of the rules.
+//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Labels.v`, under the same
+//! name. It has no walk, no set and no order, and does not contain the rules.
 
 use super::answers::Answers;
 use super::storage::Columns;
@@ -10,15 +10,17 @@ use super::test::{Failure, Failures, Noted, Test, UntilFailure};
 use alloc::vec::Vec;
 use twinedge::validate::{BoundaryPlace, Link, Start, View};
 
-/// Checks the labels of a structure. If all tests pass, it keeps R1 … T4 of [`Expectation::plane`](twinedge::validate::Expectation::plane).
+/// Checks the labels of a structure. If all tests pass, the structure keeps R1 … T4 of
+/// [`Expectation::plane`](twinedge::validate::Expectation::plane).
 ///
-/// The labels need not be right, and not even of the right length; the structure may be anything, as for
-/// [`validate`](twinedge::validate::validate). What is not a certificate is not always broken: the labels may be those of another structure.
+/// The labels may be invalid, even of incorrect length, and the structure may be anything, as for
+/// [`validate`](twinedge::validate::validate). A failed check does not imply a broken structure: the labels may belong to another
+/// one.
 ///
-/// Cost: O(n) for n slots and list entries. No memory is allocated, but for failures.
+/// Cost: O(n) for n slots and list entries. Only failures allocate memory.
 ///
 /// # Errors
-/// The tests that fail, with how many records fail each, and the first of them.
+/// The failed tests, each with the number of failing records and the first of them.
 ///
 /// ```
 /// use twinedge::validate::Table;
@@ -35,7 +37,8 @@ pub fn check<V: View + ?Sized, C: Columns>(view: &V, labels: &C) -> Result<(), V
     failures.into_result()
 }
 
-/// Tells whether all tests pass: the same as [`check`] without failures. It ends with the first test that fails, and reads no record after that.
+/// Returns true if all tests pass, like [`check`] without the failures. Stops at the first failing test, reading no further
+/// records.
 ///
 /// Cost: O(n) for n slots and list entries. No memory is allocated.
 ///
@@ -55,7 +58,7 @@ pub fn passes<V: View + ?Sized, C: Columns>(view: &V, labels: &C) -> bool {
     run(view, labels, &mut UntilFailure).is_some()
 }
 
-/// Runs every test. None if the check ended before the last one.
+/// Runs every test. Returns `None` if the check ended early.
 #[inline(always)]
 fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, noted: &mut impl Noted) -> Option<()> {
     let s = Answers::new(view, labels);
@@ -64,7 +67,7 @@ fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, noted: &mut impl Note
     if readable { scan(&s, noted)?.note(noted) } else { None }
 }
 
-/// Runs every test of single records. None if the check ended before the last one.
+/// Runs every test of single records. Returns `None` if the check ended early.
 #[inline(always)]
 pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &mut impl Noted) -> Option<Sums> {
     let mut sums = Sums::default();
@@ -83,7 +86,7 @@ pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &
         noted.note(Test::StartOk, b, s.start_ok(b))?;
         noted.note(Test::PlaceOk, b, s.place_ok(b))?;
     }
-    // A boundary component is at one place. More entries can only be right if answers change.
+    // A boundary component has one place. More entries can only be valid if answers change.
     let mut entries = s.boundaries;
     for f in (0..s.faces).filter(|f| s.is_face(*f)) {
         sums.unbounded += usize::from(s.outer(f).is_none());
@@ -94,7 +97,8 @@ pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &
 }
 
 impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
-    /// The links of a half-edge, its neighbours and its origin fit together. Further tests follow while `passes` returns true.
+    /// Checks that the links of a half-edge, its neighbours and its origin fit together. Runs further tests while `passes`
+    /// returns true.
     #[inline(always)]
     pub(super) fn links_ok(
         &self,
@@ -111,7 +115,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
             && passes(Test::OriginOk, kept.is_some())
     }
 
-    /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
+    /// Runs all tests of a half-edge. Links are rarely nil: reading them first spares the compiler repeated checks.
     #[inline(always)]
     fn half_edge(&self, h: usize, noted: &mut impl Noted) -> Option<()> {
         let whole_star = || {
@@ -133,7 +137,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         });
     }
 
-    /// The tests of a half-edge, until `passes` returns false.
+    /// Runs the tests of a half-edge until `passes` returns false.
     #[inline(always)]
     fn half_edge_ok(
         &self,
@@ -161,13 +165,14 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b))
     }
 
-    /// `h` is the start of an inner boundary component of the unbounded face, or of one whose outer cycle starts with a lower rank.
+    /// `h` is the start of an inner boundary component of the unbounded face, or of a face whose outer cycle starts with a lower
+    /// rank.
     fn is_root(&self, h: usize, b: usize) -> bool {
         let lies_lower = |f| self.outer(f).is_none_or(|outer| self.is_lower(self.cycle_start(outer), h));
         self.cycle_start(b) == Some(h) && self.is_inner(b) && self.boundary_face(b).is_some_and(lies_lower)
     }
 
-    /// It keeps a half-edge that leaves it, or names the boundary component that it is.
+    /// The vertex keeps a half-edge that leaves it, or names its own boundary component.
     fn vertex_ok(&self, v: usize) -> bool {
         let isolated = self.isolated(v);
         match self.leaving(v) {
@@ -176,7 +181,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         }
     }
 
-    /// It starts with one of its half-edges, or is an isolated vertex, and then an inner one.
+    /// The component starts with one of its half-edges, or is an isolated vertex and an inner one.
     fn start_ok(&self, b: usize) -> bool {
         match self.start(b) {
             Some(Start::HalfEdge(h)) => self.boundary(h) == Some(b),
@@ -187,7 +192,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         }
     }
 
-    /// Its face lists it at its place.
+    /// The face lists the component at its place.
     fn place_ok(&self, b: usize) -> bool {
         match (self.boundary_face(b), self.place(b)) {
             (Some(f), Some(BoundaryPlace::Outer)) => self.outer(f) == Some(b),
@@ -196,7 +201,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         }
     }
 
-    /// The entries of its list name it, and their places. `entries` is the number of entries that may still be right.
+    /// The entries of the list name the face and their places. `entries` is the number of entries that may still be valid.
     fn face_ok(&self, f: usize, entries: &mut usize) -> bool {
         let named = |b: usize, place| self.boundary_face(b) == Some(f) && self.place(b) == Some(place);
         self.outer(f).is_none_or(|b| named(b, BoundaryPlace::Outer))
@@ -207,7 +212,8 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
             })
     }
 
-    /// Without stored boundary components: the half-edges and vertices that the face names are on its boundary components, in their order.
+    /// Without stored boundary components: the half-edges and vertices named by the face are on its boundary components, in
+    /// order.
     pub(super) fn face_starts_ok(&self, f: usize) -> bool {
         if !self.by_name() {
             return true;

@@ -1,7 +1,7 @@
 //! The checker of drawings.
 //!
-//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Coordinates.v`, under the same name. What
-//! is beyond the end of a column is 0, as it is there.
+//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Coordinates.v`, under the
+//! same name. As there, entries beyond the end of a column are 0.
 
 use super::answers::Answers;
 use super::check::scan;
@@ -15,13 +15,14 @@ use twinedge::validate::{Link, View};
 /// Coordinates are from `-2^53` to `2^53 - 1`.
 const REACH: i64 = 1 << 53;
 
-/// Checks the labels of a structure and a drawing of it. If all tests pass, the structure keeps R1 … T4, and is drawn in the plane
-/// with straight edges between the points that have the numbers of its vertices.
+/// Checks the labels of a structure and a drawing of it. If all tests pass, the structure keeps R1 … T4, and is drawn in the
+/// plane with straight edges between the points numbered like its vertices.
 ///
-/// Cost: O(n) for n slots, list entries and darts. Orientations are exact, in 128 bits. It is total, as [`check`](super::check()) is.
+/// Cost: O(n) for n slots, list entries and darts. Orientations are exact, in 128 bits. It is total, like
+/// [`check`](super::check()).
 ///
 /// # Errors
-/// The tests that fail.
+/// The failed tests.
 pub fn check_drawing<V: View + ?Sized, C: Columns, D: Columns>(
     view: &V,
     labels: &C,
@@ -39,11 +40,10 @@ pub fn check_drawing<V: View + ?Sized, C: Columns, D: Columns>(
     failures.into_result()
 }
 
-/// The columns of a drawing.
 struct Darts<'a, V: ?Sized, C, D: Columns> {
     s: &'a Answers<'a, V, C>,
     drawing: &'a D,
-    /// The numbers of darts and of points, asked for once.
+    /// The numbers of darts and of points, read once.
     count: usize,
     points: usize,
     twin: D::Numbers<'a>,
@@ -55,16 +55,14 @@ struct Darts<'a, V: ?Sized, C, D: Columns> {
     of_half_edge: D::Numbers<'a>,
 }
 
-/// A dart, and the darts that are looked at from there.
 #[derive(Clone, Copy)]
 struct Dart {
     number: usize,
-    /// The next dart of the triangle.
     next: usize,
     twin: usize,
     /// The next dart counter-clockwise around the same point.
     turn: usize,
-    /// The half-edge that lies on it; nil if its edge is added.
+    /// The half-edge on it; nil if its edge is added.
     half_edge: Link,
 }
 
@@ -86,7 +84,7 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
         }
     }
 
-    /// Columns have the right lengths, points of darts are there, and coordinates are in range.
+    /// Returns true if columns have the correct lengths, points of darts exist, and coordinates are in range.
     fn readable(&self) -> bool {
         let per_dart = [self.point, self.half_edge, self.ahead, self.face, self.rank];
         [self.count, self.points].iter().all(|n| *n <= MOST_SLOTS)
@@ -189,12 +187,11 @@ impl<'a, V: View + ?Sized, C: Columns, D: Columns> Darts<'a, V, C, D> {
     }
 }
 
-/// The entry of a column; 0 beyond its end.
+/// Returns the entry of a column, or 0 beyond its end.
 fn at(column: impl Numbers, i: usize) -> usize {
     column.at(i).unwrap_or(0) as usize
 }
 
-/// The dart before in the triangle.
 const fn before(d: usize) -> usize {
     if d % 3 == 0 { d.saturating_add(2) } else { d - 1 }
 }

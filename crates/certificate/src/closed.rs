@@ -1,4 +1,4 @@
-//! An open surface is closed: wherever a face is missing, there is a hole.
+//! Closing an open surface: each missing face becomes a hole.
 //!
 //! ```text
 //!      face │ no half-edge            face │ hole
@@ -6,7 +6,7 @@
 //!         │ │                            │ │
 //! ```
 //!
-//! Nothing here has to be right for the check of a [`SurfaceCertificate`](super::SurfaceCertificate) to be.
+//! The check of a [`SurfaceCertificate`](super::SurfaceCertificate) does not rely on any code here.
 
 use super::answers::Answers;
 use super::columns::{Column, Labels, LabelsError, MOST_SLOTS, VACANT};
@@ -18,8 +18,8 @@ use crate::NIL;
 use alloc::vec::Vec;
 use twinedge::validate::{BoundaryPlace, Link, Part, View};
 
-/// The links of a structure on surfaces as columns, in which each half-edge has a twin and a boundary component. The boundary components
-/// that are added have no face.
+/// Returns the links of a structure on surfaces as columns, giving each half-edge a twin and a boundary component. Added boundary
+/// components have no face.
 pub(super) fn closed<V: View + ?Sized>(view: &V) -> Result<Labels, LabelsError> {
     let mut made = Labels::of_links(view)?;
     if !view.parts().has(Part::Faces) {
@@ -34,14 +34,14 @@ pub(super) fn closed<V: View + ?Sized>(view: &V) -> Result<Labels, LabelsError> 
     Ok(columns)
 }
 
-/// The half-edges, and after them a twin for each that has none.
+/// Returns the half-edges, followed by a new twin for each half-edge without one.
 fn half_edges<V: View + ?Sized>(s: &Surface<'_, V>) -> Result<Labels, LabelsError> {
     let of = |link: &dyn Fn(usize) -> Link, slots| filled(s.0.half_edges, |h| within(slots, link(h)));
     let mut origin = filled(s.0.half_edges, |h| live(s.0.is_half_edge(h), number(s.0.origin(h))))?;
     let mut twin = of(&|h| s.0.twin(h), s.0.half_edges)?;
     let (mut next, mut prev) = (of(&|h| s.0.next(h), s.0.half_edges)?, of(&|h| s.0.prev(h), s.0.half_edges)?);
     let mut boundary = of(&|h| s.boundary(h), s.boundaries())?;
-    // For each vertex the half-edge without twin that leaves it, and the one that arrives there.
+    // For each vertex, the leaving and the arriving half-edge without a twin.
     let (mut leaving, mut arriving) = (nils(s.0.vertices)?, nils(s.0.vertices)?);
     let ends = |h: usize| [s.0.origin(h), s.0.next(h).and_then(|n| s.0.origin(n))];
     let single = (0..s.0.half_edges).filter(|h| s.0.is_half_edge(*h) && s.0.twin(*h).is_none());
@@ -58,7 +58,7 @@ fn half_edges<V: View + ?Sized>(s: &Surface<'_, V>) -> Result<Labels, LabelsErro
         origin.push(number(to));
         boundary.push(NIL);
     }
-    // The twin of the one that leaves the vertex ends there, and is followed by the twin of the one that arrives.
+    // The twin of the half-edge that leaves the vertex ends there, and is followed by the twin of the arriving one.
     let across = |half_edge: Option<&u32>| half_edge.and_then(|h| twin.get(*h as usize)).copied().unwrap_or(NIL);
     for h in single {
         let [from, to] = ends(h);
@@ -74,12 +74,12 @@ fn half_edges<V: View + ?Sized>(s: &Surface<'_, V>) -> Result<Labels, LabelsErro
     Ok(columns)
 }
 
-/// The faces and their boundary components. Where these are no records of their own, they have the numbers of the faces.
+/// Adds the faces and their boundary components. If boundary components are not stored, they have the numbers of the faces.
 fn faces<V: View + ?Sized>(s: &Surface<'_, V>, columns: &mut Labels) -> Result<(), LabelsError> {
     let faces = if s.0.by_record() { s.0.faces } else { s.boundaries() };
     let is_face = |f| if s.0.by_record() { s.0.is_face(f) } else { s.is_boundary(f) };
     let outer = |f| if s.0.by_record() { s.0.outer(f) } else { Some(f) };
-    // A record without face is no hole: its link leads nowhere.
+    // A record without a face is no hole: its link leads nowhere.
     let face = |b| match s.0.by_record() {
         false => Some(b),
         true if s.0.place(b) == Some(BoundaryPlace::Outer) => s.0.boundary_face(b).or(Some(usize::MAX)),
@@ -91,7 +91,7 @@ fn faces<V: View + ?Sized>(s: &Surface<'_, V>, columns: &mut Labels) -> Result<(
     Ok(())
 }
 
-/// Half-edges without boundary component get one for each cycle, without face.
+/// Adds a boundary component without a face for each cycle of half-edges that have none.
 fn add_holes(columns: &mut Labels, vertices: usize) -> Result<(), LabelsError> {
     let mut border = nils(vertices)?;
     for start in 0..columns.column(Column::HalfEdgeBoundary).len() {
@@ -120,19 +120,19 @@ fn add_holes(columns: &mut Labels, vertices: usize) -> Result<(), LabelsError> {
     Ok(())
 }
 
-/// Sets the entry of this slot, if there is one.
+/// Sets the entry of this slot, if it exists.
 fn put(column: &mut [u32], slot: Link, number: usize) {
     if let Some(entry) = slot.and_then(|slot| column.get_mut(slot)) {
         *entry = number as u32;
     }
 }
 
-/// The number in the first column of a kind of record.
+/// Returns the number for the first column of a kind of record.
 const fn live(is_live: bool, number: u32) -> u32 {
     if is_live { number } else { VACANT }
 }
 
-/// A link as a number. One that leads to none of these slots does not lead to what is added after them.
+/// Returns a link as a number. A link beyond these slots must not lead to slots added after them.
 fn within(slots: usize, link: Link) -> u32 {
     number(link.map(|to| if to < slots { to } else { usize::MAX }))
 }

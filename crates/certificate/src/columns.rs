@@ -3,16 +3,16 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-/// The number of a vacant slot, in the first column of its kind of record.
+/// The number that marks a vacant slot, in the first column of its kind of record.
 pub const VACANT: u32 = u32::MAX - 1;
-/// A link that leads nowhere, of a structure whose own number for it does not fit into 32 bits.
+/// A link that leads nowhere, for a structure whose own number for it does not fit into 32 bits.
 pub(super) const DEAD: u32 = u32::MAX - 2;
-/// More slots cannot be numbered.
+/// The greatest number of slots that can be numbered.
 pub(super) const MOST_SLOTS: usize = DEAD as usize;
 
 macro_rules! columns {
     ($($(#[$doc:meta])* $column:ident $name:literal,)*) => {
-        /// A column of a certificate: a number for each record of one kind. `proofs/coq/CERTIFICATE.md` says what each holds.
+        /// A column of a certificate: a number for each record of one kind. `proofs/coq/CERTIFICATE.md` describes each.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -25,7 +25,7 @@ macro_rules! columns {
             /// All columns.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$column),*];
 
-            /// The name of the column, which is that of its file without `.u32`.
+            /// Returns the name of the column: its file name without `.u32`.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$column => $name,)* }
@@ -41,7 +41,7 @@ columns! {
     HalfEdgeTwin "half_edge_twin",
     /// The next half-edge on the cycle.
     HalfEdgeNext "half_edge_next",
-    /// The half-edge before on the cycle.
+    /// The previous half-edge on the cycle.
     HalfEdgePrev "half_edge_prev",
     /// The boundary component of the half-edge.
     HalfEdgeBoundary "half_edge_boundary",
@@ -49,58 +49,58 @@ columns! {
     HalfEdgeRank "half_edge_rank",
     /// A half-edge that leaves the vertex, or nil if it is isolated.
     VertexLeaving "vertex_leaving",
-    /// The boundary component that the vertex is, if it is isolated, or nil.
+    /// The boundary component of the vertex, if it is isolated, or nil.
     VertexIsolated "vertex_isolated",
     /// The face of the boundary component.
     BoundaryFace "boundary_face",
     /// A half-edge of the boundary component, or nil.
     BoundaryStart "boundary_start",
-    /// The isolated vertex that the boundary component is, or nil.
+    /// The isolated vertex of the boundary component, or nil.
     BoundaryVertex "boundary_vertex",
     /// The position among the inner boundary components of the face, or nil if it is the outer one.
     BoundaryPlace "boundary_place",
     /// The outer boundary component of the face, or nil for the unbounded face.
     FaceOuter "face_outer",
-    /// The end of the list of the face in the next column; it begins where that of the face before ends.
+    /// The end of the list of the face in the next column; it begins at the end of the previous face's list.
     FaceEnd "face_end",
     /// The inner boundary components of the faces, face after face.
     FaceInner "face_inner",
-    /// Of a drawing: the other dart of the edge.
+    /// Drawing: the other dart of the edge.
     DartTwin "dart_twin",
-    /// Of a drawing: the point at which the dart starts.
+    /// Drawing: the point at which the dart starts.
     DartPoint "dart_point",
-    /// Of a drawing: the half-edge that lies on the dart, or nil if its edge is added.
+    /// Drawing: the half-edge on the dart, or nil if its edge is added.
     DartHalfEdge "dart_half_edge",
-    /// Of a drawing: the half-edge that lies on the first dart, from this one on counter-clockwise, on which one lies.
+    /// Drawing: the half-edge on the first dart with one, counter-clockwise from this dart, inclusive.
     DartAhead "dart_ahead",
-    /// Of a drawing: the face in which the triangle of the dart is.
+    /// Drawing: the face that contains the triangle of the dart.
     DartFace "dart_face",
-    /// Of a drawing: the rank of the dart.
+    /// Drawing: the rank of the dart.
     DartRank "dart_rank",
-    /// Of a drawing: the dart on which the half-edge lies.
+    /// Drawing: the dart under the half-edge.
     HalfEdgeDart "half_edge_dart",
-    /// Of a drawing: a dart that starts at the vertex.
+    /// Drawing: a dart that starts at the vertex.
     VertexDart "vertex_dart",
-    /// Of a drawing: the dart of the face to which its ranks lead.
+    /// Drawing: the dart of the face to which its ranks lead.
     FaceDart "face_dart",
     /// On surfaces: the position of the half-edge in its rotation.
     HalfEdgeTurn "half_edge_turn",
     /// On surfaces: the position of the half-edge on its cycle.
     HalfEdgeStep "half_edge_step",
-    /// On surfaces: the half-edge that is the root of the component. The last entry holds for all half-edges after it, too.
+    /// On surfaces: the half-edge that is the root of the component. The last entry also applies to all later half-edges.
     HalfEdgeComponent "half_edge_component",
     /// On surfaces: the half-edge of a hole that leaves the vertex, or nil.
     VertexBorder "vertex_border",
 }
 
 impl Column {
-    /// The columns of a certificate of a plane subdivision.
+    /// Returns the columns of a certificate of a plane subdivision.
     #[must_use]
     pub fn of_subdivision() -> &'static [Self] {
         &Self::ALL[..Self::DartTwin as usize]
     }
 
-    /// The columns of a certificate of surfaces.
+    /// Returns the columns of a certificate of surfaces.
     #[must_use]
     pub fn of_surface() -> &'static [Self] {
         &[
@@ -121,17 +121,17 @@ impl Column {
         ]
     }
 
-    /// The columns that a [`Drawing`](super::Drawing) has.
+    /// Returns the columns of a [`Drawing`](super::Drawing).
     #[must_use]
     pub fn of_drawing() -> &'static [Self] {
         &Self::ALL[Self::DartTwin as usize..Self::HalfEdgeTurn as usize]
     }
 }
 
-/// The additions of a certificate to a structure: the rank of each half-edge, and a column for each link that the structure does not store.
+/// The additions of a certificate to a structure: the rank of each half-edge, and a column for each link that the structure does
+/// not store.
 ///
-/// Nothing is assumed of the numbers: [`check`](super::check()) decides, whatever they are. Columns that are not needed are empty. In a
-/// column `u32::MAX` is nil.
+/// The numbers may be arbitrary: [`check`](super::check()) decides. Unneeded columns are empty. In a column `u32::MAX` is nil.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Labels {
@@ -139,29 +139,30 @@ pub struct Labels {
 }
 
 impl Labels {
-    /// The column; empty if the structure stores it.
+    /// Returns the column; empty if the structure stores it.
     #[must_use]
     pub fn column(&self, column: Column) -> &[u32] {
         &self.columns[column as usize]
     }
 
-    /// The column, to be set to anything.
+    /// Returns the column for changes of any kind.
     pub fn column_mut(&mut self, column: Column) -> &mut Vec<u32> {
         &mut self.columns[column as usize]
     }
 }
 
-/// Why there are no labels, or no certificate, for a structure.
+/// The reason why a structure has no labels, or no certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum LabelsError {
-    /// It stores faces, but not lists of inner boundary components, or no unbounded face: it does not say how its components lie in the plane.
+    /// The structure stores faces, but no lists of inner boundary components, or no unbounded face: it does not determine how its
+    /// components lie in the plane.
     NoContainment,
-    /// This half-edge names another face than its boundary component does. A certificate of the rest would say nothing of the name.
+    /// This half-edge names another face than its boundary component does. A certificate would not cover the name.
     FaceOfHalfEdge(usize),
-    /// This face names half-edges or vertices that are not on its boundary components. A certificate of the rest would say nothing of them.
+    /// This face names half-edges or vertices that are not on its boundary components. A certificate would not cover them.
     StartsOfFace(usize),
-    /// It has more records than 32 bits can number.
+    /// The structure has more records than 32 bits can number.
     TooLarge,
     /// There is no memory for the labels.
     OutOfMemory,

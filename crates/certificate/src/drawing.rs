@@ -1,4 +1,4 @@
-//! The certificate of a drawing: a triangulation that has the edges of the structure among its own.
+//! The certificate of a drawing: a triangulation that contains the edges of the structure.
 
 use super::columns::{Column, Labels};
 use super::storage::Columns;
@@ -6,16 +6,16 @@ use alloc::vec::Vec;
 
 /// A triangulation: darts in the [columns of drawings](Column::of_drawing), and the coordinates of points.
 ///
-/// Darts `3 i`, `3 i + 1` and `3 i + 2` are the sides of triangle `i`. Triangle 0 is what is outside a big triangle around everything.
-/// Nothing is assumed of the numbers. `twinedge_map::certificate` makes it.
+/// Darts `3 i`, `3 i + 1` and `3 i + 2` are the sides of triangle `i`. Triangle 0 is the outside of a big triangle around
+/// everything. The numbers may be arbitrary. `twinedge_map::certificate` makes drawings.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Drawing {
-    /// Its columns. Those that are not [of drawings](Column::of_drawing) are not looked at.
+    /// The columns. Columns other than the [columns of drawings](Column::of_drawing) are ignored.
     pub columns: Labels,
     /// The coordinates of points, in units of some grid. The first points are the vertices.
     pub points: Vec<[i64; 2]>,
-    /// The grid: a unit is two to this exponent. For whoever wants the coordinates as they were; nothing is checked of it.
+    /// The grid: a unit is two to this exponent. Not checked; only for restoring the original coordinates.
     pub exponent: i32,
 }
 

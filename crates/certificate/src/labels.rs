@@ -1,7 +1,7 @@
-//! Labels are made: first the columns that the structure does not store, then the ranks.
+//! Making labels: first the columns that the structure does not store, then the ranks.
 //!
-//! Nothing here has to be right for [`check`](super::check()) to be. For a structure that breaks rules the labels are of no use, but they
-//! are made, in linear time: no slot is visited twice.
+//! [`check`](super::check()) does not rely on any code here. Labels of a structure that breaks rules are useless, but are still
+//! made in linear time: no slot is visited twice.
 
 use super::answers::Answers;
 use super::columns::{Column, Labels, LabelsError, MOST_SLOTS};
@@ -13,13 +13,13 @@ use twinedge::validate::{BoundaryPlace, Part, Start, View};
 impl Labels {
     /// Makes the labels of a structure.
     ///
-    /// If it keeps all rules, [`check`](super::check()) passes with them; if not, it never does.
+    /// If the structure keeps all rules, [`check`](super::check()) passes with them; otherwise it never does.
     ///
-    /// Cost: O(n) for n slots and list entries, about as long as [`validate`](twinedge::validate::validate). The ranks take 4 bytes for each
-    /// half-edge, and making them as much again.
+    /// Cost: O(n) for n slots and list entries, about as long as [`validate`](twinedge::validate::validate). The ranks take 4
+    /// bytes for each half-edge, and twice that while they are made.
     ///
     /// # Errors
-    /// [`LabelsError`], if the structure does not say how its components lie in the plane, or is too large.
+    /// [`LabelsError`], if the structure does not determine how its components lie in the plane, or is too large.
     ///
     /// ```
     /// use twinedge::validate::{Link, Parts, View};
@@ -65,7 +65,7 @@ impl Labels {
         Ok(labels)
     }
 
-    /// The links of half-edges and vertices that the structure does not store.
+    /// Makes the links of half-edges and vertices that the structure does not store.
     pub(super) fn of_links<V: View + ?Sized>(view: &V) -> Result<Self, LabelsError> {
         let slots = [view.vertex_slots(), view.half_edge_slots(), view.boundary_slots(), view.face_slots()];
         if slots.iter().any(|n| *n > MOST_SLOTS) {
@@ -91,7 +91,7 @@ impl Labels {
         }
     }
 
-    /// Adds a boundary component that starts there, in no face yet, and returns its number.
+    /// Adds a boundary component with this start, not yet in a face, and returns its number.
     fn add_boundary(&mut self, start: Start) -> usize {
         let (half_edge, vertex) = match start {
             Start::HalfEdge(h) => (h as u32, NIL),
@@ -104,7 +104,7 @@ impl Labels {
         self.column(Column::BoundaryFace).len() - 1
     }
 
-    /// A boundary component for each cycle of `next`.
+    /// Adds a boundary component for each cycle of `next`.
     pub(super) fn find_cycles<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let mut boundary = nils(view.half_edge_slots())?;
         for start in (0..boundary.len()).filter(|h| view.is_half_edge(*h)) {
@@ -123,7 +123,7 @@ impl Labels {
         Ok(())
     }
 
-    /// The boundary component that starts there: that of the half-edge, or a new one of an isolated vertex.
+    /// Returns the boundary component with this start: of the half-edge, or a new one for an isolated vertex.
     fn boundary_at(&mut self, start: Start) -> usize {
         match start {
             Start::HalfEdge(h) => self.number(Column::HalfEdgeBoundary, h) as usize,
@@ -135,10 +135,10 @@ impl Labels {
         }
     }
 
-    /// The boundary components get the faces that name their starts.
+    /// Assigns to boundary components the faces that name their starts.
     fn join_named_faces<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let mut outer = nils(view.face_slots())?;
-        // A list that is longer than all that there is names something twice.
+        // A list longer than the number of components names something twice.
         let most = self.column(Column::BoundaryFace).len() + view.vertex_slots();
         for (f, named) in outer.iter_mut().enumerate() {
             if view.is_face(f) {
@@ -162,15 +162,15 @@ impl Labels {
         Ok(())
     }
 
-    /// The face lists the boundary component as its next inner one.
+    /// Appends the boundary component to the face's list of inner ones.
     fn list_inner(&mut self, f: usize, i: usize, b: usize) {
         self.column_mut(Column::FaceInner).push(b as u32);
         self.put(Column::BoundaryFace, b, f);
         self.put(Column::BoundaryPlace, b, i);
     }
 
-    /// One cycle of each component, and all isolated vertices, are put into an unbounded face, number 0. All other cycles bound a face
-    /// of their own.
+    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Every other cycle bounds
+    /// its own face.
     fn invent_faces<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let outside = outsides(&Answers::new(view, self))?;
         self.column_mut(Column::FaceOuter).push(NIL);
@@ -207,7 +207,7 @@ pub(super) fn nils(n: usize) -> Result<Vec<u32>, LabelsError> {
     column(n, NIL).ok_or(LabelsError::OutOfMemory)
 }
 
-/// For each half-edge the one before.
+/// Returns the previous half-edge of each half-edge.
 fn prevs<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut prev = nils(view.half_edge_slots())?;
     for h in (0..prev.len()).filter(|h| view.is_half_edge(*h)) {
@@ -218,7 +218,7 @@ fn prevs<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     Ok(prev)
 }
 
-/// For each vertex a half-edge that leaves it.
+/// Returns a half-edge that leaves each vertex.
 fn kept<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut leaving = nils(view.vertex_slots())?;
     for h in (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)) {
@@ -229,10 +229,10 @@ fn kept<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     Ok(leaving)
 }
 
-/// For each boundary component its position in the list of its face.
+/// Returns the position of each boundary component in the list of its face.
 fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut place = nils(view.boundary_slots())?;
-    // The entries that may still be read: each boundary component is listed once.
+    // The number of entries to read: each boundary component is listed once.
     let mut listed = place.len();
     for f in (0..view.face_slots()).filter(|f| view.is_face(*f)) {
         let count = view.inner_count(f).min(listed);
@@ -246,12 +246,12 @@ fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     Ok(place)
 }
 
-/// Numbers for half-edges, cycle by cycle: each comes after the one before on its cycle, or after its twin, but for those at which it is begun.
+/// Ranks of half-edges, cycle by cycle: each follows its predecessor on the cycle, or its twin, except the starting half-edges.
 pub(super) struct Ranks {
-    /// For each half-edge its rank, or nil.
+    /// The rank of each half-edge, or nil.
     pub(super) rank: Vec<u32>,
     count: u32,
-    /// Half-edges at which cycles are still to be entered.
+    /// Half-edges at which cycles will be entered.
     ways: Vec<u32>,
     /// The number of list entries that may still be read: a boundary component is listed once.
     entries: usize,
@@ -260,12 +260,12 @@ pub(super) struct Ranks {
 impl Ranks {
     pub(super) fn new<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Self, LabelsError> {
         let mut ways = Vec::new();
-        // Each half-edge is added by its twin at most, or as a start.
+        // Each half-edge is added at most by its twin or as a start.
         ways.try_reserve_exact(s.half_edges + s.boundaries).map_err(|_| LabelsError::OutOfMemory)?;
         Ok(Self { rank: nils(s.half_edges)?, count: 0, ways, entries: s.boundaries })
     }
 
-    /// Adds a half-edge, and says whether it had no rank.
+    /// Adds a half-edge. Returns true if it had no rank.
     pub(super) fn add(&mut self, h: usize) -> bool {
         let is_free = self.rank.get(h) == Some(&NIL);
         if is_free {
@@ -274,7 +274,7 @@ impl Ranks {
         is_free
     }
 
-    /// Ranks all that can be reached from what was added, and tells `ranked` each half-edge.
+    /// Ranks everything reachable from the added half-edges, and passes each ranked half-edge to `ranked`.
     pub(super) fn spread<V: View + ?Sized>(&mut self, s: &Answers<'_, V>, mut ranked: impl FnMut(&mut Self, usize)) {
         while let Some(way) = self.ways.pop() {
             self.rank_cycle(s, way as usize, |ranks, h| {
@@ -286,8 +286,8 @@ impl Ranks {
         }
     }
 
-    /// The same, and then all that can be reached from what has a rank. First cycles are entered in the order of their numbers, where the
-    /// twin has a rank already: what has close numbers is in the caches then, and most is reached so.
+    /// Like [`spread`](Self::spread), and then ranks everything reachable from ranked half-edges. First enters cycles in
+    /// numerical order, wherever a twin already has a rank: this reaches most half-edges, with close numbers in the caches.
     pub(super) fn spread_in_order<V: View + ?Sized>(
         &mut self,
         s: &Answers<'_, V>,
@@ -340,7 +340,8 @@ impl Ranks {
     }
 }
 
-/// Ranks: from the unbounded face over the components in it, and, from the start of an outer cycle, to those in its face.
+/// Computes ranks: from the unbounded face to the components in it, and from the start of an outer cycle to the components in its
+/// face.
 fn ranks<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<u32>, LabelsError> {
     let mut ranks = Ranks::new(s)?;
     for f in (0..s.faces).filter(|f| s.is_face(*f) && s.outer(*f).is_none()) {
@@ -355,7 +356,7 @@ fn ranks<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<u32>, LabelsError> 
     Ok(ranks.rank)
 }
 
-/// For each cycle: whether it is the first one of its component.
+/// Returns, for each cycle, whether it is the first one of its component.
 fn outsides<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<bool>, LabelsError> {
     let mut outside = column(s.boundaries, false).ok_or(LabelsError::OutOfMemory)?;
     let mut ranks = Ranks::new(s)?;

@@ -1,9 +1,9 @@
-//! Certificates: labels by which anyone can check that a structure is a planar subdivision.
+//! Certificates: labels that let anyone check that a structure is a planar subdivision.
 //!
-//! A [`Report`](twinedge::validate::Report) has to be believed: whoever trusts it trusts the walks, the sets and the counting of the validator. A certificate
-//! need not be. It is one number for each half-edge, its *rank*, and [`check`] is a scan: it looks at each record once, with
-//! the records that its links name, and compares two sums. It has no walk, no set and no order, and shares no code with the
-//! rules. If every test passes, the structure keeps R1 … T4, whoever made the labels, and however.
+//! Trusting a [`Report`](twinedge::validate::Report) means trusting the walks, sets and counts of the validator. A certificate
+//! needs no such trust. It is one number for each half-edge, its *rank*, and [`check`] is a scan: it reads each record once, with
+//! the records named by its links, and compares two sums. It has no walk, no set and no order, and shares no code with the rules.
+//! If every test passes, the structure keeps R1 … T4, independent of how the labels were made.
 //!
 //! ```
 //! use twinedge::validate::Table;
@@ -22,35 +22,37 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The tests are those of `proofs/coq/CERTIFICATE.md`, which has the reason why they are enough. It is proved in Coq, for every
-//! size: what passes keeps all rules (`labels_sound`), and whatever keeps all rules has labels with which it passes
+//! `proofs/coq/CERTIFICATE.md` lists the tests and explains why they suffice. It is proved in Coq, for every size: a structure
+//! that passes keeps all rules (`labels_sound`), and a structure that keeps all rules has labels with which it passes
 //! (`labels_complete`). The proved checker, extracted from the proof, reads the same certificates from files, which the program
 //! `twinedge certify` writes: a [`Certificate`] or [`SurfaceCertificate`] has these files as columns.
 //!
 //! # Parts that are not stored
 //!
-//! If a structure does not store a [`Part`](twinedge::validate::Part), the [`Labels`] have it: `prev`, the half-edge that a vertex keeps, places, boundary components,
-//! faces. They mean no more than the tests say of them, as ranks do. Where half-edges name their face and faces half-edges, two
-//! more tests, [`Test::FaceNameOk`] and [`Test::FaceStartsOk`], compare these names with the boundary components of the labels.
+//! If a structure does not store a [`Part`](twinedge::validate::Part), the [`Labels`] contain it: `prev`, the half-edge kept by a
+//! vertex, places, boundary components, faces. As with ranks, only the tests give them meaning. If half-edges and faces name each
+//! other, two more tests, [`Test::FaceNameOk`] and [`Test::FaceStartsOk`], compare these names with the boundary components of
+//! the labels.
 //!
-//! A structure with faces must store [holes](twinedge::validate::Part::Holes) and the [unbounded face](twinedge::validate::Part::UnboundedFace): without them it does
-//! not say how its components lie in the plane.
+//! A structure with faces must store [holes](twinedge::validate::Part::Holes) and the [unbounded
+//! face](twinedge::validate::Part::UnboundedFace): otherwise it does not determine how its components lie in the plane.
 //!
 //! # Surfaces
 //!
-//! [`Labels::of_surface`] and [`check_surface`] do the same for structures on closed surfaces, meshes above all, with the sum of the genera. Where the
-//! genus is not 0, Euler's formula does not say that a vertex has one rotation and a face one cycle; positions do.
-//! A [`SurfaceCertificate`] has the structure and its labels as columns, and may be open: cycles along the border are marked as holes.
+//! [`Labels::of_surface`] and [`check_surface`] do this for structures on closed surfaces, especially meshes, with the sum of the
+//! genera. If the genus is not 0, Euler's formula does not imply that a vertex has one rotation and a face one cycle; positions
+//! do. A [`SurfaceCertificate`] contains the structure and its labels as columns, and may be open: cycles along the border are
+//! marked as holes.
 //!
 //! # Drawings
 //!
-//! A [`Drawing`] is the certificate of coordinates: a triangulation that has the edges of the structure among its own.
-//! [`check_drawing`] finds out by tests of single triangles and edges that no two edges meet but at a common end, that rotations are in angular
-//! order, and that faces are where they are said to be: G1, G2, G4 and G5. `twinedge_map::certificate` makes drawings.
+//! A [`Drawing`] is the certificate of coordinates: a triangulation that contains the edges of the structure. [`check_drawing`]
+//! tests single triangles and edges to establish that two edges meet only at a common end, that rotations are in angular order,
+//! and that faces are where they are said to be: G1, G2, G4 and G5. `twinedge_map::certificate` makes drawings.
 //!
 //! # Saved labels
 //!
-//! Labels can be kept beside a structure (with the feature `serde`), so that whoever reads both checks instead of validating.
+//! Labels can be saved with a structure (with the feature `serde`), so that readers of both check instead of validating.
 
 #![no_std]
 #![forbid(unsafe_code)]
@@ -87,10 +89,9 @@ pub use test::{Failure, Test};
 
 use alloc::vec::Vec;
 
-/// Nil in a column.
 const NIL: u32 = u32::MAX;
 
-/// A column of so many entries, if there is memory for it.
+/// Allocates `n` copies of `value`; `None` if memory runs out.
 fn column<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
     let mut column = Vec::new();
     column.try_reserve_exact(n).ok()?;

@@ -1,4 +1,4 @@
-//! A certificate that stands for itself: the structure and its labels as columns.
+//! A self-contained certificate: the structure and its labels as columns.
 
 use super::answers::Answers;
 use super::columns::{Column, DEAD, Labels, LabelsError, VACANT};
@@ -10,8 +10,8 @@ use twinedge::validate::{BoundaryPlace, Link, Parts, Start, View};
 
 /// A structure with every part, and its ranks, as columns of 32-bit numbers: the files of a certificate.
 ///
-/// Its records have the numbers that they have in the structure, so that slots may be vacant: then the first column of their kind holds
-/// `u32::MAX - 1`. It is a [`View`], and its own labels. Nothing is assumed of the numbers.
+/// Records keep their numbers from the structure, so slots may be vacant: then the first column of their kind contains `u32::MAX
+/// - 1`. A certificate is a [`View`] and contains its own labels. The numbers may be arbitrary.
 ///
 /// ```
 /// use twinedge::validate::Table;
@@ -29,11 +29,12 @@ pub struct Certificate<C = Labels> {
 }
 
 impl Certificate {
-    /// The certificate of a structure with these labels. O(n) for n slots and list entries; 24 bytes for each half-edge.
+    /// Creates the certificate of a structure with these labels. O(n) for n slots and list entries; 24 bytes for each half-edge.
     ///
-    /// Links that do not fit into 32 bits lead nowhere in it. A certificate has boundary components, and no column for the names by which
-    /// half-edges and faces name each other without them: where a name is not that of the boundary component, there is no certificate.
-    /// So [`check`](Self::check) passes only if [the check](super::check()) of the structure with these labels does.
+    /// Links that do not fit into 32 bits lead nowhere in it. A certificate has boundary components, and no columns for the names
+    /// by which half-edges and faces name each other without them: if such a name differs from that given by the boundary
+    /// component, there is no certificate. So [`check`](Self::check) passes only if [the check](super::check()) of the structure
+    /// with these labels does.
     ///
     /// # Errors
     /// [`LabelsError::FaceOfHalfEdge`], [`LabelsError::StartsOfFace`], [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].
@@ -95,7 +96,7 @@ impl Certificate {
 }
 
 impl<C: Columns> Certificate<C> {
-    /// The certificate that has these columns. `None` if columns of one kind of record have different lengths.
+    /// Creates the certificate with these columns. `None` if columns of one kind of record have different lengths.
     ///
     /// ```
     /// use twinedge_certificate::{Certificate, Column, Labels};
@@ -123,21 +124,21 @@ impl<C: Columns> Certificate<C> {
         fits.then_some(Self { columns })
     }
 
-    /// The columns.
+    /// Returns the columns.
     #[must_use]
     pub const fn columns(&self) -> &C {
         &self.columns
     }
 
-    /// Checks the certificate, as [`check`](super::check()) does.
+    /// Checks the certificate, like [`check`](super::check()).
     ///
     /// # Errors
-    /// The tests that fail.
+    /// The failed tests.
     pub fn check(&self) -> Result<(), Vec<Failure>> {
         super::check(self, &self.columns)
     }
 
-    /// True if the slot is there and not vacant, for the first column of the kind of record.
+    /// Returns true if the slot exists and is not vacant, given the first column of the kind of record.
     fn is_live(&self, column: Column, i: usize) -> bool {
         self.columns.column(column).at(i).is_some_and(|number| number != VACANT)
     }
@@ -147,7 +148,6 @@ pub(super) fn have_one_length<C: Columns>(columns: &C, kind: &[Column]) -> bool 
     kind.windows(2).all(|pair| columns.column(pair[0]).count() == columns.column(pair[1]).count())
 }
 
-/// A link as a number.
 pub(super) fn number(link: Link) -> u32 {
     match link {
         None => NIL,

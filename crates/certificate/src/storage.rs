@@ -1,12 +1,12 @@
-//! Columns wherever they are kept: in memory, or anywhere else.
+//! Columns in any kind of storage.
 
 use super::columns::{Column, Labels};
 use crate::NIL;
 
-/// The columns of a certificate, wherever they are kept: [`Labels`] and [`Drawing`](super::Drawing) have them in memory; others may read them page by page
-/// from files that are larger than that.
+/// The columns of a certificate, in any kind of storage: [`Labels`] and [`Drawing`](super::Drawing) keep them in memory; others
+/// may read them page by page from larger files.
 ///
-/// Nothing is assumed of the answers. The checkers return even if they change from call to call.
+/// The answers may be arbitrary. The checkers return even if answers change from call to call.
 ///
 /// ```
 /// use twinedge::validate::Table;
@@ -47,15 +47,15 @@ pub trait Columns {
     where
         Self: 'a;
 
-    /// The numbers of a column. One that is not there is empty.
+    /// Returns the numbers of a column; empty if the column is absent.
     fn column(&self, column: Column) -> Self::Numbers<'_>;
 
-    /// The number of points of a drawing.
+    /// Returns the number of points of a drawing.
     fn points(&self) -> usize {
         0
     }
 
-    /// The coordinates of a point of a drawing; `None` beyond the last.
+    /// Returns the coordinates of a point of a drawing; `None` beyond the last.
     fn point(&self, _point: usize) -> Option<[i64; 2]> {
         None
     }
@@ -63,10 +63,10 @@ pub trait Columns {
 
 /// The numbers of one column of a certificate.
 pub trait Numbers: Copy {
-    /// The length of the column.
+    /// Returns the length of the column.
     fn count(self) -> usize;
 
-    /// The number of a record; `None` beyond the last.
+    /// Returns the number of a record; `None` beyond the last.
     fn at(self, i: usize) -> Option<u32>;
 }
 
@@ -111,20 +111,19 @@ impl<C: Columns> Columns for &C {
 
 /// The entries of columns as the tests read them.
 pub(super) trait Entries: Columns {
-    /// The entry as it is stored, nil beyond the end.
+    /// Returns the stored entry; nil beyond the end.
     #[inline(always)]
     fn number(&self, column: Column, i: usize) -> u32 {
         self.column(column).at(i).unwrap_or(NIL)
     }
 
-    /// The entry as a link.
     #[inline(always)]
     fn link(&self, column: Column, i: usize) -> Option<usize> {
         let number = self.number(column, i);
         (number != NIL).then_some(number as usize)
     }
 
-    /// The places in the column of inner boundary components where the list of the face begins and ends.
+    /// Returns the range of the face's list in the column of inner boundary components.
     fn list(&self, face: usize) -> (usize, usize) {
         let before = face.checked_sub(1).map_or(0, |before| self.number(Column::FaceEnd, before));
         (before as usize, self.number(Column::FaceEnd, face) as usize)

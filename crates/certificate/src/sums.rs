@@ -1,19 +1,17 @@
-//! The numbers of live records by which components and the genus are counted.
+//! The numbers of live records that determine components and the genus.
 
 use super::surface_counts::SurfaceCounts;
 use super::test::{Noted, Test};
 
-/// The sums of a scan.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
     pub(super) half_edges: usize,
-    /// Vertices with half-edges.
     pub(super) rotations: usize,
     /// Boundary components that start at a half-edge.
     pub(super) cycles: usize,
     pub(super) roots: usize,
     pub(super) unbounded: usize,
-    /// Boundary components without face, of an open surface.
+    /// Boundary components without a face, of an open surface.
     pub(super) holes: usize,
 }
 
@@ -24,13 +22,13 @@ impl Sums {
         2 * orbits + 4 * genus as u128 == self.half_edges as u128 + 4 * self.roots as u128
     }
 
-    /// Notes the results of the tests of a whole subdivision.
+    /// Records the results of the tests of a whole subdivision.
     pub(super) fn note(self, noted: &mut impl Noted) -> Option<()> {
         noted.note(Test::OneUnbounded, 0, self.unbounded == 1)?;
         noted.note(Test::EulerOk, 0, self.fit(0))
     }
 
-    /// The genus is the one that fits, if there is one.
+    /// Computes the counts, with the genus that fits, if there is one.
     pub(super) const fn counts(self) -> SurfaceCounts {
         let edge_side = self.half_edges as u128 + 4 * self.roots as u128;
         let orbits = self.rotations as u128 + self.cycles as u128;

@@ -1,7 +1,7 @@
-//! The checker for surfaces of any genus: positions say that each rotation and each cycle is one orbit.
+//! The checker for surfaces of any genus: positions show that each rotation and each cycle is one orbit.
 //!
-//! Each function is a row of the table of surfaces in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Surface.v`, under the same
-//! name. Boundary components are the faces: where half-edges name their face, that is taken for one.
+//! Each function is a row of the table of surfaces in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Surface.v`,
+//! under the same name. Boundary components are the faces: if half-edges name their face, the face takes that role.
 
 use super::answers::Answers;
 use super::columns::{Column, Labels};
@@ -12,13 +12,13 @@ use crate::NIL;
 use alloc::vec::Vec;
 use twinedge::validate::{BoundaryPlace, Link, View};
 
-/// Checks the labels of a structure on closed surfaces, the genera of whose components are claimed to add up to `genus`. If all tests pass,
-/// it keeps R1 … T4 of [`Expectation::surface`](twinedge::validate::Expectation::surface), and M7 with this genus.
+/// Checks the labels of a structure on closed surfaces, whose genera are claimed to add up to `genus`. If all tests pass, the
+/// structure keeps R1 … T4 of [`Expectation::surface`](twinedge::validate::Expectation::surface), and M7 with this genus.
 ///
-/// The labels may be anything, and so may the structure, as for [`check`](super::check()). O(n).
+/// The labels and the structure may be arbitrary, as for [`check`](super::check()). O(n).
 ///
 /// # Errors
-/// The tests that fail.
+/// The failed tests.
 ///
 /// ```
 /// use twinedge::validate::Table;
@@ -37,7 +37,8 @@ pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: 
     failures.into_result()
 }
 
-/// Tells whether all tests pass: the same as [`check_surface`] without failures. It ends with the first test that fails, and reads no record after that.
+/// Returns true if all tests pass, like [`check_surface`] without the failures. Stops at the first failing test, reading no
+/// further records.
 ///
 /// O(n). No memory is allocated.
 ///
@@ -54,7 +55,7 @@ pub fn passes_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus:
     run(view, labels, genus, &mut UntilFailure).is_some()
 }
 
-/// Runs every test. None if the check ended before the last one.
+/// Runs every test. Returns `None` if the check ended early.
 #[inline(always)]
 fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize, noted: &mut impl Noted) -> Option<()> {
     let s = Surface(Answers::new(view, labels));
@@ -64,12 +65,12 @@ fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize, noted: 
     noted.note(Test::GenusOk, 0, sums.fit(genus))
 }
 
-/// A structure whose faces are taken for boundary components, if it has no records for these.
+/// A structure whose faces serve as boundary components, if it does not store these.
 pub(super) struct Surface<'a, V: ?Sized, C = Labels>(pub(super) Answers<'a, V, C>);
 
 impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
-    /// Runs every test but that of the genus. An open surface may have holes: boundary components without face.
-    /// None if the check ended before the last one.
+    /// Runs every test except for the genus. An open surface may have holes: boundary components without a face. Returns
+    /// `None` if the check ended early.
     #[inline(always)]
     pub(super) fn scan(&self, open: bool, noted: &mut impl Noted) -> Option<Sums> {
         let mut sums = Sums::default();
@@ -114,7 +115,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         }
     }
 
-    /// The half-edge with which the boundary component starts.
+    /// Returns the half-edge at the start of the boundary component.
     #[inline(always)]
     pub(super) fn start(&self, b: usize) -> Link {
         match self.0.by_name() {
@@ -124,7 +125,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         }
     }
 
-    /// It is the outer one of its face.
+    /// Returns true if the boundary component is the outer one of its face.
     fn bounds_its_face(&self, b: usize) -> bool {
         let is_outer = |f| self.0.outer(f) == Some(b);
         !self.0.by_record()
@@ -135,14 +136,15 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         self.boundary(h).is_some_and(|b| self.0.boundary_face(b).is_none())
     }
 
-    /// A half-edge of a hole is the one that the border of its origin names, and its twin bounds a face.
+    /// A half-edge of a hole is the border half-edge of its origin, and its twin bounds a face.
     fn border_ok(&self, h: usize) -> bool {
         let named = |v| self.0.labels.link(Column::VertexBorder, v);
         !self.is_in_hole(h)
             || self.0.origin(h).and_then(named) == Some(h) && self.0.twin(h).is_some_and(|t| !self.is_in_hole(t))
     }
 
-    /// The component of the half-edge. The last entry of the column stands for all that follow, so that one is enough for one component.
+    /// Returns the component of the half-edge. The last entry of the column applies to all later half-edges, so one entry
+    /// suffices for one component.
     #[inline(always)]
     fn component(&self, h: usize) -> Link {
         let component = self.0.labels.column(Column::HalfEdgeComponent);
@@ -150,14 +152,14 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         component.at(h).or_else(last).filter(|root| *root != NIL).map(|root| root as usize)
     }
 
-    /// A label of the second half-edge is greater.
+    /// Returns true if the second half-edge has a greater label.
     #[inline(always)]
     fn grows(&self, column: Column, h: usize, to: usize) -> bool {
         let labels = self.0.labels.column(column);
         labels.at(h).zip(labels.at(to)).is_some_and(|(before, after)| before < after)
     }
 
-    /// All tests of a half-edge. Nearly always no link is nil: then the compiler need not ask for each of them again.
+    /// Runs all tests of a half-edge. Links are rarely nil: reading them first spares the compiler repeated checks.
     #[inline(always)]
     fn half_edge(&self, h: usize, open: bool, noted: &mut impl Noted) -> Option<()> {
         if self.whole_star(h).is_some_and(|star| self.half_edge_ok(h, star, open, |_, passes| passes)) {
@@ -172,7 +174,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         self.half_edge_ok(h, self.star(h), open, |test, passes| noted.note(test, h, passes).is_some());
     }
 
-    /// The star, if nothing of it is nil.
+    /// Returns the star, if no link of it is nil.
     #[inline(always)]
     fn whole_star(&self, h: usize) -> Option<Star> {
         let links = self.0.live_links(h)?;
@@ -189,7 +191,6 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         Star { links, kept: self.0.kept(h), turned, boundary, start: boundary.and_then(|b| self.start(b)) }
     }
 
-    /// The tests of a half-edge, until `passes` returns false.
     #[inline(always)]
     fn half_edge_ok(&self, h: usize, star: Star, open: bool, mut passes: impl FnMut(Test, bool) -> bool) -> bool {
         let Star { links, kept, turned, boundary, start } = star;
@@ -199,7 +200,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
         let lower = |link| self.0.is_lower(link, h);
         self.0.links_ok(h, links, kept, &mut passes)
             && passes(Test::CycleOk, next.and_then(|n| self.boundary(n)) == boundary && start.is_some())
-            // The next half-edge around the origin is the one that this vertex keeps, or has a greater turn.
+            // The next half-edge around the origin is the one kept by the vertex, or has a greater turn.
             && passes(Test::TurnOk, turned.is_some_and(|g| kept == Some(g) || self.grows(Column::HalfEdgeTurn, h, g)))
             // The next half-edge on the cycle is the start of the boundary component, or has a greater step.
             && passes(Test::StepOk, next.is_some_and(|n| start == Some(n) || self.grows(Column::HalfEdgeStep, h, n)))
@@ -211,7 +212,8 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     }
 }
 
-/// The links of a half-edge, what its vertex keeps, the next half-edge around that, its boundary component and where that starts.
+/// The links of a half-edge, the half-edge kept by its vertex, the next half-edge around the vertex, its boundary component and
+/// the start of the component.
 #[derive(Clone, Copy)]
 struct Star {
     links: [Link; 3],

@@ -11,7 +11,7 @@ pub struct SurfaceCounts {
     pub genus: usize,
     /// The number of components with edges.
     pub components: usize,
-    /// The number of holes, which is that of border loops.
+    /// The number of holes, equal to the number of border loops.
     pub holes: usize,
     /// The number of vertices with edges.
     pub vertices: usize,

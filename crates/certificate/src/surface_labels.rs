@@ -1,4 +1,4 @@
-//! Labels of surfaces are made. Nothing here has to be right for [`check_surface`](super::check_surface) to be.
+//! Making labels of surfaces. [`check_surface`](super::check_surface) does not rely on any code here.
 
 use super::answers::Answers;
 use super::columns::{Column, Labels, LabelsError};
@@ -9,12 +9,13 @@ use alloc::vec::Vec;
 use twinedge::validate::{Link, Part, View};
 
 impl Labels {
-    /// Makes the labels of a structure on closed surfaces, and gives its genus: the sum of those of its components.
+    /// Makes the labels of a structure on closed surfaces. Also returns the sum of the genera of its components.
     ///
-    /// If it keeps all rules of [`Expectation::surface`](twinedge::validate::Expectation::surface),
-    /// [`check_surface`](super::check_surface) passes with both; if not, it never does. Lists of holes, and an unbounded face, are not looked at.
+    /// If the structure keeps all rules of [`Expectation::surface`](twinedge::validate::Expectation::surface),
+    /// [`check_surface`](super::check_surface) passes with both; otherwise it never does. Lists of holes and an unbounded face
+    /// are ignored.
     ///
-    /// Cost: O(n). The labels take 12 bytes for each half-edge, and 4 more where there are several components.
+    /// Cost: O(n). The labels take 12 bytes for each half-edge, and 4 more if there are several components.
     ///
     /// # Errors
     /// [`LabelsError::TooLarge`], [`LabelsError::OutOfMemory`].
@@ -53,7 +54,7 @@ impl Labels {
     }
 }
 
-/// The positions of half-edges on their orbits, counted from these starts.
+/// Returns the positions of half-edges on their orbits, counted from these starts.
 fn positions(
     slots: usize,
     starts: impl Iterator<Item = usize>,

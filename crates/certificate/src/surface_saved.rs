@@ -1,4 +1,4 @@
-//! A certificate of surfaces that stands for itself: the structure and its labels as columns.
+//! A self-contained certificate of surfaces: the structure and its labels as columns.
 
 use super::answers::Answers;
 use super::closed::closed;
@@ -15,9 +15,9 @@ use twinedge::validate::View;
 
 /// A structure on surfaces, and its labels, as columns of 32-bit numbers: the files of a certificate with the claim `surface`.
 ///
-/// The surfaces have any genus, and may be open: then a face is missing on one side of each edge along the border. In the certificate each
-/// half-edge has a twin, and the cycles along the border are boundary components without a face: *holes*. Half-edges that are added have
-/// numbers after those of the structure, holes numbers after those of its boundary components.
+/// The surfaces have any genus, and may be open, with a face missing on one side of each edge along the border. In the
+/// certificate each half-edge has a twin, and the cycles along the border are boundary components without a face: *holes*. Added
+/// half-edges are numbered after the half-edges of the structure, and holes after its boundary components.
 ///
 /// ```
 /// use twinedge::validate::Table;
@@ -39,12 +39,12 @@ pub struct SurfaceCertificate<C = Labels> {
 }
 
 impl SurfaceCertificate {
-    /// The certificate of a structure on surfaces, open or closed.
+    /// Creates the certificate of a structure on surfaces, open or closed.
     ///
-    /// If it keeps all rules of [`Expectation::surface`](twinedge::validate::Expectation::surface), [`check`](Self::check) passes. If it is
-    /// [open](twinedge::validate::Expectation::open) and keeps them, `check` passes unless its border meets itself at a vertex, or both sides
-    /// of an edge lack a face. If a rule is broken, it never passes. Whether it is open where it should not be is for its
-    /// [number of holes](SurfaceCounts::holes) to say.
+    /// If the structure keeps all rules of [`Expectation::surface`](twinedge::validate::Expectation::surface),
+    /// [`check`](Self::check) passes. If it is [open](twinedge::validate::Expectation::open) and keeps them, `check` passes
+    /// unless its border meets itself at a vertex, or both sides of an edge lack a face. If a rule is broken, it never passes.
+    /// The [number of holes](SurfaceCounts::holes) shows whether the structure is open where it should not be.
     ///
     /// O(n) for n slots; 40 bytes for each half-edge.
     ///
@@ -53,7 +53,7 @@ impl SurfaceCertificate {
     pub fn new<V: View + ?Sized>(view: &V) -> Result<Self, LabelsError> {
         let mut certificate = Certificate { columns: closed(view)? };
         let (mut labels, _) = Labels::of_surface(&certificate)?;
-        // One entry may stand for the component of all that follow; in a certificate each has its own.
+        // One entry may stand for the component of all later ones; in a certificate each has its own.
         let components = labels.column_mut(Column::HalfEdgeComponent);
         let missing = certificate.half_edge_slots() - components.len().min(certificate.half_edge_slots());
         components.try_reserve_exact(missing).map_err(|_| LabelsError::OutOfMemory)?;
@@ -67,23 +67,23 @@ impl SurfaceCertificate {
 }
 
 impl<C: Columns> SurfaceCertificate<C> {
-    /// The certificate that has these columns. `None` if columns of one kind of record have different lengths.
+    /// Creates the certificate with these columns. `None` if columns of one kind of record have different lengths.
     #[must_use]
     pub fn from_columns(columns: C) -> Option<Self> {
         let kinds = KINDS.iter().all(|kind| have_one_length(&columns, kind));
         kinds.then_some(Self { certificate: Certificate { columns } })
     }
 
-    /// The columns. Those that are not [of surfaces](Column::of_surface) are empty.
+    /// Returns the columns. Columns other than the [columns of surfaces](Column::of_surface) are empty.
     #[must_use]
     pub const fn columns(&self) -> &C {
         self.certificate.columns()
     }
 
-    /// Checks the certificate: a scan that looks at each record once. If all tests pass, the columns are surfaces with these counts.
+    /// Checks the certificate: a scan that reads each record once. If all tests pass, the columns are surfaces with these counts.
     ///
     /// # Errors
-    /// The tests that fail.
+    /// The failed tests.
     pub fn check(&self) -> Result<SurfaceCounts, Vec<Failure>> {
         let s = Surface(Answers::new(&self.certificate, self.columns()));
         let mut failures = Failures::new();
@@ -100,7 +100,6 @@ impl<C: Columns> SurfaceCertificate<C> {
 const LABELS: [Column; 4] =
     [Column::HalfEdgeTurn, Column::HalfEdgeStep, Column::HalfEdgeComponent, Column::HalfEdgeRank];
 
-/// The columns of each kind of record.
 const KINDS: [&[Column]; 3] = [
     &[
         Column::HalfEdgeOrigin,

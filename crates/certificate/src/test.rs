@@ -1,10 +1,11 @@
-//! The tests by name, and how they fail.
+//! The tests by name, and their failures.
 
 use core::fmt;
 
 macro_rules! tests {
     ($($(#[$doc:meta])* $test:ident $name:literal of $records:literal,)*) => {
-        /// A test of a certificate, of each record of one kind. Its [name](Self::name) is that in `proofs/coq/CERTIFICATE.md`.
+        /// A test of a certificate, applied to each record of one kind. `proofs/coq/CERTIFICATE.md` uses the same
+        /// [names](Self::name).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Test {
@@ -15,13 +16,13 @@ macro_rules! tests {
             /// All tests.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$test),*];
 
-            /// The name of the test.
+            /// Returns the name of the test.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$test => $name,)* }
             }
 
-            /// The kind of record, in the plural; empty for a test of the whole.
+            /// Returns the kind of record, in the plural; empty for a test of the whole.
             #[must_use]
             pub const fn records(self) -> &'static str {
                 match self { $(Self::$test => $records,)* }
@@ -31,7 +32,8 @@ macro_rules! tests {
 }
 
 tests! {
-    /// There are as many ranks as slots for half-edges, and the numbers of slots fit into 32 bits. If not, nothing else is tested.
+    /// The number of ranks equals the number of slots for half-edges, and slot numbers fit into 32 bits. Otherwise nothing else
+    /// is tested.
     Readable "readable" of "",
     /// `twin(twin(h)) = h`, and `twin(h) ≠ h`.
     TwinOk "twin_ok" of "half-edges",
@@ -45,7 +47,7 @@ tests! {
     CycleOk "cycle_ok" of "half-edges",
     /// A neighbour has a lower rank, or the half-edge is a root.
     RankOk "rank_ok" of "half-edges",
-    /// The vertex and the half-edge that it keeps, or the boundary component that it is, name each other.
+    /// The vertex and its half-edge, or its boundary component if isolated, name each other.
     VertexOk "vertex_ok" of "vertices",
     /// The boundary component and its start name each other; an isolated vertex is an inner one.
     StartOk "start_ok" of "boundary components",
@@ -65,31 +67,31 @@ tests! {
     DartTwinOk "dart_twin_ok" of "darts",
     /// The next dart starts where the twin starts.
     DartPointOk "dart_point_ok" of "darts",
-    /// The half-edge that lies on the dart lies there; or none lies on the dart, and none on its twin.
+    /// The half-edge on the dart names the dart; or neither the dart nor its twin has a half-edge.
     DartHalfEdgeOk "dart_half_edge_ok" of "darts",
-    /// The half-edge ahead is that of the dart, or that ahead of the next dart counter-clockwise.
+    /// The half-edge ahead is on the dart, or is the half-edge ahead of the next dart counter-clockwise.
     DartAheadOk "dart_ahead_ok" of "darts",
-    /// The face is the same in the triangle and across added edges, and that of the half-edge.
+    /// The face is the same in the triangle and across added edges, and equals the face of the half-edge.
     DartFaceOk "dart_face_ok" of "darts",
-    /// A neighbour in the same face has a lower rank, or the dart is that of its face.
+    /// A neighbour in the same face has a lower rank, or the dart is the dart of its face.
     DartRankOk "dart_rank_ok" of "darts",
     /// Triangle 0 runs clockwise, all others counter-clockwise.
     TriangleOk "triangle_ok" of "triangles",
     /// The half-edge lies on a dart that starts at its origin, and its twin on the twin.
     HalfEdgeDartOk "half_edge_dart_ok" of "half-edges",
-    /// The next half-edge counter-clockwise lies on the next dart on which one lies.
+    /// The next half-edge counter-clockwise lies on the next dart that has one.
     RotationOk "rotation_ok" of "half-edges",
     /// The dart starts at the vertex; if it is isolated, the dart is in its face.
     VertexDartOk "vertex_dart_ok" of "vertices",
-    /// On surfaces: the next half-edge around the origin has a greater turn, or is the one that the vertex keeps.
+    /// On surfaces: the next half-edge around the origin has a greater turn, or is the one kept by the vertex.
     TurnOk "turn_ok" of "half-edges",
     /// On surfaces: the next half-edge has a greater step, or is the start of the boundary component.
     StepOk "step_ok" of "half-edges",
-    /// On surfaces: neighbours have the same component, and one of them a lower rank, but for the root.
+    /// On surfaces: neighbours have the same component, and one of them a lower rank, except at the root.
     ComponentOk "component_ok" of "half-edges",
     /// On open surfaces: a half-edge of a hole is the only one that leaves its origin, and its twin bounds a face.
     BorderOk "border_ok" of "half-edges",
-    /// On surfaces: the half-edge that a vertex keeps leaves it.
+    /// On surfaces: the half-edge kept by a vertex leaves it.
     SurfaceVertexOk "surface_vertex_ok" of "vertices",
     /// On surfaces: the boundary component starts with one of its half-edges, and is the outer one of its face; or it is a hole.
     SurfaceBoundaryOk "surface_boundary_ok" of "boundary components",
@@ -108,26 +110,26 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// The test.
+    /// Returns the test.
     #[must_use]
     pub const fn test(self) -> Test {
         self.test
     }
 
-    /// The number of records that fail it; 1 for a test of the whole.
+    /// Returns the number of failing records; 1 for a test of the whole.
     #[must_use]
     pub const fn count(self) -> usize {
         self.count
     }
 
-    /// The first record that fails it. `None` for a test of the whole.
+    /// Returns the first failing record. `None` for a test of the whole.
     #[must_use]
     pub const fn first(self) -> Option<usize> {
         if self.test.records().is_empty() { None } else { Some(self.first) }
     }
 }
 
-/// The line that Coq's checker prints.
+/// Formats the line printed by Coq's checker.
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.test.name())?;
@@ -138,16 +140,16 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Results of tests are noted, as a checker has use for them.
+/// A consumer of test results, as needed by a checker.
 pub(super) trait Noted {
-    /// Notes the result of a test of record `i`. None if the check ends here.
+    /// Records the result of a test of record `i`. Returns `None` if the check ends here.
     fn note(&mut self, test: Test, i: usize, passes: bool) -> Option<()>;
 
-    /// Notes that a test of a record fails; `each` notes the results of all its tests. None if the check ends here.
+    /// Records that a test of a record fails; `each` reports the results of all its tests. Returns `None` if the check ends here.
     fn note_each(&mut self, each: impl FnOnce(&mut Self)) -> Option<()>;
 }
 
-/// The first failure ends the check.
+/// Ends the check at the first failure.
 pub(super) struct UntilFailure;
 
 impl Noted for UntilFailure {

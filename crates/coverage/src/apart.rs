@@ -1,14 +1,15 @@
-//! Rings that meet nowhere: one sweep says so, and which lies in which. Most features are made of such rings.
+//! Rings that meet nowhere, as in most features: one sweep verifies this and finds their nesting.
 
 use super::rings::Ring;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, Orientation, compare_lexicographic, meeting, orientation};
 use twinedge_geometry::sweep::sweep_plane;
 
-/// Of a single ring of up to so many points, all pairs of segments are tried.
+/// For a single ring of at most this many points, all pairs of segments are tried.
 const FEW: usize = if cfg!(test) { 4 } else { 12 };
 
-/// For each ring the rings that it lies in, in order; none if two rings meet, or a ring meets itself. O(n log n) for n points.
+/// Returns, for each ring, the rings that contain it, in order; `None` if two rings meet or a ring meets itself. O(n log n) for n
+/// points.
 pub(super) fn containers(rings: &[Ring]) -> Option<Vec<Vec<usize>>> {
     match rings {
         [] => return Some(Vec::new()),
@@ -29,10 +30,10 @@ pub(super) fn containers(rings: &[Ring]) -> Option<Vec<Vec<usize>>> {
         is_counter_clockwise.push(orientation(before, at, behind) == Orientation::CounterClockwise);
         lowest.push(first + low as u32);
     }
-    // Coordinates that are out of range are left to others.
+    // Other checks report coordinates that are out of range.
     let below = sweep_plane(&points, &segments).ok()??.of(&lowest);
     let at = |point: u32| points[point as usize];
-    // From left to right, so that what a ring below lies in is known.
+    // Left to right, so the nesting of the ring below is known.
     let mut order: Vec<usize> = (0..rings.len()).collect();
     order.sort_by(|a, b| compare_lexicographic(at(lowest[*a]), at(lowest[*b])));
     let mut containers = vec![Vec::new(); rings.len()];
@@ -42,7 +43,7 @@ pub(super) fn containers(rings: &[Ring]) -> Option<Vec<Vec<usize>>> {
         let [from, to] = segments[segment as usize].map(at);
         let rises = compare_lexicographic(from, to).is_lt();
         let mut of: Vec<usize> = containers[other].clone();
-        // The inside is to the left of a ring that turns counter-clockwise.
+        // The inside is to the left of a counter-clockwise ring.
         if rises == is_counter_clockwise[other] {
             of.push(other);
             of.sort_unstable();

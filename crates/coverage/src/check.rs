@@ -1,4 +1,4 @@
-//! Asking a map all rules of a coverage that a map can answer.
+//! Checking a map against all coverage rules that a map can answer.
 
 use super::duplicate::{duplicates, first_like};
 use super::finding::{CoverageRule, Finding, Limits};
@@ -17,15 +17,15 @@ use twinedge_map::{NotPlane, PlanarMap};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Coverage {
-    /// In order of the rules; those of one rule by falling area, and equal ones by their corner, features, and place.
+    /// By rule; within one rule by falling area, then by corner, features and location.
     pub findings: Vec<Finding>,
-    /// The gaps that are wider than the limit, if there is one, by falling area. They are not among the findings.
+    /// The gaps wider than the limit, if there is one, by falling area. They are not findings.
     pub wider_gaps: Vec<Finding>,
-    /// The gaps that were accepted by a point inside, by falling area. They are not among the findings either.
+    /// The gaps accepted by a point inside, by falling area. They are not findings.
     pub accepted_gaps: Vec<Finding>,
-    /// The greatest width of a near miss that was asked for or chosen.
+    /// The requested or chosen greatest width of a near miss.
     pub gap_width: f64,
-    /// The area of slivers that was asked for or chosen.
+    /// The requested or chosen area of slivers.
     pub sliver_area: f64,
 }
 
@@ -35,7 +35,8 @@ impl Coverage {
         self.findings.iter().filter(move |finding| finding.rule == rule)
     }
 
-    /// Returns the places in [`Limits::accepted_gaps`] that lie in no accepted gap of the map that was checked: mistakes, as a rule. O(n log n).
+    /// Returns the points of [`Limits::accepted_gaps`] that lie in no accepted gap of the checked map, usually by mistake. O(n
+    /// log n).
     #[must_use]
     pub fn unmet_places(&self, map: &PlanarMap, limits: &Limits) -> Vec<Point> {
         let faces: FxHashSet<FaceKey> = self.accepted_gaps.iter().flat_map(|gap| &gap.faces).copied().collect();
@@ -48,16 +49,16 @@ impl Coverage {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CoverageError {
-    /// The map is not plane, so it is not known what the features cover.
+    /// The map is not plane, so the extents of its features are unknown.
     #[error("it is not known what the features cover: {0}")]
     NotPlane(#[from] NotPlane),
 }
 
-/// Finds what breaks C1 … C5. C6 is asked of shapes, and C7 of the input of the map: [`defects`](super::defects),
+/// Finds violations of C1 … C5. C6 is checked on shapes, C7 on the map's input: [`defects`](super::defects),
 /// [`mismatches`](super::mismatches).
 ///
-/// With the feature `rayon`, on the threads of its current pool. O(n log n + c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of edges on the
-/// outside whose boxes come as near as the width asked for.
+/// With the feature `rayon`, runs on the threads of the current pool. O(n log n + c) for n half-edges and faces, each counted
+/// once for each feature that covers it, and c pairs of outside edges whose boxes come within the width.
 ///
 /// ```
 /// use twinedge_coverage::{CoverageRule, Limits, check};
@@ -96,7 +97,6 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     Ok(Found { overlaps, gaps, near_misses, slivers, duplicates, gap_width, sliver_area }.sorted())
 }
 
-/// The findings, rule by rule.
 pub(crate) struct Found {
     pub(crate) overlaps: Vec<Finding>,
     pub(crate) gaps: Gaps,

@@ -6,8 +6,8 @@ use rustc_hash::FxHashMap;
 use twinedge::dcel::FaceKey;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// For each feature the first one that claims the same faces; itself, if it is the first or claims none. `faces` has the faces
-/// of each feature, in order of their indices. O(their number), expected.
+/// Returns, for each feature, the first one that claims the same faces: itself if it is the first or claims none. `faces`
+/// contains the faces of each feature, in order of their indices. O(their number), expected.
 pub(super) fn first_like<'f>(map: &PlanarMap, faces: &'f [Vec<FaceKey>]) -> Vec<FeatureId> {
     let mut first: FxHashMap<&'f [FaceKey], FeatureId> = FxHashMap::default();
     let mut like = |feature, own: &'f [FaceKey]| match own {
@@ -17,7 +17,7 @@ pub(super) fn first_like<'f>(map: &PlanarMap, faces: &'f [Vec<FaceKey>]) -> Vec<
     map.features().zip(faces).map(|(feature, own)| like(feature, own)).collect()
 }
 
-/// A finding for each set of features that claim the same faces.
+/// Returns a finding for each set of features that claim the same faces.
 pub(super) fn duplicates(map: &PlanarMap, faces: &[Vec<FaceKey>], first_like: &[FeatureId]) -> Vec<Finding> {
     let mut like: FxHashMap<FeatureId, Vec<FeatureId>> = FxHashMap::default();
     for (feature, first) in map.features().zip(first_like) {

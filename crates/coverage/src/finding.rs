@@ -1,4 +1,4 @@
-//! The rules of a coverage, and what one of them found.
+//! The rules of a coverage, and their findings.
 
 use core::cmp::Ordering;
 use core::fmt;
@@ -7,7 +7,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::FeatureId;
 
-/// A rule of a coverage. Its features lie side by side, which breaks none.
+/// A rule of a coverage: areas side by side, which keep all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum CoverageRule {
@@ -23,16 +23,16 @@ pub enum CoverageRule {
     Duplicate,
     /// C6: the polygons of each feature are valid by the rules of the OGC.
     Validity,
-    /// C7: where borders meet, of two features or of two rings of one, both have a vertex.
+    /// C7: where the borders of two features, or two rings of one feature, meet, both have a vertex.
     Mismatch,
 }
 
 impl CoverageRule {
-    /// All, in order of their ids.
+    /// All rules, in order of their ids.
     pub const ALL: [Self; 7] =
         [Self::Overlap, Self::Gap, Self::NearMiss, Self::Sliver, Self::Duplicate, Self::Validity, Self::Mismatch];
 
-    /// The id: `C1` to `C7`.
+    /// Returns the id: `C1` to `C7`.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -46,7 +46,7 @@ impl CoverageRule {
         }
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -67,39 +67,38 @@ impl fmt::Display for CoverageRule {
     }
 }
 
-/// One thing that breaks a rule of a coverage. Lengths and areas are in the units of the coordinates.
+/// A violation of a rule of a coverage. Lengths and areas are in the units of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Finding {
     /// The rule.
     pub rule: CoverageRule,
-    /// The features involved, in order: those that claim the overlap or the duplicate, those around the gap, the two of a
-    /// near miss or a mismatch, the one of the sliver or of a mismatch of its own rings.
+    /// The features involved, in order: claimants of the overlap or duplicate, neighbours of the gap, both features of a near
+    /// miss or mismatch, or the one feature of a sliver or of a mismatch of its own rings.
     pub features: Vec<FeatureId>,
-    /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss,
-    /// without ends where these move apart; 0 for a mismatch.
+    /// The area of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss
+    /// without ends where they move apart; 0 for a mismatch.
     pub area: f64,
-    /// The mean width: twice the area by the length of the borders. For a strip it is the width; for a disk or a square it is
-    /// half of it. 0 for a mismatch.
+    /// The mean width: twice the area divided by the length of the borders. This is the width of a strip, and half the width of a
+    /// disk or square. 0 for a mismatch.
     pub width: f64,
-    /// The length of the borders involved: all around the faces, both sides of a near miss, or
-    /// the segments that lack a vertex.
+    /// The length of the borders involved: all around the faces, both sides of a near miss, or the segments that lack a vertex.
     pub length: f64,
-    /// A point inside it; the first missing vertex of a mismatch.
+    /// A point inside; for a mismatch, the first missing vertex.
     pub at: Point,
-    /// The first corner from left to right, and of those above each other the lowest: of the faces or the stretches.
+    /// The leftmost corner of the faces or stretches, and the lowest on a tie.
     pub corner: Point,
-    /// The faces that make it up; none for a near miss or a mismatch, and where the map was seen by its tiles.
+    /// The faces that make it up; empty for a near miss or a mismatch, and in audits by tiles.
     pub faces: Vec<FaceKey>,
-    /// The stretches of borders that face each other, of a near miss; the segments that lack a vertex, of a mismatch; none for the
-    /// other rules.
+    /// For a near miss, the stretches of borders that face each other; for a mismatch, the segments that lack a vertex; otherwise
+    /// empty.
     pub stretches: Vec<[Point; 2]>,
-    /// The missing vertices of a mismatch, in order of their coordinates; none for the other rules.
+    /// The missing vertices of a mismatch, in order of their coordinates; otherwise empty.
     pub missing: Vec<MissingVertex>,
 }
 
 impl Finding {
-    /// The order among findings of one rule, which does not depend on the numbers of faces.
+    /// Compares findings of one rule, independent of the numbers of faces.
     pub(super) fn compare(&self, other: &Self) -> Ordering {
         (other.area.total_cmp(&self.area))
             .then_with(|| compare_lexicographic(self.corner, other.corner))
@@ -112,7 +111,7 @@ impl Finding {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MissingVertex {
-    /// The place, between two vertices of the border.
+    /// The location, between two vertices of the border.
     pub at: Point,
     /// The feature.
     pub feature: FeatureId,
@@ -129,18 +128,18 @@ pub struct MissingVertex {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits {
-    /// The greatest width of a near miss, and of a gap if it is to be found and there is no `lake_width`. By default every gap is
-    /// found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.
+    /// The greatest width of a near miss, and of a reported gap unless `lake_width` is set. By default gaps of all widths are
+    /// found, and a near miss is at most as wide as a hundredth of the median length of the edges.
     pub gap_width: Option<f64>,
-    /// The greatest width of a gap that is found; a wider one is accepted as a lake: it is counted, and searched for near misses.
+    /// The greatest width of a reported gap. A wider one is accepted as a lake: it is counted, and searched for near misses.
     /// Default: `gap_width`.
     pub lake_width: Option<f64>,
-    /// A point inside each gap that is accepted whatever its width.
+    /// A point inside each gap that is accepted at any width.
     pub accepted_gaps: Vec<Point>,
     /// The area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
     pub sliver_area: Option<f64>,
-    /// The thinness below which a small part of a feature is a sliver: 4πA/P² for area A and perimeter P, which is 1 for a
-    /// disk, 0.79 for a square, and 0.2 for a rectangle 14 times as long as it is wide.
+    /// The thinness below which a small part of a feature is a sliver: 4πA/P² for area A and perimeter P, which is 1 for a disk,
+    /// 0.79 for a square, and 0.2 for a rectangle 14 times as long as wide.
     pub thinness: f64,
 }
 

@@ -1,7 +1,7 @@
 //! C2 gap: no bounded face is unclaimed.
 //!
-//! Unclaimed faces that hang together across lines are one gap; if they hang together with the unbounded face, they are
-//! outside. Holes that a single feature has are gaps as well: nothing on the map says that they are meant.
+//! Unclaimed faces connected across lines are one gap; if they are connected with the unbounded face, they are outside. Holes of
+//! a single feature are also gaps: nothing on the map says that they are intended.
 
 use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding};
@@ -11,20 +11,21 @@ use twinedge_algorithm::claims::features_of;
 use twinedge_geometry::Point;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The gaps, and the unclaimed faces that are none.
+/// The gaps, and the unclaimed faces that are not gaps.
 #[derive(Default)]
 pub(crate) struct Gaps {
     pub(super) findings: Vec<Finding>,
-    /// The gaps that are wider than asked for.
+    /// The gaps wider than the limit.
     pub(super) wider: Vec<Finding>,
-    /// The gaps that were accepted by a point inside.
+    /// The gaps accepted by a point inside.
     pub(super) accepted: Vec<Finding>,
-    /// The outside, and the gaps in which near misses are looked for: for each of their faces, by index, the index of one that it hangs together with.
+    /// The outside, and the gaps searched for near misses: for each of their faces, by index, the index of a representative face
+    /// of the same space.
     pub(super) spaces: FxHashMap<usize, usize>,
 }
 
 impl Gaps {
-    /// Takes a gap. Returns true if near misses are looked for in it.
+    /// Adds a gap. Returns true if it is searched for near misses.
     pub(crate) fn take(&mut self, gap: Finding, is_accepted: bool, limits: &Limits, near_miss_width: f64) -> bool {
         let is_wide = gap.width > near_miss_width;
         let greatest = limits.lake_width.or(limits.gap_width);
@@ -39,7 +40,7 @@ impl Gaps {
     }
 }
 
-/// Finds the gaps. Near misses are looked for in those that are wider than these are, unless all gaps are findings. O(n log n).
+/// Finds the gaps. Gaps wider than `near_miss_width` are searched for near misses, unless all gaps are findings. O(n log n).
 pub(super) fn gaps(map: &PlanarMap, limits: &Limits, near_miss_width: f64) -> Gaps {
     let accepted = accepted_faces(map, &limits.accepted_gaps);
     let unclaimed = |face: Face<'_>| features_of(map, face).next().is_none().then_some(());
@@ -58,12 +59,12 @@ pub(super) fn gaps(map: &PlanarMap, limits: &Limits, near_miss_width: f64) -> Ga
     found
 }
 
-/// The faces in which these points lie, also as isolated vertices, by index. O(n log n) if there are points.
+/// Returns the faces that contain these points, possibly as isolated vertices, by index. O(n log n) if there are points.
 pub(crate) fn accepted_faces(map: &PlanarMap, points: &[Point]) -> FxHashSet<usize> {
     points.iter().filter_map(|p| map.face_at(*p)).map(Face::index).collect()
 }
 
-/// The features around a set of faces.
+/// Returns the features around a set of faces.
 fn around(map: &PlanarMap, faces: &[Face<'_>]) -> Vec<FeatureId> {
     let mut features: Vec<FeatureId> =
         border(faces).into_iter().flat_map(|h| features_of(map, h.twin().face())).collect();

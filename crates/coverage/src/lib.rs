@@ -1,4 +1,4 @@
-//! A check that the features of a map are a coverage: areas side by side, without overlaps and gaps.
+//! Checks that the features of a map form a coverage: areas side by side, without overlaps and gaps.
 //!
 //! ```text
 //!   ┌──────┬──┬─────┐    ┌──────┐┌─────┐    ┌──────┐┌─────┐    ┌──────┬┬─────┐
@@ -20,22 +20,22 @@
 //! | C3 near miss | borders of two features that face each other across a narrow space that is open to the outside or to a wider gap | `near_miss.rs` |
 //! | C4 sliver | small and thin parts of a feature | `sliver.rs` |
 //! | C5 duplicate | features that claim the same faces | `duplicate.rs` |
-//! | C6 OGC validity | polygons that are not valid by the rules of the OGC, in its words | `validity.rs` |
-//! | C7 mismatch | vertices of a feature on the border of another one, or of another ring of its own, which lacks them | `mismatch.rs` |
+//! | C6 OGC validity | polygons that are invalid by the rules of the OGC, in its terms | `validity.rs` |
+//! | C7 mismatch | vertices of a feature on a border of another feature, or of another of its own rings, that lacks them | `mismatch.rs` |
 //!
-//! [`check`] asks C1 … C5 of a map, [`defects`] asks C6 of the shapes of a feature, which a map has no longer, and [`mismatches`] asks C7 of a map and the
-//! input that it was made of. [`insert_touches`] first puts vertices where rings of one feature touch as the OGC allows. A finding is
-//! no error of the structure: a map with overlaps is a valid planar subdivision. The rules are independent: a map can be made
-//! that breaks any one of them alone.
+//! [`check`] checks C1 … C5 on a map, [`defects`] checks C6 on the shapes of a feature, which a map no longer has, and
+//! [`mismatches`] checks C7 on a map and its input. [`insert_touches`] first adds vertices where rings of one feature touch as
+//! the OGC allows. A finding is no error of the structure: a map with overlaps is a valid planar subdivision. The rules are
+//! independent: any single one can be broken alone.
 //!
 //! | module | purpose |
 //! | --- | --- |
-//! | [`clean`](mod@clean) | which feature gets each face, if none may lie in two, and gaps and slivers go to neighbours? |
-//! | [`layers`] | does each feature lie within one of another layer, do both cover the same, do parts make up their parents? |
+//! | [`clean`](mod@clean) | one owner for each face: resolves overlaps, and assigns gaps and slivers to neighbours |
+//! | [`layers`] | relations between layers: features within features, equal cover, parents made up of parts |
 //! | [`tile`] | maps in tiles, whose summaries add up |
 //!
-//! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
-//! feature leaks ([`leaks`](twinedge_algorithm::claims::leaks)). Then it is not known what it covers, and [`check`] refuses the map.
+//! On a map that is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
+//! feature leaks ([`leaks`](twinedge_algorithm::claims::leaks)). Its extent is unknown, so [`check`] refuses the map.
 
 mod apart;
 mod check;

@@ -1,4 +1,4 @@
-//! C7 mismatch: where borders of two features meet, both have a vertex; and so have two rings of one feature.
+//! C7 mismatch: where borders of two features meet, or two rings of one feature, both have a vertex.
 //!
 //! ```text
 //!   ┌──────┬──────┐
@@ -8,9 +8,8 @@
 //!   └──────┴──────┘
 //! ```
 //!
-//! The vertices that are missing are asked of the input ([`Builder::unmatched`](twinedge_map::Builder::unmatched)): a map has them,
-//! once its segments are cut. Where two features claim the same place around a vertex, their borders meet because they overlap, and that is
-//! C1.
+//! The missing vertices come from the input ([`Builder::unmatched`](twinedge_map::Builder::unmatched)): the map has them once its
+//! segments are cut. If two features claim the same area around a vertex, their borders meet because of an overlap, which is C1.
 
 use super::check::CoverageError;
 use super::finding::{CoverageRule, Finding, MissingVertex};
@@ -24,10 +23,10 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::{Embedding, FeatureId, PlanarMap, UnmatchedVertex};
 
-/// Finds what breaks C7: for each two features whose borders lack vertices of each other, and each feature whose border lacks vertices of its own, a
-/// finding with all of these. `map` is the map of the
-/// same input with its segments cut, `unmatched` what [`Builder::unmatched`](twinedge_map::Builder::unmatched) returned.
-/// Those with the most missing vertices come first. O(n + k log k) for n vertices and k unmatched ones, and the rotations of these.
+/// Finds violations of C7. Returns one finding for each two features whose borders lack vertices of each other, and for each
+/// feature whose border lacks its own vertices, with all missing vertices. `map` is the map of the same input with its segments
+/// cut, `unmatched` the result of [`Builder::unmatched`](twinedge_map::Builder::unmatched). Findings with the most missing
+/// vertices come first. O(n + k log k) for n vertices and k unmatched ones, plus their rotations.
 ///
 /// ```
 /// use twinedge_coverage::{CoverageRule, mismatches};
@@ -53,7 +52,8 @@ pub fn mismatches(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Vec<
     Ok(by_pairs(apart(map, unmatched, snapped)))
 }
 
-/// The unmatched vertices around which the two features do not overlap. `snapped` says where a point lies on the map.
+/// Returns the unmatched vertices around which the two features do not overlap. `snapped` returns the location of a point on the
+/// map.
 pub(crate) fn apart(
     map: &PlanarMap,
     unmatched: &[UnmatchedVertex],
@@ -73,7 +73,7 @@ pub(crate) fn apart(
     unmatched.iter().copied().filter(is_apart)
 }
 
-/// The findings that unmatched vertices are.
+/// Groups unmatched vertices into findings.
 pub(crate) fn by_pairs(unmatched: impl IntoIterator<Item = UnmatchedVertex>) -> Vec<Finding> {
     let mut pairs: BTreeMap<[FeatureId; 2], Vec<UnmatchedVertex>> = BTreeMap::new();
     for one in unmatched {
@@ -89,7 +89,7 @@ fn overlap_at(map: &PlanarMap, vertex: Vertex<'_>, pair: [FeatureId; 2]) -> bool
     vertex.rotation().any(|h| features_of(map, h.face()).filter(|feature| pair.contains(feature)).nth(1).is_some())
 }
 
-/// The finding that the missing vertices of two features are.
+/// Makes the finding of the missing vertices of two features.
 fn mismatch(pair: [FeatureId; 2], all: &[UnmatchedVertex]) -> Finding {
     let mut missing: Vec<MissingVertex> =
         all.iter().map(|one| MissingVertex { at: one.at, feature: one.lacked_by }).collect();

@@ -7,10 +7,10 @@
 //!   └────────┘g└────────┘
 //! ```
 //!
-//! Only the stretches of two edges that lie opposite each other count, and only if they are within the width at both ends: edges
-//! that part at a vertex, and are farther apart than the width where one of them ends, are none. A near miss has a stretch that is longer than
-//! the width on both sides (the condition of GEOS and JTS), or it is [`LEAST`] times as long as the width, over any number of edges, and
-//! its borders do not [part](parts) steadily.
+//! Only stretches of two edges that lie opposite each other count, and only if they are within the width at both ends. So edges
+//! that part at a vertex, and are farther apart than the width where one of them ends, do not count. A near miss has a stretch
+//! longer than the width on both sides (the condition of GEOS and JTS), or it is [`LEAST`] times as long as the width, over any
+//! number of edges, and its borders do not [part](parts) steadily.
 
 use super::finding::{CoverageRule, Finding};
 use super::region::{ends, first_corner, length, mean_width};
@@ -30,21 +30,21 @@ use twinedge_map::{FeatureId, PlanarMap};
 /// The least length of a near miss of short stretches, as a multiple of the given width.
 const LEAST: f64 = 4.0;
 
-/// The part of the median length of edges that is the width if none is given.
+/// The divisor of the median edge length that yields the default width.
 const OF_MEDIAN: f64 = 100.0;
 
-/// Tells the features that cover the face on the other side of a half-edge.
+/// Returns the features that cover the face on the other side of a half-edge.
 pub(crate) type Beyond<'a> = dyn Fn(HalfEdge<'a>) -> &'a [FeatureId] + Sync + 'a;
 
 /// The stretches of two features that lie opposite each other, by side.
 type Pairs = BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>>;
 
-/// The sides: half-edges of features' borders with one of the spaces to their left, by index. What is known of them is looked up, since there
-/// are as many as half-edges where islands lie in the sea.
+/// The sides: half-edges of features' borders with one of the spaces to their left, by index. Their data is looked up instead of
+/// stored, since with islands in a sea every half-edge is a side.
 #[derive(Clone, Copy)]
 struct Sides<'a> {
     map: &'a PlanarMap,
-    /// The space that each unclaimed face is part of, by index.
+    /// The space of each unclaimed face, by index.
     spaces: &'a FxHashMap<usize, usize>,
     beyond: &'a Beyond<'a>,
 }
@@ -72,7 +72,7 @@ impl<'a> Sides<'a> {
     }
 }
 
-/// A part of a side that lies opposite another side: its start and end along the side, and how far the other one is there.
+/// A part of a side that lies opposite another side: its start and end along the side, and the distances of the other side there.
 #[derive(Clone, Copy)]
 struct Stretch {
     from: f64,
@@ -83,18 +83,18 @@ struct Stretch {
     other: usize,
 }
 
-/// The greatest width of near misses if none is given. O(n), expected.
+/// Returns the default width of near misses. O(n), expected.
 pub(super) fn chosen_width(map: &PlanarMap) -> f64 {
     width_by(map.dcel().edges().map(|h| length(map, h)).collect())
 }
 
-/// The same, from the lengths of all edges.
+/// Returns the default width of near misses, from the lengths of all edges.
 pub(crate) fn width_by(lengths: Vec<f64>) -> f64 {
     median(lengths) / OF_MEDIAN
 }
 
-/// The near misses up to a width. `spaces` has the space that each unclaimed face is part of, where near misses are looked for, both by
-/// index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
+/// Returns the near misses up to a width. `spaces` contains the space of each unclaimed face searched for near misses, both by
+/// index. O(n log n + c log c) for c pairs of edges whose boxes come within the width.
 pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, width: f64) -> Vec<Finding> {
     let claimed = map.dcel().faces().filter(|face| !spaces.contains_key(&face.index()));
     let features = claimed.map(|face| (face.index(), features_of(map, face).collect::<Vec<_>>()));
@@ -102,7 +102,7 @@ pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, wid
     near_misses_beside(map, spaces, &|h| features.get(&h.twin().face().index()).map_or(&[], Vec::as_slice), width)
 }
 
-/// The same, where it is known otherwise which features are beside the spaces.
+/// Returns the near misses up to a width, given a function that returns the features next to the spaces.
 pub(crate) fn near_misses_beside<'a>(
     map: &'a PlanarMap,
     spaces: &'a FxHashMap<usize, usize>,
@@ -132,7 +132,7 @@ pub(crate) fn near_misses_beside<'a>(
             }
         }
     };
-    // Each side is looked at once.
+    // Each side is processed once.
     let merge = |mut one: Pairs, other: Pairs| {
         for (pair, stretches) in other {
             one.entry(pair).or_default().extend(stretches);
@@ -149,12 +149,11 @@ pub(crate) fn near_misses_beside<'a>(
     findings
 }
 
-/// Returns true if two sorted lists have an element in common.
 fn have_common(a: &[FeatureId], b: &[FeatureId]) -> bool {
     a.iter().any(|feature| b.binary_search(feature).is_ok())
 }
 
-/// The sides that belong together: they face or follow each other. Each set is sorted.
+/// Groups sides that face or follow each other. Each set is sorted.
 fn clusters(near: &BTreeMap<usize, Vec<Stretch>>, sides: &Sides<'_>) -> Vec<Vec<usize>> {
     let mut seen = FxHashSet::default();
     let mut clusters: Vec<Vec<usize>> = Vec::new();
@@ -181,7 +180,7 @@ fn clusters(near: &BTreeMap<usize, Vec<Stretch>>, sides: &Sides<'_>) -> Vec<Vec<
     clusters
 }
 
-/// The near miss that some sides of two features are, if it is one.
+/// Returns the near miss of some sides of two features, if they form one.
 fn near_miss(
     pair: [FeatureId; 2],
     cluster: &[usize],
@@ -192,7 +191,7 @@ fn near_miss(
     let mut pieces: Vec<Piece> = cluster.iter().flat_map(|side| pieces(&near[side], *side, sides)).collect();
     let total: Sum = pieces.iter().map(|piece| piece.length).collect();
     let is_long = cluster.iter().flat_map(|side| &near[side]).any(|stretch| stretch.is_long);
-    // Each border is counted by itself.
+    // Each border is counted separately.
     if !is_long && (total.value() < 2.0 * LEAST * width || parts(&pieces, width)) {
         return None;
     }
@@ -200,7 +199,7 @@ fn near_miss(
     narrow(&mut pieces);
     let (length, area): (Sum, Sum) =
         (pieces.iter().map(|piece| piece.length).collect(), pieces.iter().map(Piece::area).collect());
-    // Each border was measured by itself, and so was the space, once from each of them.
+    // Both borders were measured, and the space once from each of them.
     let (length, area) = (length.value(), area.value() / 2.0);
     let longest = pieces.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
     Some(Finding {
@@ -217,7 +216,7 @@ fn near_miss(
     })
 }
 
-/// A part of a side, and how far the other side is at both of its ends.
+/// A part of a side, with the distances of the other side at both ends.
 struct Piece {
     ends: [Point; 2],
     length: f64,
@@ -234,14 +233,14 @@ impl Piece {
         self.length * f64::midpoint(self.widths[0], self.widths[1])
     }
 
-    /// The point in the middle between both sides.
+    /// Returns the midpoint between both sides.
     fn middle(&self, sides: &Sides<'_>) -> Point {
         let p = middle(self.ends);
         middle([p, nearest(p, sides.ends(self.other))])
     }
 }
 
-/// The union of the stretches of a side, in order, each place once.
+/// Merges the stretches of a side, in order, without repetition.
 fn pieces(stretches: &[Stretch], side: usize, sides: &Sides<'_>) -> Vec<Piece> {
     let mut sorted = stretches.to_vec();
     let by_place = |a: &Stretch, b: &Stretch| compare_ends(sides.ends(a.other), sides.ends(b.other));
@@ -264,7 +263,7 @@ fn pieces(stretches: &[Stretch], side: usize, sides: &Sides<'_>) -> Vec<Piece> {
     pieces
 }
 
-/// Returns true if borders move apart steadily: they are about as long within half the width as beyond it, as those of a wedge are.
+/// Returns true if borders move apart steadily, as in a wedge: about half of their length is within half the width.
 fn parts(pieces: &[Piece], width: f64) -> bool {
     let length = |pieces: &mut dyn Iterator<Item = &Piece>| pieces.map(|piece| piece.length).collect::<Sum>().value();
     let near =
@@ -272,8 +271,8 @@ fn parts(pieces: &[Piece], width: f64) -> bool {
     (0.25..0.75).contains(&(near / length(&mut pieces.iter())))
 }
 
-/// Keeps the narrow pieces: up to the greatest width at which they make up a strip at least half as slender as the most slender one. So the
-/// measures are not those of the ends, where borders that coincide but for a rounding move apart.
+/// Keeps the narrow pieces: up to the greatest width at which they form a strip at least half as slender as the most slender one.
+/// This excludes the ends, where borders that coincide except for rounding move apart.
 fn narrow(pieces: &mut Vec<Piece>) {
     pieces.sort_by(|a, b| a.greatest().total_cmp(&b.greatest()).then_with(|| compare_ends(a.ends, b.ends)));
     let mut length = 0.0;
@@ -287,8 +286,8 @@ fn narrow(pieces: &mut Vec<Piece>) {
     pieces.truncate(last + 1);
 }
 
-/// The stretch of a segment opposite another one that faces it: both run in opposite directions, and each has the other to its left there, at most
-/// a width away at both ends. O(1).
+/// Returns the stretch of a segment opposite another one. They must run in opposite directions, each with the other to its left,
+/// at most a width apart at both ends. O(1).
 fn facing([a, b]: [Point; 2], [c, d]: [Point; 2], width: f64) -> Option<Stretch> {
     let (u, v) = (minus(b, a), minus(d, c));
     let (from, to) = opposite([a, b], [d, c])?;
@@ -301,8 +300,8 @@ fn facing([a, b]: [Point; 2], [c, d]: [Point; 2], width: f64) -> Option<Stretch>
     (is_between && widths[0] <= width && widths[1] <= width).then_some(Stretch { from, to, widths, is_long, other: 0 })
 }
 
-/// From where to where, as parts of its length, a segment has another one at right angles beside it; none if they run in opposite
-/// directions.
+/// Returns the range of a segment, in fractions of its length, with another segment at right angles to it; `None` if they run in
+/// opposite directions.
 fn opposite([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(f64, f64)> {
     let u = minus(b, a);
     let part = |p: Point| dot(minus(p, a), u) / dot(u, u);
@@ -310,13 +309,12 @@ fn opposite([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(f64, f64)> {
     (from < to).then_some((from, to))
 }
 
-/// The point of a segment that is nearest to a point.
 fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
     let u = minus(b, a);
     along(a, b, (dot(minus(p, a), u) / dot(u, u)).clamp(0.0, 1.0))
 }
 
-/// Compares stretches by their place, so that no outcome depends on the numbers of half-edges.
+/// Compares stretches by location, so that no result depends on the numbers of half-edges.
 fn compare_ends([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Ordering {
     compare_lexicographic(a, c).then_with(|| compare_lexicographic(b, d))
 }

@@ -1,7 +1,7 @@
 //! C1 overlap: no face is claimed by two features.
 //!
-//! Faces that hang together and are claimed by the same features are one overlap. Features that claim the same faces count as
-//! one here, and all are named: they are duplicates (C5).
+//! Connected faces claimed by the same features are one overlap. Features that claim the same faces count as one here, but all
+//! are named: they are duplicates (C5).
 
 use super::finding::{CoverageRule, Finding};
 use super::region::{connected, finding};
@@ -10,8 +10,8 @@ use twinedge::dcel::Face;
 use twinedge_algorithm::claims::features_of;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The overlaps. `first_like` has, for each feature, the first one that claims the same faces. O(n + o log o) for o half-edges
-/// of overlaps, expected.
+/// Returns the overlaps. `first_like` contains, for each feature, the first one that claims the same faces. O(n + o log o) for o
+/// half-edges of overlaps, expected.
 pub(super) fn overlaps(map: &PlanarMap, first_like: &[FeatureId]) -> Vec<Finding> {
     let mut claims: FxHashMap<usize, Vec<FeatureId>> = FxHashMap::default();
     let mut claimed = Vec::new();
@@ -26,7 +26,7 @@ pub(super) fn overlaps(map: &PlanarMap, first_like: &[FeatureId]) -> Vec<Finding
         }
     }
     let regions = connected(claimed, |face: Face<'_>| claims.get(&face.index()));
-    // With those like the first ones: they claim the same faces.
+    // Includes duplicates of the first features: they claim the same faces.
     let features = |region: &[Face<'_>]| features_of(map, region[0]).collect();
     regions.iter().map(|region| finding(map, CoverageRule::Overlap, features(region), region)).collect()
 }

@@ -8,12 +8,10 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
-/// The length of an edge.
 pub(crate) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
     segment_length(ends(map, h))
 }
 
-/// The length of a segment.
 pub(crate) fn segment_length([a, b]: [Point; 2]) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
@@ -23,8 +21,8 @@ pub(crate) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
     [h.origin(), h.target()].map(|v| map.point(v.index()))
 }
 
-/// The sets of faces that hang together across edges between faces of the same class, in order of their first face; faces
-/// without class belong to none. O(half-edges of the faces), expected.
+/// Groups faces connected across edges between faces of the same class, in order of their first face; faces without a class are
+/// left out. O(half-edges of the faces), expected.
 pub(crate) fn connected<'a, C: PartialEq>(
     faces: impl IntoIterator<Item = Face<'a>>,
     class: impl Fn(Face<'a>) -> Option<C>,
@@ -48,32 +46,30 @@ pub(crate) fn connected<'a, C: PartialEq>(
     found
 }
 
-/// The half-edges around a connected set of bounded faces: of its faces, with another face on the other side.
+/// Returns the half-edges of a connected set of bounded faces that border on other faces.
 pub(crate) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> {
     let inside: FxHashSet<usize> = faces.iter().map(|f| f.index()).collect();
     let around = faces.iter().flat_map(|f| f.half_edges());
     around.filter(|h| !inside.contains(&h.twin().face().index())).collect()
 }
 
-/// The size and the place of a set of faces.
+/// The size and location of a set of faces.
 pub(crate) struct Extent {
     pub(crate) area: f64,
     pub(crate) width: f64,
     pub(crate) length: f64,
     pub(crate) at: Point,
-    /// The first corner of the border.
     pub(crate) corner: Point,
 }
 
-/// The area of a set of bounded faces, and the length of its border.
+/// Returns the area of a set of bounded faces, and the length of its border.
 pub(super) fn size(map: &PlanarMap, faces: &[Face<'_>], border: &[HalfEdge<'_>]) -> (f64, f64) {
     let area: Sum = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default()).collect();
     let length: Sum = border.iter().map(|h| length(map, *h)).collect();
     (area.value(), length.value())
 }
 
-/// Measures a set of bounded faces. Its place is in the largest face; of those that are equally large, in the one whose place comes
-/// last from left to right.
+/// Measures a set of bounded faces. Its point is in the largest face; on a tie, the rightmost such point.
 pub(crate) fn extent(map: &PlanarMap, faces: &[Face<'_>]) -> Extent {
     let border = border(faces);
     let (area, length) = size(map, faces, &border);
@@ -86,7 +82,7 @@ pub(crate) fn extent(map: &PlanarMap, faces: &[Face<'_>]) -> Extent {
     Extent { area, width: mean_width(area, length), length, at, corner }
 }
 
-/// The finding that a set of bounded faces is.
+/// Makes the finding of a set of bounded faces.
 pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
     let Extent { area, width, length, at, corner } = extent(map, faces);
     Finding {
@@ -103,23 +99,23 @@ pub(crate) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<Feature
     }
 }
 
-/// The first of some points from left to right, and of those above each other the lowest.
+/// Returns the leftmost point, and the lowest on a tie.
 pub(super) fn first_corner(points: impl Iterator<Item = Point>) -> Point {
     points.min_by(|a, b| compare_lexicographic(*a, *b)).unwrap_or_default()
 }
 
-/// Twice the area by the length of the border.
+/// Returns twice the area divided by the length of the border.
 pub(crate) fn mean_width(area: f64, length: f64) -> f64 {
     if length > 0.0 { 2.0 * area / length } else { 0.0 }
 }
 
-/// A point inside a bounded face: the middle of the longest stretch inside it of a horizontal line, up to rounding.
+/// Returns a point inside a bounded face: the middle of the longest horizontal stretch inside it at some height, up to rounding.
 /// O(n log n) for its n half-edges.
 pub(crate) fn point_inside(map: &PlanarMap, face: Face<'_>) -> Option<Point> {
     let mut heights: Vec<f64> = face.outer()?.half_edges().map(|h| map.point(h.origin().index()).y).collect();
     heights.sort_by(f64::total_cmp);
     heights.dedup();
-    // Halfway between two neighbouring heights in the middle, so that no vertex of the outer boundary lies on the line.
+    // Halfway between two neighbouring heights in the middle, so that the line avoids all vertices of the outer boundary.
     let middle = heights.len() / 2;
     let y = f64::midpoint(*heights.get(middle.checked_sub(1)?)?, *heights.get(middle)?);
     let mut crossings: Vec<f64> = face

@@ -1,4 +1,4 @@
-//! The rings of polygons: where they meet, and which lies in which.
+//! The rings of polygons: their contacts and their nesting.
 
 use core::cmp::Ordering;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -8,10 +8,9 @@ use twinedge_geometry::bounds::Bounds;
 use twinedge_geometry::boxes::Boxes;
 use twinedge_geometry::predicates::{Endpoint, Meeting, Orientation, compare_angle, meeting, on_segment, orientation};
 
-/// A ring with at least three points, none of which repeats the one before it, nor the last the first.
+/// A ring of at least three points, without consecutive repetitions, also from the last to the first.
 pub(super) struct Ring {
     pub(super) points: Vec<Point>,
-    /// The number of its polygon.
     pub(super) polygon: usize,
     /// Its number in the polygon: 0 is the shell.
     pub(super) number: usize,
@@ -26,7 +25,7 @@ impl Ring {
         [self.point(i), self.point(i + 1)]
     }
 
-    /// The points before and after a point that lies on this segment of the ring.
+    /// Returns the points before and after a point on this segment of the ring.
     fn around(&self, p: Point, segment: usize) -> [Point; 2] {
         let [a, b] = self.segment(segment);
         if p == a {
@@ -39,14 +38,14 @@ impl Ring {
     }
 }
 
-/// The way in which two rings, or two places of one ring, meet.
+/// A kind of contact between two rings, or between two parts of one ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Contact {
-    /// They cross, or run along each other.
+    /// They cross or overlap.
     Crossing,
     /// A ring visits a point twice.
     SelfTouch,
-    /// Two rings have a point in common, and do not cross there.
+    /// Two rings share a point without crossing there.
     Touch,
 }
 
@@ -54,9 +53,9 @@ pub(super) enum Contact {
 pub(super) struct Meet {
     pub(super) contact: Contact,
     pub(super) at: Point,
-    /// The two rings; the same one twice, if it meets itself.
+    /// The two rings; equal if a ring meets itself.
     pub(super) rings: [usize; 2],
-    /// The segment of each that meets the other.
+    /// The segment of each ring that meets the other.
     pub(super) segments: [usize; 2],
 }
 
@@ -65,12 +64,11 @@ struct Segments<'a> {
     rings: &'a [Ring],
     /// The number of the first segment of each ring.
     first: Vec<u32>,
-    /// The ring of each segment.
     ring: Vec<u32>,
 }
 
 impl Segments<'_> {
-    /// The ring of a segment, and its place there.
+    /// Returns the ring of a segment, and its index there.
     fn place(&self, segment: u32) -> (usize, usize) {
         let ring = self.ring[segment as usize];
         (ring as usize, (segment - self.first[ring as usize]) as usize)
@@ -88,11 +86,10 @@ pub(super) struct Rings<'a> {
     all: &'a [Ring],
     segments: &'a Segments<'a>,
     boxes: Boxes<'a>,
-    /// The greatest first coordinate.
     right: f64,
 }
 
-/// Does something with an index of rings. O(n log n) for n points.
+/// Calls a function with an index of rings. O(n log n) for n points.
 pub(super) fn with_index<T>(all: &[Ring], ask: impl FnOnce(&Rings<'_>) -> T) -> T {
     let (mut first, mut ring) = (Vec::with_capacity(all.len()), Vec::new());
     for (number, one) in (0..).zip(all) {
@@ -107,8 +104,8 @@ pub(super) fn with_index<T>(all: &[Ring], ask: impl FnOnce(&Rings<'_>) -> T) -> 
 }
 
 impl Rings<'_> {
-    /// All places where rings meet, except where a ring goes on. Where several segments meet at a point, each pair of rings is
-    /// reported once for each way in which they do. O(n log n + p log p) for p pairs of segments whose boxes meet.
+    /// Returns all places where rings meet, except where a ring continues. Where several segments meet at a point, each pair of
+    /// rings is reported once for each kind of contact. O(n log n + p log p) for p pairs of segments whose boxes meet.
     pub(super) fn meets(&self) -> Vec<Meet> {
         let each = |found: &mut Vec<([u32; 2], Contact, Point)>, segment: u32, others: &[u32]| {
             for other in others.iter().filter(|other| **other > segment) {
@@ -132,7 +129,7 @@ impl Rings<'_> {
         meets.collect()
     }
 
-    /// Returns the contact of two segments, and its place.
+    /// Returns the contact of two segments, and its location.
     fn contact(&self, (r, i): (usize, usize), (q, j): (usize, usize)) -> Option<(Contact, Point)> {
         let (one, other) = (&self.all[r], &self.all[q]);
         let ([a, b], [c, d]) = (one.segment(i), other.segment(j));
@@ -164,14 +161,14 @@ impl Rings<'_> {
         Some((if cross { Contact::Crossing } else { Contact::Touch }, at))
     }
 
-    /// For each ring the rings that it lies in, if no two of them cross. O(log n + segments to its right) for each ring, as long
-    /// as one of its points lies on no other ring.
+    /// Returns, for each ring, the rings that contain it, if no two of them cross. O(log n + segments to its right) for each
+    /// ring, as long as one of its points lies on no other ring.
     pub(super) fn containers(&self) -> Vec<Vec<usize>> {
         (0..self.all.len()).map(|r| self.containers_of(r)).collect()
     }
 
     fn containers_of(&self, r: usize) -> Vec<usize> {
-        // For each ring to its right, true if this ring lies inside. A ring on which all points so far lie is still unknown.
+        // For each ring to its right, true if this ring lies inside. A ring is unknown while all points so far lie on it.
         let mut inside: FxHashMap<usize, bool> = FxHashMap::default();
         let mut unknown: FxHashSet<usize> = FxHashSet::default();
         for (n, p) in self.all[r].points.iter().enumerate() {
@@ -195,7 +192,7 @@ impl Rings<'_> {
         found
     }
 
-    /// The rings that a ray to the right crosses an odd number of times, and those on which its start lies.
+    /// Returns the rings that a ray to the right crosses an odd number of times, and the rings that contain its start.
     fn ray(&self, p: Point) -> (FxHashSet<usize>, FxHashSet<usize>) {
         let (mut odd, mut on) = (FxHashSet::default(), FxHashSet::default());
         let reach = Bounds { low: p, high: Point::new(self.right.max(p.x), p.y) };
@@ -213,7 +210,7 @@ impl Rings<'_> {
         (odd, on)
     }
 
-    /// Returns true if a ring, all points of which lie on another, goes inside that from its first point on.
+    /// Returns true if a ring whose points all lie on another ring starts towards the inside of the other.
     fn starts_inside(&self, r: usize, q: usize) -> bool {
         let [p, next] = self.all[r].segment(0);
         let other = &self.all[q];
@@ -223,7 +220,7 @@ impl Rings<'_> {
         });
         let Some([before, after]) = on.map(|i| other.around(p, i)) else { return false };
         let between = is_between(p, after, before, next);
-        // Counter-clockwise from what follows to what precedes lies the inside of a ring that turns counter-clockwise.
+        // The inside of a counter-clockwise ring lies counter-clockwise from the next point to the previous one.
         between == (ring_area(other.points.iter().copied()) > 0.0)
     }
 }
@@ -242,7 +239,7 @@ fn is_between(center: Point, from: Point, to: Point, direction: Point) -> bool {
 fn crosses_at(at: Point, [before, after]: [Point; 2], [one, other]: [Point; 2]) -> bool {
     let same = |a, b| compare_angle(at, a, b) == Ordering::Equal;
     let along = [one, other].into_iter().any(|p| same(p, before) || same(p, after));
-    // Chains that run along each other have overlapping segments, which are found elsewhere.
+    // Chains along each other have overlapping segments, which are found elsewhere.
     !along && is_between(at, before, after, one) != is_between(at, before, after, other)
 }
 

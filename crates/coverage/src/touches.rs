@@ -1,4 +1,4 @@
-//! Vertices where rings of one feature touch, as the OGC allows.
+//! Adding vertices where rings of one feature touch, as the OGC allows.
 
 use super::rings::{Contact, Ring, with_index};
 use super::validity::{DefectKind, defects, rings_of};
@@ -7,9 +7,10 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_lexicographic;
 use twinedge_map::Shape;
 
-/// Puts a vertex into each ring that another ring of the same feature touches between two vertices, if the polygons are valid by the rules of
-/// the OGC: such a touch is no fault, but edges of a map must meet at their ends. The vertex lies on the segment exactly, so
-/// nothing moves. Returns true if there was such a place. O(n log n), as long as few boxes of segments meet; O(1) for a single ring.
+/// Adds a vertex to each ring that another ring of the same feature touches between two vertices, if the polygons are valid by
+/// the rules of the OGC. Such a touch is no fault, but edges of a map must meet at their ends. The vertex lies exactly on the
+/// segment, so nothing moves. Returns true if there was such a place. O(n log n), as long as few boxes of segments meet; O(1) for
+/// a single ring.
 ///
 /// ```
 /// use twinedge_coverage::insert_touches;
@@ -33,7 +34,7 @@ pub fn insert_touches(shapes: &mut [Shape]) -> bool {
         return false;
     }
     let (_, rings) = rings_of(shapes);
-    // By ring, the places on its segments.
+    // For each ring, the points on its segments.
     let mut touched: BTreeMap<usize, Vec<(usize, Point)>> = BTreeMap::new();
     for meet in with_index(&rings, |index| index.meets()) {
         for (ring, segment) in meet.rings.into_iter().zip(meet.segments) {
@@ -51,7 +52,7 @@ pub fn insert_touches(shapes: &mut [Shape]) -> bool {
     !touched.is_empty()
 }
 
-/// Inserts points, each on a segment of the ring, which is counted among those that have a length.
+/// Inserts points on segments of the ring. Segments are counted without zero-length ones.
 fn insert(ring: &mut Vec<Point>, places: &mut [(usize, Point)]) {
     places.sort_by(|(i, p), (j, q)| i.cmp(j).then_with(|| compare_lexicographic(*p, *q)));
     let first = ring.first().copied();

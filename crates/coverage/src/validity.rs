@@ -10,11 +10,11 @@
 //!   intersection intersection outside shell  nested        shells        disconnected
 //! ```
 //!
-//! The words are those of the JTS Topology Suite and of what is built on it (GEOS, PostGIS, shapely, QGIS). All decisions are
-//! made by exact predicates.
+//! The terms come from the JTS Topology Suite and its descendants (GEOS, PostGIS, shapely, QGIS). Exact predicates make all
+//! decisions.
 //!
-//! All polygons of a feature are taken as one multi-polygon. An open ring is a defect, and counts as closed for the others. Points that
-//! repeat the one before them count once: the builder of a map reports them.
+//! All polygons of a feature are taken as one multi-polygon. An open ring is a defect, and counts as closed for the other kinds.
+//! Consecutive repeated points count once; the builder of a map reports them.
 //!
 //! Source: "Simple feature access, part 1: common architecture" (OGC 06-103r4), sections 6.1.11 and 6.1.14.
 
@@ -25,16 +25,16 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use twinedge_geometry::Point;
 use twinedge_map::Shape;
 
-/// In which way the polygons of a feature are not valid.
+/// A reason why the polygons of a feature are invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum DefectKind {
-    /// A ring with fewer than three different points on end, or a line with fewer than two.
+    /// A ring with fewer than three consecutive different points, or a line with fewer than two.
     TooFewPoints,
     /// The last point of a ring does not repeat the first.
     OpenRing,
-    /// Rings cross, or run along each other.
+    /// Rings cross or overlap.
     SelfIntersection,
     /// A ring visits a point twice, without crossing itself.
     RingSelfIntersection,
@@ -42,7 +42,7 @@ pub enum DefectKind {
     HoleOutsideShell,
     /// A hole lies inside another one of its polygon.
     NestedHoles,
-    /// Rings touch at so many points that the inside of the polygon falls apart.
+    /// Rings touch so often that the inside of the polygon is disconnected.
     DisconnectedInterior,
     /// A polygon lies inside another one of the feature.
     NestedShells,
@@ -63,16 +63,16 @@ impl fmt::Display for DefectKind {
     }
 }
 
-/// Something that makes the polygons of a feature invalid.
+/// A defect of the polygons of a feature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Defect {
-    /// Its kind.
+    /// The kind.
     pub kind: DefectKind,
-    /// Its place; rounded, where rings cross; the last point of an open ring.
+    /// The location: rounded for crossing rings, the last point of an open ring.
     pub at: Point,
-    /// The first point of an open ring, to which the gap leads; none for the other kinds.
+    /// The first point of an open ring, where the gap ends; `None` for the other kinds.
     pub gap_to: Option<Point>,
     /// The shape.
     pub shape: usize,
@@ -80,8 +80,8 @@ pub struct Defect {
     pub ring: usize,
 }
 
-/// All defects of the shapes of a feature, each place once, in order of their kinds. Rings that cross or touch themselves have
-/// no inside, so what lies in what is asked only if there are none.
+/// Returns all defects of the shapes of a feature, each location once, in order of their kinds. Rings that cross or touch
+/// themselves have no inside, so nesting is checked only if there are none.
 ///
 /// O(n log n + p + r · k) for n points, p pairs of segments whose boxes meet, and r rings with k segments each at the height of
 /// one of their points.
@@ -108,7 +108,7 @@ pub fn defects(shapes: &[Shape]) -> Vec<Defect> {
     found
 }
 
-/// The rings that enclose something, and the defects of rings and lines by themselves.
+/// Returns the rings that enclose something, and the defects of individual rings and lines.
 pub(super) fn rings_of(shapes: &[Shape]) -> (Vec<Defect>, Vec<Ring>) {
     let (mut found, mut rings) = (Vec::new(), Vec::new());
     for (polygon, shape) in shapes.iter().enumerate() {
@@ -138,12 +138,12 @@ pub(super) fn rings_of(shapes: &[Shape]) -> (Vec<Defect>, Vec<Ring>) {
     (found, rings)
 }
 
-/// The last and the first point of an open ring.
+/// Returns the last and the first point of an open ring.
 fn gap(ring: &[Point]) -> Option<[Point; 2]> {
     Some([*ring.last()?, *ring.first()?]).filter(|[last, first]| last != first)
 }
 
-/// The defects of rings of which some meet.
+/// Returns the defects of rings if some of them meet.
 fn of_meeting(rings: &[Ring], index: &Rings<'_>, are_whole: bool) -> Vec<Defect> {
     let meets = index.meets();
     let is_touch = |meet: &Meet| meet.contact == Contact::Touch;
@@ -158,7 +158,7 @@ fn of_meeting(rings: &[Ring], index: &Rings<'_>, are_whole: bool) -> Vec<Defect>
     found
 }
 
-/// The points of a ring or line, without those that repeat the one before; of a ring, the last does not repeat the first.
+/// Returns the points of a ring or line, without consecutive repetitions, and for a ring without a last point equal to the first.
 fn without_repetition(points: &[Point]) -> Vec<Point> {
     let mut distinct: Vec<Point> = points.to_vec();
     distinct.dedup();
@@ -213,8 +213,8 @@ fn nesting(rings: &[Ring], containers: &[Vec<usize>]) -> Vec<Defect> {
     found
 }
 
-/// The polygons whose inside falls apart: it does if rings and the points at which they touch, joined to each other, form a
-/// circle. Each such polygon is reported where its first circle closes.
+/// Finds polygons whose inside is disconnected: rings and their touching points, joined to each other, form a cycle. Each such
+/// polygon is reported where its first cycle closes.
 fn disconnected(rings: &[Ring], meets: &[Meet]) -> Vec<Defect> {
     // Rings first, then points of a polygon.
     let mut parent: Vec<usize> = (0..rings.len()).collect();

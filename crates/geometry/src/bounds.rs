@@ -1,8 +1,8 @@
-//! Boxes with sides along the axes.
+//! Axis-aligned boxes.
 
 use super::point::Point;
 
-/// A box with sides along the axes, which belong to it.
+/// A closed, axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// The lower left corner.
@@ -12,13 +12,13 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// The box of one point.
+    /// Creates the box of one point.
     #[must_use]
     pub const fn one(p: Point) -> Self {
         Self { low: p, high: p }
     }
 
-    /// The smallest box around two.
+    /// Returns the smallest box around both boxes.
     #[must_use]
     pub fn joined(self, other: Self) -> Self {
         Self {
@@ -27,18 +27,18 @@ impl Bounds {
         }
     }
 
-    /// The smallest box around points; none if there are none.
+    /// Returns the smallest box around points; `None` if there are none.
     pub fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
         points.into_iter().map(Self::one).reduce(Self::joined)
     }
 
-    /// The box with each side moved outwards.
+    /// Returns the box with each side moved outwards.
     #[must_use]
     pub fn grown(self, by: f64) -> Self {
         Self { low: Point::new(self.low.x - by, self.low.y - by), high: Point::new(self.high.x + by, self.high.y + by) }
     }
 
-    /// Returns true if they have a point in common.
+    /// Returns true if the boxes have a point in common.
     #[must_use]
     pub fn meets(&self, other: &Self) -> bool {
         self.low.x <= other.high.x
@@ -46,7 +46,7 @@ impl Bounds {
             && self.low.y <= other.high.y
             && other.low.y <= self.high.y
     }
-    /// Returns true if all of it comes after a point in lexicographic order, false if all comes before; none if neither.
+    /// Returns true if the whole box comes after a point in lexicographic order, false if it comes before; otherwise `None`.
     #[inline]
     #[must_use]
     pub fn after(&self, p: Point) -> Option<bool> {
@@ -54,11 +54,11 @@ impl Bounds {
         (before | after).then_some(after)
     }
 
-    /// Returns true if all of it lies to the left of the line through two points, the lower one first, false if all lies to the
-    /// right; none if neither is clear.
+    /// Returns true if the whole box lies to the left of the line through two points, the lower one first, and false if it lies
+    /// to the right; `None` if neither is certain.
     ///
-    /// Only the two corners furthest from the line count. Each difference and product is off by at most one part in 2^53,
-    /// so a side of which the rounded value is so clear is the right one.
+    /// Only the two corners furthest from the line matter. Each difference and product has a relative error of at most 2^-53, so
+    /// a rounded value beyond this bound has the correct sign.
     #[inline]
     #[must_use]
     pub fn above(&self, [low, high]: [Point; 2]) -> Option<bool> {

@@ -1,7 +1,7 @@
-//! Boxes in a tree that is packed along a [curve](super::curve), and the pairs of them that meet.
+//! Boxes in a tree packed along a [curve](super::curve), and pairs of boxes that meet.
 //!
-//! The boxes themselves are not kept. The tree has the number of each box, a box around every eight of them, and so on for each level above: nine
-//! bytes for each box.
+//! The boxes themselves are not stored. The tree contains the number of each box, a box around every eight of them, and so on for
+//! each level above: nine bytes for each box.
 
 use super::bounds::Bounds;
 use super::curve::Curve;
@@ -9,28 +9,26 @@ use super::point::Point;
 use super::threads;
 use core::ops::Range;
 
-/// The number of members of a group.
 const FAN: usize = 8;
 
-/// Fewer groups are not divided among threads.
+/// Below this number of groups, the work is not divided among threads.
 const MANY: usize = if cfg!(test) { 2 } else { 1 << 11 };
 
 /// Numbered boxes.
 pub struct Boxes<'a> {
     of: &'a (dyn Fn(u32) -> Bounds + Sync),
-    /// The numbers, along the curve.
     order: Vec<u32>,
-    /// The boxes around the groups of each level, from the lowest on.
+    /// The boxes around the groups of each level, lowest level first.
     levels: Vec<Vec<Bounds>>,
 }
 
 impl<'a> Boxes<'a> {
-    /// The boxes with these numbers. O(n log n).
+    /// Packs the boxes with these numbers. O(n log n).
     pub fn new(numbers: impl Iterator<Item = u32>, of: &'a (dyn Fn(u32) -> Bounds + Sync)) -> Self {
         Self::packed(numbers.map(|number| (0, number)).collect(), of)
     }
 
-    /// Packs numbers, each beside its place on the curve, which is found here.
+    /// Packs numbers, computing the position of each on the curve.
     fn packed(mut places: Vec<(u32, u32)>, of: &'a (dyn Fn(u32) -> Bounds + Sync)) -> Self {
         let all = places.iter().map(|(_, number)| of(*number)).reduce(Bounds::joined);
         if let Some(curve) = all.map(Curve::through) {
@@ -51,9 +49,9 @@ impl<'a> Boxes<'a> {
         Self { of, order, levels }
     }
 
-    /// Hands each number to `each`, with the others whose boxes meet its own after that was grown by `by` on all sides, in any order.
-    /// Results are gathered in values that `new` makes and `merge` joins; they must not depend on the order. O(n log n + p) for p pairs, in
-    /// practice: boxes that are large and meet few others take longer.
+    /// Passes each number to `each`, with all others whose boxes meet its own box after growing it by `by` on all sides, in any
+    /// order. `new` makes accumulators and `merge` joins them; the result must not depend on the order. O(n log n + p) for p
+    /// pairs in practice; large boxes that meet few others take longer.
     pub fn pairs<A: Send>(
         &self,
         by: f64,
@@ -85,7 +83,7 @@ impl<'a> Boxes<'a> {
         found
     }
 
-    /// Hands the numbers of these groups to `visit`, as `pairs` does.
+    /// Passes the numbers of these groups to `visit`, as `pairs` does.
     fn visit(&self, groups: Range<usize>, by: f64, visit: &mut dyn FnMut(u32, &[u32])) {
         let (mut near, mut above) = (Vec::new(), Vec::new());
         let (mut members, mut others): (Vec<(u32, Bounds)>, Vec<u32>) = (Vec::new(), Vec::new());
@@ -98,7 +96,7 @@ impl<'a> Boxes<'a> {
             for number in self.members(group) {
                 let bounds = (self.of)(*number).grown(by);
                 others.clear();
-                // All groups but the last of all are full.
+                // All groups are full except the last.
                 for (other, members) in near.iter().zip(members.chunks(FAN)) {
                     if self.levels[0][*other].meets(&bounds) {
                         let meeting = members.iter().filter(|(other, of)| other != number && of.meets(&bounds));
@@ -110,7 +108,7 @@ impl<'a> Boxes<'a> {
         }
     }
 
-    /// The numbers of the boxes that meet another one. O(log n + k) for k of them, in practice.
+    /// Returns the numbers of the boxes that meet another one. O(log n + k) for k of them, in practice.
     #[must_use]
     pub fn meeting(&self, bounds: &Bounds) -> Vec<u32> {
         let mut near = Vec::new();
@@ -123,7 +121,7 @@ impl<'a> Boxes<'a> {
         &self.order[group * FAN..self.order.len().min(group * FAN + FAN)]
     }
 
-    /// The groups of the lowest level whose boxes meet another one, in order.
+    /// Collects the groups of the lowest level whose boxes meet another one, in order.
     fn groups_near(&self, bounds: &Bounds, near: &mut Vec<usize>, above: &mut Vec<usize>) {
         near.clear();
         near.extend(0..self.levels.last().map_or(0, Vec::len));

@@ -1,7 +1,7 @@
 //! All places where a drawing is not plane.
 //!
-//! The [sweep](mod@super::sweep) says quickly whether a drawing of points and straight segments is plane, and names
-//! one fault if it is not. [`clashes`] finds all of them.
+//! The [sweep](mod@super::sweep) decides quickly whether a drawing of points and straight segments is plane, and names one fault
+//! if it is not. [`clashes`] finds all faults.
 
 use std::collections::BinaryHeap;
 
@@ -11,10 +11,10 @@ use super::events::{Event, sorted};
 use super::point::Point;
 use super::predicates::{Endpoint, Meeting, Orientation, in_range, meeting, on_segment, orientation};
 
-/// A reason why points and straight segments do not draw a plane map.
+/// A reason why a drawing of points and straight segments is not plane.
 ///
-/// Points and segments are named by their places in the arrays. In [`Cross`](Self::Cross), [`Overlap`](Self::Overlap)
-/// and [`SamePlace`](Self::SamePlace) `a` is the smaller of the two.
+/// Points and segments are named by their indices in the arrays. In [`Cross`](Self::Cross), [`Overlap`](Self::Overlap) and
+/// [`SamePlace`](Self::SamePlace), `a` is the smaller index.
 ///
 /// ```text
 ///   \ /        |              ______
@@ -24,9 +24,8 @@ use super::predicates::{Endpoint, Meeting, Orientation, in_range, meeting, on_se
 ///  Cross     Touch        Overlap      SamePlace
 /// ```
 ///
-/// Two segments that clash do so in exactly one of the first three ways pictured. A segment that ends on another
-/// touches it, and does not also cross it; segments on one line that share more than a point overlap, and the
-/// endpoints of the one do not also touch the other.
+/// Two segments that clash do so in exactly one of the first three ways pictured. A segment that ends on another one touches it,
+/// and does not also cross it. Collinear segments that share more than a point overlap, and their endpoints do not also touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Clash {
     /// Two points with the same coordinates.
@@ -43,14 +42,14 @@ pub enum Clash {
         /// Another segment.
         b: u32,
     },
-    /// Two collinear segments that share more than a point, perhaps everything.
+    /// Two collinear segments that share more than a point.
     Overlap {
         /// A segment.
         a: u32,
         /// Another segment.
         b: u32,
     },
-    /// A point, isolated or the endpoint of some segment, in the interior of a segment.
+    /// A point, isolated or an endpoint, in the interior of a segment.
     Touch {
         /// The point.
         vertex: u32,
@@ -59,7 +58,7 @@ pub enum Clash {
     },
 }
 
-/// An error in arrays that should describe points and segments.
+/// The error of arrays that do not describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidSegments {
@@ -77,7 +76,7 @@ pub enum InvalidSegments {
     NoSuchPoint {
         /// The segment.
         segment: u32,
-        /// The point that it names.
+        /// The named point.
         point: u32,
     },
     /// The two endpoints of this segment have the same coordinates.
@@ -89,22 +88,22 @@ pub enum InvalidSegments {
     /// This query, counted from 0, names a point that does not exist.
     #[error("query {query} names the missing point {point}")]
     NoSuchQuery {
-        /// Its place among the queries.
+        /// The index of the query.
         query: u32,
-        /// The point that it names.
+        /// The named point.
         point: u32,
     },
 }
 
-/// All clashes of a drawing, each once: the first `cap` of them, and how many there are.
+/// Returns the first `cap` clashes of a drawing, each once, and their total number.
 ///
-/// `segments` holds pairs of places in `points`. The order is that of the arrays: first the points in the same place,
-/// sorted; then, for each segment in turn, what it crosses and overlaps among the later segments and what touches it,
-/// sorted. Where k points coincide, each of the k (k - 1) / 2 pairs counts.
+/// `segments` contains pairs of indices into `points`. The order follows the arrays: first pairs of equal points, sorted; then,
+/// for each segment in turn, its crossings and overlaps with later segments and the points that touch it, sorted. If k points are
+/// equal, each of the k (k - 1) / 2 pairs counts.
 ///
-/// Time O(n log n + p log p), where p is the number of pairs of bounding boxes that meet or that a tree of boxes cannot tell
-/// apart from those early, and memory O(n + cap). p may be quadratic even for a plane drawing (long parallel
-/// diagonals), so ask the [sweep](super::sweep::sweep) first.
+/// Time O(n log n + p log p) and memory O(n + cap), where p is the number of pairs of bounding boxes that meet, or that a tree of
+/// boxes cannot distinguish early from such pairs. p may be quadratic even for a plane drawing (long parallel diagonals), so call
+/// the [sweep](super::sweep::sweep) first.
 ///
 /// # Errors
 ///
@@ -127,7 +126,7 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
     let mut first = Vec::new();
     let mut total = same_places(points, &mut first, cap);
 
-    // Behind the segments, the points that none of them uses.
+    // The unused points follow the segments.
     let isolated = isolated(points, segments);
     let things = u32::try_from(segments.len() + isolated.len()).map_err(|_| InvalidSegments::TooLarge)?;
     let segment_of = |thing: u32| segments.get(thing as usize);
@@ -140,7 +139,7 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
     let each = |found: &mut Clashes, id: u32, others: &[u32]| {
         let Some(ends) = segment_of(id) else { return };
         let [p, q] = ends.map(|end| points[end as usize]);
-        // A point that touches a segment may be found for several others that end there.
+        // A point that touches a segment may be found for several segments that end there.
         let mut here: Vec<Clash> = others
             .iter()
             .filter_map(|&other| {
@@ -180,7 +179,7 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
     Ok((first, total))
 }
 
-/// The first clashes of segments, each with the segment that reports it, and the number of all.
+/// The first clashes of segments, each with the segment that reports it, and the total number.
 #[derive(Default)]
 struct Clashes {
     first: BinaryHeap<(u32, Clash)>,
@@ -188,7 +187,7 @@ struct Clashes {
 }
 
 impl Clashes {
-    /// Keeps a clash if it is among the first ones, of which there are `room` at most.
+    /// Keeps a clash if it is among the first `room` ones.
     fn take(&mut self, id: u32, clash: Clash, room: usize) {
         if self.first.len() < room {
             self.first.push((id, clash));
@@ -198,7 +197,7 @@ impl Clashes {
     }
 }
 
-/// The points that no segment uses.
+/// Returns the points that no segment uses.
 fn isolated(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
     let mut is_used = vec![false; points.len()];
     for end in segments.as_flattened() {
@@ -207,14 +206,13 @@ fn isolated(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
     (0..).zip(is_used).filter(|(_, is_used)| !is_used).map(|(point, _)| point).collect()
 }
 
-/// Finds the first pairs of points with the same coordinates, sorted, and returns how many there are.
+/// Finds the first pairs of equal points, sorted, and returns their total number.
 fn same_places(points: &[Point], first: &mut Vec<Clash>, cap: usize) -> u64 {
     let order = sorted(points);
     let groups: Vec<&[Event]> = order.chunk_by(|a, b| a.at == b.at).filter(|group| group.len() > 1).collect();
     let total = groups.iter().map(|group| (group.len() as u64) * (group.len() as u64 - 1) / 2).sum::<u64>();
 
-    // The pairs sorted: all of the smallest point, then all of the next. Each group gives its first point up in its
-    // turn.
+    // The sorted pairs: all pairs of the smallest point, then of the next one. Each group contributes its points in turn.
     let mut pairs = Vec::new();
     for group in &groups {
         pairs.extend((0..group.len()).map(|i| (group[i].vertex, &group[i + 1..])));
@@ -234,7 +232,7 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
     let (a, b) = (one.min(other), one.max(other));
     let ([first, second], [third, fourth]) = (segments[a as usize], segments[b as usize]);
     let at = |point: u32| points[point as usize];
-    // Most that meet follow each other.
+    // Most segments that meet follow each other.
     let common = [
         [first, second, third, fourth],
         [first, second, fourth, third],
@@ -260,8 +258,7 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
     }
 }
 
-/// Checks that the arrays describe a drawing: every coordinate in range, every endpoint there, no segment without length.
-/// O(n).
+/// Checks that the arrays describe a drawing: coordinates are in range, endpoints exist, and no segment has zero length. O(n).
 pub(super) fn check(points: &[Point], segments: &[[u32; 2]]) -> Result<(), InvalidSegments> {
     if points.len().max(segments.len()) >= u32::MAX as usize {
         return Err(InvalidSegments::TooLarge);

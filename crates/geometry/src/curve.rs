@@ -1,4 +1,4 @@
-//! A curve that fills the plane: what is near on it is near in the plane.
+//! A space-filling curve: points near each other on the curve are near each other in the plane.
 //!
 //! ```text
 //!   ┌──┐  ┌──┐
@@ -12,7 +12,7 @@
 use super::bounds::Bounds;
 use super::point::Point;
 
-/// Cuts of each side in two.
+/// The number of times that each side is halved.
 const LEVELS: u32 = 16;
 
 /// A Hilbert curve through a box.
@@ -23,14 +23,14 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// The curve through a box.
+    /// Creates the curve through a box.
     #[must_use]
     pub fn through(Bounds { low, high }: Bounds) -> Self {
         let per = |width: f64| if width > 0.0 { f64::from((1_u32 << LEVELS) - 1) / width } else { 0.0 };
         Self { low, scale: [per(high.x - low.x), per(high.y - low.y)] }
     }
 
-    /// The place on the curve of the cell of a point in the box. O(1).
+    /// Returns the position on the curve of the cell that contains a point of the box. O(1).
     #[must_use]
     pub fn place(&self, p: Point) -> u32 {
         #[expect(clippy::cast_sign_loss, reason = "the box begins at its lowest corner")]
@@ -39,7 +39,7 @@ impl Curve {
         for level in (0..LEVELS).rev() {
             let (right, upper) = (x >> level & 1, y >> level & 1);
             place = place << 2 | (3 * right) ^ upper;
-            // The curve through the two lower squares is turned about one diagonal or the other.
+            // The curve through the two lower squares is reflected in one diagonal or the other.
             if upper == 0 {
                 if right == 1 {
                     (x, y) = (!x, !y);

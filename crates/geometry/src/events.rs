@@ -1,21 +1,20 @@
-//! The points of a drawing in lexicographic order, from left to right and upwards: the order in which a sweep line passes them.
+//! The points of a drawing in lexicographic order, left to right and upwards: the order of a sweep line.
 
 use super::point::Point;
 use super::predicates::compare_lexicographic;
 use super::threads;
 use crate::NIL;
 
-/// A point, and its number.
 #[derive(Clone, Copy)]
 pub(super) struct Event {
     pub(super) at: Point,
     pub(super) vertex: u32,
 }
 
-/// The points in lexicographic order, and those in the same place by number.
+/// Sorts the points lexicographically, and equal points by number.
 ///
-/// Cuts the width into as many strips as there are points, deals the points out to them, and sorts each strip. That
-/// is O(n) for points that are spread evenly, and O(n log n) at worst, as sorting.
+/// Divides the width into one strip per point, distributes the points, and sorts each strip. O(n) for evenly spread points, O(n
+/// log n) at worst.
 pub(super) fn sorted(points: &[Point]) -> Vec<Event> {
     let (left, right) = points.iter().fold((f64::MAX, f64::MIN), |(left, right), p| (left.min(p.x), right.max(p.x)));
     let per_width = if left < right { points.len() as f64 / (right - left) } else { 0.0 };
@@ -23,7 +22,7 @@ pub(super) fn sorted(points: &[Point]) -> Vec<Event> {
     #[expect(clippy::cast_sign_loss, reason = "x is not less than left")]
     let strip = |p: Point| (((p.x - left) * per_width) as usize).min(points.len());
 
-    // Counting sort, two places ahead: summed up, `first[i + 1]` is where those of strip i begin, and filing them moves it to where they end.
+    // Counting sort, two entries ahead: after summation, `first[i + 1]` is the start of strip i, and filing moves it to the end.
     let mut first = vec![0; points.len() + 3];
     for &p in points {
         first[strip(p) + 2] += 1;
@@ -42,7 +41,7 @@ pub(super) fn sorted(points: &[Point]) -> Vec<Event> {
     events
 }
 
-/// Turns numbers into the sums of all numbers up to them.
+/// Replaces numbers by their prefix sums.
 pub(super) fn accumulate(numbers: &mut [u32]) {
     let mut sum = 0;
     for number in numbers {

@@ -1,4 +1,4 @@
-//! Points, exact predicates, crossings, the sweep, and noding: geometry that knows no half-edge.
+//! Points, exact predicates, crossings, the sweep, and noding, independent of half-edges.
 //!
 //! ```
 //! use twinedge_geometry::Point;
@@ -14,18 +14,18 @@
 //! | module | purpose |
 //! | --- | --- |
 //! | [`predicates`] | exact answers about points, directions and segments |
-//! | [`mod@sweep`] | one pass that tells whether segments meet only at shared endpoints, and which segment lies below a point |
+//! | [`mod@sweep`] | decides in one pass whether segments meet only at shared endpoints, and finds the segment below each point |
 //! | [`crossing`] | all pairs of segments that cross, touch or overlap |
-//! | [`noding`] | snap rounding: any segments made to meet at shared endpoints only |
-//! | [`bounds`], [`boxes`] | boxes with sides along the axes, and a tree of them |
+//! | [`noding`] | snap rounding: changes any segments so that they meet only at shared endpoints |
+//! | [`bounds`], [`boxes`] | axis-aligned boxes, and a tree of them |
 //! | [`curve`] | an order of the cells of a box in which neighbours are near |
-//! | [`threads`] | work that the feature `rayon` divides among threads |
+//! | [`threads`] | work divided among threads by the feature `rayon` |
 //!
 //! # Features
 //!
-//! | feature | what it adds |
+//! | feature | effect |
 //! | --- | --- |
-//! | `geo-types` | points are converted from and to coordinates of that crate |
+//! | `geo-types` | conversions between points and coordinates of that crate |
 //! | `rayon` | crossings and noding use the threads of the current pool, with the same results |
 //! | `serde` | points are read and written as `[x, y]`, summaries of noding as structures |
 #![forbid(unsafe_code)]
@@ -50,5 +50,4 @@ pub mod steps;
 pub use point::Point;
 pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};
 
-/// No segment, in a column.
 const NIL: u32 = u32::MAX;

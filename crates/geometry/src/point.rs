@@ -2,7 +2,7 @@
 
 /// A point of the plane.
 ///
-/// Equality is that of the coordinates, so `-0.0` equals `0.0` and a point with a NaN equals nothing, itself included. The
+/// Points are equal if their coordinates are, so `-0.0` equals `0.0`, and a point with a NaN equals nothing, not even itself. The
 /// builder of `twinedge-map` refuses coordinates that are not finite and turns `-0.0` into `0.0`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -15,13 +15,13 @@ pub struct Point {
 }
 
 impl Point {
-    /// The point with these coordinates.
+    /// Creates the point with these coordinates.
     #[must_use]
     pub const fn new(x: f64, y: f64) -> Self {
         Self { x, y }
     }
 
-    /// A key for hash tables, the same for the same place: −0 is 0.
+    /// Returns a key for hash tables, equal for equal points: −0 counts as 0.
     #[inline]
     #[must_use]
     pub fn hash_key(self) -> (u64, u64) {
@@ -29,19 +29,18 @@ impl Point {
         (folded((self.x + 0.0).to_bits()), folded((self.y + 0.0).to_bits()))
     }
 
-    /// The place that has a key.
+    /// Returns the point with this key.
     #[must_use]
     pub fn of_hash_key((x, y): (u64, u64)) -> Self {
-        // Folding is undone by folding: the upper half is as it was.
+        // Folding is its own inverse: the upper half is unchanged.
         Self::new(f64::from_bits(folded(x)), f64::from_bits(folded(y)))
     }
 }
 
-/// A number for hash tables: the upper half of the bits of another, mixed into the lower. Different numbers stay
-/// different.
+/// Folds the upper half of the bits into the lower half. Different numbers stay different.
 ///
-/// `FxHasher` multiplies, which carries no bit downwards. Coordinates that are small integers, or multiples of a power of
-/// two, have zeros at the lower end only, and most of them would share a hash.
+/// `FxHasher` multiplies, which carries no bit downwards. Coordinates that are small integers, or multiples of a power of two,
+/// end in zeros, and most of them would share a hash.
 #[inline]
 pub(crate) const fn folded(bits: u64) -> u64 {
     bits ^ (bits >> 32)

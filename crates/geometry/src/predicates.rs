@@ -1,22 +1,21 @@
 //! Exact predicates of points, directions and segments.
 //!
-//! Every function here decides by the sign of a determinant, and takes that sign from Shewchuk's adaptive arithmetic
-//! (crate `robust`): the answer is that of real numbers, not that of rounded ones, as long as every coordinate is in
-//! the range of [`in_range`]. Beyond the range nothing panics, but an answer may be wrong.
+//! Every function here decides by the sign of a determinant, computed by Shewchuk's adaptive arithmetic (crate `robust`). The
+//! result is exact for real numbers, as long as every coordinate is in the range of [`in_range`]. Beyond the range nothing
+//! panics, but a result may be incorrect.
 //!
 //! # The range
 //!
-//! Adaptive arithmetic is exact until an intermediate result overflows or underflows. Let every coordinate be zero or
-//! of magnitude from 2^-400 to 2^500. Then all of them are multiples of u = 2^-452 (a double has 53 bits), so are the
-//! differences and the tails of the differences, and every product that occurs is a multiple of u² = 2^-904. Such a
-//! product is split into head and tail without loss, because 2^-904 is far above 2^-1074, the smallest double. The
-//! finest error bound in use is about 2^-103 times the sum of two products; a sum that is not zero is at least
-//! 2^-904, so the bound is at least 2^-1007, still a normal number, and no comparison with a bound is spoilt.
-//! Upwards, a difference is at most 2^501, a product 2^1002, the sum of a handful of them under 2^1006, below the
-//! 2^1024 where doubles end.
+//! Adaptive arithmetic is exact until an intermediate result overflows or underflows. Let every coordinate be zero or of
+//! magnitude from 2^-400 to 2^500. Then all of them are multiples of u = 2^-452 (a double has 53 bits), so are the differences
+//! and the tails of the differences, and every product is a multiple of u² = 2^-904. Such a product is split into head and tail
+//! without loss, because 2^-904 is far above 2^-1074, the smallest double. The finest error bound in use is about 2^-103 times
+//! the sum of two products; a nonzero sum is at least 2^-904, so the bound is at least 2^-1007, still a normal number, and no
+//! comparison with a bound is spoilt. Upwards, a difference is at most 2^501, a product 2^1002, the sum of a handful of them
+//! under 2^1006, below 2^1024, the limit of doubles.
 //!
-//! The range leaves a margin: among millions of nearly collinear triples the first wrong answers came with coordinates
-//! of about 2^-490 and 2^513.
+//! The range leaves a margin: among millions of nearly collinear triples, the first incorrect results came with coordinates of
+//! about 2^-490 and 2^513.
 //!
 //! Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
 //! Discrete & Computational Geometry 18 (1997) 305-363.
@@ -28,24 +27,23 @@ use robust::Coord;
 use super::point::Point;
 use super::steps::count_step;
 
-/// The largest magnitude that a coordinate may have for the predicates to be exact: 2^500, about 3.27e150.
+/// The largest magnitude of a coordinate for exact predicates: 2^500, about 3.27e150.
 pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 500) << 52);
 
-/// The smallest magnitude, apart from zero, that a coordinate may have for the predicates to be exact: 2^-400, about
-/// 3.87e-121.
+/// The smallest nonzero magnitude of a coordinate for exact predicates: 2^-400, about 3.87e-121.
 ///
 /// This bounds the coordinates, not their differences: two coordinates may differ in the last bit only.
 pub const MIN_COORDINATE: f64 = f64::from_bits((1023 - 400) << 52);
 
 /// Returns true if the predicates are exact for this point: each coordinate is zero or of magnitude from [`MIN_COORDINATE`] to
-/// [`MAX_COORDINATE`]. False for NaN and the infinities. O(1).
+/// [`MAX_COORDINATE`]. Returns false for NaN and the infinities. O(1).
 #[must_use]
 pub fn in_range(p: Point) -> bool {
     let fits = |c: f64| c == 0.0 || (MIN_COORDINATE..=MAX_COORDINATE).contains(&c.abs());
     fits(p.x) && fits(p.y)
 }
 
-/// On which side of a directed line a point lies; see [`orientation`].
+/// The side of a directed line on which a point lies; see [`orientation`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Orientation {
     /// To the left: the three points turn counter-clockwise.
@@ -56,7 +54,7 @@ pub enum Orientation {
     Clockwise,
 }
 
-/// On which side of the line from `a` to `b` the point `c` lies. O(1).
+/// Returns the side of the line from `a` to `b` on which the point `c` lies. O(1).
 ///
 /// ```text
 ///          c   counter-clockwise
@@ -90,9 +88,9 @@ pub fn orientation(a: Point, b: Point, c: Point) -> Orientation {
     }
 }
 
-/// Returns true if a point lies on the circle through the corners of a triangle, or on the line if these are collinear. O(1).
+/// Returns true if a point lies on the circle through the corners of a triangle, or on the line if they are collinear. O(1).
 ///
-/// The determinant has degree four, so it is exact for coordinates of magnitude from 2⁻¹⁷⁰ to 2²⁴⁰ only.
+/// The determinant has degree four, so it is exact only for coordinates of magnitude from 2⁻¹⁷⁰ to 2²⁴⁰.
 #[must_use]
 pub fn on_one_circle(triangle: [Point; 3], d: Point) -> bool {
     let coord = |p: Point| Coord { x: p.x, y: p.y };
@@ -100,18 +98,17 @@ pub fn on_one_circle(triangle: [Point; 3], d: Point) -> bool {
     robust::incircle(a, b, c, coord(d)) == 0.0
 }
 
-/// Compares two points from left to right, and from the bottom up where that leaves a tie. O(1).
+/// Compares two points from left to right, and from the bottom up on a tie. O(1).
 ///
-/// This is the order of a sweep line that leans a little, so that no two different points are met at once. Where a
-/// coordinate that is NaN would decide, the answer is `Equal`.
+/// This is the order of a sweep line that leans a little, so that no two different points are met at once. Returns `Equal` if a
+/// NaN coordinate would decide.
 #[inline]
 #[must_use]
 pub fn compare_lexicographic(a: Point, b: Point) -> Ordering {
     a.partial_cmp(&b).unwrap_or(Ordering::Equal)
 }
 
-/// Compares the directions from `center` to `a` and to `b` by their angle, counter-clockwise from the positive x
-/// axis. O(1).
+/// Compares the directions from `center` to `a` and to `b` by their angle, counter-clockwise from the positive x axis. O(1).
 ///
 /// ```text
 ///           2nd
@@ -123,7 +120,7 @@ pub fn compare_lexicographic(a: Point, b: Point) -> Ordering {
 ///           6th
 /// ```
 ///
-/// Equal means the same direction, at whatever distance. `center` itself has no direction and comes before all.
+/// Equal directions compare equal at any distance. `center` itself has no direction and comes first.
 #[must_use]
 pub fn compare_angle(center: Point, a: Point, b: Point) -> Ordering {
     let half = |p: Point| {
@@ -149,16 +146,16 @@ pub fn on_segment(p: Point, a: Point, b: Point) -> bool {
     boxes_meet(p, p, a, b) && orientation(a, b, p) == Orientation::Collinear
 }
 
-/// A way in which two closed segments meet; see [`meeting`].
+/// A kind of contact of two closed segments; see [`meeting`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Meeting {
-    /// Not at all.
+    /// No contact.
     Disjoint,
     /// In one point, an endpoint of both.
     SharedEndpoint,
     /// In one point, interior to both.
     Cross,
-    /// In one point, an endpoint of one and interior to the other. The value says which endpoint.
+    /// In one point, an endpoint of one and interior to the other. The value names the endpoint.
     Touch(Endpoint),
     /// In more than one point; they are collinear.
     Overlap,
@@ -179,8 +176,8 @@ pub enum Endpoint {
 
 /// Classifies the meeting of the closed segments `a b` and `c d`. O(1).
 ///
-/// A segment of length zero is the point that it is: it touches a segment in whose interior it lies, and shares an
-/// endpoint with one that starts or ends there.
+/// A segment of length zero counts as a point: it touches a segment whose interior contains it, and shares an endpoint with a
+/// segment that starts or ends there.
 ///
 /// ```
 /// use twinedge_geometry::Point;
@@ -206,11 +203,11 @@ pub fn meeting(a: Point, b: Point, c: Point, d: Point) -> Meeting {
     }
     let (at_a, at_b) = (orientation(c, d, a), orientation(c, d, b));
     if at_a == at_b {
-        // Not both collinear: then all four points would be, or `c` and `d` the same, and `at_c` the same as `at_d`.
+        // Not both collinear: otherwise all four points would be collinear, or `c` would equal `d` and `at_c` would equal `at_d`.
         return Meeting::Disjoint;
     }
-    // Neither segment lies strictly on one side of the other, so they meet, and in one point only. If an endpoint
-    // lies on the line of the other segment, it is that point.
+    // Neither segment lies strictly on one side of the other, so they meet in exactly one point. If an endpoint lies on the line
+    // of the other segment, it is that point.
     let of_first = match (at_a, at_b) {
         (Collinear, _) => Some(Endpoint::A),
         (_, Collinear) => Some(Endpoint::B),
@@ -228,7 +225,7 @@ pub fn meeting(a: Point, b: Point, c: Point, d: Point) -> Meeting {
     }
 }
 
-/// [`meeting`] of two segments on one line, or of a point with a segment that may be anywhere.
+/// Classifies the meeting of two collinear segments, or of a point with any segment.
 #[cold]
 fn meeting_on_a_line(a: Point, b: Point, c: Point, d: Point) -> Meeting {
     let at_point = |p: Point, end: Endpoint, q: Point, r: Point| {
@@ -259,7 +256,7 @@ fn meeting_on_a_line(a: Point, b: Point, c: Point, d: Point) -> Meeting {
     }
 }
 
-/// Returns true if the smallest closed boxes, with sides along the axes, around the segments `a b` and `c d` meet.
+/// Returns true if the closed bounding boxes of the segments `a b` and `c d` meet.
 #[inline]
 fn boxes_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     a.y.min(b.y) <= c.y.max(d.y)

@@ -1,4 +1,4 @@
-//! The segments that a sweep line crosses at present, from the bottom up.
+//! The segments that a sweep line currently crosses, from the bottom up.
 
 use super::point::Point;
 use super::predicates::{Orientation, orientation};
@@ -10,9 +10,7 @@ use crate::steps::count_step;
 pub(super) struct Strand {
     pub(super) low: Point,
     pub(super) high: Point,
-    /// The number of the segment.
     pub(super) segment: u32,
-    /// At which event it ends.
     pub(super) end: u32,
     /// Another node whose strand ends there, so that an event can find all of them.
     pub(super) companion: u32,
@@ -25,19 +23,19 @@ pub(super) struct Gap {
     pub(super) above: u32,
 }
 
-/// The strands under the sweep line, in order: a balanced search tree and a list in one, named by handles that stay
-/// valid until their strand is removed.
+/// The strands under the sweep line, in order: a balanced search tree and a list in one, named by handles that stay valid until
+/// their strand is removed.
 ///
-/// Only [`locate`](Self::locate) compares. Everything else goes by handles, so it also works if the strands
-/// are in no order, as they are after a crossing.
+/// Only [`locate`](Self::locate) compares. All other methods use handles, so they also work if the strands are out of order, as
+/// after a crossing.
 ///
-/// The tree is a treap (Seidel and Aragon, "Randomized search trees", Algorithmica 16 (1996) 464-497): a search tree
-/// by position that is a heap by a priority. The priority is a hash of the handle, so nothing is stored, nothing is
-/// random, and the expected depth is O(log n) for every input that was not constructed against this hash.
+/// The tree is a treap (Seidel and Aragon, "Randomized search trees", Algorithmica 16 (1996) 464-497): a search tree by position
+/// that is a heap by a priority. The priority is a hash of the handle, so nothing is stored, nothing is random, and the expected
+/// depth is O(log n) for every input not constructed against this hash.
 pub(super) struct Status {
     nodes: std::vec::Vec<Node>,
     root: u32,
-    /// Nodes to use again, chained through `above`.
+    /// Free nodes, chained through `above`.
     free: u32,
 }
 
@@ -49,7 +47,6 @@ struct Node {
     left: u32,
     right: u32,
     parent: u32,
-    /// The neighbours in the list.
     below: u32,
     above: u32,
 }
@@ -59,23 +56,22 @@ impl Status {
         Self { nodes: std::vec::Vec::new(), root: NIL, free: NIL }
     }
 
-    /// O(1).
     pub(super) fn strand(&self, handle: u32) -> &Strand {
         &self.nodes[handle as usize].strand
     }
 
-    /// The neighbour below. O(1).
+    /// Returns the neighbour below. O(1).
     pub(super) fn below(&self, handle: u32) -> u32 {
         self.nodes[handle as usize].below
     }
 
-    /// The neighbour above. O(1).
+    /// Returns the neighbour above. O(1).
     pub(super) fn above(&self, handle: u32) -> u32 {
         self.nodes[handle as usize].above
     }
 
-    /// The neighbours of a point that is not under the sweep line yet, and a strand on which the point lies, or NIL.
-    /// Such a strand counts as below. O(log n).
+    /// Returns the neighbours of a point that is not yet under the sweep line, and a strand that contains the point, or NIL. Such
+    /// a strand counts as below. O(log n).
     pub(super) fn locate(&self, p: Point) -> (Gap, u32) {
         let (mut gap, mut on) = (Gap { below: NIL, above: NIL }, NIL);
         let mut at = self.root;
@@ -96,9 +92,9 @@ impl Status {
         (gap, on)
     }
 
-    /// Puts a strand between two neighbours. O(1) expected, the search having been done.
+    /// Inserts a strand between two neighbours. O(1) expected, after the search.
     pub(super) fn insert(&mut self, gap: Gap, strand: Strand) -> u32 {
-        // In a search tree, of two neighbours the lower has no right child, or else the upper has no left child.
+        // In a search tree, the lower of two neighbours has no right child, or the upper has no left child.
         let Gap { below, above } = gap;
         let under_lower = below != NIL && self.nodes[below as usize].right == NIL;
         let parent = if under_lower { below } else { above };
@@ -134,12 +130,12 @@ impl Status {
         }
     }
 
-    /// Puts a strand in the place of another. O(1).
+    /// Replaces a strand. O(1).
     pub(super) fn replace(&mut self, handle: u32, strand: Strand) {
         self.nodes[handle as usize].strand = strand;
     }
 
-    /// Takes a strand out. O(1) expected.
+    /// Removes a strand. O(1) expected.
     pub(super) fn remove(&mut self, handle: u32) {
         let child = loop {
             let Node { left, right, .. } = self.nodes[handle as usize];
@@ -194,7 +190,7 @@ impl Status {
         self.hang(grandparent, parent, handle);
     }
 
-    /// Makes `parent` (or the root) have `new` where it had `old`.
+    /// Replaces the child `old` of `parent` (or the root) by `new`.
     fn hang(&mut self, parent: u32, old: u32, new: u32) {
         if parent == NIL {
             self.root = new;
@@ -205,8 +201,8 @@ impl Status {
     }
 }
 
-/// The priority of a node: its handle, multiplied by the golden ratio (times 2^32, made odd) and folded, twice. One
-/// to one, so that there are no ties.
+/// Returns the priority of a node: its handle, multiplied by the golden ratio (times 2^32, made odd) and folded, twice. This is
+/// injective, so there are no ties.
 fn priority(handle: u32) -> u32 {
     let fold = |x: u32| (x ^ (x >> 16)).wrapping_mul(0x9e37_79b1);
     let x = fold(fold(handle));

@@ -1,10 +1,11 @@
-//! One pass of a sweep line over a drawing of points and straight segments: is it plane, and what lies below what?
+//! One pass of a sweep line over a drawing of points and straight segments: decides whether it is plane, and finds the segment
+//! below each point.
 //!
-//! A vertical line runs from left to right. The *status* is the list of the segments that it crosses at present, from the
-//! bottom up; it changes only where the line passes a point of the drawing. If the drawing is plane, the status is
-//! always in order, so a point finds its place among the segments by binary search, and what it finds below itself is
-//! what a ray going straight down would hit first. If the drawing is not plane, then just left of the leftmost fault
-//! the offending segments are neighbours in the status; so it is enough to examine segments that become neighbours.
+//! A vertical line runs from left to right. The *status* lists the segments that it currently crosses, from the bottom up; it
+//! changes only where the line passes a point of the drawing. If the drawing is plane, the status is always in order, so binary
+//! search finds the place of a point among the segments, and the segment below is the first one that a ray straight down would
+//! hit. If the drawing is not plane, then immediately to the left of the leftmost fault the offending segments are neighbours in
+//! the status; so it suffices to examine segments that become neighbours.
 //!
 //! ```text
 //!      a ________|_______
@@ -15,27 +16,27 @@
 //!      e ________|____
 //! ```
 //!
-//! The line leans over a little, by less than any angle of the drawing, so that it passes the points in lexicographic
-//! order and no segment is parallel to it: a vertical segment starts at its lower end and is the steepest of those in the
-//! status. No case needs a rule of its own.
+//! The line leans a little, by less than any angle of the drawing, so that it passes the points in lexicographic order and no
+//! segment is parallel to it: a vertical segment starts at its lower end and is the steepest segment in the status. There are no
+//! special cases.
 //!
 //! # Why every fault is found
 //!
-//! A fault is a point that two segments share and that is not an endpoint of both, or a point of the drawing inside a
-//! segment, or the left end of what two overlapping segments share. Points in the same place follow each other in the
-//! order of events and are found before the line moves. Otherwise let f be the lexicographically smallest fault. Just
-//! before f the status is in order, and the segments that reach f are neighbours in it.
+//! A fault is a point shared by two segments that is not an endpoint of both, a point of the drawing inside a segment, or the
+//! left end of the common part of two overlapping segments. Equal points follow each other in the order of events and are found
+//! before the line moves. Otherwise let f be the lexicographically smallest fault. Before f the status is in order, and the
+//! segments that reach f are neighbours in it.
 //!
-//! - If several reach f and not all of them end there, then some two neighbours among them clash in f, and they were
-//!   examined when they became neighbours.
-//! - If one reaches f and passes through, then f is a point of the drawing at which nothing ends. So its place is
-//!   searched for, and the search for a point that lies on a segment of the status finds that segment.
-//! - If all that reach f end there, then two segments start at f in the same direction. What starts together is put
-//!   into the status sorted by angle, so two such segments become neighbours and are examined.
+//! - If several segments reach f and not all of them end there, then two neighbours among them clash in f, and they were examined
+//!   when they became neighbours.
+//! - If one reaches f and passes through, then f is a point of the drawing at which nothing ends. So its place is searched for,
+//!   and the search for a point on a segment of the status finds that segment.
+//! - If all that reach f end there, then two segments start at f in the same direction. Segments that start together are inserted
+//!   into the status sorted by angle, so these two become neighbours and are examined.
 //!
-//! Whoever asks only whether the drawing is plane needs no more. Else the pass goes on after the first fault, without
-//! examining neighbours. The status may be out of order then, and what it says about "below" is a guess; but it remains a
-//! list, and everything but the search goes by handles. So the pass ends, and in the same time.
+//! This suffices to decide whether the drawing is plane. Otherwise the pass continues after the first fault, without examining
+//! neighbours. The status may then be out of order, and the segments that it reports below points are guesses. But it remains a
+//! list, and everything except the search uses handles, so the pass still ends within the same time.
 //!
 //! Sources: M. I. Shamos and D. Hoey, "Geometric intersection problems", FOCS 1976, 208-215; M. de Berg, O. Cheong,
 //! M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 2.
@@ -56,19 +57,18 @@ use crate::steps::count_step;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Sweep {
-    /// For each query the segment directly below the point, if there is one. A guess, if there is a clash.
+    /// For each query the segment directly below the point, if there is one. A guess if there is a clash.
     pub below: Vec<Option<u32>>,
-    /// A reason why the drawing is not plane; none, if it is plane. One of those that
-    /// [`clashes`](super::crossing::clashes) lists, not always the leftmost.
+    /// A reason why the drawing is not plane, or `None`. It is one of the [`clashes`](super::crossing::clashes), not always the
+    /// leftmost.
     pub clash: Option<Clash>,
 }
 
-/// Decides whether segments meet at shared endpoints only, and finds the segment below each of some points.
+/// Decides whether segments meet only at shared endpoints, and finds the segment below each of some points.
 ///
-/// `segments` holds pairs of places in `points`, and `queries` places in `points`. The segment *below* a point is the
-/// first that a ray going straight down from it meets; segments that end at the point itself do not count. Where the
-/// ray runs into an endpoint, or along a segment, think of it as leaning to the right, by less than any angle of the
-/// drawing:
+/// `segments` contains pairs of indices into `points`, and `queries` indices into `points`. The segment *below* a point is the
+/// first that a ray straight down from it meets; segments that end at the point itself do not count. If the ray runs into an
+/// endpoint or along a segment, it leans to the right, by less than any angle of the drawing:
 ///
 /// ```text
 ///        q                   q                   q
@@ -82,12 +82,12 @@ pub struct Sweep {
 ///
 /// Isolated points are part of the drawing: one in the interior of a segment is a clash.
 ///
-/// Time O(n log n) for n points and segments, whether or not they clash, and memory O(n). The time is an expectation
-/// over the shapes of a treap whose priorities are hashes, so it is the same in every run.
+/// Time O(n log n) for n points and segments, even if they clash, and memory O(n). The expected time depends on the shape of a
+/// treap whose priorities are hashes, so it is equal in every run.
 ///
 /// # Errors
 ///
-/// [`InvalidSegments`], if the arrays do not describe segments. Segments that clash are not an error, but part of the result.
+/// [`InvalidSegments`], if the arrays do not describe segments. Clashing segments are not an error, but part of the result.
 ///
 /// ```
 /// use twinedge_geometry::Point;
@@ -113,7 +113,7 @@ pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result
     }
 }
 
-/// Finds what is below each point, which is a guess if there is a clash. As [`sweep`].
+/// Like [`sweep`], finds the segment below every point: a guess if there is a clash.
 ///
 /// # Errors
 /// [`InvalidSegments`].
@@ -124,7 +124,7 @@ pub fn sweep_all(points: &[Point], segments: &[[u32; 2]]) -> Result<(Below, Opti
     Ok((below, line.clash))
 }
 
-/// Finds what is below each point of a plane drawing; none if there is a clash, and the pass ends there. As [`sweep`].
+/// Like [`sweep`], finds the segment below every point of a plane drawing. Stops at a clash and returns `None`.
 ///
 /// # Errors
 /// [`InvalidSegments`].
@@ -139,7 +139,7 @@ pub fn sweep_plane(points: &[Point], segments: &[[u32; 2]]) -> Result<Option<Bel
 pub struct Below(Vec<u32>);
 
 impl Below {
-    /// The segments below these points, which are among those of the drawing.
+    /// Returns the segments below these points of the drawing.
     #[must_use]
     pub fn of(&self, points: &[u32]) -> Vec<Option<u32>> {
         points.iter().map(|&point| Some(self.0[point as usize]).filter(|&segment| segment != NIL)).collect()
@@ -150,24 +150,21 @@ impl Below {
 #[derive(Clone, Copy)]
 struct Start {
     segment: u32,
-    /// The event at which it ends.
     end: u32,
 }
 
-/// The sweep line.
 struct Line<'a> {
     points: &'a [Point],
     segments: &'a [[u32; 2]],
-    /// The points, in lexicographic order.
     events: Vec<Event>,
-    /// The segments, by the event at which they start: those of event i from place `first[i]` to `first[i + 1]`.
+    /// The segments, by the event at which they start: event i has the range `first[i]..first[i + 1]`.
     starts: Vec<Start>,
     first: Vec<u32>,
     /// For each event, the node of a strand that ends there; the others follow as its companions.
     arriving: Vec<u32>,
     status: Status,
     clash: Option<Clash>,
-    /// The nodes that end at the present event.
+    /// The nodes that end at the current event.
     ending: Vec<u32>,
 }
 
@@ -185,8 +182,8 @@ impl<'a> Line<'a> {
             let (i, j) = (rank[u as usize], rank[v as usize]);
             (i.min(j), i.max(j))
         };
-        // Counting sort, two places ahead: summed up, `first[i + 1]` is where the segments of event i begin, and
-        // filing them moves it to where they end.
+        // Counting sort, two entries ahead: after summation, `first[i + 1]` is the start of the segments of event i, and filing
+        // moves it to their end.
         let mut first = vec![0; points.len() + 2];
         for segment in segments {
             first[span(segment).0 as usize + 2] += 1;
@@ -212,7 +209,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Moves the line over all events, or until it is to stop.
+    /// Moves the line over all events, or until `stops` returns true.
     fn run(&mut self, stops: impl Fn(&Self) -> bool) -> Below {
         let mut below = vec![NIL; self.points.len()];
         for event in 0..self.events.len() {
@@ -227,7 +224,7 @@ impl<'a> Line<'a> {
         Below(below)
     }
 
-    /// Moves the line over an event and says which node was directly below it.
+    /// Moves the line over an event. Returns the node directly below it.
     fn pass(&mut self, event: usize) -> u32 {
         let Event { at, vertex } = self.events[event];
         let mut starts = self.first[event] as usize..self.first[event + 1] as usize;
@@ -261,12 +258,12 @@ impl<'a> Line<'a> {
         below
     }
 
-    /// Searches for the place of a point at which no segment ends, and reports it if it lies on a segment.
+    /// Searches for the place of a point at which no segment ends, and reports a clash if it lies on a segment.
     fn find(&mut self, at: Point, vertex: u32, starts: &Range<usize>) -> Gap {
         let (gap, on) = self.status.locate(at);
         if on != NIL && self.clash.is_none() {
             let segment = self.status.strand(on).segment;
-            // Perhaps what starts here lies along that segment.
+            // Perhaps a segment that starts here lies along that segment.
             let of_start = self.starts[starts.clone()]
                 .first()
                 .and_then(|start| classify(self.points, self.segments, start.segment, segment));
@@ -275,7 +272,7 @@ impl<'a> Line<'a> {
         gap
     }
 
-    /// Sorts segments that start at a point by angle, from the lowest to the highest.
+    /// Sorts segments that start at a point by angle, lowest first.
     fn sort(&mut self, at: Point, starts: Range<usize>) {
         let events = &self.events;
         threads::sort_unstable_by(&mut self.starts[starts], |a, b| {
@@ -287,9 +284,8 @@ impl<'a> Line<'a> {
         });
     }
 
-    /// Takes out the strands that end at an event, of which `one` is one; as long as there are segments that start,
-    /// they take over the places. Says which node is below, which was placed last (or else is below), and which is
-    /// above.
+    /// Removes the strands that end at an event, including `one`; starting segments take over their places, as far as there are
+    /// any. Returns the node below, the node placed last (or else the node below), and the node above.
     fn exchange(&mut self, event: usize, one: u32, starts: &mut Range<usize>) -> (u32, u32, u32) {
         let ends_here = |status: &Status, node: u32| node != NIL && status.strand(node).end as usize == event;
         self.ending.clear();
@@ -321,7 +317,7 @@ impl<'a> Line<'a> {
             remaining -= 1;
             node = above;
         }
-        // They stand together, unless the status is out of order.
+        // They are adjacent, unless the status is out of order.
         if remaining > 0 {
             for &stray in &self.ending {
                 if ends_here(&self.status, stray) {
@@ -332,19 +328,18 @@ impl<'a> Line<'a> {
         (below, last, node)
     }
 
-    /// Puts a segment that starts in the place of one that ends.
+    /// Replaces a strand that ends by a segment that starts.
     fn replace(&mut self, node: u32, at: Point, start: usize) {
         self.status.replace(node, self.strand(at, start));
         self.arriving[self.starts[start].end as usize] = node;
     }
 
-    /// The strand of a segment that starts at a point.
     fn strand(&self, at: Point, start: usize) -> Strand {
         let Start { segment, end } = self.starts[start];
         Strand { low: at, high: self.events[end as usize].at, segment, end, companion: self.arriving[end as usize] }
     }
 
-    /// Examines two neighbours.
+    /// Examines two neighbours for a clash.
     #[inline]
     fn examine(&mut self, lower: u32, upper: u32) {
         if lower == NIL || upper == NIL || self.clash.is_some() {

@@ -1,5 +1,5 @@
-//! Work that may be divided: with the feature `rayon` among the threads of its current pool, otherwise it is done on one thread.
-//! The result is the same, bit for bit.
+//! Work that may be divided: among the threads of the current pool with the feature `rayon`, otherwise on one thread. The result
+//! is bit-for-bit equal.
 
 use core::cmp::Ordering;
 #[cfg(debug_assertions)]
@@ -9,19 +9,19 @@ use core::sync::atomic::AtomicBool;
 #[cfg(feature = "rayon")]
 const LONG: usize = 1 << 14;
 
-/// Does both, and returns both results.
+/// Runs both and returns both results.
 #[cfg(feature = "rayon")]
 pub fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     rayon::join(a, b)
 }
 
-/// Does both, and returns both results.
+/// Runs both and returns both results.
 #[cfg(not(feature = "rayon"))]
 pub fn join<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B) {
     (a(), b())
 }
 
-/// Set by a test: items that tie are then put the other way round, as another standard library may. Optimised programs do not have it.
+/// Set by a test: reverses items that tie, as another standard library may. Absent from optimised programs.
 #[cfg(debug_assertions)]
 #[doc(hidden)]
 pub static REVERSE_TIES: AtomicBool = AtomicBool::new(false);
@@ -53,14 +53,14 @@ fn sort<T>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
     items.sort_unstable_by(order);
 }
 
-/// Applies a function to each item, and returns the results in the order of the items.
+/// Applies a function to each item, and returns the results in order.
 #[cfg(feature = "rayon")]
 pub fn map<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
     use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
     items.par_iter().map(of).collect()
 }
 
-/// Applies a function to each item, and returns the results in the order of the items.
+/// Applies a function to each item, and returns the results in order.
 #[cfg(not(feature = "rayon"))]
 pub fn map<T, R>(items: &[T], of: impl Fn(&T) -> R) -> Vec<R> {
     items.iter().map(of).collect()

@@ -14,8 +14,7 @@ pub enum ConvexError {
     /// The unbounded face has no triangulation.
     #[error("the unbounded face has no triangulation")]
     Unbounded,
-    /// A coordinate is out of the range in which triangles are found exactly: its magnitude must be zero or from 2^-142 to
-    /// 2^201.
+    /// A coordinate is out of the range of exact triangulation: its magnitude must be zero or from 2^-142 to 2^201.
     #[error("the vertex at ({x:?}, {y:?}) is out of range: magnitudes must be zero or from 2^-142 to 2^201")]
     OutOfRange {
         /// The first coordinate.

@@ -5,20 +5,20 @@ use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 use twinedge_map::edit::EditError;
 use twinedge_map::{Embedding, PlanarMap};
 
-/// Returns true if the corner between the half-edges before and after `h` at its origin, which appears where `h` is removed, is
-/// at most a straight angle.
+/// Returns true if the corner that appears at the origin of `h` when `h` is removed, between the half-edges before and after it,
+/// is at most a straight angle.
 fn stays_convex(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let [v, a, b] = [h.origin(), h.clockwise().target(), h.counter_clockwise().target()].map(|v| map.point(v.index()));
     match orientation(v, a, b) {
         Orientation::CounterClockwise => true,
-        // In opposite directions: a straight angle. In the same: a full turn.
+        // Opposite directions form a straight angle, equal ones a full turn.
         Orientation::Collinear => compare_angle(v, a, b).is_ne(),
         Orientation::Clockwise => false,
     }
 }
 
 /// Returns true if an edge between convex corners is essential: without it one of its ends would have a corner larger than a
-/// straight angle. An edge that separates no two faces is essential, too. O(1).
+/// straight angle. An edge that does not separate two faces is also essential. O(1).
 ///
 /// # Errors
 /// [`StaleKey::HalfEdge`].
@@ -28,14 +28,14 @@ pub fn is_essential(map: &PlanarMap, half_edge: HalfEdgeKey) -> Result<bool, Sta
     Ok(!(separates && stays_convex(map, h) && stays_convex(map, h.twin())))
 }
 
-/// Looks at each of these edges once, in order, and removes it unless it is essential. Gives those that were kept.
+/// Examines each of these edges once, in order, and removes it unless it is essential. Returns the kept edges.
 ///
-/// The pieces are covered by the features that covered both sides of what was removed; inside one triangulated face these are
-/// the same. O(1) for each edge, and O(length of the shorter cycle) for each that is removed.
+/// Each piece is covered by the features that covered both sides of its removed edges; inside one triangulated face these are
+/// equal. O(1) for each edge, plus O(length of the shorter cycle) for each removed edge.
 ///
 /// # Errors
-/// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key, or for an edge that is named twice and removed. The
-/// edges before it are dealt with then.
+/// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key, or for an edge that is named twice and removed. Earlier
+/// edges have been processed then.
 pub fn remove_inessential(map: &mut PlanarMap, edges: &[HalfEdgeKey]) -> Result<Vec<HalfEdgeKey>, EditError> {
     let mut kept = Vec::new();
     for h in edges {

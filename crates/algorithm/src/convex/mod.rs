@@ -1,7 +1,7 @@
 //! Convex pieces: the decomposition of Hertel and Mehlhorn.
 //!
-//! A face is triangulated, holes included, by edges between its vertices: the *diagonals*. Then each diagonal is looked at
-//! once, and removed unless it is essential. What is left cuts the face into convex pieces, without a new vertex.
+//! A face is triangulated, including its holes, by edges between its vertices: the *diagonals*. Then each diagonal is examined
+//! once, and removed unless it is essential. The remaining ones cut the face into convex pieces, without a new vertex.
 //!
 //! ```text
 //!   ┌─────────┐        ┌─────────┐        ┌─────────┐
@@ -15,12 +15,11 @@
 //!
 //! # How is a triangulation stored, and essentiality checked?
 //!
-//! The triangulation is the map itself: each diagonal is an edge like any other, so the structure that held the face holds
-//! its triangles. All that is kept beside it is the list of the diagonals, as keys of half-edges
-//! ([`Triangulation::diagonals`]).
+//! The triangulation is the map itself: each diagonal is an ordinary edge, so the structure that contained the face contains its
+//! triangles. Only the list of the diagonals is separate, as keys of half-edges ([`Triangulation::diagonals`]).
 //!
-//! A diagonal `d` is essential at its origin if the corner that appears there without it is larger than a straight angle.
-//! The corner lies between the half-edges that leave the vertex before and after `d`:
+//! A diagonal `d` is essential at its origin if the corner that appears there without it is larger than a straight angle. The
+//! corner lies between the half-edges that leave the vertex before and after `d`:
 //!
 //! ```text
 //!      ccw(d) = twin(prev(d))            without d:      ccw(d)
@@ -32,20 +31,20 @@
 //!      cw(d) = next(twin(d))                             cw(d)
 //! ```
 //!
-//! So two links and one exact predicate decide at each end: O(1), whatever the degree of the vertex ([`is_essential`]).
-//! Removing a diagonal makes the corners beside it larger and none smaller. A diagonal that was essential therefore stays
-//! so, and one pass over the list, in any order, is enough ([`remove_inessential`]).
+//! So two links and one exact predicate decide at each end, in O(1) for any degree of the vertex ([`is_essential`]). Removing a
+//! diagonal enlarges the corners next to it and shrinks none. So an essential diagonal remains essential, and one pass over the
+//! list, in any order, is enough ([`remove_inessential`]).
 //!
 //! # How many pieces
 //!
-//! A corner of a face is *reflex* if it is larger than a straight angle. A diagonal that is kept is essential at one of
-//! its ends, at a reflex corner. At most two are essential at each reflex corner, and at most three at an isolated vertex.
-//! So a face with r reflex corners, i isolated vertices and h other inner boundary components has at most
-//! 2r + 3i + 1 − (h + i) pieces. A simple polygon has at most 2r + 1, while no decomposition has fewer than ⌈r / 2⌉ + 1:
-//! at most four times the least possible. (With holes the theorem does not promise the factor of four.)
+//! A corner of a face is *reflex* if it is larger than a straight angle. A kept diagonal is essential at one of its ends, at a
+//! reflex corner. At most two are essential at each reflex corner, and at most three at an isolated vertex. So a face with r
+//! reflex corners, i isolated vertices and h other inner boundary components has at most 2r + 3i + 1 − (h + i) pieces. A simple
+//! polygon has at most 2r + 1, while every decomposition has at least ⌈r / 2⌉ + 1: at most four times the minimum. (With holes
+//! the theorem does not promise the factor of four.)
 //!
-//! Edges that dangle in the face, holes that touch each other or the outer boundary, and isolated vertices all bound the
-//! pieces: no piece has any of them inside.
+//! Edges that dangle in the face, holes that touch each other or the outer boundary, and isolated vertices all bound the pieces:
+//! they are never inside a piece.
 //!
 //! Sources: S. Hertel and K. Mehlhorn, "Fast triangulation of simple polygons", FCT 1983, LNCS 158, 207-218; J. O'Rourke,
 //! "Computational Geometry in C", 2nd edition, section 2.5. The triangulation is the constrained Delaunay triangulation of
@@ -80,13 +79,13 @@ use twinedge_map::PlanarMap;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Decomposition {
-    /// The face, by the key that it had. It may be stale by now, or that of a piece.
+    /// The face, by its old key, which may now be stale or belong to a piece.
     pub face: FaceKey,
     /// The number of triangles before diagonals were removed.
     pub triangles: usize,
-    /// The number of diagonals that made them.
+    /// The number of diagonals before removal.
     pub diagonals: usize,
-    /// The diagonals that were essential, each by one of its half-edges: they are edges of the map.
+    /// The essential diagonals, each by one of its half-edges: they are edges of the map.
     pub kept: Vec<HalfEdgeKey>,
     /// The number of reflex corners of the face; an isolated vertex counts as one.
     pub reflex: usize,
@@ -102,11 +101,10 @@ impl Decomposition {
     }
 }
 
-/// Cuts faces into convex pieces, by edges between vertices of each; naming a face twice changes nothing. Gives what became
-/// of each face, in the order in which they are named first.
+/// Cuts faces into convex pieces, by edges between vertices of each; repetitions have no effect. Returns the decomposition of
+/// each face, in order of first mention.
 ///
-/// O(n log n) for the n half-edges of the faces, expected: each diagonal that is drawn or removed walks the shorter of two
-/// cycles.
+/// O(n log n) for the n half-edges of the faces, expected: each drawn or removed diagonal walks the shorter of two cycles.
 ///
 /// # Errors
 /// [`ConvexError`].

@@ -1,12 +1,12 @@
 //! Triangulating faces: from the constrained Delaunay triangulation of `spade` to edges of the map.
 //!
-//! 1. The vertices and edges of all the faces go to `spade` together, the edges as constraints.
-//! 2. At each corner of a face, the triangulation is turned from one side to the other: what lies between is the diagonals of
-//!    that corner, counter-clockwise. So each end of a diagonal is known with its corner, and no search is needed.
-//! 3. The diagonals that connect the boundary components of a face are drawn first, so that every later one splits a face
-//!    that has no inner boundary component left.
-//! 4. A diagonal is attached next to the one that is before it at its corner *when it is drawn*. To know that one, the
-//!    diagonals are taken out of the complete lists in reverse order.
+//! 1. The vertices and edges of all the faces are passed to `spade` together, the edges as constraints.
+//! 2. At each corner of a face, a turn through the triangulation from one side to the other meets the diagonals of that corner,
+//!    counter-clockwise. So each end of a diagonal is known with its corner, without a search.
+//! 3. The diagonals that connect the boundary components of a face are drawn first, so that every later one splits a face without
+//!    inner boundary components.
+//! 4. A diagonal is attached next to the edge that precedes it at its corner *when it is drawn*. Removing the diagonals from the
+//!    complete lists in reverse order finds this edge.
 
 use super::error::ConvexError;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -18,15 +18,15 @@ use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 use twinedge_map::edit::EditError;
 use twinedge_map::{Embedding, NotPlane, PlanarMap};
 
-/// A face that was triangulated: every edge of the triangles is an edge of the map.
+/// A triangulated face: every edge of the triangles is an edge of the map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Triangulation {
-    /// The face, by the key that it had; it is that of one of the triangles now.
+    /// The face, by its old key, which now belongs to one of the triangles.
     pub face: FaceKey,
     /// A half-edge of the outer boundary of the face.
     pub boundary: HalfEdgeKey,
-    /// The diagonals, each by one of its half-edges, in the order in which they were drawn.
+    /// The diagonals, each by one of its half-edges, in the order of drawing.
     pub diagonals: Vec<HalfEdgeKey>,
     /// The number of triangles.
     pub triangles: usize,
@@ -37,11 +37,11 @@ pub struct Triangulation {
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 type CdtEdge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), spade::CdtEdge<()>, ()>;
 
-/// Triangulates faces, holes included, by edges between vertices of each; naming a face twice changes nothing. Gives the
-/// triangulation of each face, in the order in which they are named first.
+/// Triangulates faces, including their holes, by edges between vertices of each; repetitions have no effect. Returns the
+/// triangulation of each face, in order of first mention.
 ///
-/// Every triangle is constrained Delaunay: no vertex of the face that sees it lies inside its circumcircle. Diagonals have
-/// no features, and triangles those of their face.
+/// Every triangle is constrained Delaunay: no vertex of the face that sees it lies inside its circumcircle. Diagonals have no
+/// features, and triangles have the features of their face.
 ///
 /// O(n log n) for the n half-edges of the faces, expected: a diagonal walks the shorter of the two cycles that it makes.
 ///
@@ -81,7 +81,7 @@ impl Input {
             for h in face.half_edges() {
                 let (v, w) = (h.origin(), h.target());
                 let from = input.vertex(v.index(), v.key(), map.point(v.index()))?;
-                // An edge with both sides in these faces comes twice.
+                // An edge with both sides in these faces appears twice.
                 if h.index() < h.twin().index() || !chosen.contains(&h.twin().face().index()) {
                     let to = input.vertex(w.index(), w.key(), map.point(w.index()))?;
                     input.edges.push([from as usize, to as usize]);
@@ -104,28 +104,25 @@ impl Input {
     }
 }
 
-/// The diagonals to draw in a face.
 struct FacePlan {
     face: FaceKey,
     boundary: HalfEdgeKey,
     boundaries: usize,
     reflex: usize,
-    /// By the number of one of their directed edges in the triangulation, in order.
+    /// Each by the number of one of its directed edges in the triangulation, in order.
     diagonals: Vec<u32>,
 }
 
-/// The diagonals to draw. The columns are by number of a directed edge of the triangulation.
+/// The diagonals to draw. The columns are indexed by directed edge of the triangulation.
 struct Plan {
     faces: Vec<FacePlan>,
-    /// Half-edges of the map, as far as there are any yet.
+    /// Half-edges of the map, once they exist.
     drawn: Vec<Option<HalfEdgeKey>>,
-    /// The directed edge before each one, clockwise, at its corner when it is drawn; none at a vertex that is isolated then.
+    /// The directed edge before each one, clockwise, at its corner when it is drawn; nil if the vertex is isolated then.
     before: Vec<u32>,
-    /// The directed edge after each one, while all diagonals are there.
+    /// The directed edge after each one, while all diagonals are present.
     after: Vec<u32>,
-    /// The vertex where a directed edge starts.
     from: Vec<VertexKey>,
-    /// The other direction.
     reverse: Vec<u32>,
     /// For a diagonal, the number of the boundary component at whose corner it starts.
     component: Vec<u32>,
@@ -181,7 +178,7 @@ impl Plan {
                     let vertex = cdt.vertex(FixedVertexHandle::from_index(numbers[&vertex.index()] as usize));
                     let first = vertex.out_edge().ok_or(EditError::NotPlane(NotPlane::default()))?;
                     let last = plan.corner(first, first, component, &mut to_draw)?;
-                    // All around the vertex, the first one included.
+                    // The full turn, including the first edge again.
                     plan.list(number(last), number(first), component, &mut to_draw);
                 }
                 for h in boundary.half_edges() {
@@ -201,7 +198,7 @@ impl Plan {
         Ok(plan)
     }
 
-    /// Lists the diagonals between two directed edges that leave a vertex, counter-clockwise, and gives the last one.
+    /// Lists the diagonals between two directed edges that leave a vertex, counter-clockwise. Returns the last one.
     fn corner<'a>(
         &mut self,
         first: CdtEdge<'a>,
@@ -215,7 +212,7 @@ impl Plan {
             if e == end {
                 return Ok(last);
             }
-            // The corner is inside the face, where no constraint is.
+            // The corner is inside the face, where there are no constraints.
             if e == first || e.is_constraint_edge() {
                 return Err(EditError::NotPlane(NotPlane::default()));
             }
@@ -234,8 +231,7 @@ impl Plan {
         }
     }
 
-    /// Moves diagonals that connect all boundary components of a face, which are numbered from `first` to `end`, to the
-    /// front.
+    /// Moves diagonals that connect all boundary components of a face, numbered from `first` to `end`, to the front.
     fn bridges_first(&self, diagonals: &mut Vec<u32>, first: u32, end: u32) {
         // Each set of connected components is a tree.
         let mut parent: Vec<u32> = (0..end - first).collect();
@@ -254,7 +250,7 @@ impl Plan {
         let mut bridges = Vec::new();
         for e in diagonals.drain(..) {
             let [a, b] = [e, self.reverse[e as usize]].map(|e| self.component[e as usize]);
-            // A diagonal with one end only is found out when it is taken out of the lists.
+            // A diagonal with only one end is detected when it is removed from the lists.
             if b == NIL || root(a - first, None) == root(b - first, None) {
                 others.push(e);
             } else {
@@ -267,7 +263,7 @@ impl Plan {
         *diagonals = bridges;
     }
 
-    /// Finds what comes before each diagonal when it is drawn, by taking them out of the complete lists in reverse order.
+    /// Finds the predecessor of each diagonal when it is drawn, by removing them from the complete lists in reverse order.
     fn take_out(&mut self, diagonals: &[u32]) -> Result<(), EditError> {
         for e in diagonals.iter().rev() {
             for e in [*e, self.reverse[*e as usize]] {
@@ -305,7 +301,7 @@ impl Plan {
         Ok(triangulations)
     }
 
-    /// The corner where a directed edge is attached.
+    /// Returns the corner where a directed edge is attached.
     fn corner_of(&self, e: u32) -> Corner {
         let before = self.drawn.get(self.before[e as usize] as usize).copied().flatten();
         before.map_or(Corner::Isolated(self.from[e as usize]), Corner::At)
@@ -317,7 +313,7 @@ fn is_reflex(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let [a, v, b] = [h.prev().origin(), h.origin(), h.target()].map(|v| map.point(v.index()));
     match orientation(a, v, b) {
         Orientation::CounterClockwise => false,
-        // In the same direction: a full turn, around the end of an edge that dangles.
+        // In the same direction: a full turn, around the end of a dangling edge.
         Orientation::Collinear => compare_angle(v, a, b).is_eq(),
         Orientation::Clockwise => true,
     }

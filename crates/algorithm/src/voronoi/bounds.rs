@@ -4,10 +4,9 @@ use super::error::VoronoiError;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
 
-/// The largest coordinate of a box: 2^202.
 const LARGEST: f64 = f64::from_bits((1023 + 202) << 52);
 
-/// The bounds that are given, if the sites lie in them, or some that suit the sites.
+/// Returns the given bounds, if the sites lie in them, or bounds that suit the sites.
 pub(super) fn bounds(sites: &[Point], given: Option<[Point; 2]>) -> Result<[Point; 2], VoronoiError> {
     let (Some(first), rest) = (sites.first(), sites) else { return Err(VoronoiError::NoSites) };
     if let Some([low, high]) = given {
@@ -29,7 +28,7 @@ pub(super) fn bounds(sites: &[Point], given: Option<[Point; 2]>) -> Result<[Poin
     let extent = (high.x - low.x).max(high.y - low.y);
     let largest = [low.x, low.y, high.x, high.y].into_iter().fold(0.0, |largest: f64, c| largest.max(c.abs()));
     let margin = if extent > 0.0 {
-        // At least so wide that it is not lost in the coordinates.
+        // Wide enough not to be lost in the coordinates.
         (0.1 * extent).max(largest * 2_f64.powi(-40))
     } else if largest > 0.0 {
         largest / 2.0

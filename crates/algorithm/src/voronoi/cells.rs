@@ -1,9 +1,9 @@
 //! The edges of a Voronoi diagram inside a box, from the triangulation.
 //!
-//! The border between the cells of two sites lies on the line halfway between them, where it is walked along a number `u`: 0
-//! between the sites, growing to the left of the way from the one to the other. It runs from the centre of the circle of the
-//! triangle on the right to that on the left; where there is no triangle, it has no end. Inside the box an end is the rounded
-//! centre, for all edges that end there; where a border leaves the box, it ends on a side of the box, exactly.
+//! The border between the cells of two sites lies on the line halfway between them, parametrised by a number `u`: 0 between the
+//! sites, growing to the left of the direction from one to the other. It runs from the circumcentre of the triangle on the right
+//! to that of the triangle on the left; without a triangle, it has no end. An end inside the box is the rounded centre, shared by
+//! all edges that end there; a border that leaves the box ends exactly on a side of the box.
 
 use super::centre::centre;
 use super::sites::{Site, Triangulation};
@@ -15,22 +15,20 @@ use twinedge_geometry::{MIN_COORDINATE, Point};
 
 type Edge<'a> = DirectedEdgeHandle<'a, Site, (), (), ()>;
 
-/// No site.
 pub(super) const NO_SITE: u32 = u32::MAX;
 
-/// Points and segments.
 #[derive(Debug, Default)]
 pub(super) struct Drawing {
     pub(super) points: Vec<Point>,
     pub(super) segments: Vec<[u32; 2]>,
-    /// For each segment the vertices in the triangulation whose cells lie to its left and to its right.
+    /// For each segment, the vertices of the triangulation whose cells lie to its left and to its right.
     pub(super) sites: Vec<[u32; 2]>,
     places: FxHashMap<[u64; 2], u32>,
 }
 
 impl Drawing {
     fn point(&mut self, p: Point) -> u32 {
-        // A coordinate too close to zero is zero. Adding zero turns −0 into 0.
+        // A coordinate too close to zero becomes zero. Adding zero turns −0 into 0.
         let [x, y] = [p.x, p.y].map(|c| if c.abs() < MIN_COORDINATE { 0.0 } else { c + 0.0 });
         let next = self.points.len() as u32;
         let number = *self.places.entry([x.to_bits(), y.to_bits()]).or_insert(next);
@@ -40,7 +38,7 @@ impl Drawing {
         number
     }
 
-    /// Draws a segment, unless rounding has brought its ends together.
+    /// Draws a segment, unless its ends have been rounded to one point.
     fn segment(&mut self, ends: [u32; 2], sites: [u32; 2]) {
         if ends[0] != ends[1] {
             self.segments.push(ends);
@@ -49,7 +47,7 @@ impl Drawing {
     }
 }
 
-/// The box, and how near to its border a centre lies on it.
+/// The box, and the distance from its border within which a centre counts as on it.
 struct Frame {
     low: Point,
     high: Point,
@@ -57,7 +55,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// Returns the point where a centre is drawn, with the side on which it lies, if any; none if it is outside.
+    /// Returns the point where a centre is drawn, with the side that contains it, if any; `None` if the centre is outside.
     fn place(&self, centre: Point) -> Option<(Point, Option<usize>)> {
         let Self { low, high, shortest } = *self;
         let gaps = [centre.y - low.y, high.x - centre.x, high.y - centre.y, centre.x - low.x];
@@ -79,11 +77,11 @@ impl Frame {
     }
 }
 
-/// The four sides, each as the points on it by the coordinate that varies.
+/// The four sides, each with its points by the varying coordinate.
 #[derive(Default)]
 struct Sides([Vec<(f64, u32)>; 4]);
 
-/// Draws the borders between cells, and the box. The ends of a border that is no longer than `shortest` become one.
+/// Draws the borders between cells, and the box. A border no longer than `shortest` collapses to one point.
 pub(super) fn draw(triangulation: &Triangulation, [low, high]: [Point; 2], shortest: f64) -> Drawing {
     let mut drawing = Drawing::default();
     let mut sides = Sides::default();
@@ -96,7 +94,7 @@ pub(super) fn draw(triangulation: &Triangulation, [low, high]: [Point; 2], short
         let Some((entry, exit)) = line.within(low, high) else { continue };
         let centres = [e.rev().face(), e.face()].map(|face| centres.of(face));
         let places = centres.map(|end| end.and_then(|(face, centre)| Some((face, frame.place(centre)?))));
-        // An end that is not inside lies before the box or behind it, as seen along the line, however it is rounded.
+        // An end that is not inside lies before the box or behind it, as seen along the line, in every rounding.
         let middle = entry.0.midpoint(exit.0);
         let is_inside = |i: usize| places[i].is_some_and(|(_, (_, side))| side.is_none());
         let starts = is_inside(0) || centres[0].is_none_or(|(_, centre)| line.at(centre) < middle);
@@ -125,7 +123,7 @@ pub(super) fn draw(triangulation: &Triangulation, [low, high]: [Point; 2], short
             number
         };
         let ends = [end(0, entry), end(1, exit)];
-        // To the left of the way along the border lies the cell of the site where the edge starts.
+        // To the left of the border lies the cell of the site where the edge starts.
         drawing.segment(ends, [e.from().index() as u32, e.to().index() as u32]);
     }
     draw_box(&mut drawing, sides, [low, high]);
@@ -142,14 +140,14 @@ fn draw_box(drawing: &mut Drawing, sides: Sides, [low, high]: [Point; 2]) {
         }
         let mut last = corners[side];
         for number in points.into_iter().map(|(_, number)| number).chain([corners[(side + 1) % 4]]) {
-            // The cell inside is found from another of its edges.
+            // The cell inside is found from another one of its edges.
             drawing.segment([last, number], [NO_SITE; 2]);
             last = number;
         }
     }
 }
 
-/// The crossing of a line with a side of the box: the place on the line, the side, the coordinate on the side.
+/// The crossing of a line with a side of the box: the position on the line, the side, and the coordinate on the side.
 type Crossing = (f64, usize, f64);
 
 /// The line halfway between two sites.
@@ -165,7 +163,7 @@ impl Line {
         Self { middle, direction: Point::new(s.y - t.y, t.x - s.x) }
     }
 
-    /// The place on the line that is nearest to a point.
+    /// Returns the position on the line nearest to a point.
     fn at(&self, p: Point) -> f64 {
         let Point { x, y } = self.direction;
         ((p.x - self.middle.x) * x + (p.y - self.middle.y) * y) / (x * x + y * y)
@@ -194,9 +192,8 @@ impl Line {
     }
 }
 
-/// The centres of the circles of all triangles.
 struct Centres {
-    /// By number of a triangle: one whose centre is the same vertex, for all of these the same.
+    /// For each triangle, a common representative of all triangles whose centres are the same vertex.
     same: Vec<u32>,
     centres: Vec<Point>,
 }
@@ -236,7 +233,7 @@ impl Centres {
         Self { same, centres }
     }
 
-    /// The triangle that stands for those with the same vertex, and its centre; none for what is no triangle.
+    /// Returns the representative triangle of the same vertex, and its centre; `None` for the outer face.
     fn of(&self, face: FaceHandle<'_, PossiblyOuterTag, Site, (), (), ()>) -> Option<(usize, Point)> {
         let same = self.same[face.as_inner()?.index()] as usize;
         Some((same, self.centres[same]))

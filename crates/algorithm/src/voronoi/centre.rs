@@ -1,22 +1,23 @@
-//! The centre of a circle, with twice the digits of a double on the way there.
+//! The circumcentre of three points, computed with twice the precision of a double.
 //!
-//! Where two of three points are close to each other, or all are nearly on a line, the determinant of the three is nearly nothing compared with
-//! its products. Of the exact predicate only the sign is sure then, not the value, and centres would be off by metres.
+//! If two of three points are close to each other, or all are nearly collinear, the determinant of the three nearly vanishes
+//! compared with its products. Then the exact predicate guarantees only the sign, not the value, and centres would be off by
+//! metres.
 
 use twinedge_geometry::Point;
 
-/// A number as the sum of a double and of what rounding took off it.
+/// A number as the sum of a double and its rounding error.
 #[derive(Clone, Copy)]
 struct Long(f64, f64);
 
 impl Long {
-    /// Of a number and a smaller one.
+    /// Adds a number and a smaller one.
     fn new(high: f64, low: f64) -> Self {
         let sum = high + low;
         Self(sum, low - (sum - high))
     }
 
-    /// The exact difference of two numbers (D. Knuth).
+    /// Returns the exact difference of two numbers (D. Knuth).
     fn difference(a: f64, b: f64) -> Self {
         let high = a - b;
         let taken = a - high;
@@ -38,7 +39,7 @@ impl Long {
     }
 }
 
-/// The centre of the circle through three points that turn counter-clockwise.
+/// Returns the circumcentre of three points that turn counter-clockwise.
 pub(super) fn centre([a, b, c]: [Point; 3]) -> Point {
     let from_a = |p: Point| [Long::difference(p.x, a.x), Long::difference(p.y, a.y)];
     let ([bx, by], [cx, cy]) = (from_a(b), from_a(c));

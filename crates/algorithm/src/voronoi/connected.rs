@@ -1,4 +1,4 @@
-//! From a connected drawing whose faces are convex to a map.
+//! Converting a connected drawing with convex faces to a map.
 
 use super::error::VoronoiError;
 use twinedge::dcel::extend::{Assembly, AssemblyError, BoundaryStart, VertexLink};
@@ -7,13 +7,13 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 use twinedge_map::PlanarMap;
 
-/// The map of different points and of segments between them, which connect all points; none, unless it is plane with convex
-/// faces: every bounded face is convex, and what lies around all of them is the outside of a convex polygon or, if the
-/// segments enclose nothing, of a chain along a line.
+/// Makes a map of distinct points and of segments that connect all points. Returns `None` unless the drawing is plane with convex
+/// faces: every bounded face is convex, and the outside surrounds a convex polygon or, if the segments enclose nothing, a chain
+/// along a line.
 ///
-/// That is enough for the drawing to be plane. Euler's formula makes the topology that of the plane. Each face covers its
-/// part of the plane once, with those across its edges beside it, so all of them together cover the inside of the polygon
-/// evenly, and as its border is covered once, all of it is.
+/// This implies that the drawing is plane. Euler's formula makes the topology planar. Each face covers its part of the plane
+/// once, adjacent to the faces across its edges, so together they cover the inside of the polygon evenly. The border is covered
+/// once, so all of it is.
 ///
 /// Vertices and segments keep their order. O(n log n).
 pub(super) fn connected(points: Vec<Point>, segments: &[[u32; 2]]) -> Result<Option<PlanarMap>, VoronoiError> {
@@ -64,7 +64,7 @@ pub(super) fn connected(points: Vec<Point>, segments: &[[u32; 2]]) -> Result<Opt
     };
     let dcel = assembly.assemble().map_err(|error| match error {
         AssemblyError::Full(kind) => VoronoiError::Full(kind),
-        // The columns are right by their making.
+        // These columns are valid by construction.
         _ => VoronoiError::Full(RecordKind::Vertex),
     })?;
     let mut by_index = vec![Point::default(); Assembly::vertex_index(0) as usize];
@@ -72,7 +72,7 @@ pub(super) fn connected(points: Vec<Point>, segments: &[[u32; 2]]) -> Result<Opt
     Ok(PlanarMap::assembled(dcel, by_index))
 }
 
-/// For each point a half-edge that leaves it, and for each half-edge the one that follows. None if a point has no
+/// Returns a half-edge that leaves each point, and the half-edge that follows each half-edge. Returns `None` if a point has no
 /// half-edge, or two of them point in the same direction.
 fn rotations(points: &[Point], origin: &[u32]) -> Option<(Vec<u32>, Vec<u32>)> {
     let mut first = vec![0_u32; points.len() + 1];
@@ -98,7 +98,7 @@ fn rotations(points: &[Point], origin: &[u32]) -> Option<(Vec<u32>, Vec<u32>)> {
         if around.windows(2).any(|pair| compare_angle(*point, head(pair[0]), head(pair[1])).is_eq()) {
             return None;
         }
-        // After a half-edge that arrives comes the next one clockwise from its twin.
+        // An arriving half-edge is followed by the next one clockwise from its twin.
         let mut clockwise = *around.last()?;
         for h in around.iter() {
             next[*h as usize ^ 1] = clockwise;
@@ -109,7 +109,7 @@ fn rotations(points: &[Point], origin: &[u32]) -> Option<(Vec<u32>, Vec<u32>)> {
     Some((leaving, next))
 }
 
-/// The corners of a cycle, each as three points.
+/// Returns the corners of a cycle, each as three points.
 fn around<'a>(
     points: &'a [Point],
     origin: &'a [u32],
@@ -125,7 +125,7 @@ fn around<'a>(
     })
 }
 
-/// Returns true if no corner turns the other way or straight back, and there is one turn in all.
+/// Returns true if no corner turns the other way or straight back, and the turns add up to one.
 fn turns_once(corners: impl Iterator<Item = [Point; 3]>, way: Orientation) -> bool {
     let mut lowest = 0;
     for [a, b, c] in corners {
@@ -140,12 +140,11 @@ fn turns_once(corners: impl Iterator<Item = [Point; 3]>, way: Orientation) -> bo
     lowest == 1
 }
 
-/// Returns true if the cycle goes along a line and back.
+/// Returns true if the cycle runs along a line and back.
 fn is_chain(mut corners: impl Iterator<Item = [Point; 3]>, points: &[Point], origin: &[u32]) -> bool {
     origin.len() == 2 * (points.len() - 1) && corners.all(|[a, b, c]| orientation(a, b, c) == Orientation::Collinear)
 }
 
-/// The vertex of a point.
 pub(super) fn vertex(map: &PlanarMap, number: u32) -> Option<VertexKey> {
     let index = if map.dcel().edge_count() == 0 {
         map.dcel().vertices().next()?.index() as u32
@@ -155,7 +154,7 @@ pub(super) fn vertex(map: &PlanarMap, number: u32) -> Option<VertexKey> {
     map.dcel().vertex_at(index as usize).map(|v| v.key())
 }
 
-/// The half-edge of a segment, from its first point to its second.
+/// Returns the half-edge of a segment, from its first point to its second.
 pub(super) fn half_edge(map: &PlanarMap, segment: u32) -> Option<HalfEdge<'_>> {
     map.dcel().half_edge_at(Assembly::half_edge_index(2 * segment) as usize)
 }

@@ -20,7 +20,7 @@ pub enum VoronoiError {
         /// The second coordinate.
         y: f64,
     },
-    /// A coordinate of a site is out of the range in which circles are tested exactly.
+    /// A coordinate of a site is out of the range of exact circle tests.
     #[error(
         "site {site}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-142 to 2^201"
     )]
@@ -32,8 +32,8 @@ pub enum VoronoiError {
         /// The second coordinate.
         y: f64,
     },
-    /// The bounds are no box: a coordinate is not finite or beyond 2^202, or the first corner is not below and to the left of
-    /// the second.
+    /// The bounds are no box: a coordinate is not finite or beyond 2^202, or the first corner is not below and to the left of the
+    /// second.
     #[error("the bounds must be the lower left and the upper right corner of a box, with coordinates up to 2^202")]
     Bounds,
     /// A site lies outside the bounds.
@@ -46,13 +46,13 @@ pub enum VoronoiError {
         /// The second coordinate.
         y: f64,
     },
-    /// Some sites are so close to each other that doubles cannot tell their cells apart. [`voronoi_merging`](super::voronoi_merging) gives them
-    /// one cell.
+    /// Some sites are so close to each other that doubles cannot distinguish their cells.
+    /// [`voronoi_merging`](super::voronoi_merging) merges their cells.
     #[error(
         "some sites are too close to each other for doubles to tell their cells apart; sites {} and {} are the closest", sites[0], sites[1]
     )]
     TooClose {
-        /// The two sites that are closest to each other.
+        /// The two sites closest to each other.
         sites: [usize; 2],
     },
     /// There is no room for more records of this kind.

@@ -12,28 +12,26 @@
 //!                                          └────────┴──────────┘
 //! ```
 //!
-//! [`delaunay`] makes a vertex of each site and [`voronoi`] a face. Sites at the same place are one, and every answer is a
-//! valid [`PlanarMap`]: R1 … T4 and G1 … G5 hold. The two are dual: two cells have a border in common where the sites are
-//! joined by an edge whose border lies inside the box, and each vertex of the diagram inside the box is the centre of the
-//! circle through the corners of a triangle.
+//! [`delaunay`] makes a vertex of each site and [`voronoi`] a face. Equal sites are merged, and every result is a valid
+//! [`PlanarMap`]: R1 … T4 and G1 … G5 hold. The two are dual: two cells have a common border if the sites are joined by an edge
+//! whose border lies inside the box, and each vertex of the diagram inside the box is the circumcentre of a triangle.
 //!
 //! # Rounding
 //!
-//! The triangulation is exact. The vertices of the Voronoi diagram are centres of circles, which are rounded to the nearest
-//! coordinates that a double can have, or nearly. Centres of triangles with a circle in common are one vertex, by an exact
-//! test. From the rounded centres the diagram is put together, and it is *checked* that every cell is convex, which is
-//! enough for it to be plane: the cells are turned the right way round, there are as many as sites, and they fill the box.
-//! Where that fails, the ends of the shortest borders become one vertex, up to a length of 2^-38 times the coordinates of the
-//! box. (Points that lie nearly on a circle need this.) Where even then a site has no cell of its own, it is too close to
-//! others for doubles to tell their cells apart, and that is an error, [`VoronoiError::TooClose`]; [`voronoi_merging`] has it share the
-//! cell of a neighbour.
+//! The triangulation is exact. The vertices of the Voronoi diagram are circumcentres, rounded to the nearest doubles, or nearly.
+//! Centres of triangles with a common circle are merged, by an exact test. The diagram is assembled from the rounded centres, and
+//! then *checked*: every cell must be convex, which implies that the diagram is plane, since the cells have the correct
+//! orientation, their number equals the number of sites, and they fill the box. If that fails, the ends of the shortest borders
+//! are merged, up to a length of 2^-38 times the coordinates of the box. (Points nearly on a circle need this.) If a site still
+//! has no cell of its own, it is too close to others for doubles to distinguish their cells: an error,
+//! [`VoronoiError::TooClose`]. [`voronoi_merging`] lets it share the cell of a neighbour.
 //!
 //! # Why `spade`
 //!
-//! The triangulation is that of the crate `spade` and not of `delaunator`, both of which were measured. `delaunator` (1.1) is
-//! faster, 70 ms against 90 ms for 10^5 random points, but it tests circles in rounded arithmetic, so what it makes is not
-//! always Delaunay; it drops points that differ by no more than 2^-51; and of points on a line it gives the order alone.
-//! `spade` (2.15) decides exactly and keeps every point.
+//! The triangulation comes from the crate `spade` rather than `delaunator`; both were measured. `delaunator` (1.1) is faster, 70
+//! ms against 90 ms for 10^5 random points, but tests circles in rounded arithmetic, so its result is not always Delaunay; it
+//! drops points that differ by at most 2^-51; and for collinear points it returns only their order. `spade` (2.15) decides
+//! exactly and keeps every point.
 //!
 //! Sources: M. de Berg et al., "Computational Geometry", 3rd edition, chapters 7 and 9; G. Voronoï, "Nouvelles applications
 //! des paramètres continus à la théorie des formes quadratiques", Journal für die reine und angewandte Mathematik 134 (1908)
@@ -77,7 +75,7 @@ use twinedge_map::PlanarMap;
 pub struct Delaunay {
     /// The triangulation of the convex hull of the sites. If all sites lie on a line, it is the chain of them.
     pub map: PlanarMap,
-    /// The vertex of each site, in order of the sites. Sites at the same place have the same vertex.
+    /// The vertex of each site, in order of the sites. Equal sites have the same vertex.
     pub vertices: Vec<VertexKey>,
 }
 
@@ -87,19 +85,19 @@ pub struct Delaunay {
 pub struct Voronoi {
     /// The diagram. Its bounded faces are the cells.
     pub map: PlanarMap,
-    /// The cell of each site, in order of the sites. Sites at the same place have the same cell.
+    /// The cell of each site, in order of the sites. Equal sites have the same cell.
     pub cells: Vec<FaceKey>,
     /// The lower left and the upper right corner of the box that closes the unbounded cells.
     pub bounds: [Point; 2],
-    /// The sites without a cell of their own, each with the site whose cell it shares: from [`voronoi_merging`] only. Sites at the same place are not
-    /// listed.
+    /// The sites without their own cell, each with the site whose cell it shares: only from [`voronoi_merging`]. Equal sites are
+    /// not listed.
     pub merged: Vec<[usize; 2]>,
 }
 
-/// The Delaunay triangulation of some sites: no site lies inside the circle through the corners of a triangle. Where more
-/// than three lie on such a circle, the triangulation is one of several.
+/// Computes the Delaunay triangulation of some sites: no site lies inside the circumcircle of a triangle. If more than three
+/// sites lie on such a circle, the triangulation is one of several.
 ///
-/// O(n log n) time for n sites in practice; O(n²) at worst, where they lie on a line.
+/// O(n log n) time for n sites in practice; O(n²) at worst, for collinear sites.
 ///
 /// # Errors
 /// [`VoronoiError::NotFinite`], [`VoronoiError::OutOfRange`] and [`VoronoiError::Full`].
@@ -114,12 +112,12 @@ pub fn delaunay(sites: &[Point]) -> Result<Delaunay, VoronoiError> {
     Ok(Delaunay { vertices: vertices.unwrap_or_default(), map })
 }
 
-/// The Voronoi diagram of some sites: each point of a cell is at least as near to its site as to all others.
+/// Computes the Voronoi diagram of some sites: each point of a cell is at least as near to its site as to all others.
 ///
-/// Cells are cut off at a box, whose corners are in the answer: the one given, with the sites inside or on its border; or else
-/// one a tenth wider on each side than the sites need.
+/// Cells are cut off at a box, whose corners are returned: the given box, which must contain the sites; or by default one a tenth
+/// wider on each side than the sites need.
 ///
-/// O(n log n) time for n sites in practice; O(n²) at worst, where they lie on a line.
+/// O(n log n) time for n sites in practice; O(n²) at worst, for collinear sites.
 ///
 /// # Errors
 /// [`VoronoiError`].
@@ -128,12 +126,13 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
     diagram(&placed, bounds::bounds(sites, bounds)?)?.ok_or_else(|| placed.too_close())
 }
 
-/// The Voronoi diagram of some sites, in which sites share a cell if doubles cannot tell their cells apart. [`Voronoi::merged`] names them.
+/// Computes a Voronoi diagram in which sites share a cell if doubles cannot distinguish their cells. [`Voronoi::merged`] names
+/// them.
 ///
-/// Sites that are neighbours are merged from the closest ones on, up to twice the distance each time, until there is a diagram: no site
-/// is merged with one that is much farther away than need be.
+/// Neighbouring sites are merged, the closest first, up to twice the distance each time, until there is a diagram: no site is
+/// merged with one much farther away than necessary.
 ///
-/// As [`voronoi`], for each time that sites are merged.
+/// The cost of [`voronoi`], for each round of merging.
 ///
 /// ```
 /// use twinedge_algorithm::voronoi::{VoronoiError, voronoi, voronoi_merging};
@@ -150,11 +149,11 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
 /// ```
 ///
 /// # Errors
-/// As [`voronoi`], but not [`VoronoiError::TooClose`].
+/// As for [`voronoi`], except [`VoronoiError::TooClose`].
 pub fn voronoi_merging(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, VoronoiError> {
     let mut placed = Sites::new(sites)?;
     let bounds = bounds::bounds(sites, bounds)?;
-    // By site: the site at whose place it is.
+    // For each site, the first site with the same coordinates.
     let first = placed.first();
     let mut with: Vec<usize> = placed.numbers.iter().map(|number| first[*number as usize]).collect();
     let mut length = 0.0;
@@ -181,7 +180,7 @@ pub fn voronoi_merging(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Vo
     }
 }
 
-/// The diagram in a box; none if doubles cannot tell the cells apart.
+/// Computes the diagram in a box; `None` if doubles cannot distinguish the cells.
 fn diagram(placed: &Sites, bounds: [Point; 2]) -> Result<Option<Voronoi>, VoronoiError> {
     let Sites { triangulation, numbers } = placed;
     let largest = bounds.iter().flat_map(|p| [p.x.abs(), p.y.abs()]).fold(0.0, f64::max);
@@ -196,7 +195,7 @@ fn diagram(placed: &Sites, bounds: [Point; 2]) -> Result<Option<Voronoi>, Vorono
     Ok(None)
 }
 
-/// The cell of each site, if there are as many cells as different sites.
+/// Returns the cell of each site, if every distinct site has its own cell.
 fn cells_of(map: &PlanarMap, drawing: &cells::Drawing, numbers: &[u32], different: usize) -> Option<Vec<FaceKey>> {
     let dcel = map.dcel();
     if dcel.face_count() != different + 1 {

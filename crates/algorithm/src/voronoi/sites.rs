@@ -6,11 +6,11 @@ use spade::handles::UndirectedEdgeHandle;
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation as _, validate_vertex};
 use twinedge_geometry::Point;
 
-/// A place with one or more sites.
+/// A point with one or more sites.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Site {
     place: Point2<f64>,
-    /// In order of the sites that were the first at their places.
+    /// The rank among first sites at their points.
     first: u32,
 }
 
@@ -30,10 +30,8 @@ impl HasPosition for Site {
 
 pub(super) type Triangulation = DelaunayTriangulation<Site>;
 
-/// The triangulation of some sites.
 pub(super) struct Sites {
     pub(super) triangulation: Triangulation,
-    /// The number of the vertex of each site.
     pub(super) numbers: Vec<u32>,
 }
 
@@ -77,7 +75,7 @@ impl Sites {
 }
 
 impl Sites {
-    /// The first site at each place, by the number of its vertex.
+    /// Returns the first site at each point, by its vertex number.
     pub(super) fn first(&self) -> Vec<usize> {
         let mut first = vec![0; self.triangulation.num_vertices()];
         for (site, number) in self.numbers.iter().enumerate().rev() {
@@ -86,7 +84,7 @@ impl Sites {
         first
     }
 
-    /// Each pair of neighbours, by the first site at each place, with their distance.
+    /// Returns each pair of neighbours, by the first site at each point, with their distance.
     pub(super) fn pairs(&self) -> impl Iterator<Item = ([usize; 2], f64)> + '_ {
         let first = self.first();
         let pair = move |e: UndirectedEdgeHandle<'_, Site, (), (), ()>| {
@@ -97,7 +95,6 @@ impl Sites {
         self.triangulation.undirected_edges().map(pair)
     }
 
-    /// The sites that are too close to each other: the two that are closest.
     pub(super) fn too_close(&self) -> VoronoiError {
         let closest = self.pairs().min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
         VoronoiError::TooClose { sites: closest.map_or([0; 2], |(sites, _)| sites) }

@@ -1,4 +1,4 @@
-//! Contours: which rings, which polygons, which holes, and that they are valid by the rules of the OGC.
+//! Contours: their rings, polygons and holes, valid by the rules of the OGC.
 #![allow(clippy::float_cmp, reason = "areas on a grid of whole numbers are exact")]
 
 use quickcheck::QuickCheck;
@@ -17,7 +17,7 @@ fn at(x: i32, y: i32) -> Point {
     Point::new(f64::from(x), f64::from(y))
 }
 
-/// A feature that covers the unit squares whose lower left corners these are.
+/// A feature that covers the unit squares with these lower left corners.
 fn of_cells<'a>(cells: impl IntoIterator<Item = &'a Cell>) -> Feature {
     let square = |(x, y): &Cell| Shape::Polygon(vec![vec![at(*x, *y), at(x + 1, *y), at(x + 1, y + 1), at(*x, y + 1)]]);
     Feature { shapes: cells.into_iter().map(square).collect(), ..Feature::default() }
@@ -31,7 +31,7 @@ fn built(features: &[Feature]) -> PlanarMap {
     builder.build().expect("fits")
 }
 
-/// The contour of these cells on a board of 7 × 7 on which all edges are drawn.
+/// The contour of these cells on a board of 7 × 7 with all edges drawn.
 fn on_a_board(cells: &BTreeSet<Cell>) -> Contour {
     let board: Vec<Cell> = (0..7).flat_map(|x| (0..7).map(move |y| (x, y))).collect();
     let map = built(&[of_cells(&board), of_cells(cells)]);
@@ -44,7 +44,7 @@ fn cells(picture: &[&str]) -> BTreeSet<Cell> {
     rows.flat_map(|(row, y)| row.chars().zip(0..).filter(|(c, _)| *c == '#').map(move |(_, x)| (x, y))).collect()
 }
 
-/// The number of points of each ring, the outer ones first, without the repeated one.
+/// The number of points of each ring, the outer ring first, without the repeated point.
 fn shape(contour: &Contour) -> Vec<Vec<usize>> {
     contour.polygons.iter().map(|p| p.rings().map(|ring| ring.len() - 1).collect()).collect()
 }
@@ -124,7 +124,7 @@ fn inside(ring: &[Point], p: Point) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// Returns the connected sets, across edges, of the cells of a window of 10 × 10 for which `is` holds.
+/// Returns the sets, connected across edges, of the cells of a window of 10 × 10 for which `is` holds.
 fn connected(is: impl Fn(Cell) -> bool) -> Vec<BTreeSet<Cell>> {
     let mut left: BTreeSet<Cell> = (-1..9).flat_map(|x| (-1..9).map(move |y| (x, y))).filter(|c| is(*c)).collect();
     let mut found = Vec::new();
@@ -168,7 +168,7 @@ fn polygons_are_valid_and_cover_the_cells(chosen: Vec<(u8, u8)>, most: bool) -> 
         let middle = Point::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
         polygon.rings().filter(|ring| inside(ring, middle)).count() % 2 == 1
     };
-    // One polygon for each part that is connected across edges, and one hole for each bounded part of what that leaves.
+    // One polygon for each part that is connected across edges, and one hole for each bounded part of the complement.
     let parts = connected(|c| set.contains(&c));
     let as_they_should_be = parts.iter().all(|part| {
         let mut its = contour.polygons.iter().filter(|polygon| covered(polygon, *part.first().expect("not empty")));
@@ -211,13 +211,13 @@ fn areas_and_coverage_agree() {
 
 #[test]
 fn areas_lose_nothing_far_from_the_origin_nor_by_length() {
-    // All in whole numbers, so it is known to the last digit: a comb with a hundred thousand teeth, 2^30 away,
+    // All in whole numbers, so exact: a comb with a hundred thousand teeth, 2^30 away,
     let far = f64::from(1 << 30);
     let teeth = 100_000;
     let lower = (0..=2 * teeth).map(|i| Point::new(far + f64::from(i), far + f64::from(i % 2)));
     let upper = [Point::new(far + f64::from(2 * teeth), far + 3.0), Point::new(far, far + 3.0)];
     assert_eq!(ring_area(lower.chain(upper)), f64::from(2 * teeth) * 2.5);
-    // and a triangle of area 2^53 with a thousand others of area 1/2, none of which a plain sum would see.
+    // and a triangle of area 2^53 with a thousand others of area 1/2, which a plain sum would lose.
     let side = f64::from(1 << 27);
     let triangle = [at(0, 0), Point::new(side, 0.0), Point::new(side, side)];
     let ring = triangle.into_iter().chain((1..=1001).map(|y| at(1, y)));
@@ -227,7 +227,7 @@ fn areas_lose_nothing_far_from_the_origin_nor_by_length() {
 
 #[test]
 fn where_no_ring_encloses_a_face_that_is_said() {
-    // A triangle whose corners lie on a line.
+    // A triangle with collinear corners.
     let map = built(&[Feature {
         shapes: vec![Shape::Polygon(vec![vec![at(1, 1), at(1, 2), at(1, 3)]])],
         ..Feature::default()
@@ -237,7 +237,7 @@ fn where_no_ring_encloses_a_face_that_is_said() {
     assert_eq!(of_face(&map, face), Err(ContourError::NotPlane(face)));
 }
 
-/// The contour of a face of any map, plane or not, has the edges that the face has to itself, each once, or is refused.
+/// The contour of a face of any map, plane or not, has the edges with this face on one side only, each once, or is refused.
 fn contours_have_the_edges_of_the_face(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
     let mut builder = Builder::new();
     for ((a, b), (c, d)) in segments {

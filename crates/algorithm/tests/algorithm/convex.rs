@@ -1,5 +1,5 @@
-//! Convex pieces: that they are convex, that there are no more than the theorem allows, that nothing is lost, and that no
-//! diagonal could go. Against the least number of pieces, found by trying everything, on small polygons.
+//! Convex pieces: they are convex and within the bound of the theorem, nothing is lost, and no diagonal is superfluous. Compared
+//! with the minimum number of pieces, found by trying everything, on small polygons.
 
 use crate::planar::{self, noded};
 use quickcheck::QuickCheck;
@@ -14,7 +14,7 @@ use twinedge_geometry::{MAX_COORDINATE, Point};
 use twinedge_map::edit::EditError;
 use twinedge_map::{Builder, PlanarMap, Shape};
 
-/// Returns true if a corner inside a face is at most a straight angle: exactly, and by other means than the library's.
+/// Returns true if a corner inside a face is at most a straight angle: exactly, and by another method than the library.
 fn is_convex_at(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let at = |h: HalfEdge<'_>| map.position(h.origin().key()).unwrap();
     let (before, here, after) = (at(h.prev()), at(h), at(h.next()));
@@ -58,7 +58,7 @@ fn look(map: &PlanarMap, key: FaceKey) -> Before {
     }
 }
 
-/// Decomposes faces and checks all that is promised about the outcome.
+/// Decomposes faces and checks all promises about the result.
 fn checked(map: &mut PlanarMap, faces: &[FaceKey]) -> Vec<Decomposition> {
     let before: Vec<Before> = faces.iter().map(|face| look(map, *face)).collect();
     let edges: BTreeSet<usize> = map.dcel().edges().map(|h| h.index()).collect();
@@ -108,13 +108,13 @@ fn pieces(rings: &[&[[f64; 2]]]) -> usize {
     checked(&mut map, &covered)[0].pieces.len()
 }
 
-/// The least number of convex pieces, without new vertices, of a simple polygon: every set of diagonals that do not cross is
-/// tried, smallest first.
+/// The minimum number of convex pieces, without new vertices, of a simple polygon: tries every set of diagonals that do not
+/// cross, smallest first.
 fn least(ring: &[Point]) -> usize {
     let n = ring.len();
     let next = |i: usize| (i + 1) % n;
     let turn = |a: Point, b: Point, c: Point| orientation(a, b, c);
-    // True if the direction from a vertex to a point lies inside its corner, borders excluded.
+    // True if the direction from a vertex to a point lies strictly inside its corner.
     let inside = |i: usize, p: Point| {
         let (before, v, after) = (ring[(i + n - 1) % n], ring[i], ring[next(i)]);
         let (left, right) =
@@ -133,7 +133,7 @@ fn least(ring: &[Point]) -> usize {
         for j in i + 2..n {
             let sides = (0..n).filter(|k| ![i, j].contains(k) && ![i, j].contains(&next(*k)));
             let clear = { sides }.all(|k| meeting(ring[i], ring[j], ring[k], ring[next(k)]) == Meeting::Disjoint);
-            // Sides at its ends share the end only.
+            // Sides at its ends share only the end.
             let ends = [(i, j), (j, i)].iter().all(|(a, b)| inside(*a, ring[*b]));
             if next(j) != i && clear && ends {
                 diagonals.push((i, j));
@@ -195,9 +195,8 @@ fn at_most_four_times_the_least(ring: &[[f64; 2]]) -> (usize, usize) {
     (found, least)
 }
 
-/// The least numbers are known: a convex polygon is one piece, and ⌈r / 2⌉ + 1 pieces are needed where there are r reflex
-/// corners (B. Chazelle and D. Dobkin, "Optimal convex decompositions", in Computational Geometry, 1985, 63-133), which is
-/// enough for these.
+/// The minimum numbers are known: a convex polygon is one piece, and r reflex corners need ⌈r / 2⌉ + 1 pieces (B. Chazelle and D.
+/// Dobkin, "Optimal convex decompositions", in Computational Geometry, 1985, 63-133), which suffice for these.
 #[test]
 fn golden_polygons_have_the_known_least_numbers() {
     let triangle = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
@@ -241,8 +240,8 @@ fn golden_polygons_have_the_known_least_numbers() {
     assert_eq!(at_most_four_times_the_least(&star).1, 4);
 }
 
-/// A comb with k teeth upwards has 2 (k − 1) reflex corners, and k pieces are the least: the base goes with a tooth, by
-/// diagonals between neighbouring gaps.
+/// A comb with k teeth upwards has 2 (k − 1) reflex corners, and k pieces are the minimum: the base joins a tooth, by diagonals
+/// between neighbouring gaps.
 #[test]
 fn combs_stars_and_spirals_keep_the_bounds() {
     for teeth in [2, 3, 10, 200] {
@@ -280,12 +279,12 @@ fn combs_stars_and_spirals_keep_the_bounds() {
     }
 }
 
-/// One vertex sees all others, so that as many diagonals as there are leave one corner.
+/// One vertex sees all others, so that all diagonals leave one corner.
 #[test]
 fn a_fan_around_one_corner_is_attached_in_order() {
     let mut ring = vec![[0.0, 0.0]];
     for i in 0..=2_000 {
-        // An arc that bulges towards the vertex: only from there each of its points is seen by others than its neighbours.
+        // An arc that bulges towards the vertex: its points see only their neighbours and the vertex.
         let x = f64::from(i) / 1_000.0 - 1.0;
         ring.push([-x * 100.0, 100.0 + x * x * 50.0 - 0.01 * f64::from(i % 2)]);
     }
@@ -348,9 +347,9 @@ fn random_maps() {
     QuickCheck::new().tests(60).quickcheck(one_face_is_as_all_together as fn(planar::Scribble) -> bool);
 }
 
-/// Simple polygons with up to nine vertices, against the least number.
+/// Simple polygons with up to nine vertices, compared with the minimum.
 fn small_polygons_are_within_four_times_the_least(turns: Vec<u8>) -> bool {
-    // Points around the origin at growing angles make a polygon that is simple; those at equal angles are dropped.
+    // Points around the origin at growing angles form a simple polygon; points at equal angles are dropped.
     let mut corners: Vec<[f64; 2]> =
         turns.iter().take(9).map(|t| [f64::from(t % 11) - 5.0, f64::from(t / 11 % 11) - 5.0]).collect();
     corners.retain(|p| *p != [0.0, 0.0]);
@@ -398,7 +397,7 @@ fn triangles_are_triangles_and_one_pass_is_enough() {
     }
 }
 
-/// No vertex that sees a triangle's side lies inside its circle: across each diagonal, in whole numbers.
+/// No vertex that sees a triangle's side lies inside its circle: checked across each diagonal, in whole numbers.
 fn triangulations_are_constrained_delaunay(shapes: planar::Scribble) -> bool {
     let mut map = noded(&shapes);
     let faces = bounded(&map);

@@ -1,4 +1,4 @@
-//! A map as a graph: what petgraph says of it, against what the structure says.
+//! A map as a graph: results of petgraph compared with the structure.
 
 use crate::planar::{self, noded};
 use petgraph::algo::articulation_points::articulation_points;
@@ -14,7 +14,7 @@ use twinedge_algorithm::neighbours::of_feature;
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, FeatureId, PlanarMap, Shape};
 
-/// Returns the number of components of the vertices, without one of them: every edge is looked at until nothing changes.
+/// Returns the number of components of the vertices, without one of them: visits every edge until nothing changes.
 fn components_without(map: &PlanarMap, without: Option<VertexKey>) -> usize {
     let vertices = || map.dcel().vertices().filter(|v| Some(v.key()) != without);
     let mut label: BTreeMap<usize, usize> = vertices().map(|v| (v.index(), v.index())).collect();
@@ -42,7 +42,7 @@ fn graphs_say_what_the_map_says(shapes: planar::Scribble) -> bool {
     assert_eq!((dual.node_count(), dual.edge_references().count()), (figures.faces, figures.edges));
     assert_eq!((skeleton.node_count(), skeleton.edge_references().count()), (figures.vertices, figures.edges));
     assert_eq!(connected_components(&skeleton), figures.components);
-    // Every edge has another face beside it, or lies in the face around it: faces hang together.
+    // Every edge has another face next to it, or lies in the face around it: all faces are connected.
     assert_eq!(connected_components(&dual), 1);
 
     let edge = |h: twinedge::dcel::HalfEdgeKey| dcel.half_edge(h).unwrap().index() / 2;
@@ -70,7 +70,7 @@ fn graphs_say_what_the_map_says(shapes: planar::Scribble) -> bool {
         }));
         assert_eq!(dual.from_index(dual.to_index(face.key())), face.key());
     }
-    // Features overlap here, and an edge inside what two of them share is no border.
+    // Features overlap here, and an edge inside the overlap of two features is no border.
     borders_are_means(&map);
     let mut visited = 0;
     let mut walk = Bfs::new(&dual, dcel.unbounded_face().key());
@@ -109,7 +109,7 @@ fn borders_are_those_between_neighbours() {
     }
 }
 
-/// The border of two features is the mean of those that they have with each other.
+/// The border of two features is the mean of the borders seen from both sides.
 fn borders_are_means(map: &PlanarMap) {
     let mut expected: BTreeMap<[usize; 2], f64> = BTreeMap::new();
     for feature in map.features() {
@@ -128,7 +128,7 @@ fn borders_are_means(map: &PlanarMap) {
     assert!(found.values().zip(expected.values()).all(|(a, b)| (a - b).abs() <= 1e-9 * b));
 }
 
-/// From Portugal one comes to China through six borders, as any atlas shows; to Australia, not at all.
+/// Six borders lie between Portugal and China, as in any atlas; there is no route to Australia.
 #[test]
 fn golden_routes() {
     let map = planar::world_maps().next().unwrap();
@@ -144,7 +144,7 @@ fn golden_routes() {
     assert_eq!(route(&map, elsewhere, elsewhere, By::Borders), None);
 }
 
-/// Against the shortest ways found by trying every feature as the next one to last, for all pairs.
+/// Compared with shortest routes for all pairs, found by trying every feature as the last but one.
 #[test]
 fn routes_are_shortest_ways() {
     let map = planar::world_maps().next().unwrap();
@@ -203,7 +203,7 @@ fn centroids_are_those_of_symmetric_shapes() {
     assert_eq!(face_centroid(&map, stale), Err(StaleKey::Face(stale)));
 }
 
-/// As far from the outside as there are borders between, by petgraph and by peeling.
+/// The distance from the outside equals the number of borders between, by petgraph and by peeling.
 #[test]
 fn distances_from_the_outside() {
     let mut map = PlanarMap::new();

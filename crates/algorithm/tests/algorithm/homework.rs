@@ -1,4 +1,4 @@
-//! The homework of the tutorials on DCELs: every vertex, edge and neighbour of a given face; nothing leaks; structures are values.
+//! The homework of the tutorials on DCELs: every vertex, edge and neighbour of a given face; no leaks; structures are values.
 
 use crate::planar;
 use petgraph::visit::IntoNeighbors;
@@ -10,7 +10,7 @@ use twinedge_algorithm::voronoi::voronoi;
 use twinedge_geometry::Point;
 use twinedge_map::PlanarMap;
 
-/// Two triangles side by side, and a triangle in a hole of the first, which it touches nowhere:
+/// Two triangles side by side, and a triangle in a hole of the first, without contact:
 ///
 /// ```text
 ///   3 ─────── 2
@@ -43,20 +43,20 @@ fn every_vertex_edge_and_neighbour_of_a_face() {
         !face.is_unbounded() && face.inner_count() == 1
     };
     let with_hole = *faces.iter().find(has_hole).unwrap();
-    // Vertices: those of the outer boundary and those of the hole.
+    // Vertices: on the outer boundary and on the hole.
     assert_eq!(corners(&map, with_hole), upper.union(&hole).copied().collect());
     // Edges: six half-edges have the face to their left, each of another edge.
     let face = map.dcel().face(with_hole).unwrap();
     let edges: BTreeSet<usize> = face.half_edges().map(|h| h.index() / 2).collect();
     assert_eq!((face.half_edges().count(), edges.len()), (6, 6));
     assert!(face.half_edges().all(|h| h.face() == face && h.twin().face() != face));
-    // Neighbours: the other triangle, the one in the hole, the outside; and the same by the dual.
+    // Neighbours: the other triangle, the one in the hole, the outside; confirmed by the dual.
     let neighbours: BTreeSet<FaceKey> = face.neighbours().map(Face::key).collect();
     assert_eq!(neighbours, faces.iter().copied().filter(|other| *other != with_hole).collect());
     assert_eq!(Dual::new(&map).neighbors(with_hole).collect::<BTreeSet<_>>(), neighbours);
 }
 
-/// Whatever is drawn and taken away again, no record is left.
+/// After drawing and removing, no record is left.
 #[test]
 fn nothing_leaks() {
     let mut map = PlanarMap::new();
@@ -75,12 +75,12 @@ fn nothing_leaks() {
         assert_eq!(counts(map.dcel()), [0, 0, 0, 1, 0]);
         assert!(map.validate().is_valid());
     }
-    // Slots are used again: the columns have not grown with the rounds.
+    // Slots are reused: the columns have not grown with the rounds.
     assert!(map.dcel().vertex_at(64).is_none() && map.insert_point([1.0, 1.0]).is_ok());
     assert!(map.dcel().vertices().all(|v| v.index() < 64));
 }
 
-/// A clone is another structure; a structure moves and is dropped like a number.
+/// A clone is another structure; a structure moves and drops like a number.
 #[test]
 fn structures_are_values() {
     fn is_value<T: Clone + Send + Sync + Default + std::fmt::Debug + 'static>() {}
@@ -95,7 +95,7 @@ fn structures_are_values() {
     assert!(moved.0 && map.validate().is_valid());
 }
 
-/// The homework on a real map: around every face one comes back to where one started, and every half-edge is met once.
+/// The homework on a real map: walks around every face return to their start, and meet every half-edge once.
 #[test]
 fn all_faces_of_the_world() {
     let map = planar::world_maps().next().unwrap();

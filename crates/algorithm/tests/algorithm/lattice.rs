@@ -1,4 +1,4 @@
-//! Lattice points: against counting them one by one, and against Pick's theorem.
+//! Lattice points: compared with counting them one by one, and with Pick's theorem.
 
 use crate::oracle::whole;
 use crate::planar::{self, noded};
@@ -19,7 +19,7 @@ fn bounded(map: &PlanarMap) -> impl Iterator<Item = FaceKey> + '_ {
     map.dcel().faces().filter(|face| !face.is_unbounded()).map(Face::key)
 }
 
-/// Area doubled, points inside, points along the boundary, holes.
+/// Doubled area, points inside, points along the boundary, holes.
 fn numbers(map: &PlanarMap, face: FaceKey) -> [i128; 4] {
     let count = of_face(map, face).unwrap();
     assert!(count.pick_holds());
@@ -34,8 +34,8 @@ fn the_example_of_the_lecture() {
     assert_eq!(numbers(&map, face), [80, 30, 22, 0]);
 }
 
-/// An elementary triangle, which has no lattice point but its corners, has the area 1/2 (Grünbaum and Shephard 1993). These
-/// are all triangles of a lattice of 4 × 4 points.
+/// An elementary triangle, whose only lattice points are its corners, has the area 1/2 (Grünbaum and Shephard 1993). These are
+/// all triangles of a lattice of 4 × 4 points.
 #[test]
 fn every_elementary_triangle_has_area_one_half() {
     let points: Vec<[f64; 2]> = (0..16_u8).map(|i| [f64::from(i % 4), f64::from(i / 4)]).collect();
@@ -69,7 +69,7 @@ fn faces_with_holes_and_with_what_dangles() {
     // A point: one less inside, and a hole.
     map.insert_point([1.0, 1.0]).unwrap();
     assert_eq!(numbers(&map, face), [72, 24, 24, 1]);
-    // An edge that dangles, of length 2: two points less, four steps more.
+    // A dangling edge of length 2: two points less, four steps more.
     map.insert_segment([6.0, 3.0], [4.0, 3.0]).unwrap();
     assert_eq!(numbers(&map, face), [72, 22, 28, 1]);
     // Two holes that touch are one.
@@ -79,7 +79,7 @@ fn faces_with_holes_and_with_what_dangles() {
     assert!(of_map(&map).unwrap().pick_holds());
 }
 
-/// Counts the lattice points of each face by asking for each where it lies.
+/// Counts the lattice points of each face by locating each point.
 fn counts_are_those_of_single_points(shapes: planar::Scribble) -> bool {
     let map = noded(&shapes);
     let counts = of_map(&map).unwrap();
@@ -97,7 +97,7 @@ fn counts_are_those_of_single_points(shapes: planar::Scribble) -> bool {
             let along: i128 = { face.half_edges() }
                 .map(|h| {
                     let [[a, b], [c, d]] = [h.origin(), h.target()].map(|v| whole(map.position(v.key()).unwrap()));
-                    // As many steps as the edge has lattice points on it, but for one end.
+                    // The number of steps is the number of lattice points on the edge, except one end.
                     (1..=i128::max((a - c).abs(), (b - d).abs()))
                         .filter(|n| (c - a) % n == 0 && (d - b) % n == 0)
                         .max()

@@ -1,4 +1,4 @@
-//! Questions asked of a map.
+//! Queries on a map.
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 

@@ -1,4 +1,4 @@
-//! Who borders whom, along what, and how long: against a slow answer in whole numbers, and on a real map.
+//! Neighbours, with their borders and lengths: compared with a slow computation in whole numbers, and on a real map.
 
 use quickcheck::QuickCheck;
 use std::collections::{BTreeMap, BTreeSet};
@@ -34,13 +34,13 @@ fn built(board: &Board) -> (PlanarMap, Vec<FeatureId>) {
     (builder.build().expect("fits"), ids)
 }
 
-/// The features on the cell whose lower left corner this is.
+/// The features on the cell with this lower left corner.
 fn on(board: &Board, (x, y): Corner) -> u8 {
     let cell = |i: i32| usize::try_from(i).ok().filter(|i| *i < 5);
     cell(x).zip(cell(y)).map_or(0, |(x, y)| board[x][y])
 }
 
-/// The directed unit edges of the board, each with what lies to its left and right.
+/// The directed unit edges of the board, each with the cells to its left and right.
 fn edges(board: &Board) -> Vec<([Corner; 2], u8, u8)> {
     let mut edges = Vec::new();
     for x in 0..=5 {
@@ -60,7 +60,7 @@ fn bits(p: Point) -> (u64, u64) {
     (p.x.to_bits(), p.y.to_bits())
 }
 
-/// Checks the laws of every answer: chains that are as long as said, have all edges once, and cannot be made longer.
+/// Checks the laws of every answer: chains have the stated length, contain all edges once, and cannot be extended.
 fn in_order<K>(neighbour: &Neighbour<K>) -> BTreeSet<[(u64, u64); 2]> {
     let steps: Vec<_> = neighbour.borders.iter().flat_map(|chain| chain.windows(2)).collect();
     let length: f64 = steps.iter().map(|s| (s[1].x - s[0].x).hypot(s[1].y - s[0].y)).sum();
@@ -115,7 +115,7 @@ fn features_have_the_neighbours_that_one_sees(cells: Vec<u8>) -> bool {
         touching.retain(|b| *b != a && !expected.contains_key(b) && !overlapping(*b));
         right &= touching_feature(&map, *id).into_iter().map(FeatureId::index).eq(touching);
     }
-    // No two faces with an edge between them show the same colour.
+    // No two faces with an edge between them have the same colour.
     let colours = feature_colours(&map);
     let told_apart = |left: u8, other: u8| {
         let seen = |set: u8| (0..4).filter(move |f| set & 1 << f != 0);
@@ -198,7 +198,7 @@ fn countries_have_the_neighbours_that_they_have() {
     assert_eq!(enclave[0].borders.len(), 1);
     assert_eq!(enclave[0].borders[0].first(), enclave[0].borders[0].last());
 
-    // Neighbours are so mutually, along the same edges, which they see from the other side. Sudan overlaps two of its own.
+    // Neighbours are mutual, along the same edges, seen from both sides. Sudan overlaps two of its neighbours.
     let overlapping: Vec<[FeatureId; 2]> = pairs(&map).iter().filter(|p| p.overlap > 0.0).map(|p| p.features).collect();
     assert!(overlapping.iter().flatten().any(|feature| *feature == named("Sudan")) && overlapping.len() < 8);
     for a in map.features() {
@@ -213,7 +213,7 @@ fn countries_have_the_neighbours_that_they_have() {
             assert_eq!(in_order(&border), turned);
         }
     }
-    // Countries have few neighbours; a colour more than for a plane map with a face each is allowed for.
+    // Countries have few neighbours; one colour more than for a plane map with one face each is allowed.
     let colours = feature_colours(&map);
     assert!(colours.iter().all(|colour| *colour <= 6));
 }

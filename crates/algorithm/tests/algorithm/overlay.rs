@@ -1,4 +1,4 @@
-//! Laying maps over each other: what lies in what, and the areas that an independent crate finds.
+//! Overlays: nesting, and areas compared with an independent crate.
 #![expect(clippy::float_cmp, reason = "areas of few whole coordinates are exact")]
 
 use i_overlay::core::fill_rule::FillRule;
@@ -146,7 +146,7 @@ fn a_face_of_another_map_is_stale() {
 
 #[test]
 fn islands_in_lakes_lie_where_they_should() {
-    // A lake in an island in a lake, and isolated points, over a land that ends in the midst of it all.
+    // A lake in an island in a lake, and isolated points, over a land that ends in the middle.
     let rings = [ring(&[(0, 0), (90, 0), (90, 90), (0, 90)]), ring(&[(10, 10), (80, 10), (80, 80), (10, 80)])];
     let island = [ring(&[(20, 20), (70, 20), (70, 70), (20, 70)]), ring(&[(30, 30), (60, 30), (60, 60), (30, 60)])];
     let land = Feature {
@@ -193,7 +193,7 @@ fn a_map_over_itself_is_itself() {
         seen.insert(lies_in[0]);
     }
     assert_eq!(seen.len(), map.dcel().face_count());
-    // With nothing, too.
+    // Also with an empty map.
     let alone = overlay(&built(&[]), &map, Snap::Auto).expect("they fit");
     assert_eq!(drawing(alone.map()), drawing(&map));
     for (before, after) in map.features().zip(alone.map().features()) {
@@ -211,7 +211,7 @@ fn independent(left: &[Whole], right: &[Whole], rule: OverlayRule) -> f64 {
 
 #[test]
 fn areas_are_those_that_an_independent_crate_finds() {
-    // Polygons of any corners: most cross themselves, and are filled by parity.
+    // Polygons with arbitrary corners: most cross themselves, and are filled by parity.
     #[expect(clippy::needless_pass_by_value, reason = "quickcheck hands values over")]
     fn law(one: Vec<Whole>, other: Vec<Whole>) -> Result<(), String> {
         let (one, other) = (&one[..one.len().min(9)], &other[..other.len().min(9)]);
@@ -229,7 +229,7 @@ fn areas_are_those_that_an_independent_crate_finds() {
         ] {
             let ours = area(&both, operation, nth(&left, 0), nth(&right, 0));
             let theirs = independent(one, other, rule);
-            // It rounds to a grid of some 2^-22 here, which moves borders that are up to a thousand long.
+            // It rounds to a grid of some 2^-22 here, which moves borders up to a thousand long.
             if (ours - theirs).abs() > 1e-3 {
                 return Err(format!("{operation:?}: {ours}, not {theirs}, of {one:?} and {other:?}"));
             }
@@ -307,13 +307,13 @@ fn values_of_faces_are_cut_by_their_policies_and_dropped_with_what_vanishes() {
     let ada = Some(&"Ada");
     assert_eq!(values, [(ada, Some(&51.0), Some(&"home")), (ada, Some(&9.0), None), (ada, Some(&4.0), None)]);
     assert_eq!([10, 11].map(|number| map.find(id, &number)), [Some(large), None]);
-    // All parts get ids, also those of what was outside of the parcels.
+    // All parts get ids, including parts outside of the parcels.
     for f in map.dcel().faces().filter(|f| !f.is_unbounded()).map(|f| f.key()) {
         assert_eq!(map.value(id, f).and_then(|number| map.find(id, number)), Some(f));
     }
     // Values of vertices are not carried, and not found.
     assert_eq!((map.find(of_vertices, &5), map.values(of_vertices).unwrap().len()), (None, 0));
-    // The rest of the zone is larger than the part inside of the parcel.
+    // The rest of the zone is larger than the part inside the parcel.
     let zones: Vec<u32> = map.values(zone).unwrap().values().copied().collect();
     assert_eq!((map.value(zone, small), zones.len()), (Some(&6), 2));
     assert_eq!(*lost.lock().unwrap(), [1.0]);

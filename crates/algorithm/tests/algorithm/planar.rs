@@ -1,4 +1,4 @@
-//! Random plane maps with holes that touch, dangling edges and isolated vertices; and the maps of the world.
+//! Random plane maps with holes that touch, dangling edges and isolated vertices; and maps of the world.
 
 use quickcheck::{Arbitrary, Gen};
 use twinedge_formats::io::{ReadError, geojson};
@@ -57,7 +57,7 @@ fn read(bytes: &[u8], noding: Noding) -> PlanarMap {
     builder.build_with(noding).expect("the world fits")
 }
 
-/// The world, coarse; fine; and coarse with edges that cross, cut.
+/// The world, coarse; fine; and coarse with crossing edges, cut.
 pub(crate) fn world_maps() -> impl Iterator<Item = PlanarMap> {
     let files: [(&[u8], Noding); 3] = [
         (include_bytes!("../../../../cli/data/world-110m.geojson"), Noding::None),

@@ -1,4 +1,4 @@
-//! Voronoi diagrams and Delaunay triangulations: valid, dual to each other, and true to what they are defined by.
+//! Voronoi diagrams and Delaunay triangulations: valid, dual to each other, and true to their definitions.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,12 +13,12 @@ fn points(coordinates: &[[f64; 2]]) -> Vec<Point> {
     coordinates.iter().copied().map(Point::from).collect()
 }
 
-/// The number of the first site at the place of each.
+/// The number of the first site equal to each.
 fn first_at_place(sites: &[Point]) -> Vec<usize> {
     sites.iter().map(|p| sites.iter().position(|q| p == q).unwrap()).collect()
 }
 
-/// Both maps of some sites, checked for all that does not depend on exact distances.
+/// Both maps of some sites, checked for everything that does not depend on exact distances.
 fn checked(sites: &[Point], bounds: Option<[Point; 2]>) -> (Delaunay, Voronoi) {
     let (dual, diagram) = (delaunay(sites).unwrap(), voronoi(sites, bounds).unwrap());
     assert!(dual.map.validate().is_valid(), "{}", dual.map.validate());
@@ -40,7 +40,7 @@ fn checked(sites: &[Point], bounds: Option<[Point; 2]>) -> (Delaunay, Voronoi) {
     let all = (high.x - low.x) * (high.y - low.y);
     assert!((area - all).abs() <= 1e-12 * all, "{area} {all}");
 
-    // A border between two cells is that of an edge between their sites.
+    // A border between two cells corresponds to an edge between their sites.
     let site_of: BTreeMap<FaceKey, usize> = different.iter().map(|i| (diagram.cells[*i], *i)).collect();
     let joined: BTreeSet<[usize; 2]> = { dual.map.dcel().half_edges() }
         .map(|h| [h.origin(), h.target()].map(|v| *different.iter().find(|i| dual.vertices[**i] == v.key()).unwrap()))
@@ -54,7 +54,7 @@ fn checked(sites: &[Point], bounds: Option<[Point; 2]>) -> (Delaunay, Voronoi) {
     (dual, diagram)
 }
 
-/// Whole numbers from 0 to 15: collinear, cocircular and repeated sites are the rule.
+/// Whole numbers from 0 to 15: most sites are collinear, cocircular or repeated.
 #[derive(Clone, Debug)]
 struct Few(Vec<[u8; 2]>);
 
@@ -70,7 +70,7 @@ impl Arbitrary for Few {
     }
 }
 
-/// No site lies inside the circle of a triangle: the sign of a determinant of whole numbers.
+/// Returns true if a site lies inside the circle of a triangle: the sign of a determinant of whole numbers.
 fn inside_circle(corners: [[i64; 2]; 3], d: [i64; 2]) -> bool {
     let [a, b, c] = corners.map(|p| {
         let [x, y] = [p[0] - d[0], p[1] - d[1]];
@@ -90,8 +90,8 @@ fn few_sites_are_right(Few(few): Few) -> bool {
         let corners = <[[i64; 2]; 3]>::try_from(corners).unwrap();
         assert!(!whole.iter().any(|d| inside_circle(corners, *d)));
     }
-    // There is one vertex inside the box for each different centre: fractions, in lowest terms. (One that lies on the border of
-    // the box, or nearly, may be on either side of it.)
+    // There is one vertex inside the box for each distinct centre: fractions, in lowest terms. (A centre on the border of the
+    // box, or nearly, may be on either side of it.)
     let [low, high] = diagram.bounds;
     let inside = |x: f64, y: f64, margin: f64| {
         low.x + margin < x && x < high.x - margin && low.y + margin < y && y < high.y - margin
@@ -125,8 +125,8 @@ fn few_sites_are_right(Few(few): Few) -> bool {
         .filter(|p| inside(p.x, p.y, 0.0))
         .count();
     assert!(centres.len() <= vertices && vertices <= nearly.len(), "{vertices}: {centres:?} {nearly:?}");
-    // The nearest site of each lattice point is the site of its cell. Between two sites of this range, distances squared
-    // that differ do so by a whole number, far more than rounding moves a border.
+    // The nearest site of each lattice point is the site of its cell. Different squared distances between a lattice point and two
+    // sites of this range differ by at least one, far more than rounding moves a border.
     let locator = Locator::new(&diagram.map).unwrap();
     let distance = |i: usize, x: i64, y: i64| (whole[i][0] - x).pow(2) + (whole[i][1] - y).pow(2);
     for (x, y) in (0..16).flat_map(|x| (0..16).map(move |y| (x, y))) {
@@ -154,7 +154,7 @@ fn few_sites_are_right(Few(few): Few) -> bool {
     true
 }
 
-/// The centre of a circle lies on the border of the box, but for rounding.
+/// The centre of a circle lies on the border of the box, up to rounding.
 #[test]
 fn a_centre_on_the_border() {
     assert!(few_sites_are_right(Few(vec![[7, 15], [5, 13], [0, 2], [1, 14]])));
@@ -174,7 +174,6 @@ fn random_sites_on_a_lattice() {
     QuickCheck::new().tests(2_000).quickcheck(few_sites_are_right as fn(Few) -> bool);
 }
 
-/// Random numbers from a fixed seed.
 fn random(mut state: u64) -> impl FnMut() -> f64 {
     move || {
         state ^= state << 13;
@@ -237,7 +236,7 @@ fn golden_diagrams() {
     assert_eq!((dual.map.dcel().edge_count(), dual.map.dcel().face_count()), (2, 1));
     assert_eq!(diagram.map.dcel().half_edges().filter(|h| !h.face().is_unbounded()).count(), 2 * 2 + 4 + 4);
 
-    // One site, and the same one again: the box.
+    // One site, repeated: the box.
     let (dual, diagram) = checked(&points(&[[-2.0, 3.0], [-2.0, 3.0]]), None);
     assert_eq!((dual.map.dcel().vertex_count(), dual.map.dcel().edge_count()), (1, 0));
     assert_eq!(diagram.bounds, [Point::new(-3.5, 1.5), Point::new(-0.5, 4.5)]);
@@ -254,7 +253,7 @@ fn golden_diagrams() {
     assert_eq!(delaunay(&[]).unwrap().map.dcel().vertex_count(), 0);
 }
 
-/// Points that are nearly on one circle, nearly on one line, nearly at one place.
+/// Points nearly on one circle, nearly on one line, nearly equal.
 #[test]
 fn nearly_degenerate_sites() {
     let circle: Vec<Point> = (0..100).map(|i| f64::from(i) * 0.06).map(|t| Point::new(t.cos(), t.sin())).collect();
@@ -286,14 +285,14 @@ fn what_has_no_diagram_is_refused() {
     }
     assert_eq!(voronoi(&one, to(0.5, 2.0)).unwrap_err(), VoronoiError::Outside { site: 0, x: 1.0, y: 1.0 });
 
-    // Four numbers next to each other: two of the three borders between them are rounded to the same number.
+    // Four consecutive numbers: two of the three borders between them round to the same number.
     let after = |steps: u64| [f64::from_bits(1.0_f64.to_bits() + steps), 0.0];
     let close = points(&[[5.0, 0.0], after(0), after(1), after(2), after(3)]);
     assert!(delaunay(&close).is_ok());
     assert!(matches!(voronoi(&close, None), Err(VoronoiError::TooClose { sites: [1..=4, 1..=4] })));
 }
 
-/// Points in a square of 10 km at coordinates of UTM, and one more beside the first of them.
+/// Points in a square of 10 km at coordinates of UTM, and one more close to the first of them.
 fn beside_another(seed: u64, distance: f64) -> Vec<Point> {
     let mut random = Random::seeded(seed);
     let mut number = || random.choose(1 << 30) as f64 / f64::from(1 << 30);
@@ -304,7 +303,7 @@ fn beside_another(seed: u64, distance: f64) -> Vec<Point> {
     sites
 }
 
-/// The determinant of three points is nearly nothing where two of them are close: its rounding moved centres by metres.
+/// The determinant of three points nearly vanishes if two of them are close: its rounding moved centres by metres.
 #[test]
 fn one_pair_of_near_points_refuses_no_diagram() {
     checked(&points(&[[100.0, 100.0], [0.0, 0.0], [200.0, 0.0], [50.0, 180.0], [100.00001, 100.0]]), None);
@@ -314,7 +313,7 @@ fn one_pair_of_near_points_refuses_no_diagram() {
     }
 }
 
-/// On request, points that doubles cannot tell apart share a cell, and no others do.
+/// On request, points that doubles cannot distinguish share a cell, and no others do.
 #[test]
 fn points_that_are_too_close_share_a_cell_on_request() {
     let mut shared = 0;
@@ -337,13 +336,13 @@ fn points_that_are_too_close_share_a_cell_on_request() {
     let found = voronoi_merging(&close, None).unwrap();
     assert_eq!(found.merged, [[2, 1], [3, 1], [4, 1]]);
     assert_eq!(found.cells[0], found.cells[5]);
-    // Two sites at a place that is merged.
+    // Two equal sites among merged ones.
     let twice = points(&[[5.0, 0.0], after(0), after(1), after(2), after(2), after(3)]);
     assert_eq!(voronoi_merging(&twice, None).unwrap().merged, [[2, 1], [3, 1], [4, 1], [5, 1]]);
     assert_eq!(voronoi_merging(&[], None).unwrap_err(), VoronoiError::NoSites);
 }
 
-/// Rounded to the seventh digit, as many data are, with a cluster in it.
+/// Rounded to the seventh digit, as much real data is, with a cluster in it.
 #[test]
 fn sites_of_real_data() {
     let file: serde_json::Value =

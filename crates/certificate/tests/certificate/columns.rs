@@ -1,11 +1,11 @@
-//! The columns of certificates have the names that the proof gives to their files, in the order of its tables; and what a reference to
-//! columns, and columns without points, answer.
+//! The columns of certificates have the file names of the proof, in the order of its tables. Also tests a reference to columns,
+//! and columns without points.
 
 use twinedge_certificate::{Column, Columns, Labels, LabelsError};
 
 const FILES: &str = include_str!("../../../../proofs/coq/CERTIFICATE.md");
 
-/// The names of the files that the tables of a section list, without their ends.
+/// The file names in the tables of a section, without extensions.
 fn listed(section: &str) -> Vec<&'static str> {
     let sections = FILES.split("\n## ").filter(|text| text.lines().next() == Some(section));
     let rows = sections.flat_map(str::lines).filter_map(|line| line.strip_prefix("| `"));
@@ -22,7 +22,7 @@ fn a_subdivision_has_the_columns_of_its_folder() {
     assert_eq!(Column::of_subdivision().len(), 15);
 }
 
-/// All but a few of these are columns of subdivisions, too; those few are in the table of surfaces.
+/// Most of these are also columns of subdivisions; the others are in the table of surfaces.
 #[test]
 fn a_surface_has_the_columns_of_its_tables() {
     let of_surface = names(Column::of_surface());
@@ -37,7 +37,7 @@ fn a_drawing_has_the_columns_of_its_table() {
     assert_eq!(Column::of_drawing().len(), 9);
 }
 
-/// Columns that say of seven points only where the first one is.
+/// Columns that report seven points, but only the location of the first one.
 struct SevenPoints(Labels);
 
 impl Columns for SevenPoints {
@@ -54,7 +54,6 @@ impl Columns for SevenPoints {
     }
 }
 
-/// The number of points, and the first two of them.
 fn points(columns: impl Columns) -> (usize, [Option<[i64; 2]>; 2]) {
     (columns.points(), [columns.point(0), columns.point(1)])
 }

@@ -1,4 +1,4 @@
-//! Certificates: what is right has labels that pass, and nothing else has.
+//! Certificates: a valid structure has labels that pass, and nothing else has.
 
 use crate::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
 use std::cell::Cell;
@@ -22,7 +22,7 @@ fn small_maps() -> impl Iterator<Item = Table> {
     Census::new(Scope::Subdivisions { edges: 3, vertices: 4 }).map(|map| Table::copy_of(map.runner.subject()).unwrap())
 }
 
-/// The forms of a closed planar subdivision of which there are labels.
+/// The forms of a closed planar subdivision that have labels.
 fn certified_forms() -> Vec<Form> {
     let has_labels = |form: &Form| {
         form.expectation == PLANE && (!form.parts.has(Part::Faces) || form.parts.has(Part::UnboundedFace))
@@ -48,7 +48,8 @@ fn every_small_map_in_every_form_has_labels() {
     assert_eq!((maps, certificates), (537, 8592));
 }
 
-/// With the labels of the map as it was, what passes is right; and what is right is a map of its own, with labels of its own.
+/// With the labels of the original map, a corruption that passes is valid; and a valid corruption is another map, with labels of
+/// its own.
 #[test]
 fn a_corruption_passes_only_if_the_rules_hold() {
     let (mut wrong, mut right, mut other_maps) = (0, 0, 0);
@@ -75,7 +76,7 @@ fn a_corruption_passes_only_if_the_rules_hold() {
     assert_eq!((wrong, right, other_maps), (31_364, 92, 36));
 }
 
-/// A changed label is found, or is as good as the one before: all the checker says of the structure stays true.
+/// A changed label is detected, or still certifies: everything the checker reports about the structure stays true.
 #[test]
 fn a_changed_label_is_found_or_certifies_as_well() {
     let (mut found, mut as_good) = (0, 0);
@@ -144,7 +145,7 @@ fn each_test_finds_something() {
     assert!(unseen.iter().copied().eq(others), "{unseen:?}");
 }
 
-/// Meshes side by side, of which each is a torus: their genus is found, and no other one passes.
+/// Separate tori: their total genus is found, and no other genus passes.
 #[test]
 fn surfaces_are_certified_with_their_genus() {
     for parts in 0..4 {
@@ -171,8 +172,8 @@ fn surfaces_are_certified_with_their_genus() {
     }
 }
 
-/// Every entry of the labels of two tori that share no vertex, and then of one that is glued to itself at a vertex: two rotations of one
-/// vertex, and two cycles of one face, have no positions.
+/// Every entry of the labels of two tori without a common vertex, and then of one glued to itself at a vertex: two rotations of
+/// one vertex, and two cycles of one face, have no positions.
 #[test]
 fn positions_find_a_vertex_with_two_rotations_and_a_face_with_two_cycles() {
     let triangles: Vec<_> =
@@ -187,7 +188,7 @@ fn positions_find_a_vertex_with_two_rotations_and_a_face_with_two_cycles() {
             assert!(!passes_surface(table, labels, genus), "{table}");
             failures.iter().map(|failure| failure.test()).collect::<BTreeSet<_>>()
         };
-        // The genus is one that would make the sums right.
+        // The genus that would balance the sums.
         [failing(&labels, genus), failing(&own, own_genus), failing(&own, own_genus + 1)]
     };
     let mut pinched = right.clone();
@@ -204,7 +205,7 @@ fn positions_find_a_vertex_with_two_rotations_and_a_face_with_two_cycles() {
     assert!(tests(&joined).iter().all(|failing| failing.contains(&Test::StepOk)));
 }
 
-/// A loop that lies in its own inside keeps all that single records say.
+/// A loop inside itself satisfies all tests of single records.
 #[test]
 fn ranks_find_a_component_inside_itself() {
     let table: Table = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 1 h1 i0 F 2 - 0 0 1 1".parse().unwrap();
@@ -217,7 +218,7 @@ fn ranks_find_a_component_inside_itself() {
     }
 }
 
-/// One vertex with two rotations, and a torus: only the sums are wrong.
+/// One vertex with two rotations, and a torus: only the sums are incorrect.
 #[test]
 fn sums_find_what_no_record_shows() {
     let two_loops =
@@ -230,7 +231,7 @@ fn sums_find_what_no_record_shows() {
     assert_eq!((failures[0].first(), failures[0].count()), (None, 1));
 }
 
-/// Two faces without outer boundary component: nothing else says that one is too many.
+/// Two faces without an outer boundary component: no other test detects the extra one.
 #[test]
 fn a_second_unbounded_face_is_found() {
     let table: Table = "V 0 H 0 B 0 F 2 - 0 - 0".parse().unwrap();
@@ -252,7 +253,7 @@ fn labels_of_another_length_are_refused() {
     }
 }
 
-/// All other columns may be missing: then what they hold is nil.
+/// All other columns may be missing: then their entries are nil.
 #[test]
 fn labels_that_are_missing_are_nil() {
     let bare: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
@@ -262,7 +263,7 @@ fn labels_that_are_missing_are_nil() {
     for column in Column::ALL.into_iter().filter(|column| !labels.column(*column).is_empty()) {
         let mut missing = labels.clone();
         missing.column_mut(column).clear();
-        // That nothing is isolated, an outer one, or listed is what these say anyway.
+        // Nil in these means not isolated, outer, or not listed, as required here anyway.
         let says_nil = matches!(column, Column::VertexIsolated | Column::BoundaryVertex);
         assert_eq!(check(&bare, &missing).is_ok(), says_nil, "{}", column.name());
     }
@@ -291,7 +292,7 @@ impl View for Large {
     }
 }
 
-/// A vertex without half-edges, and one more each time that somebody asks.
+/// A vertex without half-edges, and one more on each call.
 struct Growing(Cell<usize>);
 impl View for Growing {
     twinedge::view_answers! { |this|
@@ -350,7 +351,7 @@ fn labels_are_written_and_read() {
     assert_eq!(serde_json::from_str::<Certificate>(&text).unwrap(), certificate);
 }
 
-/// Each half of the test follows from the other at some half-edge, and is tested at each.
+/// Each half of the test follows from the other at some half-edge; both are tested at each.
 #[test]
 fn next_and_prev_are_compared_both_ways() {
     let mut edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
@@ -360,7 +361,7 @@ fn next_and_prev_are_compared_both_ways() {
     assert_eq!(failures[0].to_string(), "next_ok: 2 of the half-edges, the first is 0");
 }
 
-/// Four half-edges that are their own twins, around one vertex: the sums are those of a torus.
+/// Four half-edges that are their own twins, around one vertex: the sums match a torus.
 #[test]
 fn half_edges_that_are_their_own_twins_are_no_handle() {
     let text =
@@ -375,7 +376,7 @@ fn failing(view: &impl View, labels: &Labels) -> Vec<Test> {
     check(view, labels).unwrap_err().iter().map(|failure| failure.test()).collect()
 }
 
-/// The columns of entries of a face are longer than that of faces: the boundary component lies in a face that is not there.
+/// The columns of entries of a face are longer than the columns of faces: the boundary component lies in a missing face.
 #[test]
 fn a_face_past_the_last_one_holds_nothing() {
     let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
@@ -389,7 +390,7 @@ fn a_face_past_the_last_one_holds_nothing() {
     assert_eq!(failing(&edge, &labels), [Test::OneUnbounded]);
 }
 
-/// An isolated vertex whose boundary component is always where it was last looked for, in a list without end.
+/// An isolated vertex whose boundary component is always where it was last looked for, in an endless list.
 struct Everywhere(Cell<usize>);
 
 impl View for Everywhere {
@@ -423,7 +424,7 @@ fn a_list_without_end_is_not_read_to_its_end() {
     assert_eq!(failing(&Everywhere(Cell::default()), &Labels::default()), [Test::FaceOk]);
 }
 
-/// A face that an isolated vertex bounds: nothing else is wrong.
+/// A face bounded by an isolated vertex: nothing else is invalid.
 #[test]
 fn an_isolated_vertex_bounds_no_face() {
     let table: Table = "V 1 - 0 H 0 B 1 1 v0 o F 2 - 0 0 0".parse().unwrap();
@@ -431,7 +432,7 @@ fn an_isolated_vertex_bounds_no_face() {
     assert_eq!(failing(&table, &Labels::new(&table).unwrap()), [Test::StartOk]);
 }
 
-/// Half-edges of an isolated vertex make the sums wrong, too; the test names them.
+/// Half-edges of an isolated vertex also unbalance the sums; the test names them.
 #[test]
 fn half_edges_on_an_isolated_vertex_are_named() {
     let table: Table = "V 3 0 - 1 - - 0 H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 v2 i0 F 1 - 1 0".parse().unwrap();
@@ -439,7 +440,7 @@ fn half_edges_on_an_isolated_vertex_are_named() {
     assert!(failures.starts_with(&[Test::CycleOk]) && failures.ends_with(&[Test::EulerOk]), "{failures:?}");
 }
 
-/// That its face does not list it is said, too; without a lower neighbour it is no root.
+/// Its face does not list it, which is also reported; without a lower neighbour it is no root.
 #[test]
 fn an_outer_boundary_component_is_no_root() {
     let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 o F 1 - 1 0".parse().unwrap();
@@ -462,7 +463,7 @@ fn maps_by_name() -> impl Iterator<Item = (Table, Labels)> {
         })
 }
 
-/// Boundary components are not stored, so neither is their name: whatever the vertex answers, it is not read.
+/// Boundary components are not stored, so the vertex's answer about them is never read.
 #[test]
 fn what_is_not_stored_is_not_read() {
     let mut seen = 0;
@@ -490,10 +491,10 @@ fn what_is_not_stored_is_not_read() {
     assert!(seen > 0);
 }
 
-/// The names by which half-edges and faces name each other are in no column of a certificate.
+/// No column of a certificate contains the names by which half-edges and faces name each other.
 #[test]
 fn a_certificate_is_not_silent_on_wrong_names() {
-    // A loop, whose inside is named by both sides.
+    // A loop whose inside is named by both sides.
     let table: Table = "P 5 prev leaving faces holes unbounded_face V 1 0 - H 2 0 1 0 0 - 0 0 1 1 - B 0 F 2 - 0 - 0 \
                         HF 2 1 1 FH 2 0 0 - 1 h1"
         .parse()
@@ -522,7 +523,7 @@ fn a_face_names_no_more_than_its_boundary_components() {
     assert!(seen > 0);
 }
 
-/// The checker of labels takes closed surfaces only: there each boundary component has a face.
+/// The checker of labels accepts only closed surfaces: there each boundary component has a face.
 #[test]
 fn closed_surfaces_have_no_holes() {
     let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));
@@ -534,7 +535,7 @@ fn closed_surfaces_have_no_holes() {
     assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::SurfaceBoundaryOk]);
 }
 
-/// A boundary component that says that it is an inner one, though its face names it as the outer one.
+/// A boundary component that claims to be inner, although its face names it as outer.
 #[test]
 fn a_boundary_component_of_a_surface_is_the_outer_one() {
     let mut table = with_boundary_components(&textbook_mesh(4, &TETRAHEDRON));

@@ -1,4 +1,4 @@
-//! Certificates, record by record: a vacant slot is asked for nothing, and each record with which a test fails is counted.
+//! Certificates, record by record: a vacant slot is never read, and each failing record is counted.
 
 use crate::only_live::OnlyLive;
 use crate::tables::{TETRAHEDRON, half_edge, textbook_mesh};
@@ -6,7 +6,6 @@ use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Rule, Start, Table, View};
 use twinedge_certificate::{Certificate, Column, Failure, Labels, SurfaceCertificate, Test, check, check_surface};
 
-/// The failures, in words.
 fn failures(result: Result<(), Vec<Failure>>) -> Vec<String> {
     result.unwrap_err().iter().map(ToString::to_string).collect()
 }
@@ -21,7 +20,7 @@ fn a_boundary_component_that_starts_at_a_vacant_vertex_is_wrong() {
     assert!(tests(check(&OnlyLive(&table), &Labels::default())).contains(&Test::StartOk));
 }
 
-/// No sum has isolated vertices, so nothing else finds the second one.
+/// No sum includes isolated vertices, so no other test finds the second one.
 #[test]
 fn an_isolated_vertex_is_one_boundary_component() {
     let table: Table = "V 1 - 0 H 0 B 2 0 v0 i0 0 v0 i1 F 1 - 2 0 1".parse().unwrap();
@@ -58,7 +57,7 @@ fn half_edges_before_a_vacant_one_are_wrong() {
     assert!(tests(check_surface(&OnlyLive(&table), &labels, genus)).contains(&Test::CycleOk));
 }
 
-/// The component of the last half-edge is that of all that follow it, and of no number beyond them.
+/// The component of the last half-edge applies to all later ones, but to no number beyond them.
 #[test]
 fn a_next_beyond_the_last_half_edge_is_of_no_component() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
@@ -68,7 +67,7 @@ fn a_next_beyond_the_last_half_edge_is_of_no_component() {
     assert!(found.contains(&"component_ok: 1 of the half-edges, the first is 5".to_owned()), "{found:?}");
 }
 
-/// One of them alone has no neighbour of lower rank. The others have the component of their neighbours, which is none.
+/// One of them alone has no neighbour of lower rank. The others have the missing component of their neighbours.
 #[test]
 fn all_half_edges_of_no_component_are_counted() {
     let table = textbook_mesh(4, &TETRAHEDRON);
@@ -110,7 +109,7 @@ fn the_unbounded_face_is_counted_where_it_is_the_last_record() {
     assert_eq!(check(&table, &labels), Ok(()));
 }
 
-/// A certificate of its own columns is the same, and one of columns that do not fit together is none.
+/// A certificate made from its own columns is equal, and inconsistent columns make none.
 #[test]
 fn a_certificate_is_made_of_columns() {
     let vertex: Table = "V 1 - 0 H 0 B 1 0 v0 i0 F 1 - 1 0".parse().unwrap();

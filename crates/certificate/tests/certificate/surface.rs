@@ -1,4 +1,4 @@
-//! Certificates of surfaces with a border: what passes is a surface with the genus, the components and the holes that are counted.
+//! Certificates of surfaces with a border: a certificate that passes is a surface with the counted genus, components and holes.
 
 use crate::tables::{TETRAHEDRON, Without, half_edge, textbook_mesh, torus, vertex, with_boundary_components};
 use std::collections::BTreeSet;
@@ -12,13 +12,13 @@ const OPEN: Expectation = Expectation::surface().open();
 /// The way in which a side is missing at the border.
 #[derive(Clone, Copy)]
 enum Border {
-    /// The half-edge is not there.
+    /// There is no half-edge.
     NoTwin,
-    /// It has no face.
+    /// The half-edge has no face.
     NoFace,
 }
 
-/// A mesh without these faces. Faces of the mesh name their half-edges.
+/// Removes these faces from a mesh. Faces of the mesh name their half-edges.
 fn opened(mesh: &Table, faces: &[usize], border: Border) -> Table {
     let mut table = mesh.clone();
     let gone = |h: usize| mesh.half_edges[h].unwrap().face.is_some_and(|f| faces.contains(&f));
@@ -42,7 +42,7 @@ fn opened(mesh: &Table, faces: &[usize], border: Border) -> Table {
     table
 }
 
-/// The same with records for boundary components.
+/// Adds records for boundary components.
 fn by_record(table: &Table) -> Table {
     let vacant: Vec<usize> = (0..table.faces.len()).filter(|f| table.faces[*f].is_none()).collect();
     let mut filled = table.clone();
@@ -64,13 +64,13 @@ fn tests(table: &Table) -> Vec<Test> {
     check(table).unwrap_err().iter().map(|failure| failure.test()).collect()
 }
 
-/// The structure is an open surface with these counts, by the reference.
+/// Returns true if the structure is an open surface with these counts, by the reference.
 fn is_confirmed(table: &Table, counts: &SurfaceCounts) -> bool {
     let asked = OPEN.genus(counts.genus).components(counts.components).borders(counts.holes);
     first_broken_rule(table, &asked).is_none()
 }
 
-/// The origins of the half-edges along the border differ, and each edge has a face.
+/// Returns true if the origins of the half-edges along the border differ, and each edge has a face.
 fn has_simple_border(table: &Table) -> bool {
     let row = |h: usize| table.half_edges.get(h).copied().flatten();
     let mut origins = BTreeSet::new();
@@ -83,7 +83,7 @@ fn has_simple_border(table: &Table) -> bool {
     })
 }
 
-/// Every mesh that is left of a tetrahedron and of a small torus when faces are taken away, in each form.
+/// Every mesh made by removing faces from a tetrahedron and from a small torus, in each form.
 fn open_meshes() -> Vec<Table> {
     let subsets = |count: u32, faces: usize| {
         (0..1_u32 << count).map(move |set| (0..faces).filter(|f| f < &32 && set >> f & 1 == 1).collect::<Vec<_>>())
@@ -112,7 +112,7 @@ fn an_open_mesh_is_certified_if_and_only_if_its_border_is_simple() {
         }
         *if is_right { &mut certified } else { &mut refused } += 1;
     }
-    // Without faces a mesh is open only where twins are missing: 45 of 80 are right then, and all 80 where none is.
+    // Without faces a mesh is open only where twins are missing: 45 of 80 are valid then, and all 80 where none is.
     assert_eq!((certified, refused, holes.len()), (180 + 45 + 80, 300 + 35, 3));
 }
 
@@ -141,13 +141,13 @@ fn a_corruption_of_an_open_mesh_passes_only_if_the_rules_hold() {
     assert_eq!((wrong, right), (5111, 94));
 }
 
-/// Two triangles that have a vertex in common, and a border that passes it twice: the rules hold, as each rotation is one orbit; a surface it
-/// is not.
+/// Two triangles with a common vertex, and a border that passes it twice: the rules hold, as each rotation is one orbit, but it
+/// is no surface.
 #[test]
 fn a_border_that_passes_a_vertex_twice_is_refused() {
     let mut table = opened(&textbook_mesh(5, &[[0, 1, 2], [0, 3, 4]]), &[], Border::NoFace);
     assert_eq!(table.half_edges.len(), 12);
-    // Of the sides 0→1, 1→2, 2→0, 0→3, 3→4, 4→0 the twins are the border: 1, 3, 5, 7, 9, 11.
+    // For the sides 0→1, 1→2, 2→0, 0→3, 3→4, 4→0, the twins form the border: 1, 3, 5, 7, 9, 11.
     for (h, origin, next) in [(1, 1, 11), (11, 0, 9), (9, 4, 7), (7, 3, 5), (5, 0, 3), (3, 2, 1)] {
         half_edge(&mut table, h).origin = Some(origin);
         half_edge(&mut table, h).next = Some(next);
@@ -165,7 +165,7 @@ fn an_edge_without_faces_is_refused() {
     assert_eq!(tests(&table), [Test::BorderOk]);
 }
 
-/// A boundary component that is stored is no hole, even if it names no face.
+/// A stored boundary component is no hole, even if it names no face.
 #[test]
 fn a_record_without_face_is_no_hole() {
     let mut table = by_record(&textbook_mesh(4, &TETRAHEDRON));
@@ -175,7 +175,8 @@ fn a_record_without_face_is_no_hole() {
     assert_eq!(tests(&table), [Test::SurfaceBoundaryOk]);
 }
 
-/// Single numbers of the certificate of an open mesh are changed: what passes has the same counts, but for what is said by a whole column.
+/// Single numbers of the certificate of an open mesh are changed: if it passes, it has the same counts, except for values that a
+/// whole column determines.
 #[test]
 fn a_changed_number_is_found_or_is_as_good() {
     let table = opened(&textbook_mesh(9, &torus([3, 3])), &[4, 5, 11], Border::NoTwin);
@@ -223,7 +224,7 @@ fn changed(mesh: &Table, change: impl Fn(&mut Labels)) -> Vec<Test> {
     failures.iter().map(|failure| failure.test()).collect()
 }
 
-/// A face that is said to be a component of its own would make one component, and one handle, too many.
+/// A face that claims to be its own component would make one component and one handle too many.
 #[test]
 fn both_sides_of_an_edge_are_of_one_component() {
     let failures = changed(&textbook_mesh(4, &TETRAHEDRON), |columns| {
@@ -235,7 +236,7 @@ fn both_sides_of_an_edge_are_of_one_component() {
     assert_eq!(failures, [Test::ComponentOk]);
 }
 
-/// Two tori that are said to be one component have one handle as far as the sums go.
+/// Two tori that claim to be one component have one handle, according to the sums.
 #[test]
 fn ranks_find_two_components_that_are_said_to_be_one() {
     let tori: Vec<_> =
@@ -248,7 +249,7 @@ fn ranks_find_two_components_that_are_said_to_be_one() {
     assert_eq!(failures, [Test::ComponentOk]);
 }
 
-/// Two holes without half-edges would make a sphere of a torus.
+/// Two holes without half-edges would turn a torus into a sphere.
 #[test]
 fn a_hole_starts_with_a_half_edge_of_its_own() {
     let failures = changed(&textbook_mesh(9, &torus([3, 3])), |columns| {

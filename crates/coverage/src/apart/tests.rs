@@ -1,4 +1,4 @@
-//! The sweep beside trying all pairs of segments.
+//! The sweep compared with trying all pairs of segments.
 
 use super::containers;
 use crate::rings::{Ring, with_index};
@@ -9,7 +9,7 @@ use twinedge_geometry::Point;
 static APART: AtomicUsize = AtomicUsize::new(0);
 static NESTED: AtomicUsize = AtomicUsize::new(0);
 
-/// Rings of a few families: squares and diamonds, which are often apart, and any points.
+/// Rings of a few families: squares and diamonds, which are often disjoint, and arbitrary points.
 fn rings(raw: &[(u8, u8, u8)], any: &[(u8, u8)]) -> Vec<Ring> {
     let even = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
     let shapes = raw.iter().map(|(x, y, size)| {

@@ -1,4 +1,4 @@
-//! The options of cleaning, and the changes that it reports.
+//! The options of cleaning, and the reported changes.
 
 use core::fmt;
 use twinedge::dcel::FaceKey;
@@ -9,22 +9,20 @@ use twinedge_map::FeatureId;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Winner {
-    /// One that lies within another one, but for a tenth of its area at most; the smallest of those. If none does, the one that claims
-    /// the largest area.
+    /// The smallest feature at least 90 % inside another one; otherwise the one with the largest area.
     #[default]
     Inner,
-    /// The one that claims the largest area on the map; the first of those.
+    /// The feature with the largest area on the map; the first on a tie.
     Larger,
-    /// The one that claims the smallest area; the first of those.
+    /// The feature with the smallest area; the first on a tie.
     Smaller,
-    /// The first in order of input.
+    /// The first feature in order of input.
     First,
-    /// The last.
+    /// The last feature in order of input.
     Last,
 }
 
 impl Winner {
-    /// The names, and what they stand for.
     const NAMES: [(&'static str, Self); 5] = [
         ("inner", Self::Inner),
         ("larger", Self::Larger),
@@ -33,7 +31,7 @@ impl Winner {
         ("last", Self::Last),
     ];
 
-    /// The choice of this name: `inner`, `larger`, `smaller`, `first` or `last`; none of another.
+    /// Returns the choice with this name: `inner`, `larger`, `smaller`, `first` or `last`; `None` for any other name.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
         Self::NAMES.iter().find(|(known, _)| *known == name).map(|(_, winner)| *winner)
@@ -45,22 +43,22 @@ impl Winner {
 pub struct Options {
     /// The choice of the feature that gets a face claimed by several.
     pub winner: Winner,
-    /// The greatest mean width of a gap that is filled. By default only small gaps are.
+    /// The greatest mean width of a gap that is filled. By default only small gaps are filled.
     pub gap_width: Option<f64>,
-    /// The greatest mean width of a gap that is to be said of those left, as for [coverages](crate::Limits).
+    /// The greatest mean width of a remaining gap that is reported, as for [coverages](crate::Limits).
     pub lake_width: Option<f64>,
-    /// A point inside each gap that is left as it is, whatever its width and area.
+    /// A point inside each gap that is left as it is, independent of width and area.
     pub accepted_gaps: Vec<Point>,
-    /// The area below which gaps are filled, and thin parts of features given away. Default: a thousandth of the median area of all
-    /// parts.
+    /// The area below which gaps are filled, and thin parts of features given away. Default: a thousandth of the median area of
+    /// all parts.
     pub sliver_area: Option<f64>,
     /// The thinness below which a small part of a feature is a sliver, as for [coverages](crate::Limits).
     pub thinness: f64,
-    /// The features, by number, one of which gets each gap that is filled: the neighbour among them with the longest common border,
-    /// or else the first. Their parts are no slivers. Without any, the neighbours are all.
+    /// The features, by number, that may get filled gaps: the neighbour among them with the longest common border, or else the
+    /// first. Their parts are no slivers. By default, all neighbours qualify.
     pub gaps_to: Vec<usize>,
-    /// The closed box in which gaps are filled and slivers given away, by its lower left and upper right corner: what reaches out of it stays.
-    /// Default: everywhere. Overlaps are resolved wherever they are.
+    /// The closed box in which gaps are filled and slivers given away, by its lower left and upper right corner; areas that reach
+    /// out of it stay. Default: everywhere. Overlaps are resolved everywhere.
     pub window: Option<[Point; 2]>,
 }
 
@@ -79,20 +77,20 @@ impl Default for Options {
     }
 }
 
-/// A cause for which faces change hands.
+/// A reason why faces change hands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ChangeKind {
-    /// Several features claimed them.
+    /// Several features claimed the faces.
     Overlap,
-    /// No feature claimed them.
+    /// No feature claimed the faces.
     Gap,
-    /// They were a sliver.
+    /// The faces were a sliver.
     Sliver,
 }
 
 impl ChangeKind {
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -115,13 +113,13 @@ impl fmt::Display for ChangeKind {
 pub struct Change {
     /// The reason.
     pub kind: ChangeKind,
-    /// The features that had them: those that claimed the overlap, the one of the sliver, none for a gap.
+    /// The previous features: the claimants of an overlap, the owner of a sliver, empty for a gap.
     pub from: Vec<FeatureId>,
-    /// The feature that got them; none for a sliver that was dropped.
+    /// The feature that got the faces; `None` if a sliver was dropped.
     pub to: Option<FeatureId>,
-    /// Their area.
+    /// The area of the faces.
     pub area: f64,
-    /// Their mean width: twice the area by the length of the border.
+    /// The mean width: twice the area divided by the length of the border.
     pub width: f64,
     /// A point inside.
     pub at: Point,

@@ -1,17 +1,17 @@
-//! The features that get the gaps that are filled.
+//! The features that get filled gaps.
 
 use super::ownership::{Ownership, Region};
 use rustc_hash::FxHashSet;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The features that were asked for; any neighbour, if none was.
+/// The requested features; any neighbour if there are none.
 pub(super) struct Heirs {
     asked: FxHashSet<FeatureId>,
     first: Option<FeatureId>,
 }
 
 impl Heirs {
-    /// By their numbers; those of no feature are passed over.
+    /// Looks up the features by number, ignoring unknown numbers.
     pub(super) fn new(map: &PlanarMap, numbers: &[usize]) -> Self {
         let asked = numbers.iter().filter_map(|number| map.feature(*number));
         let (asked, first) = (asked.clone().collect(), asked.min());
@@ -22,7 +22,6 @@ impl Heirs {
         self.asked.contains(&feature)
     }
 
-    /// The feature that gets a gap.
     pub(super) fn of_gap(&self, ownership: &Ownership<'_>, gap: &Region<'_>) -> Option<FeatureId> {
         ownership.neighbour(gap, |feature| self.asked.is_empty() || self.has(feature)).or(self.first)
     }

@@ -1,4 +1,4 @@
-//! The feature that has each face, while faces change hands, and the regions of faces that one feature has.
+//! The owner of each face while faces change hands, and the regions of faces with one owner.
 
 use crate::region::{border, connected, length};
 use std::collections::BTreeMap;
@@ -7,7 +7,7 @@ use twinedge_algorithm::area::{Sum, face_area};
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
-/// The feature that has each face, by index of face.
+/// The feature that owns each face, by index of face.
 pub(super) struct Ownership<'m> {
     pub(super) map: &'m PlanarMap,
     owners: Vec<Option<FeatureId>>,
@@ -15,26 +15,24 @@ pub(super) struct Ownership<'m> {
     window: Option<[Point; 2]>,
 }
 
-/// A connected set of faces that one feature has, or none.
+/// A connected set of faces owned by one feature, or by none.
 pub(super) struct Region<'m> {
     pub(super) owner: Option<FeatureId>,
     pub(super) faces: Vec<Face<'m>>,
     pub(super) area: f64,
-    /// The length of the border.
     pub(super) length: f64,
-    /// True if the unbounded face is among them, or they reach out of the window.
+    /// True if it includes the unbounded face or reaches out of the window.
     pub(super) is_outside: bool,
 }
 
 impl Region<'_> {
-    /// Returns true if it belongs to nobody, is bounded, and lies in the window.
     pub(super) fn is_gap(&self) -> bool {
         self.owner.is_none() && !self.is_outside
     }
 }
 
 impl<'m> Ownership<'m> {
-    /// Nobody has anything. O(half-edges).
+    /// Starts without any owners. O(half-edges).
     pub(super) fn new(map: &'m PlanarMap, window: Option<[Point; 2]>) -> Self {
         let faces = map.dcel().faces().map(|face| face.index() + 1).max().unwrap_or_default();
         let mut areas = vec![0.0; faces];
@@ -54,19 +52,18 @@ impl<'m> Ownership<'m> {
         }
     }
 
-    /// The area of some faces.
     pub(super) fn area(&self, faces: &[Face<'_>]) -> f64 {
         let sum: Sum = faces.iter().map(|face| self.areas[face.index()]).collect();
         sum.value()
     }
 
-    /// All regions, in order of their first face. O(half-edges), expected.
+    /// Returns all regions, in order of their first face. O(half-edges), expected.
     pub(super) fn regions(&self) -> Vec<Region<'m>> {
         let all = connected(self.map.dcel().faces(), |face| Some(self.owner(face)));
         all.into_iter().map(|faces| self.region(faces)).collect()
     }
 
-    /// A connected set of faces of one owner.
+    /// Makes the region of a connected set of faces of one owner.
     pub(super) fn region(&self, faces: Vec<Face<'m>>) -> Region<'m> {
         let border = border(&faces);
         let around: Sum = border.iter().map(|h| length(self.map, *h)).collect();
@@ -83,8 +80,8 @@ impl<'m> Ownership<'m> {
         }
     }
 
-    /// The feature with the longest common border among those that are asked for, the first of those; none without such neighbours.
-    /// O(half-edges of the region · log).
+    /// Returns the accepted neighbour with the longest common border, the first on a tie; `None` if there is none. O(half-edges
+    /// of the region · log).
     pub(super) fn neighbour(&self, region: &Region<'m>, is_asked: impl Fn(FeatureId) -> bool) -> Option<FeatureId> {
         let mut common: BTreeMap<FeatureId, Sum> = BTreeMap::new();
         for h in border(&region.faces) {
@@ -94,7 +91,7 @@ impl<'m> Ownership<'m> {
             }
         }
         let longest = common.into_iter().map(|(feature, sum)| (feature, sum.value()));
-        // The first of several that are as long.
+        // The first of several equally long ones.
         longest.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(feature, _)| feature)
     }
 }

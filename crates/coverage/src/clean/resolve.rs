@@ -1,4 +1,4 @@
-//! Giving each face to one feature at most.
+//! Giving each face to at most one feature.
 
 use super::change::{Change, ChangeKind, Options, Winner};
 use super::heirs::Heirs;
@@ -13,28 +13,28 @@ use twinedge::dcel::{Face, FaceKey};
 use twinedge_algorithm::claims::features_of;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The part of the median area of all parts below which a thin part is a sliver.
+/// The divisor of the median area of all parts that yields the default sliver area.
 const OF_MEDIAN: f64 = 1_000.0;
 
-/// The part of its area with which a feature lies within another one.
+/// The fraction of its area with which a feature must lie within another one.
 const WITHIN: f64 = 0.9;
 
-/// A coverage, made of the features of a map.
+/// A coverage made from the features of a map.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Cleaned {
     /// The faces of each feature, by [`FeatureId::index`], in order of their indices.
     pub faces: Vec<Vec<FaceKey>>,
-    /// The faces that changed hands, in the order in which they did. A face may do so several times.
+    /// The faces that changed hands, in order. A face may appear several times.
     pub changes: Vec<Change>,
-    /// The area of slivers that was asked for, or was chosen at last.
+    /// The area of slivers, as requested or finally chosen.
     pub sliver_area: f64,
 }
 
-/// Gives each face to one feature at most: see [the module](super).
+/// Gives each face to at most one feature: see [the module](super).
 ///
 /// O(r · n log n) for n half-edges and faces, each counted once for each feature that covers it, and r rounds, which are few
-/// unless slivers lie beside slivers.
+/// unless slivers are neighbours.
 ///
 /// ```
 /// use twinedge_coverage::clean::{ChangeKind, Options, clean};
@@ -60,8 +60,9 @@ pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageErro
     clean_with_fillers(map, options, map.features().count())
 }
 
-/// As [`clean`], where the features from a number on are fillers: they get nothing, and what only they claim goes to the neighbour
-/// with the longest common border. So gaps can be closed that are open to the outside, where somebody has drawn what to fill.
+/// Cleans like [`clean`], treating all features from number `fillers` on as fillers. Fillers get nothing: faces that only fillers
+/// claim go to the neighbour with the longest common border. So a gap that is open to the outside can be closed by drawing the
+/// area to fill.
 ///
 /// ```
 /// use twinedge_coverage::clean::{Options, clean_with_fillers};
@@ -103,7 +104,7 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
             |area, width| area < limit || options.gap_width.is_some_and(|greatest| width <= greatest),
             &mut changes,
         );
-        // Gaps that were filled have changed what is beside them.
+        // Filled gaps have changed their neighbours.
         if changes.len() == before {
             let is_sliver = |region: &Region<'_>| {
                 let is_thin = 4.0 * PI * region.area < options.thinness * region.length * region.length;
@@ -127,7 +128,7 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
     Ok(Cleaned { faces, changes, sliver_area })
 }
 
-/// Gives each face to one of the features that claim it, and returns where there are several.
+/// Gives each face to one of the features that claim it, and returns the faces with several claimants.
 pub(super) fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fillers: usize) -> Vec<Change> {
     let mut sizes = vec![0.0; map.features().count()];
     for face in map.dcel().faces() {
@@ -170,8 +171,8 @@ pub(super) fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: W
     regions.collect()
 }
 
-/// The pairs of features the first of which lies within the second, which is larger. O(faces · log + pairs of features that claim the same
-/// face, for each face), expected.
+/// Returns the pairs of features whose first lies within the second, larger one. O(faces · log + pairs of features that claim the
+/// same face, for each face), expected.
 fn nested(ownership: &Ownership<'_>, sizes: &[f64]) -> FxHashSet<(FeatureId, FeatureId)> {
     let mut common: FxHashMap<(FeatureId, FeatureId), f64> = FxHashMap::default();
     for face in ownership.map.dcel().faces() {
@@ -187,7 +188,7 @@ fn nested(ownership: &Ownership<'_>, sizes: &[f64]) -> FxHashSet<(FeatureId, Fea
     common.into_iter().filter(is_nested).map(|(pair, _)| pair).collect()
 }
 
-/// Gives what only fillers claim to neighbours.
+/// Gives faces that only fillers claim to neighbours.
 fn fill(ownership: &mut Ownership<'_>, fillers: usize, heirs: &Heirs, changes: &mut Vec<Change>) {
     let map = ownership.map;
     let is_filled = |face: Face<'_>| {
@@ -225,7 +226,7 @@ fn change(
     }
 }
 
-/// Gives gaps to their neighbours. Two gaps are never neighbours, so the regions stay right meanwhile.
+/// Gives gaps to their neighbours. Two gaps are never neighbours, so the regions remain valid meanwhile.
 fn fill_gaps<'r, 'm: 'r>(
     ownership: &mut Ownership<'_>,
     gaps: impl Iterator<Item = &'r Region<'m>>,
@@ -240,8 +241,8 @@ fn fill_gaps<'r, 'm: 'r>(
     }
 }
 
-/// Gives slivers to their neighbours, the smallest first, but none beside one that has changed hands in this round: it may have
-/// become a part of something larger.
+/// Gives slivers to their neighbours, the smallest first, but skips neighbours of a sliver already given away in this round: they
+/// may now be part of something larger.
 fn give_slivers(
     ownership: &mut Ownership<'_>,
     regions: &[Region<'_>],
@@ -258,7 +259,7 @@ fn give_slivers(
     for region in slivers {
         let Some(owner) = region.owner else { continue };
         let is_beside = region.faces.iter().any(|face| changed.contains(&face.index()));
-        // The last part of a feature stays: nothing else would be left of it.
+        // The last part of a feature stays, or the feature would be empty.
         if is_beside || parts[owner.index()] == 1 {
             continue;
         }

@@ -1,4 +1,4 @@
-//! The choice of the width up to which gaps are filled.
+//! Choosing the width up to which gaps are filled.
 
 use super::change::Options;
 use super::ownership::{Ownership, Region};
@@ -9,26 +9,27 @@ use crate::region::mean_width;
 use crate::sliver::median;
 use twinedge_map::PlanarMap;
 
-/// The factor between the width of a gap that is filled and that of the next wider one that is not.
+/// The minimum ratio between the width of the next wider gap and the widest filled gap.
 const STEP: f64 = 10.0;
 
-/// A width that was chosen.
+/// A chosen width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ChosenWidth {
-    /// The width of the widest gap that is an error, rounded up to two digits.
+    /// The width of the widest erroneous gap, rounded up to two digits.
     pub width: f64,
-    /// The number of gaps that are at most as wide.
+    /// The number of gaps of at most this width.
     pub gaps: usize,
-    /// The width of the narrowest gap that is wider, or the median width of the parts of features if there is none.
+    /// The width of the next wider gap, or the median width of the parts of features if there is none.
     pub next: f64,
 }
 
-/// Chooses the width up to which gaps are errors, by the mean widths of gaps and of the parts of features: none if there is no clear one.
+/// Chooses the width up to which gaps are errors, by the mean widths of gaps and of the parts of features. Returns `None` if
+/// there is no clear one.
 ///
-/// The widths are sorted, and the median width of the parts of features is put at their upper end. Going down from there, gaps are lakes until a
-/// width is ten times as large as the next one; all gaps below this step are errors. This is single linkage of the logarithms of the widths. A layer that
-/// was cleaned with this width has no such step any more.
+/// The widths are sorted, with the median width of the parts of features at the upper end. Going down, gaps are lakes until a
+/// width is ten times as large as the next one; all gaps below this step are errors. This is single linkage of the logarithms of
+/// the widths. A layer cleaned with this width no longer has such a step.
 ///
 /// O(n log n).
 ///
@@ -73,7 +74,7 @@ pub fn choose_gap_width(map: &PlanarMap, options: &Options) -> Result<Option<Cho
     Ok(None)
 }
 
-/// A number with two digits that is at least as large.
+/// Rounds up to a number with two digits.
 fn rounded_up(width: f64) -> f64 {
     let unit = 10_f64.powf(width.log10().floor() - 1.0);
     let with = |units: f64| format!("{:.1e}", units * unit).parse().ok().filter(|rounded| *rounded >= width);

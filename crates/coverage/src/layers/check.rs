@@ -12,11 +12,11 @@ use twinedge_algorithm::claims::faces_by_feature;
 use twinedge_geometry::Point;
 use twinedge_map::{FeatureId, Located, PlanarMap};
 
-/// Finds what breaks X1 … X3, X5 and X6. The first `audited` features of the map are those of the audited layer, all further ones those of the
+/// Finds violations of X1 … X3, X5 and X6. The first `audited` features of the map belong to the audited layer, all others to the
 /// other layer. `points` are the points of the audited layer, which a map does not keep.
 ///
-/// X1 is asked of features that cover faces, X5 of those that cover none. X2 is asked if both layers have areas, X3 if the audited layer has areas
-/// or lines. Findings come in order of the rules; those of one kind by falling area and length.
+/// X1 applies to features that cover faces, X5 to features that cover none. X2 applies if both layers have areas, X3 if the
+/// audited layer has areas or lines. Findings come in order of the rules; within one kind by falling area and length.
 ///
 /// O(n log n) for n half-edges, faces and points, each counted once for each feature that covers it.
 ///
@@ -58,21 +58,21 @@ pub fn check(
     Ok(found)
 }
 
-/// Both layers, with what covers each face.
+/// Both layers, with the features of each face.
 struct Layers<'a> {
     map: &'a PlanarMap,
     audited: usize,
-    /// By index of face: the features of the audited layer that cover it, and those of the other layer, in order.
+    /// For each face, the features of the audited layer and of the other layer that cover it, in order.
     claims: Vec<[Vec<FeatureId>; 2]>,
-    /// By number of feature: the features of the audited layer that cover a face.
+    /// True for each feature of the audited layer that covers a face.
     is_area: Vec<bool>,
-    /// Some feature of the audited layer covers a face.
+    /// True if some feature of the audited layer covers a face.
     has_area: bool,
 }
 
 impl<'a> Layers<'a> {
     fn new(map: &'a PlanarMap, audited: usize) -> Self {
-        // More features than there are may be named.
+        // `audited` may exceed the number of features.
         let audited = audited.min(map.features().count());
         let mut claims: Vec<[Vec<FeatureId>; 2]> = Vec::new();
         let mut is_area = vec![false; audited];
@@ -98,14 +98,14 @@ impl<'a> Layers<'a> {
         &self.claims[face.index()][1]
     }
 
-    /// X1.
+    /// Checks X1.
     fn not_within(&self) -> Vec<LayerFinding> {
         let faces = faces_by_feature(self.map);
         let audited = self.map.features().take(self.audited);
         audited.filter_map(|feature| self.outside_of_one(feature, live(self.map, faces.get(feature.index())))).collect()
     }
 
-    /// The finding for a feature that does not lie within one of the other layer.
+    /// Returns the finding for a feature that is not within one feature of the other layer.
     fn outside_of_one(&self, feature: FeatureId, faces: Vec<Face<'_>>) -> Option<LayerFinding> {
         let first = self.there(*faces.first()?);
         if first.iter().any(|one| faces.iter().all(|face| self.there(*face).contains(one))) {
@@ -124,7 +124,7 @@ impl<'a> Layers<'a> {
         Some(LayerFinding::of_faces(self.map, Deviation::NotWithin, [vec![feature], others], &outside))
     }
 
-    /// X2.
+    /// Checks X2.
     fn covered_by_one(&self) -> Vec<LayerFinding> {
         let class = |face: Face<'_>| match (self.here(face), self.there(face)) {
             ([], []) => None,
@@ -141,7 +141,7 @@ impl<'a> Layers<'a> {
         regions.into_iter().filter_map(finding).collect()
     }
 
-    /// X3 and X5.
+    /// Checks X3 and X5.
     fn along_borders(&self) -> Vec<LayerFinding> {
         let has_line = |h: HalfEdge<'_>| {
             let along = self.map.features_along(h.key()).into_iter().flatten();
@@ -179,7 +179,7 @@ impl<'a> Layers<'a> {
         borders.chain(chains(&lines).into_iter().map(line)).collect()
     }
 
-    /// The finding that some edges are.
+    /// Makes the finding of some edges.
     fn stretch(
         &self,
         deviation: Deviation,
@@ -203,7 +203,7 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// X6.
+    /// Checks X6.
     fn not_inside(&self, (feature, point): (FeatureId, Point)) -> Option<LayerFinding> {
         let at = self.map.noding().map_or(point, |noding| noding.snapped(point));
         let dcel = self.map.dcel();
@@ -215,7 +215,7 @@ impl<'a> Layers<'a> {
             Ok(Located::Face(face)) => dcel.face(face).into_iter().collect(),
             Ok(Located::Edge(h)) => dcel.half_edge(h).into_iter().flat_map(|h| [h.face(), h.twin().face()]).collect(),
             Ok(Located::Vertex(v)) => dcel.vertex(v).into_iter().flat_map(around).collect(),
-            // A point that cannot be on the map lies inside of nothing.
+            // A point outside the range of the map lies inside nothing.
             Err(_) => Vec::new(),
         };
         let first = faces.first().map(|face| self.there(*face)).unwrap_or_default();
@@ -228,7 +228,7 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Features in order, each once.
+/// Sorts features and removes duplicates.
 fn sorted<'a>(features: impl Iterator<Item = &'a FeatureId>) -> Vec<FeatureId> {
     let mut all: Vec<FeatureId> = features.copied().collect();
     all.sort_unstable();
@@ -236,7 +236,8 @@ fn sorted<'a>(features: impl Iterator<Item = &'a FeatureId>) -> Vec<FeatureId> {
     all
 }
 
-/// Edges of one class that hang together at vertices, in order of the first of each. O(edges + rotations of their vertices), expected.
+/// Groups edges of one class that are connected at vertices, in order of the first of each group. O(edges + rotations of their
+/// vertices), expected.
 fn chains<'a, C: Clone + Eq + std::hash::Hash>(edges: &[(HalfEdge<'a>, C)]) -> Vec<(C, Vec<HalfEdge<'a>>)> {
     let mut at_vertex: FxHashMap<(usize, &C), Vec<usize>> = FxHashMap::default();
     for (number, (h, class)) in edges.iter().enumerate() {
@@ -256,7 +257,7 @@ fn chains<'a, C: Clone + Eq + std::hash::Hash>(edges: &[(HalfEdge<'a>, C)]) -> V
         while let Some(number) = chain.get(next).copied() {
             next += 1;
             for vertex in [edges[number].0.origin(), edges[number].0.target()] {
-                // Taken out, so that each is looked at once.
+                // Removed, so that each vertex is visited once.
                 let here = at_vertex.remove(&(vertex.index(), class)).unwrap_or_default();
                 chain.extend(here.into_iter().filter(|other| seen.insert(*other)));
             }

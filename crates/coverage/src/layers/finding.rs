@@ -1,4 +1,4 @@
-//! The rules between layers, and what one of them found.
+//! The rules between layers, and their findings.
 
 use crate::region::{Extent, extent};
 use core::fmt;
@@ -25,10 +25,10 @@ pub enum LayerRule {
 }
 
 impl LayerRule {
-    /// All, in order of their ids.
+    /// All rules, in order of their ids.
     pub const ALL: [Self; 6] = [Self::Within, Self::Cover, Self::Border, Self::Parent, Self::Line, Self::Point];
 
-    /// The id: `X1` to `X6`.
+    /// Returns the id: `X1` to `X6`.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -41,7 +41,7 @@ impl LayerRule {
         }
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -54,7 +54,7 @@ impl LayerRule {
         }
     }
 
-    /// The sentence that holds where nothing is found.
+    /// Returns a sentence that states the rule.
     #[must_use]
     pub const fn statement(self) -> &'static str {
         match self {
@@ -74,23 +74,23 @@ impl fmt::Display for LayerRule {
     }
 }
 
-/// The way in which a rule between layers is broken.
+/// A kind of violation of a rule between layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Deviation {
-    /// X1: a feature lies in no feature of the other layer, or not with all of it in one.
+    /// X1: a feature is not entirely within one feature of the other layer.
     NotWithin,
-    /// X2: a place that only the audited layer covers.
+    /// X2: an area that only the audited layer covers.
     OnlyHere,
-    /// X2: a place that only the other layer covers.
+    /// X2: an area that only the other layer covers.
     OnlyThere,
-    /// X3: a border of the other layer that is none of the audited one.
+    /// X3: a border of the other layer that is no border of the audited one.
     NoBorder,
-    /// X4: a part lies outside its parent, with all of it or some.
+    /// X4: a part lies wholly or partly outside its parent.
     OutsideParent,
-    /// X4: a place of a parent that none of its parts covers.
+    /// X4: an area of a parent that none of its parts covers.
     ParentNotCovered,
-    /// X4: a part whose parent is not known.
+    /// X4: a part with an unknown parent.
     UnknownParent,
     /// X5: a line where the other layer has no border.
     OffBorder,
@@ -99,7 +99,7 @@ pub enum Deviation {
 }
 
 impl Deviation {
-    /// The rule that it breaks.
+    /// Returns the rule that it breaks.
     #[must_use]
     pub const fn rule(self) -> LayerRule {
         match self {
@@ -112,7 +112,7 @@ impl Deviation {
         }
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -129,39 +129,39 @@ impl Deviation {
     }
 }
 
-/// One thing that breaks a rule between layers. Lengths and areas are in the units of the coordinates.
+/// A violation of a rule between layers. Lengths and areas are in the units of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LayerFinding {
-    /// The way in which the rule is broken.
+    /// The kind of violation.
     pub deviation: Deviation,
-    /// The features of the audited layer, in order: the one that is at fault, or those that cover the place or lie at the border.
+    /// The features of the audited layer, in order: the faulty feature, or the features that cover the area or lie at the border.
     pub features: Vec<FeatureId>,
-    /// The features of the other layer, in order: the one in which most of the feature lies and then the others, those that cover the place
-    /// or have the border, or the parent.
+    /// The features of the other layer, in order: the feature that contains most of the faulty one, then the others; the features
+    /// that cover the area or have the border; or the parent.
     pub others: Vec<FeatureId>,
     /// The area of the faces; 0 without faces.
     pub area: f64,
-    /// The mean width of the faces, as [that of a coverage](crate::Finding::width).
+    /// The mean width of the faces, [defined](crate::Finding::width) as for a coverage.
     pub width: f64,
-    /// The length all around the faces, or of the stretches; 0 for a point.
+    /// The total border length of the faces or length of the stretches; 0 for a point.
     pub length: f64,
     /// A point inside the largest face, the middle of the longest stretch, or the point; the origin for a part without area.
     pub at: Point,
-    /// The faces at fault: of X1 those outside the first of the others.
+    /// The faulty faces; for X1, the faces outside the first of `others`.
     pub faces: Vec<FaceKey>,
-    /// The edges at fault, of X3 and X5.
+    /// The faulty edges of X3 and X5.
     pub stretches: Vec<[Point; 2]>,
 }
 
 impl LayerFinding {
-    /// The rule that is broken.
+    /// Returns the broken rule.
     #[must_use]
     pub const fn rule(&self) -> LayerRule {
         self.deviation.rule()
     }
 
-    /// The finding that a set of faces is.
+    /// Makes the finding of a set of faces.
     pub(super) fn of_faces(
         map: &PlanarMap,
         deviation: Deviation,
@@ -174,7 +174,7 @@ impl LayerFinding {
     }
 }
 
-/// Puts findings in order: by rule and deviation, and then by falling area and length.
+/// Sorts findings by rule and deviation, then by falling area and length.
 pub(super) fn sort(findings: &mut [LayerFinding]) {
     findings.sort_by(|a, b| {
         let by_kind = (a.rule(), a.deviation).cmp(&(b.rule(), b.deviation));

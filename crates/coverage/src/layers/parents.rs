@@ -8,21 +8,21 @@ use twinedge::dcel::{Face, FaceKey};
 use twinedge_algorithm::claims::{faces_by_feature, features_of};
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The parent that a feature says it has.
+/// The declared parent of a feature.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Parent {
-    /// It is no part of anything.
+    /// The feature is not part of another one.
     #[default]
     None,
-    /// It says that it is part of something that there is not.
+    /// The declared parent does not exist.
     Unknown,
-    /// It is part of this feature.
+    /// The feature is part of this one.
     Feature(FeatureId),
 }
 
-/// Finds what breaks X4. `parents` has the parent of each feature, by [`FeatureId::index`]; features beyond its end have none. A feature in
-/// `complete` is made up by its parts even if it has none; others are asked only if they have parts, so that the lowest level of a
-/// hierarchy is not.
+/// Finds violations of X4. `parents` contains the parent of each feature, by [`FeatureId::index`]; features beyond its end have
+/// none. Features with parts must be covered by them, so the lowest level of a hierarchy is exempt. Features in `complete` must
+/// be covered even if they have no parts.
 ///
 /// O(n log n) for n half-edges and faces, each counted once for each feature that covers it.
 ///
@@ -62,7 +62,7 @@ pub fn check_parents(
                 (Deviation::OutsideParent, vec![*parent])
             }
         };
-        // A part without area lies nowhere, and its parent can be unknown all the same.
+        // A part without area lies nowhere, but its parent can still be unknown.
         let all = live(map, faces.get(part.index()));
         let is_outside = |face: &Face<'_>| !features_of(map, *face).any(|one| others.contains(&one));
         let outside: Vec<Face<'_>> = all.into_iter().filter(is_outside).collect();
@@ -74,7 +74,7 @@ pub fn check_parents(
         let covered = |face: Face<'_>| features_of(map, face).any(|one| parts.binary_search(&one).is_ok());
         let open: Vec<Face<'_>> =
             live(map, faces.get(parent.index())).into_iter().filter(|face| !covered(*face)).collect();
-        // Neighbours that are not open belong to other regions.
+        // Covered neighbours belong to other regions.
         let class = |face: Face<'_>| (features_of(map, face).any(|one| one == parent) && !covered(face)).then_some(());
         for region in connected(open, class) {
             let others = [Vec::new(), vec![parent]];
@@ -85,7 +85,6 @@ pub fn check_parents(
     Ok(found)
 }
 
-/// The faces with these keys.
 pub(super) fn live<'a>(map: &'a PlanarMap, keys: Option<&Vec<FaceKey>>) -> Vec<Face<'a>> {
     keys.into_iter().flatten().filter_map(|key| map.dcel().face(*key).ok()).collect()
 }

@@ -1,4 +1,4 @@
-//! The pieces that two layers cut each other into.
+//! The pieces into which two layers cut each other.
 
 use super::split;
 use crate::CoverageError;
@@ -6,22 +6,22 @@ use std::collections::BTreeMap;
 use twinedge::dcel::FaceKey;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The place that a feature of one layer and a feature of the other have in common, or that is covered by one layer only.
+/// The common area of a feature of one layer and a feature of the other, or an area that only one layer covers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Piece {
     /// The feature of the first layer.
     pub first: Option<FeatureId>,
-    /// The feature of the other layer. One of the two is there.
+    /// The feature of the other layer. At least one of the two is present.
     pub second: Option<FeatureId>,
-    /// Its faces, in order of their indices.
+    /// The faces, in order of their indices.
     pub faces: Vec<FaceKey>,
 }
 
-/// Returns the pieces of two layers on one map. The first `count` features of the map are those of the first layer. Pieces come in order of the
-/// features of the first layer and then of the other; those without come last.
+/// Returns the pieces of two layers on one map. The first `count` features of the map belong to the first layer. Pieces are
+/// sorted by the feature of the first layer, then of the other layer; missing features come last.
 ///
-/// A face that two features of one layer cover is in a piece of each of them. O(faces + p log p) for p pairs of a face and a piece that has it.
+/// A face that two features of one layer cover is in a piece of each. O(faces + p log p) for p pairs of a face and a piece.
 ///
 /// ```
 /// use twinedge_coverage::layers::pieces;
@@ -42,7 +42,7 @@ pub struct Piece {
 /// [`CoverageError::NotPlane`].
 pub fn pieces(map: &PlanarMap, count: usize) -> Result<Vec<Piece>, CoverageError> {
     map.plane()?;
-    // None after all features.
+    // Missing features come last.
     let key = |feature: Option<FeatureId>| (feature.is_none(), feature);
     let mut found: BTreeMap<_, Vec<FaceKey>> = BTreeMap::new();
     for face in map.dcel().faces() {

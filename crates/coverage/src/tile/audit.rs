@@ -10,11 +10,11 @@ use core::borrow::Borrow;
 use twinedge_geometry::threads;
 use twinedge_map::{BuildError, Feature};
 
-/// Judges a map by its tiles. `features` returns those of a tile, which are all that [`Cuts::tiles_of`] gives to it, with their
-/// numbers in the map; it is asked once for each tile, and a few times more if edges meet elsewhere than at vertices. `cuts` are new.
+/// Audits a map by its tiles. `features` returns the features of a tile, as assigned by [`Cuts::tiles_of`], with their numbers in
+/// the map. It is called once for each tile, and a few more times if edges meet other than at vertices. `cuts` must be new.
 ///
-/// With the feature `rayon`, tiles are judged on the threads of its current pool; the outcome is the same. Memory is that of a tile for each thread and
-/// of the summaries. O(n log n) for the features of each tile.
+/// With the feature `rayon`, tiles are audited on the threads of the current pool, with the same result. Memory holds one tile
+/// per thread and the summaries. O(n log n) for the features of each tile.
 ///
 /// ```
 /// use twinedge_coverage::{CoverageRule, Limits};
@@ -35,7 +35,7 @@ use twinedge_map::{BuildError, Feature};
 /// ```
 ///
 /// # Errors
-/// [`AuditError`]. That edges meet too often to be cut is none: then the coverage is not known.
+/// [`AuditError`]. Edges that meet too often to be cut are no error: the coverage is unknown then.
 pub fn audit<F: Borrow<Feature>, E: Send>(
     grid: &Grid,
     limits: &Limits,
@@ -67,7 +67,7 @@ fn borrowed<F: Borrow<Feature>>(features: &[(u32, F)]) -> impl Iterator<Item = (
     features.iter().map(|(number, feature)| (*number, feature.borrow()))
 }
 
-/// Finds all cuts; the inner error is that there are too many.
+/// Finds all cuts; the inner error means that there are too many.
 fn complete<F: Borrow<Feature>, E: Send>(
     grid: &Grid,
     cuts: &mut Cuts,
@@ -89,7 +89,7 @@ fn complete<F: Borrow<Feature>, E: Send>(
     Ok(Ok(()))
 }
 
-/// The tiles of a grid, and how the summary of one is made.
+/// The tiles of a grid, and the function that makes the summary of one.
 struct Tiles<'a, E> {
     grid: &'a Grid,
     of: &'a (dyn Fn(Tile) -> Result<Summary, AuditError<E>> + Sync),
@@ -100,7 +100,7 @@ impl<E: Send> Tiles<'_, E> {
         Ok(self.block([0, 0], self.grid.size())?.finish()?)
     }
 
-    /// The summary of a block of tiles: its halves are merged, so that summaries have short borders.
+    /// Returns the summary of a block of tiles by merging its halves, so that summaries have short borders.
     fn block(&self, low: [u32; 2], high: [u32; 2]) -> Result<Summary, AuditError<E>> {
         let [width, height] = [0, 1].map(|axis| high[axis] - low[axis]);
         if width <= 1 && height <= 1 {

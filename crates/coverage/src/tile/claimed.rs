@@ -1,4 +1,4 @@
-//! Areas that features claim together, by which duplicates are found (C5).
+//! Areas that features claim together, used to find duplicates (C5).
 
 use super::NIL;
 #[cfg(feature = "serde")]
@@ -11,27 +11,27 @@ use rustc_hash::FxHashMap;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Claimed {
     pub(super) feature: u32,
-    /// The place in the list of the first one that covers the same faces, itself perhaps; none if no face was seen.
+    /// The index in the list of the first feature that covers the same faces, perhaps itself; `None` if no face was seen.
     pub(super) like: Option<u32>,
-    /// The first and the last tile that the box around it meets.
+    /// The first and the last tile that its box meets.
     pub(super) between: [Tile; 2],
     /// The number of tiles that were given the feature with this box.
     pub(super) seen: u64,
 }
 
 impl Claimed {
-    /// Tiles that were given something else by the same number have an entry of their own.
+    /// Returns the key: features with the same number but different boxes have separate entries.
     pub(super) const fn key(&self) -> (u32, [Tile; 2]) {
         (self.feature, self.between)
     }
 
-    /// The number of tiles that the box meets.
+    /// Returns the number of tiles that the box meets.
     pub(super) fn of(&self) -> u64 {
         let [first, last] = self.between;
         (u64::from(last.column - first.column) + 1) * (u64::from(last.row - first.row) + 1)
     }
 
-    /// Returns true if the grid has its tiles, and not fewer than were seen.
+    /// Returns true if the tiles are in the grid, and no more were seen than there are.
     #[cfg(feature = "serde")]
     pub(super) fn is_in(&self, grid: &Grid) -> bool {
         let [first, last] = self.between;
@@ -39,7 +39,8 @@ impl Claimed {
     }
 }
 
-/// Says which features are alike; of each, `faces` has those that it covers. O(faces, each counted for each feature that covers it), expected.
+/// Finds features that are alike. `faces` contains the faces of each. O(faces, each counted for each feature that covers it),
+/// expected.
 pub(super) fn compare(claimed: &mut [Claimed], faces: Vec<Vec<u32>>) {
     let mut first = FxHashMap::default();
     for ((place, one), faces) in (0..).zip(claimed).zip(faces) {
@@ -47,13 +48,14 @@ pub(super) fn compare(claimed: &mut [Claimed], faces: Vec<Vec<u32>>) {
     }
 }
 
-/// Adds up the entries of two lists, one behind the other, for each feature with the same box: features are alike that were in both. Those that were seen to
-/// the end and are like no other are dropped: as all tiles of the box were given the feature so, one of another box that meets any of them is
-/// never seen to the end, and so it is found in any order of merging. Features of the same number whose boxes have no tile in common are not
-/// told apart from different ones: that would take an entry for each feature. O(n log n), expected.
+/// Adds up the entries of two concatenated lists, for each feature with the same box. Features remain alike if they were alike in
+/// both. Entries of completely seen features that are like no other are dropped. This is safe in any order of merging: all tiles
+/// of the box had the feature with this box, so an entry with another box that meets one of them is never completely seen, and is
+/// reported. Features of the same number whose boxes share no tile are not detected: that would take an entry for each feature.
+/// O(n log n), expected.
 pub(super) fn add_up(claimed: &mut Vec<Claimed>) {
     claimed.sort_by_key(Claimed::key);
-    // In each of the lists, the one that it is like.
+    // With the feature that it is like in each of the two lists.
     let mut all: Vec<(Claimed, [u32; 2])> = Vec::new();
     for one in claimed.drain(..) {
         let like = one.like.unwrap_or(NIL);
@@ -77,7 +79,7 @@ pub(super) fn add_up(claimed: &mut Vec<Claimed>) {
     }));
 }
 
-/// For each feature, the first of those that cover the same faces.
+/// Returns, for each feature, the first feature that covers the same faces.
 pub(super) fn first_like(claimed: &[Claimed]) -> FxHashMap<u32, u32> {
     claimed.iter().filter_map(|one| Some((one.feature, claimed[one.like? as usize].feature))).collect()
 }

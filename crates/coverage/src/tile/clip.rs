@@ -1,14 +1,14 @@
-//! Edges at the lines of a grid, exactly: where an edge enters and leaves a tile, and in what order edges pass a line.
+//! Edges at the lines of a grid, exactly: where an edge enters and leaves a tile, and the order of edges along a line.
 //!
-//! The point where an edge passes a line has no coordinates in doubles, so it is never computed. An edge is known by its ends, which the
-//! tiles on both sides know, and all questions are orientations of ends and corners of tiles.
+//! The crossing of an edge and a line has coordinates that doubles cannot represent, so it is never computed. An edge is given by
+//! its ends, known to the tiles on both sides, and all decisions are orientations of ends and corners of tiles.
 //!
 //! # No special cases
 //!
-//! The lines of a grid are thought of as moved a little: to the left by ε, and downwards by δ, much less than ε. All vertices are
-//! finite in number, so there are such numbers for which no line meets a vertex, no edge runs along a line, and no edge meets a corner.
-//! Hence tiles are half-open, an edge along a line belongs to the tile on its right or above it, and an edge through a corner has the corner
-//! on a definite side.
+//! The lines of a grid are treated as if moved a little: to the left by ε, and downwards by δ, much less than ε. There are
+//! finitely many vertices, so for some such numbers no line meets a vertex, no edge runs along a line, and no edge meets a
+//! corner. Hence tiles are half-open, an edge along a line belongs to the tile on its right or above it, and an edge through a
+//! corner passes it on a definite side.
 
 use super::ends::Ends;
 use super::side::Side;
@@ -16,7 +16,7 @@ use core::cmp::Ordering;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientation};
 
-/// The lines around a tile; none where it extends to infinity.
+/// The lines around a tile; `None` where it extends to infinity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     pub(super) left: Option<f64>,
@@ -25,7 +25,7 @@ pub(super) struct Bounds {
     pub(super) top: Option<f64>,
 }
 
-/// The sides where an edge enters and leaves a tile, on its way from the smaller end.
+/// The sides where an edge enters and leaves a tile, coming from its smaller end.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Crossings {
     pub(super) entry: Option<Side>,
@@ -33,7 +33,6 @@ pub(super) struct Crossings {
 }
 
 impl Bounds {
-    /// Returns true if the point lies in the tile.
     pub(super) fn contains(&self, p: Point) -> bool {
         self.left.is_none_or(|x| x <= p.x)
             && self.right.is_none_or(|x| p.x < x)
@@ -49,7 +48,7 @@ impl Bounds {
             && self.top.is_none_or(|y| low.y < y)
     }
 
-    /// The same with each line moved outwards.
+    /// Returns the bounds with each line moved outwards.
     pub(super) fn grown(&self, by: f64) -> Self {
         let moved = |line: Option<f64>, by: f64| line.map(|line| line + by);
         Self {
@@ -60,13 +59,12 @@ impl Bounds {
         }
     }
 
-    /// A point of the tile.
     pub(super) fn any_point(&self) -> Point {
         let within = |low: Option<f64>, high: Option<f64>| low.or(high.map(f64::next_down)).unwrap_or_default();
         Point::new(within(self.left, self.right), within(self.bottom, self.top))
     }
 
-    /// The places at which an edge passes the border of the tile. O(1).
+    /// Returns the sides at which an edge passes the border of the tile. O(1).
     pub(super) fn crossings(&self, [a, b]: Ends) -> Crossings {
         let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
         let upright = |x: Option<f64>| {
@@ -96,7 +94,7 @@ impl Bounds {
     }
 }
 
-/// Returns true if a corner, moved as lines are, lies to the left of the line from `p` to `q`.
+/// Returns true if a corner, moved like the lines, lies to the left of the line from `p` to `q`.
 fn is_left(p: Point, q: Point, corner: Point) -> bool {
     match orientation(p, q, corner) {
         Orientation::CounterClockwise => true,
@@ -107,8 +105,8 @@ fn is_left(p: Point, q: Point, corner: Point) -> bool {
 
 /// Compares the places where two edges of a plane drawing pass a line: from the bottom up, or from left to right. O(1).
 pub(super) fn compare_along(side: Side, e: Ends, f: Ends) -> Ordering {
-    // The order of two edges does not change along their way, so it is that at the later one of their starts; if they start together, at
-    // an end of one of them.
+    // The order of two edges is constant along them, so it is decided at the later of their starts; if they start together, at an
+    // end of one of them.
     if side.is_upright() {
         let [[p, q], [r, s]] = [e, f];
         match compare_lexicographic(p, r) {
@@ -127,7 +125,7 @@ pub(super) fn compare_along(side: Side, e: Ends, f: Ends) -> Ordering {
     }
 }
 
-/// The order of a line and a point on that side of it, across the line from right to left.
+/// Converts the side of a line on which a point lies to their order across the line, from right to left.
 const fn above(side: Orientation) -> Ordering {
     match side {
         Orientation::CounterClockwise => Ordering::Less,
@@ -136,14 +134,14 @@ const fn above(side: Orientation) -> Ordering {
     }
 }
 
-/// Returns true if an edge that passes the lower side of a tile does so to the left of a ray that comes straight down from a vertex in the
+/// Returns true if an edge that passes the lower side of a tile does so to the left of a ray straight down from a vertex in the
 /// tile, at `x`. The ray leans to the right by less than lines are moved.
 pub(super) fn is_left_of_ray([a, b]: Ends, x: f64, bottom: f64) -> bool {
     let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
     orientation(low, high, Point::new(x, bottom)) != Orientation::CounterClockwise
 }
 
-/// Returns true if the place straight below a vertex at `x`, on an edge that is no vertical one, lies below the tile.
+/// Returns true if the point straight below a vertex at `x`, on a non-vertical edge, lies below the tile.
 pub(super) fn is_below([a, b]: Ends, x: f64, bottom: f64) -> bool {
     orientation(a, b, Point::new(x, bottom)) == Orientation::CounterClockwise
 }

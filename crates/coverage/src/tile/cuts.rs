@@ -1,9 +1,9 @@
-//! The cuts of a map whose edges meet elsewhere than at vertices, found tile by tile.
+//! The cuts of a map whose edges meet other than at vertices, found tile by tile.
 //!
-//! The whole map is cut by [snap rounding](twinedge_geometry::noding) on the finest grid of cells: each edge becomes the chain of the *hot* pixels that it
-//! visits, and what a chain is made of is bent by the hot pixels that it visits in turn, until nothing bends any more. A
-//! pixel is hot if an edge ends or crosses another one in it. So whether a pixel is hot, and which edges visit it, is known in its
-//! tile; how an edge is bent is known as soon as both of its ends are.
+//! The whole map is cut by [snap rounding](twinedge_geometry::noding) on the finest grid of cells. Each edge becomes the chain of
+//! the *hot* pixels that it visits, and the pieces of a chain are bent by the hot pixels that they visit in turn, until nothing
+//! bends any more. A pixel is hot if an edge ends or crosses another one in it. So the tile of a pixel knows whether it is hot
+//! and which edges visit it; the bends of an edge are known once both of its ends are.
 //!
 //! ```text
 //!   round 0   each tile: hot pixels of crossings, and the edges that visit hot pixels          all tiles
@@ -13,8 +13,8 @@
 //!    …        until no piece is bent
 //! ```
 //!
-//! Both sides of a seam have the same pieces, since they are made from one list. The list is as long as what is cut, so it is short where
-//! borders of a map are meant to meet at vertices.
+//! Both sides of a seam have the same pieces, made from one list. The list contains only cut edges, so it is short if borders are
+//! meant to meet at vertices.
 
 use super::clip::Bounds;
 use super::ends::{Ends, compare_edges, compare_points};
@@ -31,13 +31,13 @@ use twinedge_map::{BuildError, Feature, Shape, usual_cuts};
 #[cfg(feature = "serde")]
 mod saved;
 
-/// The greatest number of rounds: more would let a chain drift out of the tiles that its feature was given to.
+/// The greatest number of rounds: more would let a chain drift out of the tiles of its feature.
 const ROUNDS: u32 = 60;
 
-/// The distance up to which tiles are given features, in cells: more than half of one for each round.
+/// The margin around tiles in which they are given features, in cells: more than half a cell for each round.
 const MARGIN: f64 = 40.0;
 
-/// A step reads a point an eighth of a cell off, and a pixel is half a cell around its centre.
+/// A step reads a point up to an eighth of a cell off, and a pixel extends half a cell around its centre.
 const REACH: f64 = 2.0;
 
 type Key = [(u64, u64); 2];
@@ -46,7 +46,7 @@ fn key(ends: &Ends) -> Key {
     ends.map(Point::hash_key)
 }
 
-/// The cuts of a map whose edges meet elsewhere than at vertices, by which each of its tiles cuts what it is given.
+/// The cuts of a map whose edges meet other than at vertices. Each tile cuts its features with them.
 ///
 /// ```
 /// use twinedge_coverage::Limits;
@@ -73,7 +73,7 @@ fn key(ends: &Ends) -> Key {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// With the feature `serde` they are saved and read between rounds, too, and equal ones as equal bytes.
+/// With the feature `serde`, cuts can be saved and loaded between rounds; equal cuts have equal bytes.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "saved::SavedCuts", into = "saved::SavedCuts"))]
@@ -82,23 +82,23 @@ pub struct Cuts {
     largest: f64,
     rounds: u32,
     is_complete: bool,
-    /// The hot pixels in which edges cross and none ends, in order.
+    /// The hot pixels where edges cross but none ends, in order.
     crossings: Vec<Point>,
-    /// The hot pixels that edges visit, in order from the smaller end, by the ends of the edges in the input.
+    /// The hot pixels along edges, in order from the smaller end, by the ends of the edges in the input.
     chains: FxHashMap<Key, Vec<Point>>,
-    /// Those that pieces visit, by the ends of the pieces.
+    /// The hot pixels along pieces, by the ends of the pieces.
     bends: FxHashMap<Key, Vec<Point>>,
-    /// The pieces of which it is not known yet.
+    /// The pieces not yet examined for bends.
     fresh: Vec<Ends>,
     seen: FxHashSet<Key>,
 }
 
-/// The cuts that a tile found in a round. With the feature `serde` they are saved as equal bytes whenever they are found.
+/// The cuts that a tile found in a round. With the feature `serde`, equal cuts are saved as equal bytes.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "saved::SavedFound"))]
 pub struct Found {
-    /// The largest coordinate and the round for which they were found.
+    /// The largest coordinate and the round of the search.
     largest: f64,
     round: u32,
     // All in order.
@@ -108,7 +108,7 @@ pub struct Found {
 }
 
 impl Cuts {
-    /// No cuts yet, of a map whose coordinates are at most so large.
+    /// Creates empty cuts for a map with coordinates up to `largest`.
     ///
     /// # Errors
     /// [`BuildError::OutOfReach`], if the number is not finite.
@@ -131,19 +131,19 @@ impl Cuts {
         })
     }
 
-    /// Returns true if nothing is left to be found.
+    /// Returns true if the search is finished.
     #[must_use]
     pub const fn is_complete(&self) -> bool {
         self.is_complete
     }
 
-    /// Returns true if nothing was found to be cut.
+    /// Returns true if there are no cuts.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.chains.is_empty() && self.bends.is_empty()
     }
 
-    /// The tiles that a feature is to be given to: those that come near the box around it. O(points).
+    /// Returns the tiles that must be given a feature: the tiles near its box. O(points).
     pub fn tiles_of(&self, grid: &Grid, feature: &Feature) -> impl Iterator<Item = Tile> + use<> {
         let (grid, margin) = (*grid, self.margin());
         corners(feature).into_iter().flat_map(move |(low, high)| {
@@ -152,8 +152,9 @@ impl Cuts {
         })
     }
 
-    /// The corners of a box around all features that are to be given to a tile, and around the edges of `features` that come near it, infinite where the grid
-    /// ends. What lies outside makes no difference to the way in which the edges in the tile are cut, if `features` are all that are given to it. O(points).
+    /// Returns the corners of a box around all features that must be given to a tile, and around the edges of `features` near it,
+    /// infinite where the grid ends. Data outside the box has no influence on the cuts in the tile, if `features` are all
+    /// features of the tile. O(points).
     #[must_use]
     pub fn window<'f>(&self, grid: &Grid, tile: Tile, features: impl IntoIterator<Item = &'f Feature>) -> [Point; 2] {
         let margin = 2.0 * self.margin();
@@ -169,29 +170,29 @@ impl Cuts {
         [low, high]
     }
 
-    /// The distance from a tile up to which features are given to it.
+    /// Returns the distance from a tile up to which features are given to it.
     pub(super) fn margin(&self) -> f64 {
         MARGIN * self.noding.cell()
     }
 
-    /// Returns true if the tile has something to find in this round. O(pieces that the last round made).
+    /// Returns true if the tile has something to find in this round. O(pieces of the last round).
     #[must_use]
     pub fn concern(&self, grid: &Grid, tile: Tile) -> bool {
         self.rounds == 0 || self.pieces(&grid.bounds(tile)).next().is_some()
     }
 
-    /// The pieces that come near a tile and of which it is not known yet whether they are bent.
+    /// Returns the unexamined pieces near a tile.
     fn pieces(&self, bounds: &Bounds) -> impl Iterator<Item = &Ends> {
         let bounds = bounds.grown(self.noding.cell());
         self.fresh.iter().filter(move |ends| meets(&bounds, ends))
     }
 
-    /// Finds what a tile adds in this round. `features` are all that [`tiles_of`](Self::tiles_of) gives to the tile; others make no
-    /// difference. O(n log n + k) for k cuts.
+    /// Finds the cuts of a tile in this round. `features` are all features that [`tiles_of`](Self::tiles_of) assigns to the tile;
+    /// others have no effect. O(n log n + k) for k cuts.
     ///
     /// # Errors
-    /// [`TileError::NoSuchTile`], and [`TileError::Build`] with [`BuildError::TooManyCuts`], or with [`BuildError::OutOfReach`] if a coordinate is
-    /// larger than was said.
+    /// [`TileError::NoSuchTile`], and [`TileError::Build`] with [`BuildError::TooManyCuts`], or with [`BuildError::OutOfReach`]
+    /// if a coordinate is larger than announced.
     pub fn search<'f>(
         &self,
         grid: &Grid,
@@ -224,7 +225,7 @@ impl Cuts {
             let chains = bends.into_iter().map(|(piece, chain)| (pieces[piece], chain)).collect();
             Found { chains, ..self.nothing() }
         };
-        // Each pixel is that of one tile.
+        // Each pixel belongs to one tile.
         found.crossings.retain(|p| bounds.contains(*p));
         for (_, chain) in &mut found.chains {
             chain.retain(|p| bounds.contains(*p));
@@ -254,11 +255,11 @@ impl Cuts {
         })
     }
 
-    /// Takes what all tiles found in a round, which ends it. What a tile found may come twice. O(n log n) for what they found.
+    /// Adds the finds of all tiles in a round, and ends the round. A tile's finds may be repeated. O(n log n) for the finds.
     ///
     /// # Errors
-    /// [`TileError::OtherCuts`], and nothing is taken; [`TileError::Build`] with [`BuildError::TooManyCuts`], if edges bend so often that they
-    /// drift out of their tiles.
+    /// [`TileError::OtherCuts`], with nothing added; [`TileError::Build`] with [`BuildError::TooManyCuts`], if edges bend so
+    /// often that they drift out of their tiles.
     pub fn take(&mut self, found: impl IntoIterator<Item = Found>) -> Result<(), TileError> {
         let mut of_round: FxHashMap<Key, (Ends, Vec<Point>)> = FxHashMap::default();
         let (mut crossings, mut doubtful) = (Vec::new(), Vec::new());
@@ -275,7 +276,7 @@ impl Cuts {
         let is_first = self.rounds == 0;
         for (ends, chain) in of_round.values_mut() {
             let ends = self.ends_of(ends, is_first);
-            // Chains never turn back, neither in x nor in y.
+            // Chains never turn back, in x or in y.
             let way = |p: &Point| (p.x - ends[0].x).abs() + (p.y - ends[0].y).abs();
             chain.sort_by(|a, b| way(a).total_cmp(&way(b)));
             chain.dedup();
@@ -311,12 +312,12 @@ impl Cuts {
         Ok(())
     }
 
-    /// The ends of the chain of an edge: of one of the input, or of a piece.
+    /// Returns the ends of the chain of an edge of the input, or of a piece.
     fn ends_of(&self, ends: &Ends, of_input: bool) -> Ends {
         if of_input { ends.map(|p| self.noding.snapped(p)) } else { *ends }
     }
 
-    /// Refuses a feature with a coordinate that is larger than was said.
+    /// Refuses a feature with a coordinate larger than announced.
     pub(super) fn check(&self, feature: &Feature) -> Result<(), BuildError> {
         let is_within = |p: &Point| p.x.abs() <= self.largest && p.y.abs() <= self.largest;
         match feature.shapes.iter().flat_map(points).find(|p| !is_within(p)) {
@@ -325,12 +326,10 @@ impl Cuts {
         }
     }
 
-    /// The vertex that a point of the input becomes.
     pub(super) fn snapped(&self, p: Point) -> Point {
         self.noding.snapped(p)
     }
 
-    /// The feature with its edges cut.
     pub(super) fn cut(&self, feature: &Feature) -> Feature {
         let shape = |shape: &Shape| match shape {
             Shape::Polygon(rings) => {
@@ -342,7 +341,7 @@ impl Cuts {
         Feature { shapes: feature.shapes.iter().map(shape).collect(), ..Feature::default() }
     }
 
-    /// The chain of edges that start at the first of some points.
+    /// Returns the chain of edges that starts at the first of some points.
     fn way(&self, steps: impl Iterator<Item = (Point, Point)>, points: &[Point]) -> Vec<Point> {
         let mut way: Vec<Point> = points.first().map(|p| self.snapped(*p)).into_iter().collect();
         for (a, b) in steps {
@@ -357,7 +356,7 @@ impl Cuts {
         way
     }
 
-    /// Goes on to a point, through the vertices that bend the way to it.
+    /// Extends a chain to a point, through the vertices that bend it.
     fn bend(&self, to: Point, way: &mut Vec<Point>) {
         let mut ahead = vec![to];
         while let (Some(to), Some(from)) = (ahead.last().copied(), way.last().copied()) {
@@ -398,7 +397,7 @@ fn chains_of(shape: &Shape) -> Vec<Chain<'_>> {
     }
 }
 
-/// The segments of a chain that have a length.
+/// Returns the segments of a chain, without zero-length segments.
 fn steps(Chain { points, is_closed }: Chain<'_>) -> impl Iterator<Item = (Point, Point)> {
     let closing = points.last().copied().zip(points.first().copied()).filter(|_| is_closed);
     let steps = points.windows(2).map(|pair| (pair[0], pair[1])).chain(closing);
@@ -409,12 +408,11 @@ fn steps_around(points: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     steps(Chain { points, is_closed: true })
 }
 
-/// The point with zeros that have no sign.
 fn unsigned(p: Point) -> Point {
     Point::new(p.x + 0.0, p.y + 0.0)
 }
 
-/// Returns true if points lead from end to end, and never back.
+/// Returns true if points lead from end to end without turning back.
 fn is_way([first, last]: Ends, between: &[Point]) -> bool {
     let course = |a: Point, b: Point| [a.x.partial_cmp(&b.x), a.y.partial_cmp(&b.y)];
     let whole = course(first, last);

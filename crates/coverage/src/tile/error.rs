@@ -14,7 +14,7 @@ pub enum TileError {
     /// Two features have the same number.
     #[error("two features have the number {0}")]
     SameNumber(u32),
-    /// Cuts were found in another round, or are those of another map.
+    /// The cuts belong to another round or another map.
     #[error("cuts were found in another round, or are those of another map")]
     OtherCuts,
     /// A feature was refused.
@@ -32,7 +32,7 @@ pub enum MergeError {
     /// The summaries were made with different limits.
     #[error("the summaries were made with different limits")]
     Limits,
-    /// Both summaries have a tile.
+    /// Both summaries contain a tile.
     #[error("both summaries have tile {0}")]
     Twice(Tile),
 }
@@ -44,9 +44,9 @@ pub enum FinishError {
     /// Tiles are missing.
     #[error("{} missing, the first of them {first}", Missing(*count))]
     Missing {
-        /// The first of them.
+        /// The first missing tile.
         first: Tile,
-        /// Their number.
+        /// The number of missing tiles.
         count: u64,
     },
 }
@@ -55,10 +55,10 @@ pub enum FinishError {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum AuditError<E> {
-    /// The features of a tile could not be had.
+    /// The features of a tile could not be obtained.
     #[error("{0}")]
     Features(E),
-    /// A tile could not be judged.
+    /// A tile could not be audited.
     #[error(transparent)]
     Tile(#[from] TileError),
     /// Summaries could not be merged.
@@ -69,7 +69,6 @@ pub enum AuditError<E> {
     Finish(#[from] FinishError),
 }
 
-/// The number of tiles that are missing.
 struct Missing(u64);
 
 impl core::fmt::Display for Missing {

@@ -3,12 +3,12 @@
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-/// The corners of the box around a feature.
+/// Returns the corners of the box around a feature.
 pub(super) fn corners(feature: &Feature) -> Option<(Point, Point)> {
     around(feature.shapes.iter().flat_map(points)).map(|[low, high]| (low, high))
 }
 
-/// The corners of the box around some points.
+/// Returns the corners of the box around some points.
 pub(super) fn around(mut points: impl Iterator<Item = Point>) -> Option<[Point; 2]> {
     let first = points.next()?;
     Some(points.fold([first; 2], |[low, high], p| {
@@ -16,12 +16,11 @@ pub(super) fn around(mut points: impl Iterator<Item = Point>) -> Option<[Point; 
     }))
 }
 
-/// The rings of a shape, if it is a polygon.
+/// Returns the rings of a polygon, or nothing for other shapes.
 pub(super) fn rings(shape: &Shape) -> &[Vec<Point>] {
     if let Shape::Polygon(rings) = shape { rings } else { &[] }
 }
 
-/// All points of a shape.
 pub(super) fn points(shape: &Shape) -> Box<dyn Iterator<Item = Point> + '_> {
     match shape {
         Shape::Polygon(rings) => Box::new(rings.iter().flatten().copied()),

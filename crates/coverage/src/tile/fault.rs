@@ -1,4 +1,4 @@
-//! Faults of a map that was seen by its tiles.
+//! Faults of a map that was audited by its tiles.
 
 use super::ends::{Ends, compare_edges, compare_points};
 use super::grid::Tile;
@@ -7,12 +7,12 @@ use core::cmp::Ordering;
 use core::fmt;
 use twinedge_geometry::Point;
 
-/// A way in which edges meet elsewhere than at a shared endpoint (rule G4).
+/// The kind of contact of edges that meet other than at a shared endpoint (rule G4).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum CrossingKind {
-    /// Two edges cross where no vertex is.
+    /// Two edges cross where there is no vertex.
     Cross,
     /// A vertex lies inside an edge that does not end there.
     Touch,
@@ -20,18 +20,18 @@ pub enum CrossingKind {
     Overlap,
 }
 
-/// Edges that meet elsewhere than at a shared endpoint (rule G4).
+/// Edges that meet other than at a shared endpoint (rule G4).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Crossing {
-    /// The way in which they meet.
+    /// The kind of contact.
     pub kind: CrossingKind,
-    /// An edge, by its ends, or twice the vertex that touches an edge.
+    /// The ends of an edge, or twice the vertex that touches an edge.
     pub first: Ends,
     /// Another edge.
     pub second: Ends,
-    /// The features along them, and along all edges at the vertex, by number, in order.
+    /// The numbers of the features along them and along all edges at the vertex, in order.
     pub features: Vec<u32>,
 }
 
@@ -49,18 +49,18 @@ impl Crossing {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Uneven {
-    /// V.
+    /// The number of vertices, V.
     pub vertices: u64,
-    /// E.
+    /// The number of edges, E.
     pub edges: u64,
     /// The number of cycles.
     pub cycles: u64,
-    /// Its least vertex; none, if no tile has one.
+    /// The least vertex; `None` if no tile has one.
     pub at: Option<Point>,
 }
 
 impl Uneven {
-    /// The genus; none if no surface has these numbers.
+    /// Returns the genus, or `None` if no surface has these numbers.
     #[must_use]
     pub const fn genus(&self) -> Option<u64> {
         match self.edges.saturating_add(2).checked_sub(self.vertices.saturating_add(self.cycles)) {
@@ -78,24 +78,24 @@ impl Uneven {
     }
 }
 
-/// A rule of seams: what two tiles say of the border between them is the same.
+/// A rule of seams: two tiles agree about the border between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum SeamRule {
     /// S1: both tiles see the same edges at their border.
     Contact,
-    /// S2: both tiles see them in the same order.
+    /// S2: both tiles see these edges in the same order.
     Order,
     /// S3: both tiles see the same features along each edge, and on each face between two.
     Features,
 }
 
 impl SeamRule {
-    /// All, in order of their ids.
+    /// All rules, in order of their ids.
     pub const ALL: [Self; 3] = [Self::Contact, Self::Order, Self::Features];
 
-    /// The id: `S1` to `S3`.
+    /// Returns the id: `S1` to `S3`.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -105,7 +105,7 @@ impl SeamRule {
         }
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -129,11 +129,11 @@ impl fmt::Display for SeamRule {
 pub struct SeamFault {
     /// The rule.
     pub rule: SeamRule,
-    /// The tile that has the edge, or the one on the left or below.
+    /// The tile that has the edge, or the left or lower tile.
     pub tile: Tile,
     /// The side of that tile.
     pub side: Side,
-    /// The edge; for the features of a face, the one before it on the border, if there is one.
+    /// The edge; for the features of a face, the edge before it on the border, if any.
     pub edge: Option<Ends>,
 }
 

@@ -1,4 +1,4 @@
-//! The findings of C1 … C5 and C7, from the regions of a whole map and the vertices that borders lack.
+//! The findings of C1 … C5 and C7, from the regions of a whole map and its unmatched vertices.
 
 use super::claimed::first_like;
 use super::ends::compare_edges;
@@ -14,7 +14,7 @@ use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 use twinedge_map::FeatureId;
 
-/// The findings of a plane map whose tiles are all merged.
+/// Returns the findings of a plane map whose tiles are all merged.
 pub(super) fn coverage(summary: &Summary) -> Coverage {
     let Summary { limits, lengths, areas, closed, .. } = summary;
     let gap_width = limits.gap_width.unwrap_or_else(|| width_by(lengths.clone()));
@@ -62,7 +62,7 @@ pub(super) fn coverage(summary: &Summary) -> Coverage {
     found
 }
 
-/// Near misses between the borders of some unclaimed regions.
+/// Returns the near misses between the borders of some unclaimed regions.
 fn near_misses(spaces: &[&Region], width: f64) -> Vec<Finding> {
     let mut edges: Vec<Edge> = spaces.iter().flat_map(|region| region.edges.iter().cloned()).collect();
     sort_edges(&mut edges);
@@ -102,7 +102,7 @@ fn overlaps(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Finding>
 }
 
 fn duplicates(closed: &[Region], first_like: &FxHashMap<u32, u32>) -> Vec<Finding> {
-    // By their first features, with the overlaps of these.
+    // Grouped by first feature, with its overlaps.
     let mut sets: BTreeMap<u32, (Vec<u32>, Vec<&Region>)> = BTreeMap::new();
     for (feature, first) in first_like {
         sets.entry(*first).or_default().0.push(*feature);

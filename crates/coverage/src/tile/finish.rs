@@ -1,4 +1,4 @@
-//! The audit of the whole, from the summaries of all tiles.
+//! The audit of the whole map, from the summaries of all tiles.
 
 use super::error::FinishError;
 use super::fault::{Crossing, SeamFault, Uneven};
@@ -16,32 +16,34 @@ use twinedge_map::BuildError;
 pub struct Outcome {
     /// The numbers of records.
     pub counts: Counts,
-    /// The least and the greatest corner of the box around the features; none, if there are none.
+    /// The least and the greatest corner of the box around the features; `None` if there are none.
     pub corners: Option<[Point; 2]>,
-    /// The number of edges of polygons by their extent, the greater of those in x and y: pairs of its exponent, as the bits of a double have it, and the
-    /// number, in order. An edge counts as often as it is drawn.
+    /// The number of polygon edges by extent, the greater of their extents in x and y: sorted pairs of the exponent, in the bit
+    /// format of a double, and the number. An edge counts each time it is drawn.
     pub extents: Vec<(u16, u64)>,
-    /// Pairs of edges that meet elsewhere than at a shared endpoint (G4).
+    /// Pairs of edges that meet other than at a shared endpoint (G4).
     pub crossings: Vec<Crossing>,
     /// The components for which `V − E + cycles` is not 2 (T3).
     pub uneven: Vec<Uneven>,
     /// The places where two tiles contradict each other (S1 … S3).
     pub seams: Vec<SeamFault>,
-    /// The findings of C1 … C5 and C7; none if edges meet elsewhere than at vertices and were not cut, or tiles contradict each other: then it is
-    /// not known what features cover.
+    /// The findings of C1 … C5 and C7. `None` if the extents of features are unknown, since tiles contradict each other, or edges
+    /// meet other than at vertices and were not cut.
     pub coverage: Option<Coverage>,
-    /// The reason why edges that meet elsewhere than at vertices could not be cut, if that was tried in vain.
+    /// The reason why edges that meet other than at vertices could not be cut, if cutting failed.
     pub uncut: Option<BuildError>,
-    /// The features whose shapes are not valid by the rules of the OGC (C6), by number.
+    /// The features whose shapes are invalid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
-    /// The features that not every tile was given that the box around them meets, or that have another box in another of these tiles, by number.
+    /// The numbers of features that were not given to every tile that meets their box, or have a different box in another of
+    /// these tiles.
     pub not_given: Vec<u32>,
-    /// False if `V − E + F = 1 + C` does not hold of the sums, or there is not one unbounded face (T3); none if faces are not known.
+    /// False if `V − E + F = 1 + C` does not hold for the sums, or there is not exactly one unbounded face (T3); `None` if faces
+    /// are unknown.
     pub adds_up: Option<bool>,
 }
 
 impl Outcome {
-    /// Returns true if nothing is wrong: the whole map is a planar subdivision.
+    /// Returns true if the whole map is a valid planar subdivision.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.crossings.is_empty()
@@ -53,24 +55,25 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// The outcome with the coverage of the same map with its edges cut, if they meet elsewhere than at vertices and tiles do not contradict each other.
+    /// Returns the outcome with the coverage of the cut map, if edges meet other than at vertices and tiles do not contradict
+    /// each other.
     #[must_use]
     pub fn with_cut(self, cut: Self) -> Self {
         if self.needs_cut() { Self { coverage: cut.coverage, ..self } } else { self }
     }
 
-    /// Returns true if it would be known what features cover, if edges were cut where they meet.
+    /// Returns true if cutting edges where they meet would determine the extents of features.
     #[must_use]
     pub fn needs_cut(&self) -> bool {
         !self.crossings.is_empty() && self.seams.is_empty() && self.not_given.is_empty()
     }
 
-    /// The outcomes of R1 … G5, as the report of the whole map has them. The rules that every map keeps that is built of features were checked
-    /// when it was.
+    /// Returns the outcomes of R1 … G5, as in the report of the whole map. The rules that building from features guarantees were
+    /// checked during the build.
     pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
         let Counts { vertices, half_edges, edges, faces, outer_boundaries, inner_boundaries, .. } = self.counts;
         let isolated = self.counts.isolated_vertices;
-        // Tiles may have more records together than the numbers of a small machine count.
+        // Tiles together may have more records than a small machine's `usize` can count.
         let sum = |numbers: &[usize]| numbers.iter().fold(0, |sum: usize, n| sum.saturating_add(*n));
         let boundaries = sum(&[outer_boundaries, inner_boundaries]);
         let links = sum(&[half_edges.saturating_mul(5), vertices, boundaries, boundaries, faces, inner_boundaries]);
@@ -102,7 +105,7 @@ impl Outcome {
         })
     }
 
-    /// The greatest numbers of edges and faces by T4, if it applies.
+    /// Returns the greatest numbers of edges and faces by T4, if it applies.
     #[must_use]
     pub fn bounds(&self) -> Option<Bounds> {
         let vertices = self.counts.vertices;
@@ -112,7 +115,6 @@ impl Outcome {
 }
 
 impl Summary {
-    /// The tiles that are missing of the whole.
     fn missing(&self) -> Result<(), FinishError> {
         let [columns, rows] = self.grid.size().map(u64::from);
         let count = (columns * rows).saturating_sub(self.tiles.len() as u64);
@@ -123,7 +125,7 @@ impl Summary {
         }
     }
 
-    /// The audit of the whole, from the summary of all its tiles. O(tiles log tiles).
+    /// Completes the audit of the whole, from the summary of all its tiles. O(tiles log tiles).
     ///
     /// ```
     /// use twinedge_coverage::Limits;
@@ -150,7 +152,7 @@ impl Summary {
         let totals = self.totals;
         let number = |n: u64| usize::try_from(n).unwrap_or(usize::MAX);
         let with_edges = totals.components.saturating_sub(totals.isolated_vertices);
-        // Each component has one cycle outside, and each other cycle bounds a face.
+        // Each component has one outside cycle, and each other cycle bounds a face.
         let bounded = totals.cycles.saturating_sub(with_edges);
         let adds_up = self.is_plane.then(|| totals.faces == bounded + 1 && totals.unbounded_faces == 1);
         let genus =

@@ -14,8 +14,8 @@ const MOST: u32 = 1 << 16;
 
 /// A division of the plane into columns and rows of half-open boxes.
 ///
-/// The lines between them divide a box evenly. The first and last columns and rows extend to infinity, so every point of the plane lies
-/// in exactly one tile: a point on a line belongs to the tile on the right of it, or above it.
+/// The lines between them divide a box evenly. The first and last columns and rows extend to infinity, so every point of the
+/// plane lies in exactly one tile: a point on a line belongs to the tile on its right or above it.
 ///
 /// ```
 /// use twinedge_geometry::Point;
@@ -59,17 +59,17 @@ pub enum GridError {
     /// There are no columns or no rows, or more than 65,536 of them.
     #[error("a grid has 1 to 65,536 columns and rows")]
     Size,
-    /// Two lines are at the same place, or one is out of the range in which predicates are exact.
+    /// Two lines coincide, or a line is out of the range in which predicates are exact.
     #[error("the lines of the grid are not distinct, or out of range")]
     Lines,
 }
 
 impl Grid {
-    /// The grid of one tile, which is all of the plane.
+    /// The grid of one tile, the whole plane.
     pub const EVERYTHING: Self =
         Self { low: Point { x: 0.0, y: 0.0 }, high: Point { x: 1.0, y: 1.0 }, columns: 1, rows: 1 };
 
-    /// The grid of so many columns and rows whose lines divide the box between two corners. O(columns + rows).
+    /// Creates a grid with these numbers of columns and rows, whose lines divide the box between two corners. O(columns + rows).
     ///
     /// # Errors
     /// [`GridError`].
@@ -87,23 +87,21 @@ impl Grid {
         if is_right { Ok(grid) } else { Err(GridError::Lines) }
     }
 
-    /// The numbers of columns and rows.
+    /// Returns the numbers of columns and rows.
     #[must_use]
     pub const fn size(&self) -> [u32; 2] {
         [self.columns, self.rows]
     }
 
-    /// The line on the left of a column.
     fn upright(&self, column: u32) -> f64 {
         line(self.low.x, self.high.x, column, self.columns)
     }
 
-    /// The line below a row.
     fn level(&self, row: u32) -> f64 {
         line(self.low.y, self.high.y, row, self.rows)
     }
 
-    /// The tile in which a point lies. O(log tiles).
+    /// Returns the tile that contains a point. O(log tiles).
     #[must_use]
     pub fn tile_of(&self, p: Point) -> Tile {
         let place = |of: u32, is_passed: &dyn Fn(u32) -> bool| {
@@ -124,7 +122,7 @@ impl Grid {
         }
     }
 
-    /// The tiles that a feature is to be given to, row by row: those that meet the box around it. O(points).
+    /// Returns the tiles that must be given a feature, row by row: the tiles that meet its box. O(points).
     ///
     /// ```
     /// use twinedge_map::{Feature, Shape};
@@ -141,14 +139,14 @@ impl Grid {
         corners(feature).into_iter().flat_map(move |(low, high)| grid.tiles_between(low, high))
     }
 
-    /// The tiles that meet the closed box between two corners, row by row.
+    /// Returns the tiles that meet the closed box between two corners, row by row.
     pub(super) fn tiles_between(&self, low: Point, high: Point) -> impl Iterator<Item = Tile> + use<> {
         let (first, last) = (self.tile_of(low), self.tile_of(high));
         let columns = first.column..=last.column;
         (first.row..=last.row).flat_map(move |row| columns.clone().map(move |column| Tile { column, row }))
     }
 
-    /// All tiles, row by row.
+    /// Returns all tiles, row by row.
     ///
     /// ```
     /// use twinedge_coverage::tile::Grid;
@@ -167,7 +165,6 @@ impl Grid {
         tile.column < self.columns && tile.row < self.rows
     }
 
-    /// The lines around a tile.
     pub(super) fn bounds(&self, tile: Tile) -> Bounds {
         let Tile { column, row } = tile;
         Bounds {
@@ -178,7 +175,7 @@ impl Grid {
         }
     }
 
-    /// The tile on the other side, if there is one.
+    /// Returns the tile on the other side, if there is one.
     pub(super) fn neighbour(&self, Tile { column, row }: Tile, side: Side) -> Option<Tile> {
         let [column, row] = match side {
             Side::Bottom => [column, row.checked_sub(1)?],

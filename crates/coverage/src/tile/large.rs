@@ -1,4 +1,4 @@
-//! Pieces of features that are too large to be part of a sliver, so that nothing needs to be kept of their regions.
+//! Pieces of features that are too large to be part of a sliver, so their regions need no further data.
 
 use super::clip::Bounds;
 use super::ends::Ends;
@@ -7,7 +7,8 @@ use super::pieces::Pieces;
 use super::side::Side;
 use twinedge_geometry::Point;
 
-/// The area of each piece that does not extend to infinity, roughly: where edges pass the border is rounded. O(n).
+/// Returns the approximate area of each piece that does not extend to infinity: crossings of edges and the border are rounded.
+/// O(n).
 pub(super) fn areas(local: &Local<'_>, pieces: &Pieces) -> Vec<f64> {
     let mut twice = vec![0.0; pieces.faces.len()];
     let origin = local.parts.first().map_or_else(|| local.bounds.any_point(), |part| part.ends[0]);
@@ -47,7 +48,7 @@ pub(super) fn areas(local: &Local<'_>, pieces: &Pieces) -> Vec<f64> {
     twice.into_iter().map(|twice| twice / 2.0).collect()
 }
 
-/// The corner at the end of a side, counter-clockwise.
+/// Returns the corner at the end of a side, counter-clockwise.
 fn corner(bounds: &Bounds, side: Side) -> Option<Point> {
     let (x, y) = match side {
         Side::Bottom => (bounds.right, bounds.bottom),
@@ -58,7 +59,7 @@ fn corner(bounds: &Bounds, side: Side) -> Option<Point> {
     Some(Point::new(x?, y?))
 }
 
-/// The ends of the part of an edge that lies in the tile, rounded.
+/// Returns the ends of the part of an edge in the tile, rounded.
 fn clipped(local: &Local<'_>, part: &Part) -> Ends {
     let at = |contact: Option<u32>, end: Point| {
         let side = contact.map(|contact| local.contacts[contact as usize].0);
@@ -67,7 +68,7 @@ fn clipped(local: &Local<'_>, part: &Part) -> Ends {
     [at(part.entry, part.ends[0]), at(part.exit, part.ends[1])]
 }
 
-/// The point where an edge passes a side, rounded.
+/// Returns the point where an edge passes a side, rounded.
 fn passage(bounds: &Bounds, side: Side, [a, b]: Ends) -> Option<Point> {
     let along = |from: f64, to: f64, part: f64| from + (to - from) * part.clamp(0.0, 1.0);
     Some(match side {

@@ -13,7 +13,7 @@ use twinedge_map::{Embedding as _, FeatureId, PlanarMap};
 
 /// The part of an edge that lies in the tile.
 pub(super) struct Part {
-    /// The half-edge that leaves the smaller end, by index, and the other one.
+    /// The half-edge that leaves the smaller end, by index, and its twin.
     pub(super) half_edges: [usize; 2],
     pub(super) ends: Ends,
     /// The contacts where the first half-edge enters and leaves the tile.
@@ -24,13 +24,13 @@ pub(super) struct Part {
 /// The part of a map that lies in a tile.
 pub(super) struct Local<'a> {
     pub(super) map: &'a PlanarMap,
-    /// The numbers of its features.
     pub(super) numbers: &'a [u32],
     pub(super) bounds: Bounds,
     pub(super) parts: Vec<Part>,
     /// The part of each half-edge, by index.
     pub(super) part_of: Vec<u32>,
-    /// The contacts counter-clockwise from the lower left corner: the side, the part, and true if its first half-edge enters there.
+    /// The contacts counter-clockwise from the lower left corner: the side, the part, and true if its first half-edge enters
+    /// there.
     pub(super) contacts: Vec<(Side, u32, bool)>,
 }
 
@@ -94,41 +94,39 @@ impl<'a> Local<'a> {
         self.bounds.contains(self.map.point(vertex.index()))
     }
 
-    /// The half-edge that enters at a contact.
+    /// Returns the half-edge that enters at a contact.
     pub(super) fn entering(&self, contact: u32) -> usize {
         let (_, part, is_entry) = self.contacts[contact as usize];
         self.parts[part as usize].half_edges[usize::from(!is_entry)]
     }
 
-    /// The contact at which a half-edge leaves the tile, if it does.
+    /// Returns the contact at which a half-edge leaves the tile, if it does.
     pub(super) fn leaves_at(&self, h: usize) -> Option<u32> {
         let part = &self.parts[self.part_of[h] as usize];
         if part.half_edges[0] == h { part.exit } else { part.entry }
     }
 
-    /// The numbers of features of the map.
     pub(super) fn numbers(&self, features: impl Iterator<Item = FeatureId>) -> Vec<u32> {
         features.map(|feature| self.numbers[feature.index()]).collect()
     }
 
-    /// The numbers of the features that cover a face.
+    /// Returns the numbers of the features that cover a face.
     pub(super) fn covering(&self, face: Option<FaceKey>) -> Vec<u32> {
         let features = face.and_then(|face| self.map.features_of(face).ok());
         features.map(|features| self.numbers(features)).unwrap_or_default()
     }
 
-    /// The numbers of the features along an edge.
     pub(super) fn features_along(&self, h: usize) -> Vec<u32> {
         let along = self.half_edge(h).and_then(|h| self.map.features_along(h.key()).ok());
         along.map(|along| self.numbers(along)).unwrap_or_default()
     }
 
-    /// The numbers of the features along the edges at a vertex.
+    /// Returns the numbers of the features along the edges at a vertex.
     fn features_at(&self, vertex: &Vertex<'_>) -> Vec<u32> {
         vertex.rotation().flat_map(|h| self.features_along(h.index())).collect()
     }
 
-    /// The pairs of edges that meet elsewhere than at shared endpoints.
+    /// Returns the pairs of edges that meet other than at shared endpoints.
     pub(super) fn crossings(&self) -> Vec<Crossing> {
         if self.map.is_plane() {
             return Vec::new();
@@ -151,7 +149,7 @@ impl<'a> Local<'a> {
                 Clash::Overlap { a, b } => (CrossingKind::Overlap, ends(a), ends(b), [along(a), along(b)].concat()),
                 Clash::Touch { vertex, segment } => {
                     let at = points[vertex as usize];
-                    // An edge that ends at a vertex elsewhere is known to its tile.
+                    // The tile of a vertex knows the edges that end at it.
                     let vertex = vertices.get(&at.hash_key())?;
                     (CrossingKind::Touch, [at; 2], ends(segment), [self.features_at(vertex), along(segment)].concat())
                 }
@@ -167,8 +165,8 @@ impl<'a> Local<'a> {
         found.into_iter().filter_map(crossing).collect()
     }
 
-    /// The cycles: for each contact the contact where the half-edge that enters there leaves again, and for each cycle that no border
-    /// cuts its first half-edge.
+    /// Returns the cycles: for each contact, the contact where the half-edge that enters there leaves again; and the first
+    /// half-edge of each cycle that no border cuts.
     pub(super) fn trace(&self) -> (Vec<u32>, Vec<usize>) {
         let mut is_passed = vec![false; self.part_of.len()];
         let mut leaves = Vec::with_capacity(self.contacts.len());

@@ -11,7 +11,7 @@ use core::cmp::Ordering;
 use std::collections::BTreeMap;
 
 impl Summary {
-    /// Merges two summaries of different tiles. The tiles need not be neighbours. O(n log n) for what both list, expected.
+    /// Merges two summaries of different tiles, which may be far apart. O(n log n) for the listed records of both, expected.
     ///
     /// ```
     /// use twinedge_coverage::Limits;
@@ -59,7 +59,7 @@ impl Summary {
     }
 }
 
-/// Both, with what the second lists numbered after what the first does.
+/// Concatenates both, with the records of the second renumbered to follow the records of the first.
 fn beside(mut one: Summary, mut other: Summary) -> Summary {
     let [faces, components, cycles, regions, claimed] =
         [one.faces.len(), one.components.len(), one.cycles.len(), one.regions.len(), one.claimed.len()]
@@ -101,7 +101,7 @@ fn beside(mut one: Summary, mut other: Summary) -> Summary {
 }
 
 impl Summary {
-    /// Joins what lies on both sides of a border.
+    /// Joins the records on both sides of a border.
     fn join(&mut self, here: &Border, there: &Border, joins: &mut Joins) {
         let fault = |rule, border: &Border, contact: Option<&&Contact>| SeamFault {
             rule,
@@ -161,7 +161,7 @@ impl Summary {
     }
 }
 
-/// The contacts in order of their edges.
+/// Returns the contacts in order of their edges.
 fn sorted(border: &Border) -> Vec<&Contact> {
     let mut contacts: Vec<&Contact> = border.contacts.iter().collect();
     contacts.sort_by(|a, b| compare_edges(&a.edge, &b.edge));

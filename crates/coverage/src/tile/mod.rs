@@ -1,9 +1,10 @@
-//! Maps in tiles: each tile of a grid is judged alone, and the summaries add up to the audit of the whole map.
+//! Maps in tiles: each tile of a grid is audited alone, and the summaries add up to the audit of the whole map.
 //!
-//! A map that is too large for one machine, or that several work on, is cut by a [`Grid`]. [`Summary::new`] makes the summary of a tile from
-//! the features that meet it. [`Summary::merge`] makes one summary of two, in whatever order. [`Summary::finish`] says of the summary
-//! of all tiles what the audit of the whole map says: the counts, whether the map is a planar subdivision, and the findings of C1 … C7, with the
-//! same features and places, and, up to rounding, the same areas, widths and lengths. [`audit`] does all of it on one machine.
+//! A [`Grid`] divides a map that is too large for one machine, or shared by several workers. [`Summary::new`] summarizes a tile
+//! from the features that meet it. [`Summary::merge`] combines two summaries, in any order. [`Summary::finish`] turns the summary
+//! of all tiles into the audit of the whole map: the counts, whether the map is a planar subdivision, and the findings of C1 …
+//! C7, with the same features and locations and, up to rounding, the same areas, widths and lengths. [`audit`] does all of this
+//! on one machine.
 //!
 //! ```
 //! use twinedge_coverage::{CoverageRule, Limits};
@@ -33,60 +34,60 @@
 //!
 //! # What a tile is given
 //!
-//! All features whose boxes meet the tile, whole, with their numbers in the map; [`Grid::tiles_of`] says which tiles a feature is to be given to. So a tile knows by
-//! itself which features cover its faces, also where there is no edge in it, and neighbours must agree on that.
-//! [`Summary::new`] takes edges as they are: they should meet at shared endpoints only. Where they do not, that is found, and the map is then judged
-//! once more, with edges that are cut where they meet: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes the summaries from which the
-//! coverage is known.
+//! A tile is given all features whose boxes meet it, whole, with their numbers in the map; [`Grid::tiles_of`] assigns features to
+//! tiles. So a tile knows which features cover its faces even where it has no edge, and neighbours must agree. [`Summary::new`]
+//! takes edges as they are: they should meet only at shared endpoints. If they do not, this is detected, and the map is audited
+//! again with edges cut where they meet: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes the summaries that determine
+//! the coverage.
 //!
 //! # What a summary holds
 //!
-//! What lies inside is counted. What the border cuts is listed: *contacts*, where an edge passes a side of a tile, in their order along the
-//! side, with the component and the two cycles that the edge belongs to; and the pieces of faces between them. Where two tiles have a side
-//! in common, their contacts are matched, and components, cycles and faces are joined: that is union-find. What no border cuts any more is
-//! counted.
+//! Records inside a tile are counted. Records cut by the border are listed: *contacts*, where an edge passes a side of a tile, in
+//! order along the side, with the component and the two cycles of the edge; and the pieces of faces between them. When two tiles
+//! share a side, their contacts are matched, and components, cycles and faces are joined by union-find. Records no longer cut by
+//! any border are counted.
 //!
-//! | listed besides | why | when it goes |
+//! | also listed | reason | dropped |
 //! | --- | --- | --- |
-//! | the edges of unclaimed faces, and of faces that two features claim | they are gaps, overlaps and duplicates, or the spaces between near misses | never |
-//! | the edges of a part of a feature that a border cuts | it may be a sliver | as soon as a tile has more of it than twice the area of slivers, if that was given |
-//! | features that a border cuts, and those that claim the same | they may be duplicates | when all their tiles are merged |
-//! | vertices that borders lack, if edges are cut | those of two features are one mismatch, in whatever tiles they are | never |
+//! | the edges of unclaimed faces, and of faces that two features claim | they form gaps, overlaps and duplicates, or the spaces between near misses | never |
+//! | the edges of a part of a feature that a border cuts | it may be a sliver | as soon as a tile has more of it than twice the given area of slivers |
+//! | features that a border cuts, and features that claim the same faces | they may be duplicates | when all their tiles are merged |
+//! | unmatched vertices, if edges are cut | all vertices of two features form one mismatch, across tiles | never |
 //! | the lengths of all edges; the areas of all parts of features | [`Limits`] that are not given are medians of these | never; not listed if `gap_width` and `sliver_area` are given |
 //!
-//! So a summary is as large as what its border cuts and what it found, if both limits are given and features are a coverage. Where islands lie in the sea,
-//! it has all coasts, because a near miss may be at each of them.
+//! So if both limits are given and features form a coverage, the size of a summary is proportional to its border and its
+//! findings. With islands in a sea, it contains all coasts, since each may have a near miss.
 //!
-//! Equal tiles have equal summaries, whatever the order of merging: classes are numbered as the borders name them first, and lists are
-//! sorted. With the feature `serde` they are saved as equal bytes, by any format that is deterministic, and what is read is checked.
+//! Equal tiles have equal summaries, independent of the order of merging: classes are numbered as the borders first name them,
+//! and lists are sorted. With the feature `serde` any deterministic format saves them as equal bytes, and loading validates them.
 //!
 //! # Exactness
 //!
-//! The point where an edge passes a line of the grid has no coordinates in doubles. So it is never computed: a contact is known by the
-//! ends of its edge, which both tiles know, and the order of contacts is decided by exact predicates. The lines are thought of as moved
-//! to the left and downwards by less than any distance of the drawing, so that no vertex lies on a line and no edge runs along one: a vertex
-//! or an edge on a line belongs to the tile on its right, or above it.
+//! The crossing of an edge and a line of the grid has coordinates that doubles cannot represent, so it is never computed: a
+//! contact is identified by the ends of its edge, known to both tiles, and exact predicates order contacts. The lines are treated
+//! as if moved to the left and downwards by less than any distance of the drawing, so that no vertex lies on a line and no edge
+//! runs along one: a vertex or an edge on a line belongs to the tile on its right or above it.
 //!
 //! # Rules of seams
 //!
 //! | rule | sentence |
 //! | --- | --- |
 //! | S1 contact | both tiles see the same edges at their border |
-//! | S2 order | both tiles see them in the same order |
+//! | S2 order | both tiles see these edges in the same order |
 //! | S3 features | both tiles see the same features along each edge, and on each face between two |
 //!
-//! They are broken if tiles were made from different data, or a feature was not given to a tile that it meets. If a contact is missing, what lies on
-//! both sides is joined only as far as they agree; counts are what follows from that.
+//! They are broken if tiles were made from different data, or a feature was not given to a tile that it meets. If a contact is
+//! missing, both sides are joined only as far as they agree, and the counts follow from that.
 //!
 //! # What is checked
 //!
-//! Most rules hold of every map that is built of features: rotations are sorted by exact predicates, and cycles, faces and what lies in what
-//! follow. G4 is checked in each tile, T3 of each component and of the sums. Where edges cross (G4), nothing is known of faces: then G3 and G5
-//! are not checked ([`Outcome::rules`]), and C1 … C5 and C7 are those of the map with its edges cut ([`Outcome::coverage`]). Where edges are cut too often, or
-//! bend so often that they drift into other tiles, [`Outcome::uncut`] says so.
+//! Most rules hold for every map built from features: exact predicates sort rotations, and cycles, faces and nesting follow. G4
+//! is checked in each tile, T3 for each component and for the sums. If edges cross (G4), faces are unknown: then G3 and G5 are
+//! not checked ([`Outcome::rules`]), and C1 … C5 and C7 describe the map with its edges cut ([`Outcome::coverage`]).
+//! [`Outcome::uncut`] reports edges that are cut too often, or bend so often that they drift into other tiles.
 //!
-//! Source for tiles of subdivisions: L. Calderón-Romero, A. Magdy, V. J. Tsotras, "Scalable overlay operations over DCEL polygon layers", SSTD
-//! 2023, where cells are joined in a second phase; here they are joined by merging.
+//! Source for tiles of subdivisions: L. Calderón-Romero, A. Magdy, V. J. Tsotras, "Scalable overlay operations over DCEL polygon
+//! layers", SSTD 2023. It joins cells in a second phase; here they are joined by merging.
 //!
 //! [`Limits`]: crate::Limits
 
@@ -121,5 +122,4 @@ pub use grid::{Grid, GridError, Tile};
 pub use side::Side;
 pub use summary::Summary;
 
-/// No record, in a column.
 const NIL: u32 = u32::MAX;

@@ -1,7 +1,7 @@
 //! The pieces of faces in a tile.
 //!
-//! The border of the tile and the cycles that it cuts make up cycles of their own, each of which is the outer boundary of a piece. So is each
-//! outer cycle that lies inside. The outside of a component that lies inside is in the piece below its least vertex.
+//! The border of the tile and the cycles that it cuts form new cycles, each the outer boundary of a piece, as is each outer cycle
+//! inside. The outside of a component inside the tile is in the piece below its least vertex.
 //!
 //! ```text
 //!   ┌──────┬───────┐
@@ -25,7 +25,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::sweep::sweep;
 use twinedge_map::Embedding as _;
 
-/// The pieces of faces in a tile, those first that its border cuts.
+/// The pieces of faces in a tile; pieces cut by the border come first.
 pub(super) struct Pieces {
     pub(super) faces: Vec<Face>,
     /// The piece between each contact and the next; if there is no contact, the only one.
@@ -35,12 +35,12 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
-    /// `leaves` has for each contact the one where the half-edge that enters there leaves again, and `closed` a half-edge of each cycle
-    /// inside. O(n log n).
+    /// `leaves` contains, for each contact, the contact where the half-edge that enters there leaves again, and `closed` a
+    /// half-edge of each cycle inside. O(n log n).
     pub(super) fn new(local: &Local<'_>, leaves: &[u32], closed: &[usize]) -> Self {
         let count = local.contacts.len();
         let following = |contact: usize| (contact + 1) % count;
-        // From where a cycle leaves, the border leads to the next contact, where another one enters.
+        // After a cycle leaves, the border leads to the next contact, where another one enters.
         let mut sets = UnionFind::new(count);
         for (enter, leave) in (0..).zip(leaves) {
             sets.union(enter, following(*leave as usize) as u32);
@@ -83,7 +83,7 @@ impl Pieces {
         pieces
     }
 
-    /// The piece on the border before a contact.
+    /// Returns the piece on the border before a contact.
     fn before(&self, contact: usize) -> u32 {
         let count = self.after.len();
         self.after[(contact + count - 1) % count]
@@ -102,7 +102,7 @@ impl Pieces {
         }
     }
 
-    /// Finds the pieces in which the outsides of components lie, each given by a half-edge.
+    /// Finds the pieces that contain the outsides of components, each given by a half-edge.
     fn place(&mut self, local: &Local<'_>, outsides: &[usize]) {
         if outsides.is_empty() {
             return;
@@ -123,7 +123,7 @@ impl Pieces {
         let queries: Vec<u32> = least.iter().map(|(p, _)| number(*p)).collect();
         let below = sweep(&points, &segments, &queries).map(|swept| swept.below).unwrap_or_default();
         let at_bottom = local.contacts.partition_point(|contact| contact.0 == Side::Bottom);
-        // From left to right, so the piece of what lies below is known.
+        // Left to right, so the piece of the edge below is known.
         for ((p, start), below) in least.into_iter().zip(below) {
             let part = below.map(|part| &local.parts[part as usize]);
             let bottom = local.bounds.bottom;
@@ -139,7 +139,7 @@ impl Pieces {
         }
     }
 
-    /// Says which features cover the pieces.
+    /// Sets the features that cover the pieces.
     fn say_features(&mut self, local: &Local<'_>) {
         let mut is_known = vec![false; self.faces.len()];
         for h in local.parts.iter().flat_map(|part| part.half_edges) {
@@ -151,18 +151,18 @@ impl Pieces {
             self.faces[piece].features = local.covering(face);
         }
         if !is_known[0] {
-            // There is no edge in the tile. An isolated vertex says which face it is, or a point where there is none.
+            // The tile has no edge. An isolated vertex determines its face, or else an arbitrary point.
             let face = local.map.face_at(local.bounds.any_point());
             self.faces[0].features = local.covering(face.map(|face| face.key()));
         }
     }
 
-    /// The pieces on the border before, between and after some contacts.
+    /// Returns the pieces on the border before, between and after some contacts.
     pub(super) fn along(&self, contacts: Range<usize>) -> Vec<u32> {
         (contacts.start..=contacts.end).map(|contact| self.before(contact)).collect()
     }
 
-    /// The pieces on both sides of an edge.
+    /// Returns the pieces on both sides of an edge.
     pub(super) fn beside(&self, part: &Part) -> [u32; 2] {
         part.half_edges.map(|h| self.of[h])
     }

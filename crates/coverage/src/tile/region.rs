@@ -1,12 +1,12 @@
-//! Regions: faces that hang together and are claimed alike, from which findings are made.
+//! Regions: connected faces with equal claims, from which findings are made.
 //!
 //! | region | faces | becomes |
 //! | --- | --- | --- |
-//! | unclaimed | that no feature covers | a gap (C2), or a space between near misses (C3) |
-//! | part | that a feature covers, whatever else does | a sliver (C4) |
-//! | overlap | that the same features cover, two or more | an overlap (C1), a duplicate (C5) |
+//! | unclaimed | covered by no feature | a gap (C2), or a space between near misses (C3) |
+//! | part | covered by a feature, perhaps with others | a sliver (C4) |
+//! | overlap | covered by the same two or more features | an overlap (C1), a duplicate (C5) |
 //!
-//! What a finding says of its place is not a sum, so a region that may be one has all edges of its faces.
+//! The location in a finding is not a sum, so a region that may become a finding stores all edges of its faces.
 
 use super::ends::{Ends, compare_edges, compare_points};
 use crate::region::finding;
@@ -18,27 +18,26 @@ use twinedge_algorithm::area::Sum;
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Embedding as _, Feature, FeatureId, PlanarMap, Shape};
 
-/// The way in which the faces of a region are claimed.
+/// The kind of claim on the faces of a region.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) enum Claim {
-    /// By nobody.
     Unclaimed,
-    /// By this feature, and perhaps others.
     Part(u32),
     /// By these features, two or more, and no others.
     Overlap(Vec<u32>),
 }
 
 impl Claim {
-    /// The claims of a face that these features cover, in order.
+    /// Returns the claims on a face that these features cover, in order.
     pub(super) fn all(features: &[u32]) -> Vec<Self> {
         let overlap = (features.len() > 1).then(|| Self::Overlap(features.to_vec()));
         let unclaimed = features.is_empty().then_some(Self::Unclaimed);
         features.iter().copied().map(Self::Part).chain(overlap).chain(unclaimed).collect()
     }
 
-    /// Those of the features beside an edge by which it is seen whether the faces there are claimed so; of all but parts, findings name the others, too.
+    /// Returns the features next to an edge that are needed to see whether the face there has this claim. For a part, this is
+    /// only its own feature; other findings also name the others.
     pub(super) fn kept_of(&self, features: &[u32]) -> Vec<u32> {
         match self {
             Self::Part(feature) if self.is_of(features) => vec![*feature],
@@ -47,7 +46,7 @@ impl Claim {
         }
     }
 
-    /// Returns true if a face that these features cover is claimed so.
+    /// Returns true if a face that these features cover has this claim.
     fn is_of(&self, features: &[u32]) -> bool {
         match self {
             Self::Unclaimed => features.is_empty(),
@@ -57,7 +56,8 @@ impl Claim {
     }
 }
 
-/// An edge, and the features that cover the faces on its left and right, as it leaves its smaller end; [of a part](Claim::kept_of), no others.
+/// An edge, with the features that cover the faces on its left and right, seen from its smaller end; [for a
+/// part](Claim::kept_of), only its own feature.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Edge {
@@ -65,15 +65,14 @@ pub(super) struct Edge {
     pub(super) sides: [Vec<u32>; 2],
 }
 
-/// A set of faces that hang together and are claimed alike.
+/// A set of connected faces with equal claims.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Region {
     pub(super) claim: Claim,
     pub(super) is_unbounded: bool,
-    /// True of a part that is larger than slivers are: then it has no edges.
+    /// True for a part larger than slivers, which has no edges.
     pub(super) is_large: bool,
-    /// The edges of its faces, in order.
     pub(super) edges: Vec<Edge>,
 }
 
@@ -82,7 +81,7 @@ impl Region {
         Self { claim, is_unbounded: false, is_large: false, edges: Vec::new() }
     }
 
-    /// Adds another part of the region. To be [sorted](Self::sort) then.
+    /// Adds another part of the region. The region must be [sorted](Self::sort) afterwards.
     pub(super) fn add(&mut self, mut other: Self) {
         self.is_unbounded |= other.is_unbounded;
         self.is_large |= other.is_large;
@@ -103,7 +102,7 @@ impl Region {
         })
     }
 
-    /// The features across its border, in order.
+    /// Returns the features across its border, in order.
     pub(super) fn around(&self) -> Vec<u32> {
         let beyond = |edge: &Edge| {
             let is_of = edge.sides.each_ref().map(|side| self.claim.is_of(side));
@@ -116,7 +115,6 @@ impl Region {
         features
     }
 
-    /// Its area and the length of its border.
     fn size(&self) -> (f64, f64) {
         let origin = self.edges.first().map_or_else(Point::default, |edge| edge.ends[0]);
         let (mut twice, mut length) = (Sum::default(), Sum::default());
@@ -133,13 +131,12 @@ impl Region {
     }
 }
 
-/// Sorts edges, each once.
+/// Sorts edges and removes duplicates.
 pub(super) fn sort_edges(edges: &mut Vec<Edge>) {
     edges.sort_by(|e, f| compare_edges(&e.ends, &f.ends));
     edges.dedup_by(|e, f| compare_edges(&e.ends, &f.ends).is_eq());
 }
 
-/// A thin part of a feature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Sliver {
@@ -157,12 +154,12 @@ impl Sliver {
     }
 }
 
-/// The area of a part of a feature, and the sliver that it is if it is one.
+/// Returns the area of a part of a feature, and its sliver if it is one.
 pub(super) fn examined(part: &Region, limits: &Limits) -> (f64, Option<Sliver>) {
     let (area, length) = part.size();
     let Claim::Part(feature) = part.claim else { return (area, None) };
     let is_small = |area: f64| limits.sliver_area.is_none_or(|limit| area < limit);
-    // Rounding makes no difference yet.
+    // Leaves a margin for rounding.
     let less = area * (1.0 - 1e-6);
     if !is_small(less) || !is_thin(less, length, limits) {
         return (area, None);
@@ -175,7 +172,7 @@ pub(super) fn examined(part: &Region, limits: &Limits) -> (f64, Option<Sliver>) 
     (area, sliver.filter(|sliver| is_small(sliver.area) && is_thin(sliver.area, sliver.length, limits)))
 }
 
-/// The map of some edges, of which it is known what covers the faces beside them.
+/// A map built from edges whose adjacent coverage is already known.
 pub(super) struct Drawing<'a> {
     pub(super) map: PlanarMap,
     edges: &'a [Edge],
@@ -184,7 +181,7 @@ pub(super) struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    /// `edges` are sorted. None if they are no map. O(n log n).
+    /// Builds the map. `edges` must be sorted. Returns `None` if they do not form a map. O(n log n).
     pub(super) fn new(edges: &'a [Edge]) -> Option<Self> {
         let shapes = edges.iter().map(|edge| Shape::line(edge.ends)).collect();
         let mut builder = Builder::new();
@@ -204,14 +201,14 @@ impl<'a> Drawing<'a> {
         Some(Self { map, edges, of: found })
     }
 
-    /// The number of the edge of a half-edge, and the features that cover the face on its left.
+    /// Returns the number of the edge of a half-edge, and the features that cover the face on its left.
     pub(super) fn left(&self, h: HalfEdge<'_>) -> Option<(usize, &'a [u32])> {
         let (edge, is_forth) = self.of.get(h.index() / 2).copied().flatten()?;
         let is_left = h.index().is_multiple_of(2) == is_forth;
         Some((edge, &self.edges[edge].sides[usize::from(!is_left)]))
     }
 
-    /// The faces beside edges that are covered so, in order of their indices.
+    /// Returns the faces next to edges whose features satisfy `is_of`, in order of their indices.
     pub(super) fn faces(&self, is_of: &dyn Fn(&[u32]) -> bool) -> Vec<Face<'_>> {
         let is_beside = |face: &Face<'_>| {
             let mut half_edges = face.half_edges();
@@ -220,7 +217,7 @@ impl<'a> Drawing<'a> {
         self.map.dcel().faces().filter(is_beside).collect()
     }
 
-    /// The finding that the faces are which are covered so.
+    /// Makes the finding of the faces whose features satisfy `is_of`.
     pub(super) fn finding(&self, rule: CoverageRule, features: &[u32], is_of: &dyn Fn(&[u32]) -> bool) -> Finding {
         let faces = self.faces(is_of);
         let features = features.iter().copied().map(FeatureId::new).collect();

@@ -1,4 +1,4 @@
-//! Summaries that were saved: what they name must be there.
+//! Loading saved summaries: all references must be valid.
 
 use super::claimed::Claimed;
 use super::ends::{Ends, compare_edges};
@@ -13,10 +13,8 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
 use twinedge_map::UnmatchedVertex;
 
-/// The number of exponents of a double.
 const EXPONENTS: u16 = 1 << 11;
 
-/// A summary as it was read.
 #[derive(serde::Deserialize)]
 pub(super) struct Saved {
     grid: Grid,
@@ -44,7 +42,6 @@ pub(super) struct Saved {
     plane_seams: Vec<SeamFault>,
 }
 
-/// The error of reading a summary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub(super) enum SavedError {
     #[error("tiles or borders are out of order, or the grid does not have them")]
@@ -69,7 +66,7 @@ impl TryFrom<Saved> for Summary {
         if !rise(&tiles) || !tiles.iter().all(|tile| grid.has(*tile)) {
             return Err(SavedError::Tiles);
         }
-        // A border is there if and only if the tile beyond it is not.
+        // A border exists if and only if the tile beyond it is absent.
         let expected = tiles.iter().flat_map(|tile| {
             let sides = Side::ALL.into_iter();
             let is_open =

@@ -1,4 +1,4 @@
-//! The knowledge of some tiles together.
+//! The combined data of some tiles.
 
 use super::NIL;
 use super::claimed::{Claimed, add_up};
@@ -13,10 +13,10 @@ use petgraph::unionfind::UnionFind;
 use twinedge_geometry::Point;
 use twinedge_map::UnmatchedVertex;
 
-/// The summary of one tile, or of several that were merged: what lies wholly inside is counted, and what the border cuts is listed, so
-/// that it can be joined with what lies on the other side.
+/// The summary of one tile, or of several merged tiles: records wholly inside are counted, and records cut by the border are
+/// listed, so that they can be joined with the records on the other side.
 ///
-/// Equal tiles have equal summaries, in whatever order they were merged.
+/// Equal tiles have equal summaries, independent of the order of merging.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "super::saved::Saved"))]
@@ -28,40 +28,36 @@ pub struct Summary {
     /// The corners of the box around the features that meet its tiles.
     pub(super) corners: Option<[Point; 2]>,
     pub(super) totals: Totals,
-    /// The sides beyond which nothing is known, by tile and side.
+    /// The sides towards tiles not yet merged, by tile and side.
     pub(super) borders: Vec<Border>,
-    /// The pieces of faces, the components and the cycles that some border cuts, numbered as the borders name them first.
+    /// The pieces of faces, the components and the cycles that some border cuts, numbered as the borders first name them.
     pub(super) faces: Vec<Face>,
     pub(super) components: Vec<Component>,
-    /// Of each the component.
     pub(super) cycles: Vec<u32>,
-    /// The regions of these faces.
     pub(super) regions: Vec<Region>,
     /// The unclaimed regions and the overlaps that no border cuts.
     pub(super) closed: Vec<Region>,
-    /// The parts of features that are thin, and small, if it is known how small slivers are.
+    /// The parts of features that are thin and, if the area of slivers is given, small.
     pub(super) slivers: Vec<Sliver>,
-    /// The lengths of all edges, and the areas of all parts, in order: those by which limits are chosen that were not given.
+    /// The lengths of all edges, and the areas of all parts, in order, as far as limits are chosen by them.
     pub(super) lengths: Vec<f64>,
     pub(super) areas: Vec<f64>,
     pub(super) claimed: Vec<Claimed>,
-    /// Those of an [`Outcome`](super::Outcome), of the features that begin in its tiles.
+    /// The [`Outcome`](super::Outcome)'s extents, for the features that begin in its tiles.
     pub(super) extents: Vec<(u16, u64)>,
-    /// The features whose shapes are not valid by the rules of the OGC (C6).
+    /// The features whose shapes are invalid by the rules of the OGC (C6).
     pub(super) defects: Vec<(u32, Vec<Defect>)>,
-    /// The vertices that borders lack (C7), if edges were cut.
+    /// The unmatched vertices (C7), if edges were cut.
     pub(super) unmatched: Vec<UnmatchedVertex>,
-    /// False if edges meet elsewhere than at shared endpoints, as far as was seen. Nothing is known of faces then.
+    /// False if edges seen so far meet other than at shared endpoints. Faces are unknown then.
     pub(super) is_plane: bool,
-    /// The pairs of edges that do.
     pub(super) crossings: Vec<Crossing>,
     pub(super) uneven: Vec<Uneven>,
     pub(super) seams: Vec<SeamFault>,
-    /// Those of faces and of the order of contacts, which only planes have.
+    /// The faults of faces and of the order of contacts, which only plane maps have.
     pub(super) plane_seams: Vec<SeamFault>,
 }
 
-/// The numbers of what is known to the end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Totals {
@@ -74,7 +70,7 @@ pub(super) struct Totals {
     pub(super) unbounded_faces: u64,
 }
 
-/// The largest sum. No map comes near it; sums that a file made up stay there.
+/// The largest sum. No real map comes near it; sums from a forged file saturate.
 pub(super) const MOST: u64 = 1 << 53;
 
 fn sum(a: u64, b: u64) -> u64 {
@@ -85,7 +81,7 @@ impl Totals {
     const NOTHING: Self =
         Self { vertices: 0, edges: 0, cycles: 0, components: 0, isolated_vertices: 0, faces: 0, unbounded_faces: 0 };
 
-    /// Returns true if no number is larger than sums are.
+    /// Returns true if no number exceeds the largest sum.
     #[cfg(feature = "serde")]
     pub(super) fn is_in_range(&self) -> bool {
         let Self { vertices, edges, cycles, components, isolated_vertices, faces, unbounded_faces } = *self;
@@ -105,27 +101,24 @@ impl Totals {
     }
 }
 
-/// A side of a tile.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Border {
     pub(super) tile: Tile,
     pub(super) side: Side,
-    /// From the bottom up, or from left to right. In order of their edges, if faces are not known.
+    /// From the bottom up, or from left to right; sorted by edge if faces are unknown.
     pub(super) contacts: Vec<Contact>,
-    /// The faces before, between and after the contacts; none, if faces are not known.
+    /// The faces before, between and after the contacts; empty if faces are unknown.
     pub(super) faces: Vec<u32>,
 }
 
-/// An edge at a side of a tile.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Contact {
     pub(super) edge: Ends,
-    /// The features along the edge.
     pub(super) features: Vec<u32>,
     pub(super) component: u32,
-    /// The cycles of its half-edges, first of the one that leaves the smaller end.
+    /// The cycles of its half-edges; the half-edge that leaves the smaller end comes first.
     pub(super) cycles: [u32; 2],
 }
 
@@ -133,21 +126,18 @@ pub(super) struct Contact {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Face {
-    /// The features that cover it.
     pub(super) features: Vec<u32>,
     pub(super) is_unbounded: bool,
-    /// The regions that it is part of, in order of its [claims](Claim::all).
+    /// The regions that contain it, in order of its [claims](Claim::all).
     pub(super) regions: Vec<u32>,
 }
 
-/// A part of a component.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Component {
     pub(super) vertices: u64,
     pub(super) edges: u64,
     pub(super) cycles: u64,
-    /// The least of its vertices.
     pub(super) least: Option<Point>,
 }
 
@@ -163,14 +153,14 @@ impl Component {
     }
 }
 
-/// The order of unmatched vertices by place.
+/// Compares unmatched vertices by location.
 pub(super) fn compare_unmatched(a: &UnmatchedVertex, b: &UnmatchedVertex) -> Ordering {
     compare_points(a.at, b.at)
         .then_with(|| (a.of, a.lacked_by).cmp(&(b.of, b.lacked_by)))
         .then_with(|| compare_edges(&a.segment, &b.segment))
 }
 
-/// Faces, components and cycles of a summary that are the same.
+/// Faces, components and cycles of a summary that are equal.
 pub(super) struct Joins {
     pub(super) faces: UnionFind<u32>,
     pub(super) components: UnionFind<u32>,
@@ -189,7 +179,7 @@ impl Joins {
     }
 }
 
-/// New numbers, in the order in which they are asked for.
+/// New numbers, in order of first use.
 struct Numbers {
     of: Vec<u32>,
     old: Vec<u32>,
@@ -216,7 +206,7 @@ impl Numbers {
 }
 
 impl Summary {
-    /// Nothing is known of any tile.
+    /// Creates a summary of no tiles.
     pub(super) const fn empty(grid: Grid, limits: Limits) -> Self {
         Self {
             grid,
@@ -245,7 +235,6 @@ impl Summary {
         }
     }
 
-    /// Counts edges whose extent has this exponent.
     pub(super) fn count_edges(&mut self, exponent: u16, edges: u64) {
         match self.extents.binary_search_by_key(&exponent, |known| known.0) {
             Ok(place) => self.extents[place].1 = sum(self.extents[place].1, edges),
@@ -253,25 +242,25 @@ impl Summary {
         }
     }
 
-    /// The grid.
+    /// Returns the grid.
     #[must_use]
     pub const fn grid(&self) -> &Grid {
         &self.grid
     }
 
-    /// The tiles that it is of, in order.
+    /// Returns its tiles, in order.
     #[must_use]
     pub fn tiles(&self) -> &[Tile] {
         &self.tiles
     }
 
-    /// The number of places where the border of its tiles cuts an edge.
+    /// Returns the number of places where the border of its tiles cuts an edge.
     #[must_use]
     pub fn contact_count(&self) -> usize {
         self.borders.iter().map(|border| border.contacts.len()).sum()
     }
 
-    /// Numbers what borders name, once it is known what is the same, and counts what none names any more.
+    /// Renumbers the records named by borders after joining, and counts the records that no border names any more.
     pub(super) fn settled(mut self, joins: &mut Joins) -> Self {
         if !self.is_plane {
             self.forget_faces();
@@ -291,10 +280,10 @@ impl Summary {
             }
         }
         for cycle in &cycles.old {
-            // The contacts of a cycle name its component, too, unless the summary was made up.
+            // The contacts of a cycle also name its component, unless the summary was forged.
             components.get(&mut joins.components, self.cycles[*cycle as usize]);
         }
-        // Everything is added to what stands for it.
+        // Everything is added to its representative.
         let all = core::mem::take(&mut self.components);
         let mut whole = vec![Component::default(); all.len()];
         for (i, part) in (0..).zip(&all) {
@@ -349,7 +338,7 @@ impl Summary {
         self
     }
 
-    /// Puts the parts of regions together, and examines those that no face names any more.
+    /// Joins the parts of regions, and examines the regions that no face names any more.
     fn settle_regions(&mut self, sets: &mut UnionFind<u32>, open: &Numbers) {
         let mut whole: Vec<Option<Region>> = Vec::new();
         whole.resize_with(self.regions.len(), || None);
@@ -393,7 +382,7 @@ impl Summary {
         self.totals.add(&Totals { faces: 1, unbounded_faces: u64::from(is_unbounded), ..Totals::NOTHING });
     }
 
-    /// Drops what is known of faces, and sorts contacts without them.
+    /// Drops all data about faces, and sorts contacts without it.
     fn forget_faces(&mut self) {
         self.faces.clear();
         self.regions.clear();

@@ -20,7 +20,8 @@ use twinedge::dcel::{HalfEdge, Vertex};
 use twinedge_map::{BuildError, Builder, Embedding as _, Feature, FeatureId, UnmatchedVertex};
 
 impl Summary {
-    /// The summary of a tile. `features` are all that meet it, with their numbers in the whole; others make no difference.
+    /// Creates the summary of a tile. `features` are all features that meet it, with their numbers in the whole; others have no
+    /// effect.
     ///
     /// O(n log n) for the features that meet the tile.
     ///
@@ -42,14 +43,15 @@ impl Summary {
         Ok(local.summarize(tile, summary))
     }
 
-    /// The summary of a tile whose edges are cut where they meet, by [`Cuts`] that are complete. `features` are all that
-    /// [`Cuts::tiles_of`] gives to the tile. It has no defects (C6), which are those of the input, but the vertices that borders lack (C7). If a tile was left
-    /// out of a round of cuts, edges still meet elsewhere than at vertices there.
+    /// Creates the summary of a tile whose edges are cut where they meet, by complete [`Cuts`]. `features` are all features that
+    /// [`Cuts::tiles_of`] assigns to the tile. The summary has no defects (C6), which belong to the input, but has the unmatched
+    /// vertices (C7). If a tile was left out of a round of cuts, edges still meet other than at vertices there.
     ///
     /// O(n log n) for the features that come near the tile.
     ///
     /// # Errors
-    /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) if a coordinate is larger than was said.
+    /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) if a coordinate is larger than
+    /// announced.
     pub fn cut<'f>(
         grid: &Grid,
         tile: Tile,
@@ -84,7 +86,7 @@ impl Summary {
     }
 }
 
-/// The features that come as near to a tile, by their numbers.
+/// Returns the features within a distance of a tile, by their numbers.
 fn meeting<'f>(
     grid: &Grid,
     tile: Tile,
@@ -117,7 +119,7 @@ fn numbers(features: &[(u32, &Feature)]) -> Vec<u32> {
 }
 
 impl Summary {
-    /// Nothing is known of a tile, but which features it was given.
+    /// Creates a summary of a tile that knows only its features.
     fn of_tile(grid: Grid, tile: Tile, limits: &Limits, features: &[(u32, &Feature)]) -> Self {
         let claimed = |(number, feature): &(u32, &Feature)| {
             let (low, high) = corners(feature)?;
@@ -128,7 +130,7 @@ impl Summary {
         Self { tiles: vec![tile], corners, claimed, ..Self::empty(grid, limits.clone()) }
     }
 
-    /// Notes what is wrong with the shapes of the features that begin in the tile, and how far their edges reach.
+    /// Records the defects of features that begin in the tile, and the extents of their edges.
     fn note_shapes(&mut self, tile: Tile, features: &[(u32, &Feature)]) {
         for (number, feature) in features {
             let first = feature.shapes.iter().flat_map(points).next();
@@ -150,7 +152,7 @@ fn meets(bounds: &Bounds, feature: &Feature) -> bool {
 }
 
 impl Local<'_> {
-    /// Counts what lies inside, and lists what the border cuts.
+    /// Counts records inside the tile, and lists records cut by the border.
     fn summarize(&self, tile: Tile, mut summary: Summary) -> Summary {
         let (leaves, closed) = self.trace();
         // Parts of edges first, then vertices.
@@ -237,7 +239,7 @@ impl Local<'_> {
         summary.settled(&mut joins)
     }
 
-    /// Finds the regions of the pieces, and which of them are the same.
+    /// Finds the regions of the pieces, and joins equal ones.
     fn claim(&self, pieces: &Pieces, summary: &mut Summary) -> Joins {
         let mut regions = Vec::new();
         let mut faces = pieces.faces.clone();

@@ -1,6 +1,6 @@
-//! C1 … C6: each rule is broken alone, with values from outside; what is built by chance is compared with plain arithmetic.
+//! C1 … C6: each rule is broken alone, compared with external values; random coverages are compared with plain arithmetic.
 //!
-//! Values that are not plain arithmetic are those of shapely 2.2 with GEOS 3.14: `is_valid_reason`, `intersection`, `union_all`.
+//! Values beyond plain arithmetic come from shapely 2.2 with GEOS 3.14: `is_valid_reason`, `intersection`, `union_all`.
 //! `tests/shapely` compares with the library itself.
 
 use quickcheck::QuickCheck;
@@ -30,7 +30,6 @@ fn found(shapes: &[Shape], limits: &Limits) -> Coverage {
     check(&map(shapes), limits).expect("it is plane")
 }
 
-/// The only finding, with the features in it.
 fn only(shapes: &[Shape], limits: &Limits) -> (Finding, Vec<usize>) {
     let [finding] = &found(shapes, limits).findings[..] else {
         panic!("{:?}", found(shapes, limits).findings);
@@ -55,7 +54,7 @@ pub(crate) fn parcels() -> Vec<Shape> {
 #[test]
 fn parcels_side_by_side_break_nothing() {
     assert_eq!(found(&parcels(), &Limits::default()).findings, []);
-    // Nothing is asked of lines, and of no features.
+    // Lines are not checked, and neither is an empty map.
     let line = Shape::line([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]);
     let other = Shape::line([[0.0, 0.0], [9.0, 9.0]]);
     assert_eq!(found(&[line, other], &Limits::default()).findings, []);
@@ -100,7 +99,7 @@ fn a_gap_breaks_only_c2() {
     let (finding, features) = only(&shapes, &Limits::default());
     assert_eq!((finding.rule, features), (CoverageRule::Gap, vec![0, 1, 3]));
     assert!(near(finding.area, 0.5) && near(finding.length, 2.0 + 2.0 * 1.25_f64.sqrt()));
-    // Wider than asked for, it is meant.
+    // A gap wider than the limit is intended.
     let narrow = Limits { gap_width: Some(finding.width * 0.99), ..Limits::default() };
     let coverage = found(&shapes, &narrow);
     assert_eq!(coverage.findings, []);
@@ -109,7 +108,7 @@ fn a_gap_breaks_only_c2() {
     assert_eq!(found(&shapes, &wide).of(CoverageRule::Gap).count(), 1);
 }
 
-/// A gap like a spindle, between two features, comes to a point at both ends. It is wider than asked for as a whole.
+/// A spindle-shaped gap between two features comes to a point at both ends. As a whole it is wider than the limit.
 #[test]
 fn the_tips_of_a_wide_gap_are_no_near_misses() {
     let shapes = [
@@ -168,7 +167,7 @@ fn a_strip_along_many_short_edges_is_one_near_miss() {
     let shapes = [west, east].map(Shape::polygon);
     let (finding, features) = only(&shapes, &Limits { gap_width: Some(0.02), ..Limits::default() });
     assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![0, 1]));
-    // Each edge lies opposite an edge of the other border, but for what the shift is along it.
+    // Each edge lies opposite an edge of the other border, except for the shift along it.
     let (edge, shift) = (1.09_f64.sqrt(), 0.01);
     let opposite = 100.0 * (edge - shift * 0.3 / edge);
     assert!(near(finding.length, opposite) && near(finding.width, shift / edge), "{finding:?}");
@@ -188,7 +187,7 @@ fn around_a_lake() -> [Shape; 5] {
 }
 
 /// Features around a lake, and a crack between two of them that begins at the outside and ends at the lake. GEOS 3.14:
-/// `coverage_invalid_edges` has edges of both from a `gap_width` of 0.02 on.
+/// `coverage_invalid_edges` contains edges of both from a `gap_width` of 0.02 on.
 #[test]
 fn a_crack_that_opens_into_a_lake_is_a_near_miss() {
     let shapes = around_a_lake();
@@ -215,7 +214,7 @@ fn gaps_are_accepted_by_place_and_by_width() {
         Limits { gap_width, lake_width, accepted_gaps, ..Limits::default() }
     };
     assert_eq!(counts(&limits(None, None, &[])), ([1, 0], [0, 0]));
-    // Near misses are looked for in what is accepted, and what is wider than these.
+    // Accepted gaps, and gaps wider than the limit, are searched for near misses.
     assert_eq!(counts(&limits(None, Some(3.0), &[])), ([0, 1], [1, 0]));
     assert_eq!(counts(&limits(Some(0.1), Some(6.0), &[])), ([1, 1], [0, 0]));
     assert_eq!(counts(&limits(None, None, &[[15.0, 15.0]])), ([0, 1], [0, 1]));
@@ -225,8 +224,8 @@ fn gaps_are_accepted_by_place_and_by_width() {
     assert_eq!(counts(&limits(None, None, &none)), ([1, 0], [0, 0]));
 }
 
-/// A notch between two features, 50 long and 8 wide at its mouth. GEOS 3.14 finds nothing in it at widths from 1e-6 to 7.8, and both sides
-/// from 7.9 on. In one with many points on its sides it finds the edges that are longer than the width.
+/// A notch between two features, 50 long and 8 wide at its mouth. GEOS 3.14 finds nothing in it at widths from 1e-6 to 7.8, and
+/// both sides from 7.9 on. With many points on the sides it finds the edges that are longer than the width.
 #[test]
 fn a_notch_is_no_near_miss() {
     let notch = |points: i32| {
@@ -270,7 +269,7 @@ fn the_width_of_a_near_miss_is_not_that_of_its_ends() {
     }
 }
 
-/// The width is measured across slanted borders, too, whose boxes overlap.
+/// The width is measured across slanted borders, even if their boxes overlap.
 #[test]
 fn slanted_borders_are_as_far_apart_as_they_are() {
     let shift = 0.15 / std::f64::consts::SQRT_2;
@@ -285,8 +284,8 @@ fn slanted_borders_are_as_far_apart_as_they_are() {
     }
 }
 
-/// A lake between 0 and 1 has a narrow arm, and a strip between 1 and 2 is open to the outside. What is on the other side of 1 is
-/// no neighbour.
+/// A lake between 0 and 1 has a narrow arm, and a strip between 1 and 2 is open to the outside. A feature on the other side of 1
+/// is no neighbour.
 ///
 /// ```text
 ///   0000 1 222222
@@ -372,7 +371,7 @@ fn the_same_polygon_twice_breaks_only_c5() {
     let findings = found(&shapes, &Limits::default()).findings;
     let rules: Vec<CoverageRule> = findings.iter().map(|f| f.rule).collect();
     assert_eq!(rules, [CoverageRule::Overlap, CoverageRule::Duplicate]);
-    // And named with all of them.
+    // The finding names all of them.
     assert_eq!(findings[0].features.iter().map(|f| f.index()).collect::<Vec<_>>(), [1, 4, 5, 6]);
 }
 
@@ -385,10 +384,9 @@ fn a_map_that_is_not_plane_is_refused() {
     assert_eq!(check(&crossing, &Limits::default()), Err(CoverageError::NotPlane(crossing.not_plane().unwrap())));
 }
 
-/// Rings of points.
 type Polygon = Vec<Vec<[f64; 2]>>;
 
-/// The verdicts of shapely on polygons, in the words of GEOS.
+/// The verdicts of shapely on polygons, in the terms of GEOS.
 #[test]
 fn polygons_are_invalid_for_the_reason_that_geos_gives() {
     use DefectKind::{
@@ -436,9 +434,9 @@ fn polygons_are_invalid_for_the_reason_that_geos_gives() {
             polygons.iter().map(|rings| Shape::Polygon(rings.iter().map(|r| ring(r)).collect())).collect();
         let kinds: Vec<DefectKind> = defects(&shapes).iter().map(|defect| defect.kind).collect();
         assert_eq!(kinds.first().copied(), expected, "{name}");
-        // The spike touches its own foot, too.
+        // The spike also touches its own foot.
         assert!(name == "spike" || kinds.windows(2).all(|pair| pair[0] == pair[1]), "{name}: {kinds:?}");
-        // Without the points that repeat the first one it is the same, besides the open rings.
+        // Without the points that repeat the first one, only the open rings are added.
         let open: Vec<Shape> = polygons
             .iter()
             .map(|rings| Shape::Polygon(rings.iter().map(|r| ring(&r[..r.len() - 1])).collect()))
@@ -458,7 +456,7 @@ fn an_open_ring_is_a_defect_with_its_gap() {
     let [defect] = found[..] else { panic!("{found:?}") };
     assert_eq!((defect.kind, defect.shape, defect.ring), (DefectKind::OpenRing, 0, 0));
     assert_eq!((defect.at, defect.gap_to), (Point::new(9.0, 9.0), Some(Point::new(0.0, 0.0))));
-    // A shape that is made of corners is closed.
+    // A shape made from corners is closed.
     assert_eq!(defects(&[Shape::polygon(corners)]), []);
 }
 
@@ -488,7 +486,7 @@ fn a_ring_all_points_of_which_lie_on_another_is_located() {
         // A point of the hole on each side of a triangle around it: the hole lies outside.
         assert_eq!(kinds(&[in_diamond.clone().hole(square)]), [DefectKind::HoleOutsideShell]);
         assert_eq!(kinds(&[in_square, in_diamond]), [DefectKind::NestedShells]);
-        // The same, turned the other way.
+        // The diamond, turned the other way.
         diamond.reverse();
     }
 }
@@ -511,9 +509,9 @@ fn areas_are_those_of_the_cells(cells: Vec<u8>) -> bool {
     let coverage = check(&builder.build().expect("small"), &Limits::default()).expect("plane");
     let sum = |rule| coverage.of(rule).map(|finding| finding.area).sum::<f64>();
     let claimed_twice = (0..16).filter(|cell| at(cell / 4, cell % 4).count_ones() > 1).count() as f64;
-    // Without features that claim the same cells, all that is claimed twice is an overlap.
+    // Without features that claim the same cells, all area claimed twice is an overlap.
     let duplicates = coverage.of(CoverageRule::Duplicate).count() > 0;
-    // Unclaimed cells from which no way leads to the border of the board, across sides.
+    // Unclaimed cells without a path across sides to the border of the board.
     let mut open = [false; 16];
     for _ in 0..16 {
         for cell in 0..16 {

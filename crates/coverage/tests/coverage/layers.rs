@@ -1,4 +1,4 @@
-//! Rules between layers: small layers by hand, and random ones beside a raster of unit squares.
+//! Rules between layers: small layers by hand, and random ones compared with a raster of unit squares.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,7 +43,7 @@ fn parents(map: &PlanarMap, of: &[usize]) -> Vec<Parent> {
     of.iter().map(|one| map.feature(*one).map_or(Parent::Unknown, Parent::Feature)).collect()
 }
 
-/// Four parts, in pairs by their parents, and these: `0 1 | 2 3` in `4 | 5`, all of height 2.
+/// Four parts, in pairs by their parents, followed by the parents: `0 1 | 2 3` in `4 | 5`, all of height 2.
 fn counties() -> Vec<Shape> {
     let of = |x: [f64; 2]| rectangle(x, [0.0, 2.0]);
     vec![of([0.0, 1.0]), of([1.0, 2.0]), of([2.0, 3.0]), of([3.0, 4.0]), of([0.0, 2.0]), of([2.0, 4.0])]
@@ -61,7 +61,7 @@ fn parts_that_make_up_their_parents_are_accepted() {
     assert_eq!(found(&counties()), [vec![], vec![]]);
 }
 
-/// Places that no part covers, on the left and on the right: the larger one comes first.
+/// Areas that no part covers, on the left and on the right: the larger one comes first.
 #[test]
 fn findings_of_a_rule_come_by_size() {
     for (end, areas) in [(0.25, [1.5, 1.0]), (0.75, [1.0, 0.5])] {
@@ -74,8 +74,8 @@ fn findings_of_a_rule_come_by_size() {
     }
 }
 
-/// The vertex (2, 0) of the parts 1 and 2 is moved to (2.5, 0): a triangle of area 0.5 changes sides, and the border of
-/// the parents runs along no border of the parts.
+/// The vertex (2, 0) of the parts 1 and 2 is moved to (2.5, 0): a triangle of area 0.5 changes sides, and the border of the
+/// parents runs along no border of the parts.
 #[test]
 fn a_moved_vertex_is_found_by_the_rules_about_borders_and_insides() {
     let mut shapes = counties();
@@ -104,7 +104,7 @@ fn a_moved_vertex_is_found_by_the_rules_about_borders_and_insides() {
     );
 }
 
-/// Inside a parent, parts may divide it as they like.
+/// Parts may divide the inside of a parent arbitrarily.
 #[test]
 fn a_vertex_that_is_moved_inside_a_parent_breaks_nothing() {
     let mut shapes = counties();
@@ -125,7 +125,7 @@ fn a_part_of_the_wrong_parent_is_found_by_the_rule_about_parents_alone() {
             (Deviation::ParentNotCovered, vec![], vec![4], 2.0, 6.0)
         ]
     );
-    // One that is not known leaves its place open, too.
+    // A part with an unknown parent also leaves its area open.
     assert_eq!(
         of(&[4, 99, 5, 5]),
         [
@@ -133,14 +133,14 @@ fn a_part_of_the_wrong_parent_is_found_by_the_rule_about_parents_alone() {
             (Deviation::UnknownParent, vec![1], vec![], 2.0, 6.0)
         ]
     );
-    // A parent is asked only if it has parts, or is said to have some.
+    // A parent is checked only if it has parts or is declared complete.
     assert_eq!(of(&[4, 4]), []);
     let complete = [map.feature(5).expect("there are six")];
     let all = check_parents(&map, &parents(&map, &[4, 4]), &complete).expect("plane");
     assert_eq!(brief(&all), [(Deviation::ParentNotCovered, vec![], vec![5], 4.0, 8.0)]);
 }
 
-/// A gap along a border between parts of one parent, and a part that is not there.
+/// A gap along a border between parts of one parent, and a missing part.
 #[test]
 fn gaps_and_parts_that_were_dropped_are_found_with_their_places() {
     let mut shapes = counties();
@@ -153,7 +153,7 @@ fn gaps_and_parts_that_were_dropped_are_found_with_their_places() {
     assert_eq!(brief(&of_parents), [(Deviation::ParentNotCovered, vec![], vec![4], 0.5, 4.5)]);
 
     shapes = counties();
-    // It covers nothing, but is still there.
+    // The feature covers nothing, but still exists.
     shapes[3] = Shape::Polygon(vec![]);
     let [of_layers, of_parents] = found(&shapes);
     assert_eq!(
@@ -198,7 +198,7 @@ fn lines_run_along_borders() {
     assert_eq!(
         brief(&found),
         [
-            // All around, no line runs.
+            // No line runs along the perimeter.
             (Deviation::NoBorder, vec![], vec![3], 0.0, 6.0),
             (Deviation::NoBorder, vec![], vec![4], 0.0, 6.0),
             (Deviation::OffBorder, vec![1], vec![3, 4], 0.0, 2.0),
@@ -223,13 +223,13 @@ fn points_lie_inside_one_feature() {
         assert_eq!((&one.features[..], one.others.len(), one.area), (&[point][..], others, 0.0));
     }
     assert_eq!(at(0.0, 0.0)[0].others, [other]);
-    // A point that cannot be on a map is not passed over.
+    // A point outside the range of a map is not ignored.
     for x in [f64::NAN, f64::INFINITY, 1e300] {
         assert_eq!(at(x, 1.0).iter().map(|one| one.deviation).collect::<Vec<_>>(), [Deviation::NotInside], "{x}");
     }
 }
 
-/// If all features are of the audited layer, the other one has none.
+/// If all features belong to the audited layer, the other one is empty.
 #[test]
 fn more_features_than_there_are_may_be_audited() {
     let map = built(&counties());
@@ -255,19 +255,19 @@ fn a_map_that_is_not_plane_is_refused() {
 /// Least and greatest x, and y.
 type Box = [[u8; 2]; 2];
 
-/// Parents that cover a square of this many units, and their parts: both by cutting.
+/// Parents that cover a square of this size, and their parts: both made by cutting.
 const SIZE: u8 = 6;
 
 #[derive(Clone, Debug)]
 struct Hierarchy {
     parents: Vec<Box>,
-    /// Each with the number of its parent.
+    /// Each part with the number of its parent.
     parts: Vec<(Box, usize)>,
-    /// A part, and what is done to it.
+    /// A part, and the change to it.
     planted: (usize, u8),
 }
 
-/// Cuts boxes in two, where they are wide enough, a number of times.
+/// Cuts boxes in two, if they are wide enough, a number of times.
 fn cut(g: &mut Gen, whole: Box, times: usize) -> Vec<Box> {
     let mut boxes = vec![whole];
     for _ in 0..times {
@@ -298,7 +298,7 @@ impl Arbitrary for Hierarchy {
 }
 
 impl Hierarchy {
-    /// Grows or shrinks a side of a part, drops it, or gives it to the next parent.
+    /// Grows or shrinks a side of a part, drops it, or moves it to the next parent.
     fn plant(&mut self) {
         let (number, how) = self.planted;
         let parents = self.parents.len();
@@ -315,7 +315,7 @@ impl Hierarchy {
 
     fn map(&self) -> PlanarMap {
         let shape = |[x, y]: Box| {
-            // A box without inside is a feature without shape.
+            // A box without an inside is a feature without a shape.
             let is_empty = x[0] == x[1] || y[0] == y[1];
             if is_empty { Shape::Polygon(vec![]) } else { rectangle(x.map(f64::from), y.map(f64::from)) }
         };
@@ -323,7 +323,7 @@ impl Hierarchy {
         built(&parts.chain(self.parents.iter().copied()).map(shape).collect::<Vec<_>>())
     }
 
-    /// The area, or for X3 the length, that each deviation has in all.
+    /// The total area, or for X3 the total length, of each deviation.
     fn found(&self) -> BTreeMap<Deviation, f64> {
         let map = self.map();
         let count = self.parts.len();
@@ -338,7 +338,7 @@ impl Hierarchy {
         sums
     }
 
-    /// The same by counting unit squares and the sides between them.
+    /// The totals of each deviation, by counting unit squares and the sides between them.
     fn counted(&self) -> BTreeMap<Deviation, f64> {
         let covers = |one: &Box, [x, y]: [u8; 2]| one[0][0] <= x && x < one[0][1] && one[1][0] <= y && y < one[1][1];
         let parts = |at| (0..self.parts.len()).filter(|part| covers(&self.parts[*part].0, at)).collect::<BTreeSet<_>>();
@@ -371,7 +371,7 @@ impl Hierarchy {
 }
 
 impl Hierarchy {
-    /// The area of each piece, by its part and parent, and the same by counting.
+    /// The area of each piece, by its part and parent, as found and by counting unit squares.
     fn pieces(&self) -> [BTreeMap<[Option<usize>; 2], f64>; 2] {
         let map = self.map();
         let count = self.parts.len();
@@ -419,7 +419,7 @@ fn parts_made_by_cutting_are_accepted_and_each_deviation_is_found_by_the_rules_c
         assert_eq!(layers.found(), BTreeMap::new());
         layers.plant();
         assert_eq!(layers.found(), layers.counted());
-        // Only the part of a parent that is alone can be given to the next one, which is then the same.
+        // Only the part of a sole parent can be moved to the next one, which is then the same parent.
         assert!(!layers.found().is_empty() || layers.parents.len() == 1 || layers.planted.1 < 4, "{layers:?}");
     }
     QuickCheck::new().tests(200).quickcheck(law as fn(Hierarchy));

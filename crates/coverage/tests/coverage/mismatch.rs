@@ -1,4 +1,4 @@
-//! C7: borders that coincide and are noded differently, with a value from outside; on random boxes, beside plain arithmetic.
+//! C7: coinciding borders with different nodes, compared with an external value and, on random boxes, with plain arithmetic.
 
 use quickcheck::QuickCheck;
 use twinedge_coverage::{CoverageRule, Finding, Limits, check, insert_touches, mismatches};
@@ -38,7 +38,7 @@ fn borders_with_different_vertices_break_only_c7() {
 
 #[test]
 fn a_corner_beside_the_side_of_a_neighbour_is_a_mismatch() {
-    // The fourth parcel lacks the vertex at which the first two meet. Each of these two makes a finding with it.
+    // The fourth parcel lacks the vertex at which the first two meet. Each of these two has a finding with it.
     let (found, others) = mismatched(&parcels());
     assert_eq!((lacked(&found), others), (vec![([10.0, 10.0], 3), ([10.0, 10.0], 3)], vec![]));
     let features: Vec<Vec<usize>> =
@@ -47,7 +47,7 @@ fn a_corner_beside_the_side_of_a_neighbour_is_a_mismatch() {
     // Borders that only touch.
     let spire = Shape::polygon([[3.0, 10.0], [6.0, 15.0], [0.0, 15.0]]);
     assert_eq!(lacked(&mismatched(&[area([0.0, 0.0], [10.0, 10.0]), spire]).0), [([3.0, 10.0], 0)]);
-    // A feature that fills a hole, with more vertices than the hole has, and the other way round.
+    // A feature that fills a hole and has more vertices than the hole, and the reverse.
     let ring = area([0.0, 0.0], [9.0, 9.0]).hole([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 4.0], [6.0, 3.0]]);
     let filling = Shape::polygon([[3.0, 3.0], [4.0, 3.0], [6.0, 3.0], [6.0, 6.0], [3.0, 6.0]]);
     assert_eq!(lacked(&mismatched(&[ring, filling]).0), [([4.0, 3.0], 0), ([6.0, 4.0], 1)]);
@@ -60,7 +60,7 @@ fn borders_that_meet_since_features_overlap_are_no_mismatch() {
     assert_eq!((found.len(), others[0].rule), (0, CoverageRule::Overlap));
     // From inside, along a side.
     assert_eq!(mismatched(&[left.clone(), area([3.0, 0.0], [6.0, 2.0])]).0, []);
-    // The same area, with one vertex more.
+    // The square with one more vertex.
     let again = Shape::polygon([[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
     let (found, others) = mismatched(&[left.clone(), again]);
     assert_eq!((found.len(), others[0].rule), (0, CoverageRule::Duplicate));
@@ -79,7 +79,7 @@ fn rings_of_one_feature_lack_vertices_too_unless_the_ogc_allows_the_touch() {
         let map = builder.build_with(Noding::Exact).expect("nothing crosses");
         (mismatches(&map, &unmatched).expect("it is plane"), is_plane)
     };
-    // Parts with a common border, of which one lacks the corners of the other.
+    // Parts with a common border; one lacks the corners of the other.
     let square = area([0.0, 0.0], [10.0, 10.0]);
     let (all, is_plane) = found(vec![square.clone(), area([10.0, 2.0], [20.0, 5.0])]);
     assert_eq!(lacked(&all), [([10.0, 2.0], 0), ([10.0, 5.0], 0)]);
@@ -115,12 +115,12 @@ fn rings_of_one_feature_lack_vertices_too_unless_the_ogc_allows_the_touch() {
     }
 }
 
-/// A vertex that is rounded to a grid is the one of the input all the same: the coordinates have all their digits.
+/// A vertex rounded to a grid is still identified with its input point, even if coordinates have all their digits.
 #[test]
 fn an_overlap_beside_a_crossing_is_no_mismatch_on_a_grid() {
     let x = 0.1;
     let left = area([x, 0.3], [10.7, 10.3]);
-    // Its corners (9.1, 0.3) and (9.1, 10.3) lie on sides of the other one, and the third one crosses both.
+    // Its corners (9.1, 0.3) and (9.1, 10.3) lie on sides of the first one, and the third one crosses both.
     let right = area([9.1, 0.3], [20.3, 10.3]);
     let across = Shape::polygon([[5.3, -1.7], [15.9, 12.1], [15.9, 12.3], [5.3, 12.9]]);
     let (found, others) = mismatched(&[left, right, across]);
@@ -164,7 +164,7 @@ fn mismatches_are_those_of_plain_arithmetic() {
         let boxes = boxes(&seeds);
         let ring = |one: &Box| one.vertices.iter().map(|p| p.map(f64::from)).collect::<Vec<_>>();
         let shapes: Vec<Shape> = boxes.iter().map(|one| Shape::polygon(ring(one))).collect();
-        // Four times around a point; the quarter lies in a box if its middle does.
+        // The four quarters around a point; a quarter lies in a box if its middle does.
         let quarters = |p: [i32; 2]| [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(|d| [2 * p[0] + d[0], 2 * p[1] + d[1]]);
         let has = |one: &Box, q: [i32; 2]| (0..2).all(|i| 2 * one.low[i] < q[i] && q[i] < 2 * one.high[i]);
         let mut expected = Vec::new();

@@ -1,11 +1,11 @@
-//! Memory that tiles need, counted by the allocator.
+//! Memory used by tiles, counted by the allocator.
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use twinedge_coverage::tile::{Grid, Summary};
 use twinedge_coverage::{CoverageRule, Limits};
 use twinedge_map::{Feature, Shape};
 
-/// The greatest number of bytes that four tiles of so many equal squares need, and that the sum of three of them has when it is saved.
+/// The greatest number of bytes used by four tiles of `count` equal squares, and the saved size of the sum of three tiles.
 fn of_equal(count: usize) -> [usize; 2] {
     let square = Shape::polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
     let square = Feature { shapes: vec![square], ..Feature::default() };
@@ -26,7 +26,7 @@ fn of_equal(count: usize) -> [usize; 2] {
 
 #[test]
 fn equal_features_take_memory_in_proportion_to_their_number() {
-    // All of it runs on this thread, whose memory is counted.
+    // Everything runs on this thread, whose memory is counted.
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().unwrap();
     let (few, many) = (of_equal(400), of_equal(1600));
     for (few, many) in few.into_iter().zip(many) {

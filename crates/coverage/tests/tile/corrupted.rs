@@ -1,4 +1,4 @@
-//! Summaries that were changed after they were made, and the order of merging.
+//! Summaries corrupted after they were made, and the order of merging.
 
 use crate::maps::{Random, area, feature, line, nested, point};
 use crate::whole::{grid, merged, summaries};
@@ -29,7 +29,7 @@ fn finished(mut summaries: Vec<Summary>) -> Outcome {
     sum.finish().expect("none is missing")
 }
 
-/// Every change of a value at some place of a summary, each alone.
+/// All changes of a value at some place of a summary, one at a time.
 fn changes(of: &Value) -> Vec<(String, Value)> {
     let mut found = Vec::new();
     let mut change = |what: String, edit: &dyn Fn(&mut Value)| {
@@ -191,15 +191,15 @@ fn a_feature_that_a_tile_was_not_given_is_found() {
     }
 }
 
-/// The parts of one feature on a row of three tiles, from each place 3 long, as each tile was given them.
+/// The parts of one feature on a row of three tiles, given by their starts, each 3 long, as each tile receives them.
 #[test]
 fn a_feature_whose_box_differs_between_tiles_is_found_in_any_order_of_merging() {
     let grid = grid(&[4.0, 8.0], &[]);
     let given: [[&[f64]; 3]; 4] = [
-        // Two tiles agree on less than the first was given.
+        // Two tiles agree on less than the first one received.
         [&[0.5, 4.5, 8.5], &[0.5, 4.5], &[0.5, 4.5]],
         [&[0.5], &[0.5, 4.5], &[]],
-        // As many tiles as each box meets, but not the tiles of one box.
+        // The correct number of tiles for each box, but not the tiles of one box.
         [&[0.5, 4.5], &[], &[4.5, 8.5]],
         [&[0.5, 4.5], &[0.5, 4.5], &[4.5, 8.5]],
     ];
@@ -246,7 +246,7 @@ fn numbers_that_no_map_has_are_refused_or_stay_where_they_are() {
     refused("/claimed/0/seen", json!(99), "out of range");
     refused("/claimed/0/between/1/column", json!(3), "out of range");
     refused("/claimed/0/between/0/row", json!(2), "out of range");
-    // Sums of the rest do not overflow.
+    // The remaining sums do not overflow.
     let mut most = all.iter().map(|one| to_value(one).expect("it can be saved")).collect::<Vec<_>>();
     for one in &mut most {
         for at in totals.iter().chain(&of_component) {
@@ -273,7 +273,7 @@ fn any_order_of_merging_gives_the_same_bytes() {
             let mut features = Vec::new();
             nested([-7, -7], [7, 7], &mut random, &mut features);
             let all = summaries(&features, &grid(&[-2.5, 1.0], &[-1.0, 3.0]), &limits);
-            // Any tiles, in any order: also those that are no neighbours.
+            // Any tiles, in any order, even without common sides.
             let mut chosen: Vec<Summary> = all.into_iter().filter(|_| random.below(3) > 0).collect();
             if chosen.is_empty() {
                 continue;
@@ -283,7 +283,7 @@ fn any_order_of_merging_gives_the_same_bytes() {
             chosen.reverse();
             let second = merged(chosen, &mut random);
             assert_eq!(bytes(&first), bytes(&second));
-            // A saved summary is read.
+            // A saved summary can be loaded.
             let read: Summary = serde_json::from_slice(&bytes(&first)).expect("it was saved");
             assert_eq!(read, first);
         }

@@ -5,10 +5,10 @@ use crate::whole::{compare, grid};
 use twinedge_coverage::Limits;
 use twinedge_map::Feature;
 
-/// Places of lines: between the points of the lattice, through them, and beside all.
+/// Positions of lines: between the points of the lattice, through them, and outside.
 const LINES: [f64; 6] = [-0.5, 0.0, 0.5, 1.0, 1.25, 2.0];
 
-/// All sets of at most two places.
+/// All sets of at most two positions.
 fn sets() -> Vec<Vec<f64>> {
     let ones = LINES.iter().map(|at| vec![*at]);
     let twos = (0..LINES.len()).flat_map(|j| (0..j).map(move |i| vec![LINES[i], LINES[j]]));

@@ -7,7 +7,6 @@ use twinedge_coverage::{Coverage, Finding, Limits, check};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-/// Limits of every kind.
 fn limits() -> Vec<Limits> {
     let accepted = vec![Point::new(3.3, 3.4), Point::new(6.6, 1.2), Point::new(1.7, 5.1)];
     vec![
@@ -17,11 +16,11 @@ fn limits() -> Vec<Limits> {
     ]
 }
 
-/// Parcels on a lattice, with what is wrong planted: rectangles that overlap at lattice lines, parcels that are missing, repeated, divided
-/// by lines, pierced by holes, thin strips, strips that nearly meet.
+/// Parcels on a lattice with planted faults: rectangles that overlap at lattice lines, parcels that are missing, repeated,
+/// divided by lines or pierced by holes, thin strips, strips that nearly meet.
 fn parcels(random: &mut Random) -> Vec<Feature> {
     let mut features = Vec::new();
-    // Every coordinate is a lattice line, so that edges meet at vertices only: cells are drawn with all points of the lattice.
+    // Every coordinate is a lattice line, so that edges meet only at vertices: cells are drawn with all points of the lattice.
     let cell = |x0: usize, y0: usize, x1: usize, y1: usize| {
         let at = |x: usize, y: usize| [x as f64 / 2.0, y as f64 / 2.0];
         let mut ring = Vec::new();
@@ -102,7 +101,7 @@ fn a_feature_around_all_tiles_covers_them() {
     }
 }
 
-/// Straight below an island, the border of a diamond has a corner on a line between tiles, and passes that line there.
+/// Straight below an island, the border of a diamond has a corner on a line between tiles and passes the line there.
 #[test]
 fn islands_above_corners_on_lines_are_placed_beside_them() {
     let mut random = Random::new(13);
@@ -128,7 +127,7 @@ fn a_gap_is_accepted_where_a_vertex_lies_alone_in_it() {
     compare(&features, &grid(&[4.0], &[3.0]), &limits, &mut Random::new(14));
 }
 
-/// Every area is a multiple of a quarter, and exact.
+/// Every area is an exact multiple of a quarter.
 #[test]
 fn findings_of_equal_area_are_in_the_same_order_by_tiles() {
     let mut random = Random::new(15);
@@ -166,7 +165,7 @@ fn islands_are_placed_between_the_edges_at_the_lower_side() {
     compare(&features, &grid(&[10.3, 20.7], &[0.0]), &Limits::default(), &mut Random::new(16));
 }
 
-/// Features that cover the same, of which some have more that covers nothing, and so another box.
+/// Features with equal cover; some also have parts that cover nothing, and so have another box.
 #[test]
 fn features_that_are_alike_are_found_in_any_order_of_merging() {
     let mut random = Random::new(17);

@@ -1,4 +1,4 @@
-//! Maps whose edges meet elsewhere than at vertices: they are cut tile by tile.
+//! Maps whose edges meet other than at vertices, cut tile by tile.
 
 use crate::maps::{Random, area, feature, line, point};
 use crate::whole::{compare, grid, merged, whole, whole_cut};
@@ -18,7 +18,7 @@ fn on_lattice(random: &mut Random, count: usize) -> Vec<Feature> {
     (0..count).map(|_| feature([shape(random)])).collect()
 }
 
-/// Up to two lines between tiles: between points of the lattice, through them, and through the places where edges between them cross most.
+/// Up to two lines between tiles: between points of the lattice, through them, and through the most frequent crossings.
 fn sets() -> Vec<Vec<f64>> {
     let at = [0.0, 0.5, 1.0, 1.5, 2.0];
     let twos = (0..at.len()).flat_map(|j| (0..j).map(move |i| vec![at[i], at[j]]));
@@ -92,7 +92,7 @@ fn parcels(random: &mut Random) -> Vec<Feature> {
                 0 => ring.insert(1, [x + 0.35, y]),
                 1 => ring.insert(2, [x + 0.7, y + 0.1 + 0.5 * random.part()]),
                 2 => ring.insert(3, [x + 0.5, f64::midpoint(y, y) + 0.7]),
-                // Over the border, or short of it.
+                // Beyond the border, or short of it.
                 3 => ring.insert(2, [x + 0.7 + by(random), y + 0.35]),
                 4 => ring[2] = [x + 0.7 + by(random), y + 0.7 + by(random)],
                 5 => ring[1] = [x + 0.7 + 1e-9, y],
@@ -128,7 +128,7 @@ fn findings_of_a_cadastre_are_those_of_the_whole() {
     assert!(expected.iter().all(|rule| seen.contains(rule)), "{seen:?}");
 }
 
-/// Long edges that pass several tiles without a vertex there, and are bent in some of them.
+/// Long edges that cross several tiles without a vertex there, and are bent in some of them.
 #[test]
 fn edges_across_many_tiles_are_cut_in_each() {
     let mut random = Random::new(55);

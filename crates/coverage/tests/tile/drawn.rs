@@ -13,7 +13,7 @@ fn cut(random: &mut Random) -> Vec<f64> {
     at[..random.below(3)].to_vec()
 }
 
-/// Triangles that grow, until they meet others or not.
+/// Triangles that grow until they may meet others.
 fn triangles(random: &mut Random, count: usize, size: f64) -> Vec<Feature> {
     let shape = |random: &mut Random| {
         let [x, y] = [random.part(), random.part()];
@@ -42,7 +42,6 @@ fn random_maps_add_up_plane_or_not() {
     assert!((50..250).contains(&plane), "{plane}");
 }
 
-/// The features of a map of the world.
 fn world(text: &[u8]) -> Vec<Feature> {
     let mut features = Vec::new();
     geojson::read(text, |feature| {
@@ -53,13 +52,13 @@ fn world(text: &[u8]) -> Vec<Feature> {
     features
 }
 
-/// Grids around the world; `rounds` of them.
+/// Runs `rounds` grids around the world.
 fn around_the_world(features: &[Feature], rounds: usize, random: &mut Random) {
     for round in 0..rounds {
         let low = [-180.0 - random.part(), -90.0 - random.part()];
         let high = [180.0 + random.part(), 90.0 + random.part()];
         let [columns, rows] = [1 + random.below(6), 1 + random.below(6)].map(|n| n as u32);
-        // Lines through vertices, too: degrees that many borders are at.
+        // Lines also pass through vertices, at degrees with many borders.
         let (low, high) = if round % 3 == 0 { ([-180.0, -90.0], [180.0, 90.0]) } else { (low, high) };
         let grid = Grid::new(low, high, columns, rows).expect("a grid");
         let limits = match round % 2 {
@@ -91,7 +90,7 @@ fn the_world_adds_up() {
     around_the_world(&world(CROSSING), 4, &mut random);
 }
 
-/// Coasts with many islands, cut by few lines: grids of all sizes are those of the smaller map.
+/// Coasts with many islands, cut by few lines: the smaller map already covers grids of all sizes.
 #[test]
 fn a_larger_world_adds_up() {
     let mut random = Random::new(32);

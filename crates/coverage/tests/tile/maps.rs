@@ -3,7 +3,7 @@
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-/// Numbers by xorshift, the same in every run.
+/// Random numbers by xorshift, equal in every run.
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -18,13 +18,13 @@ impl Random {
         ((self.0 >> 11) % n as u64) as usize
     }
 
-    /// The same, from a number on.
+    /// A random choice among `n` numbers from `low` on.
     pub(crate) fn from(&mut self, low: i32, n: i32) -> i32 {
         let n = usize::try_from(n).expect("a number of choices");
         low + i32::try_from(self.below(n)).expect("a small number")
     }
 
-    /// Up to two places of lines, in order: 33 multiples of a part of 1.
+    /// Up to two positions of lines, in order: 33 multiples of a fraction of 1.
     pub(crate) fn lines(&mut self, low: i32, parts: f64) -> Vec<f64> {
         let mut at = vec![self.from(low, 33), self.from(low, 33)];
         at.sort_unstable();
@@ -33,7 +33,6 @@ impl Random {
         at.into_iter().map(|at| f64::from(at) / parts).collect()
     }
 
-    /// From 0 up to 1.
     pub(crate) fn part(&mut self) -> f64 {
         self.below(1 << 30) as f64 / f64::from(1 << 30)
     }
@@ -75,7 +74,7 @@ pub(crate) fn lattice_edges() -> Vec<[[f64; 2]; 2]> {
     edges
 }
 
-/// Squares within squares, beside each other or not, with isolated vertices between, on an integer lattice.
+/// Nested squares, side by side or apart, with isolated vertices between, on an integer lattice.
 pub(crate) fn nested(low: [i32; 2], high: [i32; 2], random: &mut Random, into: &mut Vec<Feature>) {
     let [width, height] = [high[0] - low[0], high[1] - low[1]];
     let at = |[x, y]: [i32; 2]| [f64::from(x), f64::from(y)];

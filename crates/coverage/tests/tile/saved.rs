@@ -1,4 +1,4 @@
-//! Cuts that are saved and read between rounds, and files of cuts that nothing made.
+//! Cuts saved and loaded between rounds, and forged files of cuts.
 
 use crate::maps::{Random, area, feature, line};
 use crate::whole::{grid, largest};
@@ -8,7 +8,7 @@ use twinedge_coverage::Limits;
 use twinedge_coverage::tile::{Cuts, Found, Grid, Summary, TileError};
 use twinedge_map::{Feature, Shape};
 
-/// Triangles so far from the origin that pieces are bent again, and the grid through the middle of them.
+/// Triangles so far from the origin that pieces are bent again, and a grid through the middle of them.
 fn far(random: &mut Random, count: usize) -> (Vec<Feature>, Grid) {
     let far = f64::from(1 << 24) * f64::from(1 << 24);
     let mut corner = || [0; 2].map(|_| far + (random.part() * 640.0).floor() / 16.0);
@@ -41,7 +41,7 @@ fn cuts_that_are_saved_between_rounds_are_those_that_are_not() {
         while !whole.is_complete() {
             let mut read: Cuts = serde_json::from_str(&saved).expect("it was saved");
             let these = found(&whole, &grid, &given);
-            // As on workers that see features in another order, and twice; one of them is done again.
+            // As on workers that see features in another order, and twice; one of them runs again.
             let mut those: Vec<Found> = found(&read, &grid, &shuffled);
             assert_eq!(text(&these), text(&those));
             those.reverse();
@@ -83,7 +83,7 @@ fn what_another_round_or_map_found_is_not_taken() {
     assert!(last.is_empty(), "nothing is left");
 }
 
-/// The cuts of two crossing lines after their first round, and what was found in it.
+/// The cuts of two crossing lines after their first round, and the finds of that round.
 fn crossing() -> (Value, Value) {
     let features = [feature([line(&[[0.0, 0.0], [4.0, 4.0]])]), feature([line(&[[0.0, 3.0], [4.0, 1.0]])])];
     let mut cuts = Cuts::new(4.0).expect("finite");
@@ -111,7 +111,7 @@ fn cuts_that_nothing_made_are_refused() {
     refused("/rounds", json!(0), "no such rounds");
     refused("/rounds", json!(61), "no such rounds");
     refused("/rounds", json!(u32::MAX), "no such rounds");
-    // A chain that is none, that turns back, or leaves the grid would be followed for ever, or to nowhere.
+    // Invalid chains that turn back or leave the grid, so that following them would not terminate or would lead nowhere.
     for chain in
         [json!([]), json!([[0.0, 0.0]]), json!([[1.0, 1.0], [0.5, 2.0]]), json!([[1.0, 5.0]]), json!([[1e300, 1.0]])]
     {
@@ -134,14 +134,14 @@ fn cuts_that_nothing_made_are_refused() {
     refused("/chains/0/0/0", json!([-9.0, 0.0]), "out of order");
     refused("/chains/0/1", json!([[0.1, 0.1]]), "out of order");
     refused("/doubtful", json!([[[1.0, 1.0], [0.0, 0.0]]]), "out of order");
-    // Chains of several tiles are put together before they are checked.
+    // Chains of several tiles are assembled before they are checked.
     for chain in [json!([]), json!([[4.0, 4.0]]), json!([[0.0, 4.0], [4.0, 0.0]]), json!([[1.0, 3.0], [3.0, 2.0]])] {
         let found: Found = serde_json::from_value(changed(&found, "/chains/0/1", chain)).expect("points are in range");
         assert_eq!(Cuts::new(4.0).expect("finite").take([found]), Err(TileError::OtherCuts));
     }
 }
 
-/// Every number of a file, by its place.
+/// Every number of a file, by its path.
 fn numbers(of: &Value, at: &str, all: &mut BTreeMap<String, f64>) {
     match of {
         Value::Number(number) => drop(all.insert(at.to_owned(), number.as_f64().expect("finite"))),
@@ -151,7 +151,7 @@ fn numbers(of: &Value, at: &str, all: &mut BTreeMap<String, f64>) {
     }
 }
 
-/// A file with the right form gives cuts that may be wrong, but the rounds go on and end.
+/// A well-formed file may contain invalid cuts, but the rounds continue and end.
 #[test]
 fn rounds_with_changed_cuts_end() {
     let mut random = Random::new(62);

@@ -17,7 +17,6 @@ fn builder(features: &[Feature]) -> Builder {
     builder
 }
 
-/// The map of all features.
 pub(crate) fn whole(features: &[Feature]) -> PlanarMap {
     builder(features).build().expect("there is room")
 }
@@ -32,7 +31,7 @@ pub(crate) fn whole_cut(features: &[Feature], limits: &Limits) -> Coverage {
     coverage
 }
 
-/// The number of times that edges of the whole are bent.
+/// The number of rounds in which edges of the whole are bent.
 pub(crate) fn rounds(features: &[Feature]) -> usize {
     let map = builder(features).build_with(Noding::Snap(Snap::Auto)).expect("in reach");
     map.noding().map_or(0, |summary| summary.rounds)
@@ -47,7 +46,6 @@ fn points(features: &[Feature]) -> impl Iterator<Item = Point> + Clone {
     features.iter().flat_map(|feature| &feature.shapes).flat_map(points)
 }
 
-/// The largest magnitude of a coordinate.
 pub(crate) fn largest(features: &[Feature]) -> f64 {
     points(features).fold(0.0, |most, p| most.max(p.x.abs()).max(p.y.abs()))
 }
@@ -61,7 +59,7 @@ fn corners(features: &[Feature]) -> Option<[Point; 2]> {
     Some([corner(f64::min, f64::INFINITY), corner(f64::max, f64::NEG_INFINITY)])
 }
 
-/// The findings by tiles that cut edges. Each tile has only those features that it is to be given.
+/// The findings by tiles that cut edges. Each tile gets only its assigned features.
 pub(crate) fn by_tiles_cut(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) -> Coverage {
     let mut cuts = Cuts::new(largest(features)).expect("finite");
     let given = |cuts: &Cuts, tile| {
@@ -81,7 +79,7 @@ pub(crate) fn by_tiles_cut(features: &[Feature], grid: &Grid, limits: &Limits, r
     outcome.coverage.expect("it is plane")
 }
 
-/// The grid with lines at these places: at most two of each kind.
+/// The grid with lines at these positions: at most two of each kind.
 pub(crate) fn grid(upright: &[f64], level: &[f64]) -> Grid {
     let ends = |lines: &[f64]| match *lines {
         [] => (0.0, 1.0),
@@ -93,7 +91,6 @@ pub(crate) fn grid(upright: &[f64], level: &[f64]) -> Grid {
     Grid::new([left, bottom], [right, top], upright.len() as u32 + 1, level.len() as u32 + 1).expect("a grid")
 }
 
-/// The summary of each tile.
 pub(crate) fn summaries(features: &[Feature], grid: &Grid, limits: &Limits) -> Vec<Summary> {
     let numbered = || (0..).zip(features);
     grid.tiles().map(|tile| Summary::new(grid, tile, numbered(), limits).expect("in range")).collect()
@@ -109,12 +106,11 @@ pub(crate) fn merged(mut summaries: Vec<Summary>, random: &mut Random) -> Summar
     summaries.pop().expect("a grid has a tile")
 }
 
-/// The audit by tiles.
 pub(crate) fn by_tiles(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) -> Outcome {
     merged(summaries(features, grid, limits), random).finish().expect("no tile is missing")
 }
 
-/// By exponent of their extent, the number of edges of polygons.
+/// The number of polygon edges by the exponent of their extent.
 fn extents(features: &[Feature]) -> Vec<(u16, u64)> {
     let mut extents = BTreeMap::new();
     for shape in features.iter().flat_map(|feature| &feature.shapes) {
@@ -129,7 +125,7 @@ fn extents(features: &[Feature]) -> Vec<(u16, u64)> {
     extents.into_iter().collect()
 }
 
-/// The same, compared with the whole.
+/// Compares the audit by tiles with the audit of the whole.
 pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random: &mut Random) {
     let map = whole(features);
     let report = map.validate();
@@ -167,7 +163,6 @@ pub(crate) fn compare(features: &[Feature], grid: &Grid, limits: &Limits, random
     }
 }
 
-/// Compares what breaks G4 and T3.
 fn broken(map: &PlanarMap, report: &Report, crossings: &[Crossing], uneven: &[Uneven]) {
     let point = |v: usize| map.point(v);
     let edge = |h: usize| {
@@ -205,7 +200,7 @@ fn broken(map: &PlanarMap, report: &Report, crossings: &[Crossing], uneven: &[Un
     assert_eq!(found, components);
 }
 
-/// Compares findings, in whatever order, up to rounding; places exactly.
+/// Compares findings in any order, up to rounding, but locations exactly.
 fn same(these: Vec<Finding>, those: Vec<Finding>, context: &str) {
     let sorted = |mut findings: Vec<Finding>| {
         findings.sort_by(|a, b| {

@@ -1,4 +1,4 @@
-//! Windows: what lies outside of them makes no difference to the tile.
+//! Windows: data outside a window has no influence on its tile.
 
 use crate::maps::{Random, feature, line};
 use crate::whole::{largest, rounds};
@@ -30,7 +30,6 @@ fn in_window(features: &[Feature], [low, high]: [Point; 2]) -> Vec<(u32, &Featur
     (0..).zip(features).filter(meets).collect()
 }
 
-/// The cuts among these features.
 fn complete(mut cuts: Cuts, features: &[(u32, &Feature)]) -> Cuts {
     while !cuts.is_complete() {
         let all = cuts.search(&Grid::EVERYTHING, Tile { column: 0, row: 0 }, features.iter().copied());
@@ -39,7 +38,8 @@ fn complete(mut cuts: Cuts, features: &[(u32, &Feature)]) -> Cuts {
     cuts
 }
 
-/// Compares the summaries of all tiles, made from all features and from those in windows. Returns the share of features that windows have.
+/// Compares the summaries of all tiles, made from all features and from the features in windows. Returns the fraction of features
+/// in windows.
 fn compare(features: &[Feature], grid: &Grid) -> f64 {
     let none = Cuts::new(largest(features)).expect("finite");
     let numbered: Vec<(u32, &Feature)> = (0..).zip(features).collect();
@@ -79,7 +79,7 @@ fn a_tile_needs_what_lies_in_its_window() {
     assert!(share < 30.0 * 0.6, "{share}");
 }
 
-/// Far from the origin, where edges are bent again by what they visit when they are bent.
+/// Far from the origin, where bent edges are bent again by pixels that they visit.
 #[test]
 fn a_tile_needs_no_more_where_edges_are_bent_again() {
     let mut random = Random::new(62);

@@ -1,4 +1,4 @@
-//! Segments that lie side by side in a block: what lies between them is found by bisection.
+//! Segments side by side in a block, searched by bisection.
 //!
 //! ```text
 //!   ──────────────────────────── 0
@@ -13,7 +13,7 @@
 use super::chords::Chord;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps, cross, minus};
 
-/// Segments that cut right across a block, do not cross in it, and are in order.
+/// Ordered segments that cut across a block without crossing in it.
 pub(super) struct Bundle<'a> {
     pub(super) pixels: Pixels,
     pub(super) segments: &'a [Segment],
@@ -25,14 +25,14 @@ impl Bundle<'_> {
         &self.segments[chord.segment as usize]
     }
 
-    /// Returns the side of a chord on which a position of the block lies: negative if beyond it, on the side of the next one.
+    /// Returns the side of a chord on which a position of the block lies: negative beyond the chord, towards the next one.
     fn side(&self, chord: Chord, position: Steps) -> i128 {
         let segment = self.segment(chord);
         let left = cross(segment.direction(), minus(position, segment.a)).signum();
         if chord.first_is_left { left } else { -left }
     }
 
-    /// The crossings inside the block of a segment that has an end in it.
+    /// Returns the crossings inside the block with a segment that has an end in it.
     ///
     /// Cost: O(log m) for m chords, and O(1) for each crossing.
     pub(super) fn crossings(&self, block: &Block, segment: &Segment, end: Steps) -> impl Iterator<Item = Pixel> {
@@ -45,7 +45,7 @@ impl Bundle<'_> {
         before.iter().rev().map_while(crossing).chain(after.iter().map_while(crossing))
     }
 
-    /// The segments that visit a pixel of the block.
+    /// Returns the segments that visit a pixel of the block.
     ///
     /// Cost: O(log m) for m chords, and O(1) for each visit.
     pub(super) fn visitors(&self, pixel: Pixel) -> impl Iterator<Item = u32> {

@@ -1,4 +1,4 @@
-//! The chains of the runs: first snapped, then bent until no edge visits the pixel of a vertex that is not its own.
+//! The chains of the runs: snapped, then bent until no edge visits the pixel of a foreign vertex.
 
 use super::input::NodingError;
 use super::pixel::{Pixel, Pixels, Segment};
@@ -6,7 +6,6 @@ use super::search::search;
 use crate::threads;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Chains of vertices, one for each run, from its `a` to its `b`.
 pub(super) struct Chains {
     pool: Vec<u32>,
     /// The start of each chain in the pool, and the end of the last one.
@@ -22,22 +21,21 @@ impl Chains {
         &self.pool[self.starts[chain]..self.starts[chain + 1]]
     }
 
-    /// All chains, in order of the runs.
     pub(super) fn all(&self) -> impl Iterator<Item = &[u32]> + Clone {
         (0..self.len()).map(|chain| self.get(chain))
     }
 
-    /// All steps from one vertex to the next, of all chains.
+    /// Returns all steps of all chains from one vertex to the next.
     pub(super) fn edges(&self) -> impl Iterator<Item = [u32; 2]> {
         self.all().flat_map(edges)
     }
 
-    /// The vertices of all chains, chain after chain.
+    /// Returns the vertices of all chains, chain after chain.
     pub(super) fn pool(&self) -> &[u32] {
         &self.pool
     }
 
-    /// Returns the place of a vertex in the pool, on the chain of a run that visits it.
+    /// Returns the index of a vertex in the pool, on the chain of a run that visits it.
     pub(super) fn place(&self, chain: usize, run: &Segment, vertices: &[Pixel], vertex: u32) -> usize {
         let along = |v: u32| run.progress(vertices[v as usize]);
         let vertices_of = self.get(chain);
@@ -49,7 +47,7 @@ impl Chains {
         self.starts[chain] + place
     }
 
-    /// The chains of segments through the vertices that they visit, in order.
+    /// Makes the chains of segments through the vertices that they visit, in order.
     pub(super) fn through(segments: &[Segment], vertices: &[Pixel], mut visits: Vec<[u32; 2]>) -> Self {
         let place = |&[s, v]: &[u32; 2]| (s, segments[s as usize].progress(vertices[v as usize]), v);
         threads::sort_unstable_by(&mut visits, |a, b| place(a).cmp(&place(b)));
@@ -71,9 +69,9 @@ impl Chains {
     }
 }
 
-/// The chains of runs, and the number of rounds in which one was bent.
+/// Makes the chains of runs, and counts the rounds in which one was bent.
 ///
-/// The vertices where runs cross are added to `vertices`. It is an error if there are more than so many cuts.
+/// Adds the vertices where runs cross to `vertices`. Returns an error if there are too many cuts.
 pub(super) fn snap(
     pixels: Pixels,
     runs: &[Segment],
@@ -83,15 +81,15 @@ pub(super) fn snap(
     let found = search(pixels, runs, vertices, cuts)?;
     let mut bends_left = cuts - found.visits.len();
     let chains = Chains::through(runs, vertices, found.visits);
-    // All edges of a chain that is bent are new lines, which can visit pixels that the run did not visit. So can the
-    // only edge of one that is not bent, if the ends of the run moved.
+    // All edges of a bent chain are new lines, which can visit pixels that the run did not visit. So can the only edge of a chain
+    // without bends, if the ends of the run moved.
     let straight = found.doubtful.into_iter().map(|run| chains.get(run as usize)).filter(|chain| chain.len() == 2);
     let crooked = chains.all().filter(|chain| chain.len() > 2);
     let rounds = usize::from(crooked.clone().next().is_some());
     let mut seen = FxHashSet::default();
     let mut fresh: Vec<[u32; 2]> =
         straight.chain(crooked).flat_map(edges).map(sorted).filter(|&e| seen.insert(e)).collect();
-    // The chain of each edge that was bent, by its ends.
+    // The chain of each bent edge, by its ends.
     let mut bends: FxHashMap<[u32; 2], Vec<u32>> = FxHashMap::default();
     let hot = vertices.len();
     while !fresh.is_empty() {
@@ -122,13 +120,12 @@ pub(super) fn snap(
     Ok((chains, rounds + depth))
 }
 
-/// The chains with each bent edge replaced by its chain, and the edges of that likewise; and how many times over.
+/// Replaces each bent edge by its chain, recursively. Also returns the depth of the recursion.
 fn bend(chains: &Chains, bends: &FxHashMap<[u32; 2], Vec<u32>>) -> (Chains, usize) {
     let mut bent =
         Chains { pool: Vec::with_capacity(chains.pool.len()), starts: Vec::with_capacity(chains.starts.len()) };
     let mut deepest = 0;
-    // The vertices that are still to come, the next one last, with the number of bends that the edge to it comes
-    // from.
+    // The remaining vertices, the next one last, with the number of bends behind the edge to each.
     let mut ahead: Vec<(u32, usize)> = Vec::new();
     for chain in chains.all() {
         bent.starts.push(bent.pool.len());

@@ -1,4 +1,4 @@
-//! Many segments that all cut right across a block: finds which of them cross in it, or their order if none do.
+//! Many segments that all cut across a block: finds their crossings, or their order if none cross.
 //!
 //! ```text
 //!      c   b
@@ -9,17 +9,16 @@
 //!       c  b
 //! ```
 //!
-//! So O(m log m) steps and one for each crossing do for the m²/2 pairs.
+//! So O(m log m) steps, plus one for each crossing, replace m²/2 pairs.
 //!
-//! A block owns its left and its lower side. To have that exactly right, the border is shifted by infinitely little:
-//! the sides to the left by ε, the lower and the upper one downwards by δ, infinitely smaller than ε: then no chord
-//! meets a corner, no two meet the border at one point, and a crossing is inside exactly if the block owns it.
+//! A block owns its left and its lower side. To make that exact, the border is shifted infinitesimally: the sides to the left by
+//! ε, the lower and the upper one downwards by δ, infinitely smaller than ε. Then no chord meets a corner, no two chords meet the
+//! border at one point, and a crossing is inside exactly if the block owns it.
 
 use super::pixel::{Block, Pixels, Segment, compare, cross, minus};
 use crate::threads;
 use core::cmp::Ordering;
 
-/// A point where a chord meets the border.
 struct End {
     /// Counter-clockwise: lower, right, upper, left.
     side: u8,
@@ -27,16 +26,15 @@ struct End {
     floor: i64,
     rest: i64,
     denominator: i64,
-    /// Over the same denominator: how much that coordinate falls as the side moves by the infinitely small amount.
+    /// The decrease of that coordinate as the side moves by the infinitesimal amount, over the same denominator.
     rate: i64,
-    /// The number of the chord.
     chord: u32,
     /// True if the segment leaves the block here.
     leaves: bool,
 }
 
 impl End {
-    /// Counter-clockwise round the border.
+    /// Compares two ends counter-clockwise around the border.
     fn order(&self, other: &Self) -> Ordering {
         self.side.cmp(&other.side).then_with(|| {
             let upwards = self
@@ -49,25 +47,23 @@ impl End {
     }
 }
 
-/// The arrangement of the chords of a block.
 pub(super) enum Chords {
-    /// These pairs cross inside; those are all, or there are too many.
+    /// These pairs cross inside; the list is complete if `all` is true.
     Cross { pairs: Vec<[u32; 2]>, all: bool },
-    /// They lie side by side.
+    /// They do not cross, and lie side by side in this order.
     SideBySide(Vec<Chord>),
-    /// They do not cross.
+    /// They do not cross, and are not in one sequence.
     Apart,
 }
 
-/// One of many segments that lie side by side.
+/// One of many segments side by side.
 #[derive(Clone, Copy)]
 pub(super) struct Chord {
     pub(super) segment: u32,
-    /// True if those before it are to its left.
     pub(super) first_is_left: bool,
 }
 
-/// Returns the arrangement of these segments in the block. None may end inside, and no two may overlap. Only so many crossings
+/// Returns the arrangement of these segments in the block. None may end inside, and no two may overlap. At most `most` crossings
 /// are listed.
 ///
 /// Cost: O(m log m) for m segments, and O(1) for each crossing.
@@ -95,13 +91,13 @@ pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &
     if !pairs.is_empty() {
         return Chords::Cross { pairs, all: true };
     }
-    // A chord whose ends are neighbours on the border has all others on one side. If there are two such, all lie
+    // A chord whose ends are neighbours on the border has all others on one side. If there are two such chords, all others lie
     // between them.
     let mut lone = (0..ends.len()).filter(|&i| ends[i].chord == ends[(i + 1) % ends.len()].chord);
     match (lone.next(), lone.next(), lone.next()) {
         (Some(i), Some(_), None) => {
-            // From the second end of the first one, counter-clockwise: one end of each, in order. What is before a
-            // chord is to the left of the way from this end to the other.
+            // Starting at the second end of the first lone chord, counter-clockwise: one end of each chord, in order. Earlier
+            // chords lie to the left, going from this end to the other.
             let side_by_side = ends.iter().cycle().skip(i + 1).take(ends.len() / 2);
             let chords = side_by_side.map(|end| Chord { segment: ids[end.chord as usize], first_is_left: !end.leaves });
             Chords::SideBySide(chords.collect())
@@ -110,7 +106,7 @@ pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &
     }
 }
 
-/// The two ends of a chord; none if the segment misses the block.
+/// Adds the two ends of a chord, unless the segment misses the block.
 fn chord([left, lower, right, upper]: [i64; 4], s: &Segment, number: u32, ends: &mut Vec<End>) {
     let [dx, dy] = s.direction();
     let start = s.a.map(|c| 2 * c);

@@ -1,20 +1,19 @@
-//! An estimate of the number of cuts, made before any segment is cut.
+//! Estimating the number of cuts before any segment is cut.
 
 use super::pixel::{Pixel, Pixels, Segment};
 use rustc_hash::FxHashMap;
 
-/// The number of pairs that are tried.
 const PAIRS: u64 = 4096;
 
-/// Estimates from fewer crossings than this are worth nothing.
+/// With fewer crossings, an estimate is unreliable.
 const ENOUGH: u64 = 64;
 
-/// About how many times segments are cut where two of them cross; none if there are too few crossings to tell. O(1).
+/// Estimates the number of cuts where two segments cross; `None` if there are too few crossings. O(1).
 ///
-/// The pairs are those of a fixed pseudo-random sequence. Of s crossings found, the estimate is off by a part of 1 / √s, as a
-/// rule. A segment is cut once in a pixel, by however many others. So where many crossings share few pixels, as those of lines
-/// through one point, there are no more cuts than segments for each of those pixels, and their number is estimated from how many were
-/// found once and how many twice (A. Chao, 1984).
+/// The pairs come from a fixed pseudo-random sequence. With s crossings found, the relative error is typically 1 / √s. A segment
+/// is cut once in a pixel, by any number of others. So if many crossings share few pixels, as in lines through one point, each of
+/// those pixels has at most one cut per segment; the number of pixels is estimated from the numbers found once and found twice
+/// (A. Chao, 1984).
 pub(super) fn crossing_cuts(pixels: Pixels, segments: &[Segment]) -> Option<u64> {
     let count = segments.len() as u64;
     let mut state = 0_u64;
@@ -40,7 +39,7 @@ pub(super) fn crossing_cuts(pixels: Pixels, segments: &[Segment]) -> Option<u64>
     }
     let exactly = |n: u64| times.values().filter(|times| **times == n).count() as u64;
     let unseen = exactly(1).pow(2).checked_div(2 * exactly(2)).unwrap_or(exactly(1).pow(2));
-    // Of n² pairs in order, each crossing is two.
+    // Among n² ordered pairs, each crossing counts twice.
     let alone = (u128::from(count) * u128::from(count) * u128::from(found)) / u128::from(PAIRS);
     let shared = u128::from(count) * u128::from(times.len() as u64 + unseen);
     Some(u64::try_from(alone.min(shared)).unwrap_or(u64::MAX))

@@ -1,40 +1,40 @@
-//! The grid: coordinates as whole numbers of steps, and back.
+//! The grid: conversion of coordinates to whole numbers of steps, and back.
 
 use super::input::{Input, NodingError, Snap};
 use super::pixel::{Pixel, Pixels, Steps};
 use crate::point::Point;
 
-/// Coordinates are at most 2^53 steps: any whole number up to there is a double.
+/// Coordinates are at most 2^53 steps: all whole numbers up to there are doubles.
 const REACH: i32 = 53;
 
-/// With [`Snap::Auto`], a cell is 2^3 steps, so coordinates are at most 2^50 cells. That the input is read more
-/// finely than it is rounded keeps crossings where they were, and lets those that should be one point be one.
+/// With [`Snap::Auto`], a cell is 2^3 steps, so coordinates are at most 2^50 cells. Reading the input more finely than it is
+/// rounded preserves the positions of crossings, and merges points that should be equal.
 const SPARE: i32 = 3;
 const _: () = assert!(Snap::AUTO_CELLS == 1 << (REACH - SPARE), "the documented number of cells");
 
 /// The smallest positive double is 2^-1074.
 const SMALLEST: i32 = -1074;
 
-/// More cells than these are out of reach if their width is no power of two. Rounded to doubles, their centres move by less than an
-/// eighth of a cell then.
+/// The greatest number of cells if their width is no power of two: up to there, rounding their centres to doubles moves them by
+/// less than an eighth of a cell.
 const MOST_DECIMAL: f64 = (1_u64 << 49) as f64;
 
-/// The width of a cell: `numerator / denominator * 2^exponent`, exactly.
+/// The exact width of a cell: `numerator / denominator * 2^exponent`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     width: f64,
     numerator: i64,
     denominator: i64,
     exponent: i32,
-    /// The power of ten by which a decimal width is a whole number; 1, if it has no decimal places.
+    /// The power of ten that makes a decimal width a whole number; 1 if it has no decimal places.
     scale: f64,
 }
 
 impl Cell {
-    /// A cell as wide as the decimal number that this double stands for, if that has up to 22 decimal places and 15 digits;
-    /// otherwise as wide as the double. O(1).
+    /// Creates a cell whose width is the decimal number that this double stands for, if it has up to 22 decimal places and 15
+    /// digits; otherwise the double itself. O(1).
     pub(super) fn of(width: f64) -> Self {
-        /// Powers of ten up to there are doubles.
+        /// Powers of ten up to this exponent are doubles.
         const PLACES: i32 = 22;
         let (mantissa, exponent) = decode(width);
         let twos = mantissa.trailing_zeros();
@@ -55,7 +55,7 @@ impl Cell {
         exact
     }
 
-    /// A cell 2^exponent wide.
+    /// Creates a cell 2^exponent wide.
     fn binary(exponent: i32) -> Self {
         Self { width: power_of_two(exponent), numerator: 1, denominator: 1, exponent, scale: 1.0 }
     }
@@ -64,7 +64,7 @@ impl Cell {
         self.numerator == 1 && self.denominator == 1
     }
 
-    /// The coordinate of a centre: the nearest double, if the decimal number has up to 15 digits.
+    /// Returns the coordinate of a centre: the nearest double, if the decimal number has up to 15 digits.
     pub(super) fn coordinate(&self, cells: i64) -> f64 {
         let whole = cells.checked_mul(self.numerator).filter(|whole| whole.unsigned_abs() <= 1 << 53);
         match whole.filter(|_| self.scale > 1.0) {
@@ -74,12 +74,12 @@ impl Cell {
         }
     }
 
-    /// The number of the cell of a coordinate, where halves go up.
+    /// Returns the number of the cell nearest to a coordinate, rounding halves up.
     pub(super) fn nearest(&self, x: f64) -> i64 {
         ((self.half_steps(x, 0).0 + 1) >> 1) as i64
     }
 
-    /// A coordinate in halves of steps, 2^shift of which make a cell, rounded down; true if that is exact.
+    /// Returns a coordinate in half steps, 2^shift steps per cell, rounded down, and true if it is exact.
     fn half_steps(&self, x: f64, shift: u32) -> (i128, bool) {
         let (mantissa, exponent) = decode(x);
         let product = i128::from(mantissa) * i128::from(self.denominator);
@@ -99,16 +99,15 @@ impl Cell {
     }
 }
 
-/// A grid of cells, and the finer one on which the input is read.
+/// A grid of cells, and the finer grid on which the input is read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     cell: Cell,
-    /// A cell is 2^shift steps wide.
     pub(super) pixels: Pixels,
 }
 
 impl Grid {
-    /// The grid for coordinates up to `largest` in magnitude, which `holder` has.
+    /// Creates the grid for coordinates up to `largest` in magnitude, which occurs in `holder`.
     pub(super) fn new(snap: Snap, largest: f64, holder: Input) -> Result<Self, NodingError> {
         let above = exponent_above(largest);
         let cells = match snap {
@@ -123,7 +122,7 @@ impl Grid {
         grids.into_iter().find(is_finite).ok_or(NodingError::OutOfRange { at: holder })
     }
 
-    /// The grid with these cells for coordinates up to `largest`; none if they are out of reach.
+    /// Creates the grid with these cells for coordinates up to `largest`; `None` if they are out of reach.
     fn of_cells(cell: Cell, largest: f64) -> Option<Self> {
         let shift = if cell.is_binary() {
             let step = exponent_above(largest).map_or(cell.exponent, |e| (e - REACH).max(SMALLEST));
@@ -133,20 +132,20 @@ impl Grid {
             // The quotient may have been rounded down to a power of two, so one bit is spared.
             exponent_above(cells).map_or(0, |e| (REACH - 1 - e).unsigned_abs())
         };
-        // From 2^55 steps on, every position is in pixel 0, and a larger pixel makes no difference.
+        // From 2^55 steps on, every position is in pixel 0, so a larger pixel makes no difference.
         Some(Self { cell, pixels: Pixels { shift: shift.min(55) } })
     }
 
-    /// The width of a cell.
     pub(super) const fn cell(&self) -> f64 {
         self.cell.width
     }
 
-    /// The position of a point: the nearest one, of those in the same pixel. That of a point of the grid is the centre of its pixel.
+    /// Returns the position nearest to a point, among positions in the same pixel. For a point of the grid, this is the centre of
+    /// its pixel.
     ///
-    /// Where a pixel is a step, halves go up, as they do in pixels. Otherwise `-p` is at the position opposite to that of `p`, so that
-    /// segments through the origin whose ends are opposite still meet there: halves go to even positions, and next to
-    /// the border of a pixel away from it.
+    /// If a pixel is one step, halves are rounded up, as in pixels. Otherwise `-p` has the position opposite to `p`, so that
+    /// segments through the origin with opposite ends still meet there: halves are rounded to even positions, and next to the
+    /// border of a pixel away from it.
     pub(super) fn steps(&self, p: Point) -> Steps {
         let shift = self.pixels.shift;
         [p.x, p.y].map(|x| {
@@ -163,19 +162,18 @@ impl Grid {
                 return up;
             }
             let nearest = if is_exact { below + (below & 1) } else { up };
-            // The borders of pixels that are many steps are whole steps.
+            // The borders of pixels larger than a step are whole steps.
             if self.pixels.is_border(nearest) { 2 * below + 1 - nearest } else { nearest }
         })
     }
 
-    /// The centre of a pixel.
     pub(super) fn point(&self, pixel: Pixel) -> Point {
         let [x, y] = pixel.map(|c| self.cell.coordinate(c));
         Point { x, y }
     }
 }
 
-/// `x = mantissa * 2^exponent`, for finite `x`.
+/// Decomposes finite `x` into `mantissa * 2^exponent`.
 fn decode(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let fraction = (bits & ((1 << 52) - 1)).cast_signed();
@@ -186,13 +184,12 @@ fn decode(x: f64) -> (i64, i32) {
     (if x < 0.0 { -magnitude } else { magnitude }, exponent)
 }
 
-/// The least `e` with `x <= 2^e`, for finite `x`; `None` for zero.
+/// Returns the least `e` with `x <= 2^e`, for finite `x`; `None` for zero.
 fn exponent_above(x: f64) -> Option<i32> {
     let (mantissa, exponent) = decode(x.abs());
     (mantissa != 0).then(|| exponent + (64 - (mantissa - 1).leading_zeros().cast_signed()))
 }
 
-/// 2^exponent, for the exponents that a double has.
 fn power_of_two(exponent: i32) -> f64 {
     if exponent < -1022 {
         f64::from_bits(1 << (exponent - SMALLEST).unsigned_abs())

@@ -6,35 +6,35 @@ use crate::point::Point;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Snap {
-    /// So fine that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50
-    /// cells: coordinates keep some 15 decimal digits. For longitudes up to 180, a cell is 2^-42 degrees, or 25
-    /// nanometres on the ground.
+    /// Chosen so that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50 cells:
+    /// coordinates keep some 15 decimal digits. For longitudes up to 180, a cell is 2^-42 degrees, or 25 nanometres on the
+    /// ground.
     #[default]
     Auto,
-    /// This number. Of one with up to 22 decimal places, the decimal number counts and not the double next to it: the points of a grid of
-    /// 0.001 are the doubles nearest to whole thousandths, so what has three decimal places stays as it is. Zero, negative,
-    /// infinite and NaN are refused, and so is a cell so small that a coordinate would be more than 2^53 of it, or 2^49 if it is
-    /// no power of two.
+    /// This width. If it has up to 22 decimal places, the decimal number counts instead of the double nearest to it: the points
+    /// of a grid of 0.001 are the doubles nearest to whole thousandths, so coordinates with three decimal places are unchanged.
+    /// Zero, negative, infinite and NaN are refused, and so is a cell so small that a coordinate would be more than 2^53 cells,
+    /// or 2^49 cells whose width is no power of two.
     Size(f64),
 }
 
 impl Snap {
-    /// With [`Snap::Auto`] the largest coordinate is at most so many cells, and more than half as many.
+    /// With [`Snap::Auto`], the largest coordinate lies between half this number of cells and this number.
     pub const AUTO_CELLS: u64 = 1 << 50;
 }
 
-/// A place in the input.
+/// A part of the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
-    /// The segment of this index.
+    /// The segment with this index.
     Segment(usize),
-    /// The point of this index.
+    /// The point with this index.
     Point(usize),
 }
 
 impl Input {
-    /// The point at fault, given the input of [`node`](super::node): of a segment, the end with the larger coordinate. None if the
-    /// input has no such part. O(1).
+    /// Returns the faulty point, given the input of [`node`](super::node): for a segment, the end with the larger coordinate.
+    /// Returns `None` if the input has no such part. O(1).
     #[must_use]
     pub fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Option<Point> {
         match self {
@@ -67,7 +67,8 @@ pub enum NodingError {
         /// The first part of the input with such a coordinate.
         at: Input,
     },
-    /// A coordinate is more than 2^53 cells, or 2^49 that are no power of two wide, or the grid point next to it is not a finite number.
+    /// A coordinate is more than 2^53 cells, or 2^49 cells whose width is no power of two, or the nearest grid point is not
+    /// finite.
     #[error("{at} has a coordinate out of reach of the grid")]
     OutOfRange {
         /// The first part of the input with the coordinate of the largest magnitude.
@@ -76,10 +77,10 @@ pub enum NodingError {
     /// The size of a cell is not a positive finite number.
     #[error("the size of a cell is not a positive finite number")]
     Size,
-    /// Segments meet each other, or pass close to vertices, more often than was allowed.
+    /// Segments meet each other, or pass close to vertices, more often than allowed.
     #[error("segments are cut more than {allowed} times")]
     TooManyCuts {
-        /// The number of cuts allowed.
+        /// The allowed number of cuts.
         allowed: usize,
     },
     /// There are more points than a `u32` can number.

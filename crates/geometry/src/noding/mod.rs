@@ -1,9 +1,9 @@
-//! Noding: any finite segments, made into edges that meet only at their ends.
+//! Noding: turning any finite segments into edges that meet only at their ends.
 //!
-//! Segments drawn by hand, or taken from files, cross, touch and overlap. [`node`] cuts them wherever they meet and
-//! rounds the cuts to a grid, so that what comes out is the exact drawing of a plane graph in `f64` coordinates:
-//! every point is on the grid, edges are distinct and not of zero length, and two edges meet at a common end or not
-//! at all. It never fails on finite input, except that the input must be in reach of the grid.
+//! Segments drawn by hand or read from files cross, touch and overlap. [`node`] cuts them wherever they meet and rounds the cuts
+//! to a grid. The result is the exact drawing of a plane graph in `f64` coordinates: every point is on the grid, edges are
+//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input within reach
+//! of the grid.
 //!
 //! ```
 //! use twinedge_geometry::Point;
@@ -19,11 +19,11 @@
 //!
 //! # Snap rounding
 //!
-//! The grid has square cells, whose width is a power of two or any other number. Each grid point has a *pixel*: the square of one cell around it,
-//! of whose border only the left and the lower side belong to it. A pixel is *hot* if a segment ends in it, two
-//! segments cross in it, or an input point lies in it. Every segment is replaced by the chain of the centres of the
-//! hot pixels that it visits, in the order of its visits (J. D. Hobby, *Practical segment intersection with finite
-//! precision output*, 1999; L. J. Guibas and D. H. Marimont, *Rounding arrangements dynamically*, 1998).
+//! The grid has square cells, whose width is a power of two or any other number. Each grid point has a *pixel*: the square of one
+//! cell around it, including only its left and lower sides. A pixel is *hot* if a segment ends in it, two segments cross in it,
+//! or an input point lies in it. Every segment is replaced by the chain of the centres of the hot pixels that it visits, in the
+//! order of its visits (J. D. Hobby, *Practical segment intersection with finite precision output*, 1999; L. J. Guibas and D. H.
+//! Marimont, *Rounding arrangements dynamically*, 1998).
 //!
 //! ```text
 //!   +-----+-----+-----+      +-----+-----+-----+
@@ -35,40 +35,38 @@
 //!   +-----+-----+-----+      +-----+-----+-----+
 //! ```
 //!
-//! Edges never cross, and none passes through a vertex. An edge is a new line, which can visit a hot pixel that its segment did not visit: edges
-//! are bent until none does (iterated snap rounding: D. Halperin and E. Packer, 2002), so noding the result changes nothing, on the same grid or
-//! on a finer one. `DESIGN.md` in the repository has the proofs.
+//! Edges never cross, and none passes through a vertex. An edge is a new line, which can visit a hot pixel that its segment did
+//! not visit: edges are bent until none does (iterated snap rounding: D. Halperin and E. Packer, 2002). So noding the result
+//! changes nothing, on the same grid or on a finer one. `DESIGN.md` in the repository has the proofs.
 //!
 //! # What moves, and how far
 //!
-//! - Every input point and every end of a segment goes to the centre of its pixel, so it moves by half a cell at most
-//!   in each direction. So does every crossing of segments, as they were read.
-//! - Each round of bending moves chains by half a cell at most in each direction. After [`NodingSummary::rounds`] of them,
-//!   a chain is within `(rounds + 1) / 2` cells of its segment. There are 0 or 1 for most maps on a fine grid. Long
-//!   lines that pass many vertices on a coarse grid can need more: iterating is known to let them drift.
+//! - Every input point and every end of a segment moves to the centre of its pixel, by at most half a cell in each direction. So
+//!   does every crossing of segments, as read.
+//! - Each round of bending moves chains by at most half a cell in each direction. After [`NodingSummary::rounds`] rounds, a chain
+//!   is within `(rounds + 1) / 2` cells of its segment. Most maps on a fine grid need 0 or 1 rounds. Long lines past many
+//!   vertices on a coarse grid can need more and are known to drift.
 //! - A vertex can come to lie *on* an edge that passed nearby, but never on its other side.
 //!
-//! The input is read to 2^53 steps of the largest coordinate. That is exact for coordinates of more than half of the
-//! largest, and off by less than a step for smaller ones that use all their digits. Pixels are larger than steps, by
-//! a factor of 8 with [`Snap::Auto`] and of whatever is asked for with [`Snap::Size`]; the exception is a size of
-//! just one step. So whether and where segments cross is decided before their ends move, which is why vertices do not
-//! change sides. Opposite points are read at opposite positions, so that diameters of a circle around the origin meet in
-//! one vertex; the exception is the same.
+//! The input is read to 2^53 steps of the largest coordinate. That is exact for coordinates of more than half of the largest, and
+//! off by less than a step for smaller coordinates that use all their digits. Pixels are larger than steps, by a factor of 8 with
+//! [`Snap::Auto`], and according to the requested width with [`Snap::Size`], unless it is one step. So crossings are determined
+//! before ends move, and vertices do not change sides. Opposite points are read at opposite positions, so diameters of a circle
+//! around the origin meet in one vertex, with the same exception.
 //!
 //! # Exactness
 //!
-//! Coordinates are whole numbers of steps, of up to 54 bits. Whether segments cross, in which pixel, which pixels a
-//! segment visits, and in which order, are signs and quotients of whole numbers of up to 112 bits. So `i128` is
-//! exact, and needs no filter before it.
+//! Coordinates are whole numbers of steps, of up to 54 bits. Crossings and their pixels, and the visited pixels of a segment and
+//! their order, are signs and quotients of whole numbers of up to 112 bits. So `i128` is exact and needs no filter.
 //!
 //! # Cost
 //!
-//! O((n + k) log n) in practice, for n segments and k visits of hot pixels. Segments on one line have up to n²
-//! visits, but as their chains are ranges of one chain, O(n) time and memory do (see `runs.rs`). Pairs of segments
-//! that pass each other closely, or cross in the same pixel, do not count: stars, fans, bundles and spirals are not
-//! quadratic (see `search.rs` and `chords.rs`).
+//! O((n + k) log n) in practice, for n segments and k visits of hot pixels. Collinear segments have up to n² visits, but as their
+//! chains are ranges of one chain, O(n) time and memory suffice (see `runs.rs`). Pairs of segments that pass each other closely,
+//! or cross in the same pixel, do not count: stars, fans, bundles and spirals are not quadratic (see `search.rs` and
+//! `chords.rs`).
 //!
-//! With the feature `rayon`, the search and the sorting are divided among the threads of its current pool. The result is the same.
+//! With the feature `rayon`, searching and sorting are divided among the threads of the current pool, with the same result.
 
 mod bundle;
 mod chains;
@@ -99,19 +97,19 @@ pub use part::{PartCuts, PartNoding};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct NodingSummary {
-    /// The width of a cell; 0, if nothing was rounded.
+    /// The width of a cell; 0 if nothing was rounded.
     pub cell: f64,
-    /// The number of vertices that are only crossings: nothing in the input ends there.
+    /// The number of vertices that are only crossings: no input segment ends there.
     pub crossings: usize,
     /// The number of segments that have further vertices between their ends.
     pub split: usize,
     /// The number of segments that repeat an earlier one, in either direction.
     pub duplicates: usize,
-    /// The number of segments with both ends at one vertex. No edge is left of them.
+    /// The number of segments with both ends at one vertex. They leave no edge.
     pub collapsed: usize,
-    /// By how many the distinct points of the input are more than the vertices they became.
+    /// The number of distinct input points minus the number of vertices made from them.
     pub merged: usize,
-    /// The number of times that chains were bent, see [the module](self). If 0, no segment met or nearly met anything
+    /// The number of rounds in which chains were bent, see [the module](self). If 0, no segment met or nearly met anything
     /// between its ends.
     pub rounds: usize,
     /// The largest move of a point of the input, in x and in y.
@@ -119,8 +117,8 @@ pub struct NodingSummary {
 }
 
 impl NodingSummary {
-    /// The vertex that a point of the input became: the middle of its cell, where halves go up; the point itself where nothing was
-    /// rounded. −0 is 0. O(1).
+    /// Returns the vertex for an input point: the middle of its cell, with halves rounded up; the point itself if nothing was
+    /// rounded. −0 becomes 0. O(1).
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -139,7 +137,7 @@ impl NodingSummary {
             return Point::new(p.x + 0.0, p.y + 0.0);
         }
         let cell = Cell::of(self.cell);
-        // Adding zero turns −0 into 0. What is out of reach of the grid stays.
+        // Adding zero turns −0 into 0. Coordinates out of reach of the grid stay.
         let middle = |number: f64| match (number / self.cell).abs() {
             cells if cells <= (1_u64 << 53) as f64 => cell.coordinate(cell.nearest(number)),
             _ => number + 0.0,
@@ -148,7 +146,7 @@ impl NodingSummary {
     }
 }
 
-/// The part of the pool of chains that holds the vertices of a segment.
+/// The range of the pool that holds the vertices of a segment.
 #[derive(Clone, Copy, Debug)]
 struct ChainRange {
     start: usize,
@@ -156,15 +154,15 @@ struct ChainRange {
     reversed: bool,
 }
 
-/// A plane graph drawn with straight edges on a grid, and how the input runs along it.
+/// A plane graph drawn with straight edges on a grid, with the path of each input segment along it.
 ///
 /// Points and edges do not depend on the order of the input or on the direction of segments.
 #[derive(Clone, Debug)]
 pub struct Noded {
     /// The vertices: distinct points of the grid, in lexicographical order.
     pub points: Vec<Point>,
-    /// The edges, as pairs of indices of points: the smaller one first, distinct, in lexicographical order. They meet
-    /// only at common ends.
+    /// The edges, as pairs of indices of points, the smaller one first; distinct, in lexicographical order. They meet only at
+    /// common ends.
     pub segments: Vec<[u32; 2]>,
     /// The counts and measures of the noding.
     pub summary: NodingSummary,
@@ -174,17 +172,17 @@ pub struct Noded {
 }
 
 impl Noded {
-    /// The vertices along an input segment, from its first end to its second: one if the segment collapsed, else two
-    /// or more. `None` if there is no such segment. O(1).
+    /// Returns the vertices along an input segment, from its first end to its second: one if the segment collapsed, otherwise at
+    /// least two. `None` if there is no such segment. O(1).
     ///
-    /// Two vertices in a row are an edge. The chains of a ring's segments make up a closed chain.
+    /// Two consecutive vertices form an edge. The chains of a ring's segments form a closed chain.
     #[must_use]
     pub fn chain(&self, segment: usize) -> Option<Chain<'_>> {
         let &ChainRange { start, len, reversed } = self.ranges.get(segment)?;
         Some(Chain { vertices: &self.pool[start..start + len as usize], reversed })
     }
 
-    /// The vertex that an input point became. `None` if there is no such point. O(1).
+    /// Returns the vertex for an input point. `None` if there is no such point. O(1).
     #[must_use]
     pub fn vertex_of_point(&self, point: usize) -> Option<u32> {
         self.vertex_of_point.get(point).copied()
@@ -227,26 +225,25 @@ impl DoubleEndedIterator for Chain<'_> {
 impl ExactSizeIterator for Chain<'_> {}
 impl FusedIterator for Chain<'_> {}
 
-/// Cuts segments where they meet, and rounds to a grid, so that they meet only at common ends.
+/// Cuts segments where they meet and rounds to a grid, so that they meet only at common ends.
 ///
-/// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is
-/// an isolated vertex of the result, and so is the vertex of a collapsed segment.
+/// `points` are also vertices: a segment that visits the pixel of a point passes through its vertex. A point that no segment
+/// touches, or the vertex of a collapsed segment, is an isolated vertex of the result.
 ///
 /// Cost: see [the module](self#cost). [`node_within`] bounds it.
 ///
 /// # Errors
 ///
-/// [`NodingError`]: coordinates that are not finite, or out of reach of the grid; a size that is not one; too many
-/// points.
+/// [`NodingError`]: coordinates that are not finite or out of reach of the grid; an invalid size; too many points.
 pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Noded, NodingError> {
     node_within(segments, points, snap, usize::MAX)
 }
 
-/// The same, unless segments are cut more than so many times: n segments may cross n² / 2 times, which no memory holds.
+/// Nodes like [`node`], with at most `cuts` cuts: n segments may cross n² / 2 times, which would exhaust memory.
 ///
-/// A segment is cut once at each vertex between its ends. Overlapping segments of one line count as one. Some pairs of
-/// segments are tried first, and if they cross so often that twice as many cuts as allowed are to be expected, noding does
-/// not begin. Otherwise it ends when there are too many. Memory is O(n + cuts).
+/// A segment is cut once at each vertex between its ends. Overlapping collinear segments count as one. A sample of pairs is tried
+/// first; if it predicts more than twice the allowed cuts, noding does not begin. Otherwise it stops at the limit. Memory is O(n
+/// + cuts).
 ///
 /// ```
 /// use twinedge_geometry::Point;
@@ -263,7 +260,7 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
 ///
 /// # Errors
 ///
-/// [`NodingError::TooManyCuts`], and those of [`node`].
+/// [`NodingError::TooManyCuts`], and the errors of [`node`].
 pub fn node_within(segments: &[[Point; 2]], points: &[Point], snap: Snap, cuts: usize) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(segments, points)?;
     let grid = Grid::new(snap, largest, holder)?;
@@ -273,10 +270,10 @@ pub fn node_within(segments: &[[Point; 2]], points: &[Point], snap: Snap, cuts: 
     finish(&grid, Read::new(&grid, segments, points), cuts)
 }
 
-/// The same for distinct points, each of which is a vertex, and segments between them by number.
+/// Nodes like [`node_within`] for distinct points, all of them vertices, and segments between them by number.
 ///
 /// # Errors
-/// Those of [`node_within`].
+/// The errors of [`node_within`].
 pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: usize) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(&[], points)?;
     let grid = Grid::new(snap, largest, holder)?;
@@ -286,7 +283,7 @@ pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: 
     finish(&grid, Read::numbered(&grid, points, segments), cuts)
 }
 
-/// Nodes what was read.
+/// Nodes the input once it has been read.
 fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingError> {
     let Runs { joined, of, duplicates } = runs::join(read.segments(grid));
     if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {
@@ -309,13 +306,13 @@ fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingE
     let ranges: Vec<ChainRange> = read.ends().map(range_of).collect();
     drop(joined);
 
-    // The vertices get the numbers of their places in the order of the points.
+    // The vertices are numbered by their positions in the order of the points.
     let by_pixel = |a: &u32, b: &u32| vertices[*a as usize].cmp(&vertices[*b as usize]);
     let mut order = core::mem::take(&mut read.order);
     let sorted_already = order.len();
     order.extend(sorted_already as u32..vertices.len() as u32);
     threads::sort_unstable_by(&mut order[sorted_already..], by_pixel);
-    // Two runs at most, so this merges.
+    // At most two sorted runs, so this merges.
     order.sort_by(by_pixel);
     let mut number = vec![0; vertices.len()];
     for (place, &v) in (0..).zip(&order) {
@@ -343,9 +340,10 @@ fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingE
     Ok(Noded { points, segments, summary, pool, ranges, vertex_of_point })
 }
 
-/// Edges in lexicographical order, each once. O(n + v) for v vertices, and what it takes to sort those at each vertex.
+/// Returns the edges in lexicographical order, each once. O(n + v) for v vertices, plus the cost of sorting the edges at each
+/// vertex.
 fn distinct_edges<I: Iterator<Item = [u32; 2]>>(edges: impl Fn() -> I, vertices: usize) -> Vec<[u32; 2]> {
-    // Summed up, `first[v + 1]` is where those of vertex v begin, and filing them moves it to where they end.
+    // After summation, `first[v + 1]` is the start of the edges of vertex v; filing moves it to their end.
     let mut first = vec![0_usize; vertices + 2];
     for [v, _] in edges() {
         first[v as usize + 2] += 1;

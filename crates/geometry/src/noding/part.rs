@@ -1,8 +1,8 @@
-//! Noding of a part of a drawing, on the grid of the whole.
+//! Noding a part of a drawing, on the grid of the whole.
 //!
-//! The pixels that are hot in a part, and the visits of segments to them, depend on nothing outside. So parts find them one by
-//! one, and together they have those of the whole. An edge between two hot pixels is bent by the hot pixels that it visits, in
-//! whatever parts these lie: that takes another round, as soon as the edges are known.
+//! The hot pixels of a part, and the visits of segments to them, do not depend on anything outside. So parts find them
+//! separately, and together they have all of the whole. An edge between two hot pixels is bent by the hot pixels that it visits,
+//! possibly in other parts: that takes another round once the edges are known.
 
 use super::chains::Chains;
 use super::grid::Grid;
@@ -15,37 +15,37 @@ use crate::point::Point;
 use crate::predicates::MIN_COORDINATE;
 use rustc_hash::FxHashMap;
 
-/// The grid of [`Snap::Auto`] for a whole drawing, of which parts are noded.
+/// The grid of [`Snap::Auto`] for a whole drawing that is noded in parts.
 #[derive(Clone, Copy, Debug)]
 pub struct PartNoding {
     grid: Grid,
 }
 
-/// The cuts that a part knows of. Points are centres of pixels.
+/// The cuts known to a part. Points are centres of pixels.
 #[derive(Debug, Default)]
 pub struct PartCuts {
-    /// The hot pixels in which nothing ends.
+    /// The hot pixels without any ends.
     pub crossings: Vec<Point>,
-    /// The segments that visit hot pixels between their ends, with these in order.
+    /// The segments that visit hot pixels between their ends, with these pixels in order.
     pub chains: Vec<(usize, Vec<Point>)>,
-    /// The segments whose way from centre to centre may visit pixels that they do not visit.
+    /// The segments whose line between pixel centres may visit other pixels than the segment.
     pub doubtful: Vec<usize>,
 }
 
 impl PartNoding {
-    /// The grid for coordinates up to `largest` in magnitude.
+    /// Creates the grid for coordinates up to `largest` in magnitude.
     ///
     /// # Errors
-    /// [`NodingError::OutOfRange`], or that the number is not finite.
+    /// [`NodingError::OutOfRange`], also if the number is not finite.
     pub fn new(largest: f64) -> Result<Self, NodingError> {
         let grid = |snap| Grid::new(snap, largest, Input::Point(0));
         let automatic = grid(Snap::Auto)?;
-        // The predicates must be exact on grid points, too.
+        // The predicates must also be exact on grid points.
         let is_too_fine = automatic.cell() < MIN_COORDINATE;
         Ok(Self { grid: if is_too_fine { grid(Snap::Size(MIN_COORDINATE))? } else { automatic } })
     }
 
-    /// The width of a cell.
+    /// Returns the width of a cell.
     #[must_use]
     pub fn cell(&self) -> f64 {
         self.grid.cell()
@@ -55,15 +55,15 @@ impl PartNoding {
         self.grid.pixels.at(self.grid.steps(p))
     }
 
-    /// The centre of the pixel of a point.
+    /// Returns the centre of the pixel of a point.
     #[must_use]
     pub fn snapped(&self, p: Point) -> Point {
         self.grid.point(self.pixel(p))
     }
 
-    /// Finds where segments cross or pass near vertices. Points are vertices, too.
+    /// Finds where segments cross or pass near vertices, including `points`.
     ///
-    /// More than so many cuts are an error.
+    /// Returns an error if there are more than `most` cuts.
     ///
     /// # Errors
     /// [`NodingError::TooMany`], [`NodingError::TooManyCuts`].
@@ -99,7 +99,7 @@ impl PartNoding {
         Ok(cuts)
     }
 
-    /// Finds the hot pixels that edges visit, on their way from centre to centre, and which are not their ends. Edges do not cross.
+    /// Finds the hot pixels that edges visit between their end pixels, going from centre to centre. Edges must not cross.
     ///
     /// # Errors
     /// [`NodingError::TooManyCuts`].

@@ -1,57 +1,52 @@
-//! Integer geometry: segments in whole steps, square pixels of a power of two of steps, and the exact tests between
-//! them.
+//! Integer geometry: segments in whole steps, square pixels whose size is a power of two of steps, and exact tests between them.
 //!
 //! # Sizes
 //!
-//! A coordinate is at most 2^53 steps, so a difference of two is at most 2^54, and the difference of a doubled
-//! coordinate and a doubled corner or centre of a block of pixels at most 2^56. Every product below is one of these
-//! by a difference, at most 2^110, and every sum of two of them at most 2^111: all fit in `i128`.
+//! A coordinate is at most 2^53 steps, so a difference of two is at most 2^54, and the difference of a doubled coordinate and a
+//! doubled corner or centre of a block of pixels at most 2^56. Every product below multiplies one of these by a difference, at
+//! most 2^110, and every sum of two products is at most 2^111: all fit in `i128`.
 
 use core::cmp::Ordering;
 
-/// A position, in steps.
 pub(super) type Steps = [i64; 2];
 
-/// A pixel, named by its place in the grid.
+/// A pixel, by its coordinates in the grid.
 pub(super) type Pixel = [i64; 2];
 
-/// A segment of positive length. `a` is the lexicographically smaller end, so it never leads to the left.
+/// A segment of positive length. `a` is the lexicographically smaller end, so the segment never leads to the left.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment {
     pub(super) a: Steps,
     pub(super) b: Steps,
-    /// The vertices whose pixels hold `a` and `b`.
     pub(super) ends: [u32; 2],
 }
 
 impl Segment {
-    /// The segment from the centre of one pixel to that of another, in steps of one pixel.
+    /// Creates the segment between the centres of two pixels, in steps of one pixel.
     pub(super) fn between(vertices: &[Pixel], [p, q]: [u32; 2]) -> Self {
         let (at_p, at_q) = (vertices[p as usize], vertices[q as usize]);
         if at_p < at_q { Self { a: at_p, b: at_q, ends: [p, q] } } else { Self { a: at_q, b: at_p, ends: [q, p] } }
     }
 
-    /// From `a` to `b`.
     pub(super) fn direction(&self) -> [i64; 2] {
         minus(self.b, self.a)
     }
 
-    /// The order of two vertices on the way from `a` to `b`, given that the segment visits both pixels.
+    /// Returns a number that orders vertices along the way from `a` to `b`, if the segment visits their pixels.
     ///
-    /// A segment is monotone in both coordinates, and so is the pixel of a point that moves along it. So of two
-    /// pixels that it visits, the later one is at least as far in both directions, and farther in one.
+    /// A segment is monotone in both coordinates, and so is the pixel of a point moving along it. So among two pixels that it
+    /// visits, the later one is at least as far in both directions, and farther in one.
     pub(super) fn progress(&self, pixel: Pixel) -> i64 {
         let [dx, dy] = self.direction();
         dx.signum() * pixel[0] + dy.signum() * pixel[1]
     }
 }
 
-/// `p - q`.
 pub(super) fn minus(p: [i64; 2], q: [i64; 2]) -> [i64; 2] {
     [p[0] - q[0], p[1] - q[1]]
 }
 
-/// The cross product: positive if `e` points to the left of `d`.
+/// Returns the cross product: positive if `e` points to the left of `d`.
 pub(super) fn cross(d: [i64; 2], e: [i64; 2]) -> i128 {
     i128::from(d[0]) * i128::from(e[1]) - i128::from(d[1]) * i128::from(e[0])
 }
@@ -64,7 +59,6 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// The block of one pixel.
     pub(super) fn one(pixel: Pixel) -> Self {
         Self { low: pixel, high: pixel }
     }
@@ -90,7 +84,7 @@ impl Block {
         along(0) & along(1)
     }
 
-    /// The smallest block that holds both.
+    /// Returns the smallest block that contains both blocks.
     pub(super) fn join(&self, other: &Self) -> Self {
         Self {
             low: [self.low[0].min(other.low[0]), self.low[1].min(other.low[1])],
@@ -98,7 +92,6 @@ impl Block {
         }
     }
 
-    /// The intersection, given that they overlap.
     pub(super) fn meet(&self, other: &Self) -> Self {
         Self {
             low: [self.low[0].max(other.low[0]), self.low[1].max(other.low[1])],
@@ -116,19 +109,18 @@ pub(super) struct Pixels {
 }
 
 impl Pixels {
-    /// Pixels that are a step wide, each with its centre on the step of its name.
+    /// Pixels one step wide, each centred on the step of its name.
     pub(super) const ONE_STEP: Self = Self { shift: 0 };
 
     fn size(self) -> i64 {
         1 << self.shift
     }
 
-    /// The pixel that holds a position.
     pub(super) fn at(self, position: Steps) -> Pixel {
         position.map(|p| self.along(p))
     }
 
-    /// The same in one coordinate.
+    /// Returns the coordinate of the pixel that contains a position's coordinate.
     pub(super) fn along(self, position: i64) -> i64 {
         (position + (self.size() >> 1)) >> self.shift
     }
@@ -138,18 +130,17 @@ impl Pixels {
         (position + (self.size() >> 1)) & (self.size() - 1) == 0
     }
 
-    /// The centre of a pixel.
     pub(super) fn centre(self, pixel: Pixel) -> Steps {
         pixel.map(|c| c << self.shift)
     }
 
-    /// The smallest block that holds a segment.
+    /// Returns the smallest block that contains a segment.
     pub(super) fn around(self, s: &Segment) -> Block {
         let (a, b) = (self.at(s.a), self.at(s.b));
         Block { low: [a[0], a[1].min(b[1])], high: [b[0], a[1].max(b[1])] }
     }
 
-    /// The corners of a block in doubled steps: left, lower, right, upper.
+    /// Returns the corners of a block in doubled steps: left, lower, right, upper.
     pub(super) fn sides(self, block: &Block) -> [i64; 4] {
         let Block { low, high } = block;
         let size = self.size();
@@ -158,8 +149,7 @@ impl Pixels {
 
     /// Returns true if the line of a segment comes within half a pixel of the block, in each direction.
     ///
-    /// It does if it meets the block, or if the line from centre to centre of the pixels in which the segment ends
-    /// meets it.
+    /// This is the case if it meets the block, or if the line between the centres of the segment's end pixels meets it.
     pub(super) fn line_nears(self, s: &Segment, block: &Block) -> bool {
         let [left, lower, right, upper] = self.sides(block);
         let [dx, dy] = s.direction();
@@ -172,10 +162,9 @@ impl Pixels {
 
     /// Returns true if the segment visits the pixel.
     ///
-    /// Given that the two overlap in each coordinate (with the half-open borders), it does if its line enters the
-    /// inside of the pixel, that is, if the centre is nearer to the line than the farthest corner; or if it touches
-    /// the lower left corner, the only one that belongs to the pixel. The same formula is right for a segment along
-    /// the left or lower side.
+    /// If the two overlap in each coordinate (with the half-open borders), the segment visits the pixel if its line enters the
+    /// inside, that is, if the centre is nearer to the line than the farthest corner; or if it touches the lower left corner, the
+    /// only one that belongs to the pixel. The same formula is valid for a segment along the left or lower side.
     pub(super) fn visits(self, s: &Segment, pixel: Pixel) -> bool {
         if !self.around(s).contains(pixel) {
             return false;
@@ -186,13 +175,12 @@ impl Pixels {
         offset.abs() < size * i128::from(dx.abs() + dy.abs()) || offset == size * i128::from(dx - dy)
     }
 
-    /// The segment from centre to centre of the pixels in which a segment ends, in steps of a pixel.
     pub(super) fn between_centres(self, s: &Segment) -> Segment {
         Segment { a: self.at(s.a), b: self.at(s.b), ends: s.ends }
     }
 
-    /// The pixel in which two segments cross, each inside the other: `None` if they do not, if one ends on the other,
-    /// or if they are on one line.
+    /// Returns the pixel in which two segments cross, each in the interior of the other: `None` if they do not cross, if one ends
+    /// on the other, or if they are collinear.
     pub(super) fn crossing(self, s: &Segment, t: &Segment) -> Option<Pixel> {
         let apart = |axis: usize| {
             s.a[axis].max(s.b[axis]) < t.a[axis].min(t.b[axis]) || t.a[axis].max(t.b[axis]) < s.a[axis].min(s.b[axis])
@@ -224,10 +212,10 @@ impl Pixels {
     }
 }
 
-/// `d * part / whole`, exactly: the integer part, rounded down, and the remainder over `whole`. For
-/// `part < whole <= 2^111` and `|d| <= 2^54`.
+/// Returns `d * part / whole`, exactly: the integer part, rounded down, and the remainder over `whole`. Requires `part < whole <=
+/// 2^111` and `|d| <= 2^54`.
 ///
-/// Long division: `d` is fed in from the top, as many bits at a time as the remainder leaves room for.
+/// Long division: consumes `d` from the top, using the number of bits for which the remainder has room.
 fn scale(d: i64, part: u128, whole: u128) -> (i64, u128) {
     let digits = (whole.leading_zeros() - 1).min(32);
     let (mut quotient, mut rest) = (0_u128, 0_u128);
@@ -250,7 +238,7 @@ fn scale(d: i64, part: u128, whole: u128) -> (i64, u128) {
     }
 }
 
-/// Orders fractions with positive denominators.
+/// Compares fractions with positive denominators.
 pub(super) fn compare((p, q): (i64, i64), (r, s): (i64, i64)) -> Ordering {
     (i128::from(p) * i128::from(s)).cmp(&(i128::from(r) * i128::from(q)))
 }

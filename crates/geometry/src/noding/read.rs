@@ -1,4 +1,4 @@
-//! The input on the grid: equal points made one, and the vertices that they become.
+//! The input on the grid: merges equal points, and assigns vertices to them.
 
 use super::grid::Grid;
 use super::input::{Input, NodingError};
@@ -8,20 +8,16 @@ use crate::threads;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
-/// The input, read. Points and segments that have numbers already are borrowed.
+/// The input as read. Points and segments with given numbers are borrowed.
 #[derive(Default)]
 pub(super) struct Read<'a> {
-    /// The distinct points.
     sites: Cow<'a, [Point]>,
-    /// By site.
     vertex_of: Vec<u32>,
     /// The sites where each segment starts and ends.
     ends: Cow<'a, [[u32; 2]]>,
-    /// The sites of the single points.
     points: Vec<u32>,
-    /// The pixels of all sites, distinct.
     pub(super) vertices: Vec<Pixel>,
-    /// The vertices in the order of their pixels, or none of them.
+    /// The vertices in the order of their pixels, or empty.
     pub(super) order: Vec<u32>,
 }
 
@@ -49,7 +45,7 @@ impl<'a> Read<'a> {
         reader.read
     }
 
-    /// The same for distinct points, each of which is a vertex, and segments between them by number.
+    /// Reads distinct points, all of them vertices, and segments between them by number.
     pub(super) fn numbered(grid: &Grid, points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
         let pixel = |number: usize| grid.pixels.at(grid.steps(points[number]));
         let mut sorted: Vec<(Pixel, u32)> = threads::map(points, |point| (grid.pixels.at(grid.steps(*point)), 0));
@@ -93,7 +89,7 @@ impl<'a> Read<'a> {
         }
     }
 
-    /// The segments that are more than a vertex.
+    /// Returns the segments between different vertices.
     pub(super) fn segments(&self, grid: &Grid) -> Vec<Segment> {
         let longer = self.ends.iter().filter(|ends| {
             let [p, q] = ends.map(|site| self.vertex_of[site as usize]);
@@ -108,22 +104,19 @@ impl<'a> Read<'a> {
         segments
     }
 
-    /// The vertices where each segment starts and ends.
+    /// Returns the vertices where each segment starts and ends.
     pub(super) fn ends(&self) -> impl Iterator<Item = [u32; 2]> {
         self.ends.iter().map(|ends| ends.map(|site| self.vertex_of[site as usize]))
     }
 
-    /// The vertices of the single points.
     pub(super) fn points(&self) -> impl Iterator<Item = u32> {
         self.points.iter().map(|&site| self.vertex_of[site as usize])
     }
 
-    /// Returns the number of distinct points.
     pub(super) fn distinct(&self) -> usize {
         self.sites.len()
     }
 
-    /// The largest move of a point to its vertex, in x and in y.
     pub(super) fn largest_move(&self, grid: &Grid, vertices: &[Pixel]) -> [f64; 2] {
         self.sites.iter().zip(&self.vertex_of).fold([0.0; 2], |[x, y], (point, vertex)| {
             let to = grid.point(vertices[*vertex as usize]);
@@ -135,9 +128,9 @@ impl<'a> Read<'a> {
 struct Reader<'a> {
     grid: &'a Grid,
     read: Read<'static>,
-    /// By [`Point::hash_key`].
+    /// Keyed by [`Point::hash_key`].
     sites: FxHashMap<(u64, u64), u32>,
-    /// By the coordinates of the pixel, folded.
+    /// Keyed by the folded coordinates of the pixel.
     vertices: FxHashMap<(u64, u64), u32>,
 }
 
@@ -157,7 +150,7 @@ impl Reader<'_> {
     }
 }
 
-/// The largest magnitude of a coordinate, and the first that has it.
+/// Returns the largest magnitude of a coordinate, and the first part of the input where it occurs.
 pub(super) fn largest_coordinate(segments: &[[Point; 2]], points: &[Point]) -> Result<(f64, Input), NodingError> {
     let ends = segments.iter().enumerate().flat_map(|(i, ends)| ends.iter().map(move |p| (p, Input::Segment(i))));
     let points = points.iter().enumerate().map(|(i, p)| (p, Input::Point(i)));

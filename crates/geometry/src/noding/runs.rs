@@ -1,9 +1,8 @@
-//! Runs: what the segments of one line cover together.
+//! Runs: unions of overlapping collinear segments.
 //!
-//! A thousand overlapping segments on one line have a million pieces between them, and a thousand different ones. So
-//! overlapping segments of one line, equal ones included, are joined into a *run* first; runs are noded, and each
-//! segment then is a stretch of the chain of its run. That changes nothing: a run visits the pixels that its segments
-//! visit, and in the same order.
+//! A thousand overlapping segments on one line have a million pieces in total, but only thousands of different ones. So
+//! overlapping collinear segments, including equal ones, are first joined into a *run*; runs are noded, and each segment becomes
+//! a range of the chain of its run. That changes nothing: a run visits the pixels of its segments, in the same order.
 
 use super::pixel::{Segment, cross, minus};
 use crate::threads;
@@ -11,21 +10,18 @@ use core::cmp::Ordering;
 use core::hash::Hasher;
 use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 
-/// Segments, joined.
 pub(super) struct Runs {
     pub(super) joined: Vec<Segment>,
-    /// The run of each segment.
     pub(super) of: Vec<u32>,
-    /// The number of segments that equal another one that is counted already.
+    /// The number of segments that equal an earlier one.
     pub(super) duplicates: usize,
 }
 
-/// Joins the overlapping segments of each line. Segments that only share an end stay apart.
+/// Joins the overlapping segments of each line. Segments that only share an end stay separate.
 ///
-/// Cost: O(n) expected, and O(g log g) for g segments of one line.
+/// Cost: O(n) expected, plus O(g log g) for g segments of one line.
 pub(super) fn join(segments: Vec<Segment>) -> Runs {
-    // Segments of one line in linked lists. Different lines can share a list (a rare thing), which the exact order
-    // undoes.
+    // Linked lists of segments on one line. Different lines rarely share a list, and the exact order separates them.
     const NONE: u32 = u32::MAX;
     let lines: Vec<u64> = segments.iter().map(line).collect();
     let again = repeated(&lines);
@@ -62,7 +58,8 @@ pub(super) fn join(segments: Vec<Segment>) -> Runs {
     runs
 }
 
-/// The numbers that occur more than once, and some others: a table of bits, many times as many as numbers, says which may.
+/// Returns the numbers that occur more than once, and some others: a bit table much larger than the list of numbers filters the
+/// candidates.
 fn repeated(numbers: &[u64]) -> FxHashSet<u64> {
     let words = numbers.len().div_ceil(4).next_power_of_two();
     let mut seen = vec![0_u64; words];
@@ -99,11 +96,11 @@ impl Runs {
     }
 }
 
-/// A number that all segments of a line share.
+/// Returns a number that all segments of a line share.
 ///
-/// Slope and intercept, as residues modulo 2^64. With the common powers of two taken out, one of the differences
-/// `dx`, `dy` is odd and so has an inverse; the slope `dy / dx` does not depend on the other common factors, and the
-/// intercept `y − slope · x` is the same at all lattice points of the line.
+/// It combines slope and intercept, as residues modulo 2^64. Without common powers of two, one of the differences `dx`, `dy` is
+/// odd and so has an inverse; the slope `dy / dx` does not depend on the other common factors, and the intercept `y − slope · x`
+/// is equal at all lattice points of the line.
 fn line(s: &Segment) -> u64 {
     let [dx, dy] = s.direction();
     let twos = (dx | dy).trailing_zeros();
@@ -119,8 +116,7 @@ fn line(s: &Segment) -> u64 {
     hasher.finish()
 }
 
-/// The inverse of an odd number modulo 2^64, by Newton's method: each round doubles the number of bits that are
-/// right.
+/// Returns the inverse of an odd number modulo 2^64, by Newton's method: each round doubles the number of correct bits.
 fn inverse(odd: u64) -> u64 {
     let mut inverse = odd.wrapping_mul(3) ^ 2;
     for _ in 0..4 {
@@ -129,7 +125,7 @@ fn inverse(odd: u64) -> u64 {
     inverse
 }
 
-/// An order that brings the segments of one line together, from one end of the line to the other.
+/// Compares segments so that the segments of one line are adjacent, ordered along the line.
 fn order(s: &Segment, t: &Segment) -> Ordering {
     let d = s.direction();
     // All directions are in one half-plane, so the sign of the cross product orders them.

@@ -1,14 +1,14 @@
-//! Finds which segments visit which hot pixels.
+//! Finds the hot pixels that segments visit.
 //!
-//! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is
-//! tried. Three things save most of the others:
+//! The plane is halved repeatedly until a block contains few segments and few vertices; there, every pair is tried. Three
+//! techniques avoid most of the other pairs:
 //!
-//! - If no vertex is in a block, all its segments are chords, and their crossings are listed without trying pairs. If
-//!   there are none, there is nothing to find, and else only visits to the vertices that are known by now.
-//! - If halving does not thin the segments out because most of them meet in one pixel, that pixel is cut out of the
-//!   block: in the other parts they are apart.
-//! - If it does not because most of them lie side by side, these are set aside as a *bundle*. The others are searched
-//!   without them, and what is between them is found by bisection.
+//! - If a block has no vertex, all its segments are chords, and their crossings are listed without trying pairs. Without
+//!   crossings there is nothing to find; otherwise only visits to the now known vertices remain.
+//! - If halving does not separate segments because most of them meet in one pixel, that pixel is cut out of the block: in the
+//!   other parts they are apart.
+//! - If halving does not separate segments because most of them lie side by side, they are set aside as a *bundle*. The others
+//!   are searched without them, and bisection finds anything between them.
 //!
 //! ```text
 //!   ┌───────┬─┬───────┐
@@ -20,10 +20,10 @@
 //!   └───────┴─┴───────┘
 //! ```
 //!
-//! A block with many segments is cut in tiles at once, as many as it takes to have few in each, as long as most segments are so
-//! short that a tile or two hold them: that saves going through all of them for each halving.
+//! A block with many segments is cut into tiles at once, enough to have few segments in each, if most segments are so short that
+//! one or two tiles contain them. This saves passing over all of them for each halving.
 //!
-//! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
+//! Blocks consist of whole pixels, so each hot pixel is in one leaf, and each visit is found once.
 
 use super::bundle::Bundle;
 use super::chords::{Chord, Chords, chords};
@@ -44,41 +44,40 @@ mod vertices;
 #[cfg(test)]
 mod tests;
 
-/// Up to this many pairs, trying all is cheaper than halving.
+/// Up to this number of pairs, trying all is cheaper than halving.
 const FEW_PAIRS: usize = limit(256, 8);
 
-/// Up to this many pairs, trying all is cheaper than anything but halving.
+/// Up to this number of pairs, trying all is cheaper than anything but halving.
 const SOME_PAIRS: usize = limit(8192, 16);
 
-/// Up to this many vertices are tried on all segments, and as many segments that end in a block on all others.
+/// Up to this number of vertices are tried on all segments, and up to this number of segments that end in a block on all others.
 const FEW: usize = limit(16, 2);
 
-/// More crossings than this for each chord of a block are not listed.
+/// With more crossings than this for each chord of a block, they are not listed.
 const DENSE: usize = limit(8, 1);
 
-/// From this many segments on, a block is cut in tiles.
+/// From this number of segments on, a block is cut into tiles.
 const MANY: usize = limit(64, 4);
 
-/// The result of the search.
 #[derive(Default)]
 pub(super) struct PixelVisits {
-    /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
+    /// Pairs of a segment and a vertex whose pixel it visits without ending there.
     pub(super) visits: Vec<[u32; 2]>,
-    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit, some of them more
-    /// than once. Those from centre to centre are not among them.
+    /// Segments whose line between pixel centres may visit other pixels than the segment; some are listed repeatedly. Segments
+    /// that already run between centres are not listed.
     pub(super) doubtful: Vec<u32>,
 }
 
 enum Task<'a> {
     Look(Look),
-    /// Try a bundle on the vertices that were found in its block since it was set aside.
+    /// Try a bundle on the vertices found in its block since it was set aside.
     Finish {
         bundle: Bundle<'a>,
         vertices_from: usize,
     },
 }
 
-/// A block to look at, with its segments and vertices at the top of the two pools.
+/// A block to search, with its segments and vertices at the top of the two pools.
 struct Look {
     block: Block,
     segments_from: usize,
@@ -86,13 +85,11 @@ struct Look {
     state: State,
 }
 
-/// The state of knowledge about the contents of a block.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     New,
     /// A pixel was cut out to make it. The next step is to halve it, which bounds the depth.
     Cut,
-    /// Its crossings are among the vertices.
     Crossed,
 }
 
@@ -103,20 +100,19 @@ struct Search<'a> {
     found: PixelVisits,
     budget: Budget<'a>,
     tasks: Vec<Task<'a>>,
-    /// The number of tasks that are of bundles.
     bundles: usize,
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
     filing: Filing,
-    /// The blocks around the segments of a leaf; its memory is kept, too.
+    /// The blocks around the segments of a leaf, kept to reuse memory.
     boxes: Vec<Block>,
 }
 
-/// Adds a vertex for each pixel where two segments cross and that has none, and finds all visits.
+/// Adds a vertex for each pixel without one where two segments cross, and finds all visits.
 ///
-/// No two segments may overlap in more than a point, and the vertices are distinct and include all ends.
+/// Segments must not overlap in more than a point; vertices must be distinct and include all ends.
 ///
-/// More than so many visits are an error.
+/// Returns an error if there are more than `most` visits.
 ///
 /// Cost: O((n + k) log n) in practice, for n segments and vertices and k crossings and visits.
 pub(super) fn search(
@@ -154,16 +150,15 @@ pub(super) fn search(
     Ok(found)
 }
 
-/// The number of pairs to try among `m` segments and between them and `h` vertices.
+/// Returns the number of pairs to try among `m` segments and between them and `h` vertices.
 fn pairs(m: usize, h: usize) -> usize {
     m.saturating_mul(m + h)
 }
 
-/// The treatment of a block that halving does not thin out.
+/// The treatment of a block that halving does not separate.
 enum Instead {
     Cut(Pixel),
     SetAside(Vec<Chord>),
-    /// All crossings are in these pixels.
     Cross(Vec<Pixel>),
 }
 
@@ -201,7 +196,7 @@ impl Search<'_> {
         if most <= work - work / 4 || (work > SOME_PAIRS && look.state == State::Cut) {
             return Ok(());
         }
-        // Halving is hardly worth it.
+        // Halving is hardly worth the effort.
         let instead =
             if work <= SOME_PAIRS { None } else { busy.map(Instead::Cut).or_else(|| self.instead(block, segments)) };
         if work <= SOME_PAIRS || instead.is_some() {
@@ -226,7 +221,8 @@ impl Search<'_> {
         }
     }
 
-    /// A block whose crossings are among its vertices. Vertices beyond the block may be among them, so one pixel may have many.
+    /// Searches a block whose crossings are among its vertices. Vertices beyond the block may be listed, so one pixel may have
+    /// many.
     fn look_for_visits(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) {
         let are_few = vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS;
         if are_few || block.low == block.high {
@@ -236,11 +232,11 @@ impl Search<'_> {
         }
     }
 
-    /// Puts off the tiles of a block, if most segments lie in few of them and no tile has most.
+    /// Defers the tiles of a block, if most segments lie in few of them and no tile has most.
     fn tile(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) -> bool {
         let tiles = Tiles::new(block, segments.len());
         self.filing.clear(tiles.len());
-        // The tiles that are looked at, of all segments that are in more than one.
+        // The remaining budget of tiles for segments that are in more than one.
         let mut left = segments.len();
         for &id in segments {
             let segment = &self.segments[id as usize];
@@ -271,7 +267,7 @@ impl Search<'_> {
         true
     }
 
-    /// Puts off the halves of a block. Returns the number of pairs in the half with more.
+    /// Defers the halves of a block. Returns the number of pairs in the half with more.
     fn halve_block(&mut self, block: &Block, segments: &[u32], vertices: &[u32], state: State) -> usize {
         let (halves, axis) = halves(block);
         let middle = halves[0].high[axis];
@@ -298,7 +294,7 @@ impl Search<'_> {
         self.put_off(|number| halves[number], state)
     }
 
-    /// Puts off the parts of a block out of which a pixel was cut.
+    /// Defers the parts of a block after a pixel was cut out.
     fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32]) {
         self.filing.clear(parts.len());
         for &id in segments {
@@ -319,11 +315,11 @@ impl Search<'_> {
         self.put_off(|number| parts[number], State::Cut);
     }
 
-    /// Puts off parts of a block, with what was filed under each; those without anything to find excepted. Returns the number
-    /// of pairs in the part with most.
+    /// Defers parts of a block with the segments and vertices filed under each, skipping parts without anything to find. Returns
+    /// the largest number of pairs in a part.
     fn put_off(&mut self, part: impl Fn(usize) -> Block, state: State) -> usize {
         let mut most = 0;
-        // A visit takes a vertex, and a crossing that is not known two segments.
+        // A visit takes a vertex, and an unknown crossing takes two segments.
         let worth = |c: &Content| c.segments > 0 && (c.vertices > 0 || c.segments >= 2 && state != State::Crossed);
         self.filing.pour(&mut self.segment_pool, &mut self.vertex_pool, worth, |filed| {
             let PartFiling { content, segments_from, vertices_from, .. } = filed;
@@ -365,27 +361,27 @@ impl Search<'_> {
         Some(Instead::Cross(crossings))
     }
 
-    /// The pixels in which pairs of segments cross.
+    /// Returns the pixels in which pairs of segments cross.
     fn crossings(&self, pairs: &[[u32; 2]]) -> Vec<Pixel> {
         let segments = pairs.iter().map(|pair| pair.map(|id| &self.segments[id as usize]));
         segments.filter_map(|[s, t]| self.pixels.crossing(s, t)).collect()
     }
 
-    /// The pixels of a block in which a segment crosses others.
+    /// Returns the pixels of a block in which a segment crosses others.
     fn crossings_with(&self, id: u32, block: &Block, others: &[u32]) -> impl Iterator<Item = Pixel> {
         let segment = &self.segments[id as usize];
         let others = others.iter().map(|&other| &self.segments[other as usize]);
         others.filter_map(|other| self.pixels.crossing(segment, other)).filter(|&pixel| block.contains(pixel))
     }
 
-    /// The pixel in which most of the first pairs cross.
+    /// Returns the pixel in which most of the first pairs cross.
     fn busy(&self, pairs: &[[u32; 2]]) -> Option<Pixel> {
         let mut some = self.crossings(&pairs[..pairs.len().min(64)]);
         some.sort_unstable();
         some.chunk_by(|p, q| p == q).max_by_key(|equal| equal.len()).map(|equal| equal[0])
     }
 
-    /// A pixel in the block in which more than half of the segments end.
+    /// Returns a pixel in the block in which more than half of the segments end.
     fn hub(&self, block: &Block, segments: &[u32]) -> Option<Pixel> {
         // The majority vote of Boyer and Moore, and then a count of its winner.
         let ends = || segments.iter().flat_map(|&id| self.segments[id as usize].ends);
@@ -400,13 +396,13 @@ impl Search<'_> {
         leader.map(|id| self.vertices[id as usize])
     }
 
-    /// The position of an end of a segment that is in the block.
+    /// Returns the position of a segment's end in the block.
     fn end_in(&self, block: &Block, id: u32) -> Option<Steps> {
         let Segment { a, b, .. } = self.segments[id as usize];
         [a, b].into_iter().find(|&end| block.contains(self.pixels.at(end)))
     }
 
-    /// One pixel: it is hot if it has a vertex, or if two segments cross in it.
+    /// Searches one pixel: it is hot if it has a vertex, or if two segments cross in it.
     fn look_at_pixel(&mut self, pixel: Pixel, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         if vertices.is_empty() {
             let Chords::Cross { .. } = chords(self.pixels, &Block::one(pixel), self.segments, segments, 1) else {
@@ -444,7 +440,7 @@ impl Search<'_> {
         self.try_boxes(segments, vertices);
     }
 
-    /// Tries all vertices on all segments, given the blocks around these.
+    /// Tries all vertices on all segments, given the blocks around the segments.
     fn try_boxes(&mut self, segments: &[u32], vertices: &[u32]) {
         let before = self.found.doubtful.len();
         for &v in vertices {
@@ -470,7 +466,7 @@ impl Search<'_> {
         }
     }
 
-    /// Adds the pixels that are not among the vertices of their block to these.
+    /// Adds the pixels that are not yet among the vertices of their block.
     fn add(&mut self, mut pixels: Vec<Pixel>, vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         if pixels.is_empty() {
             return Ok(());
@@ -487,7 +483,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Sets a bundle aside, and puts off the search of the block without it.
+    /// Sets a bundle aside, and defers the search of the block without it.
     fn set_aside(
         &mut self,
         chords: Vec<Chord>,

@@ -6,7 +6,7 @@ use rustc_hash::FxHasher;
 
 #[test]
 fn hash_keys_of_coordinates_with_few_digits_spread() {
-    // A table of 2^16 slots looks at the lowest 16 bits of a hash first, and tells entries apart by the highest 7.
+    // A table of 2^16 slots uses the lowest 16 bits of a hash first, and distinguishes entries by the highest 7.
     let spread = |scale: f64| {
         let (mut slots, mut tags) = (vec![0_u32; 1 << 16], std::vec![0_u32; 1 << 7]);
         for (x, y) in (0..256).flat_map(|x| (0..256).map(move |y| (f64::from(x), f64::from(y)))) {

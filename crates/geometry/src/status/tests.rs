@@ -2,7 +2,6 @@
 
 use super::*;
 
-/// A level strand at this height, under the point `beside(height)`.
 fn level(height: u32) -> Strand {
     let [low, high] = [0.0, 2.0].map(|x| Point::new(x, height.into()));
     Strand { low, high, segment: height, end: 0, companion: NIL }
@@ -12,8 +11,8 @@ fn beside(height: f64) -> Point {
     Point::new(1.0, height)
 }
 
-/// The handles from the bottom up, as the tree has them. The tree is checked to have the right parents and
-/// priorities, and to be the same as the list.
+/// Returns the handles from the bottom up in the tree. Checks that the tree has valid parents and priorities, and agrees with the
+/// list.
 fn in_order(status: &Status) -> Vec<u32> {
     let node = |handle: u32| &status.nodes[handle as usize];
     let (mut order, mut path, mut next) = (Vec::new(), Vec::new(), status.root);
@@ -43,7 +42,7 @@ fn keeps_the_order_of_a_sorted_vector() {
     let (mut status, mut model) = (Status::new(), Vec::<(u32, u32)>::new());
     let (mut random, mut most) = (1_u32, 0);
     for _ in 0..3000 {
-        // Insert what is not in the list, remove what is.
+        // Insert an absent height, remove a present one.
         random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         let height = (random >> 16) % 509;
         match model.binary_search_by_key(&height, |&(height, _)| height) {
@@ -95,8 +94,7 @@ fn stays_shallow() {
         let depths: Vec<u32> = in_order(&status).into_iter().map(depth).collect();
         let deepest = *depths.iter().max().unwrap();
         let mean = f64::from(depths.iter().sum::<u32>()) / f64::from(N);
-        // A random search tree has a mean of 2 ln n - 3 or so, here 20, and hardly ever a depth beyond 4.3 ln n,
-        // here 48.
+        // A random search tree has a mean of 2 ln n - 3 or so, here 20, and hardly ever a depth beyond 4.3 ln n, here 48.
         assert!(deepest <= 48 && mean <= 24.0, "depth {deepest}, mean {mean}");
     }
 }

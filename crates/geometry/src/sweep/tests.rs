@@ -5,7 +5,7 @@ use crate::steps::steps_of;
 
 const N: u32 = 100_000;
 
-/// A drawing with n segments, none sharing a point.
+/// A drawing with n segments without common points.
 fn apart(ends: impl Iterator<Item = [(f64, f64); 2]>) -> (Vec<Point>, Vec<[u32; 2]>) {
     let points: Vec<Point> = ends.flatten().map(|(x, y)| Point::new(x, y)).collect();
     let segments = (0..points.len() as u32 / 2).map(|i| [2 * i, 2 * i + 1]).collect();
@@ -77,7 +77,7 @@ fn combs_cost_n_log_n() {
 
 #[test]
 fn zigzags_cost_n_log_n() {
-    // One chain that goes right and left all the time, so that all of it lives at once.
+    // One chain that alternates between right and left, so that all of it is in the status at once.
     let points: Vec<Point> = (0..N).map(|i| Point::new(f64::from(i % 2), f64::from(i))).collect();
     let segments = (1..N).map(|i| [i - 1, i]).collect();
     assert_eq!(work_is_bounded(&(points, segments)).clash, None);

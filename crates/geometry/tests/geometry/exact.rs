@@ -1,16 +1,14 @@
-//! Slow and obvious answers in whole numbers, which the geometry of the library must agree with.
+//! Slow and obvious results in whole numbers, for comparison with the library.
 
 use std::cmp::Ordering;
 
 use twinedge_geometry::Point;
 use twinedge_geometry::crossing::Clash;
 
-/// A point with whole coordinates.
 pub(crate) type Grid = (i32, i32);
 
 type Vector = (i128, i128);
 
-/// The same point as the library sees it.
 pub(crate) fn point((x, y): Grid) -> Point {
     Point::new(x.into(), y.into())
 }
@@ -27,7 +25,7 @@ fn dot(a: Vector, b: Vector) -> i128 {
     a.0 * b.0 + a.1 * b.1
 }
 
-/// Twice the area of the triangle: positive, if it turns counter-clockwise.
+/// Twice the area of the triangle: positive if it turns counter-clockwise.
 pub(crate) fn area(a: Grid, b: Grid, c: Grid) -> i128 {
     cross(minus(b, a), minus(c, a))
 }
@@ -38,7 +36,7 @@ pub(crate) enum Meets {
     No,
     AtEnds,
     Cross,
-    /// At this endpoint: 0 and 1 are those of the first segment, 2 and 3 those of the second.
+    /// At this endpoint: 0 and 1 belong to the first segment, 2 and 3 to the second.
     Touch(usize),
     Overlap,
 }
@@ -51,7 +49,7 @@ pub(crate) fn meets(a: Grid, b: Grid, c: Grid, d: Grid) -> Meets {
         if cross(ab, ac) != 0 {
             return Meets::No;
         }
-        // On one line. Where c and d are, as multiples of 1 / |ab|^2.
+        // Collinear: the positions of c and d, as multiples of 1 / |ab|^2.
         let (c, d, one) = (dot(ab, ac), dot(ab, minus(d, a)), dot(ab, ab));
         let shared = c.max(d).min(one) - c.min(d).max(0);
         return match shared.cmp(&0) {
@@ -76,12 +74,10 @@ pub(crate) fn meets(a: Grid, b: Grid, c: Grid, d: Grid) -> Meets {
     }
 }
 
-/// Returns true if p lies on the closed segment.
 pub(crate) fn lies_on(p: Grid, a: Grid, b: Grid) -> bool {
     area(a, b, p) == 0 && dot(minus(a, p), minus(b, p)) <= 0
 }
 
-/// All clashes, by looking at all pairs of everything.
 pub(crate) fn all_clashes(points: &[Grid], segments: &[[u32; 2]]) -> Vec<Clash> {
     let mut all = Vec::new();
     let places = 0..points.len() as u32;
@@ -109,20 +105,20 @@ pub(crate) fn all_clashes(points: &[Grid], segments: &[[u32; 2]]) -> Vec<Clash> 
             }
         }
     }
-    // The order that the library promises: points in one place, then segment by segment.
+    // The documented order: equal points, then segment by segment.
     let key = |&clash: &Clash| match clash {
         Clash::SamePlace { .. } => (0, clash),
         Clash::Cross { a, .. } | Clash::Overlap { a, .. } => (a + 1, clash),
         Clash::Touch { segment, .. } => (segment + 1, clash),
     };
     all.sort_by_key(key);
-    // Several segments may touch another at the endpoint that they share.
+    // Several segments may touch another one at the endpoint that they share.
     all.dedup();
     all
 }
 
-/// The segment directly below a point of a plane drawing: of all that pass below, in the lexicographic sense, the
-/// highest.
+/// The segment directly below a point of a plane drawing: the highest of all segments that pass below, in the lexicographic
+/// sense.
 pub(crate) fn segment_below(points: &[Grid], segments: &[[u32; 2]], q: Grid) -> Option<u32> {
     (0..)
         .zip(segments)
@@ -132,7 +128,7 @@ pub(crate) fn segment_below(points: &[Grid], segments: &[[u32; 2]], q: Grid) -> 
             (low < q && q < high && area(low, high, q) > 0).then_some((id, low, high))
         })
         .max_by(|&(_, low, high), &(_, other_low, other_high)| {
-            // Heights over q.0, as fractions; what starts there at the same height is told apart by its slope.
+            // Heights over q.0, as fractions; the slope distinguishes segments that start there at equal height.
             let height = |low: Grid, high: Grid| {
                 let (step, to_q) = (minus(high, low), minus(q, low));
                 (i128::from(low.1) * step.0 + step.1 * to_q.0, step.0)

@@ -1,4 +1,4 @@
-//! The predicates against whole-number arithmetic.
+//! The predicates compared with whole-number arithmetic.
 
 use std::cmp::Ordering;
 
@@ -83,7 +83,7 @@ impl Sum {
             any |= self.limbs[i] != carry << 32;
             self.limbs[i + 1] += carry;
         }
-        // All limbs but the last are from 0 to 2^32 now.
+        // All limbs except the last are now from 0 to 2^32.
         self.limbs[self.limbs.len() - 1].cmp(&0).then(if any { Ordering::Greater } else { Ordering::Equal })
     }
 }
@@ -132,7 +132,7 @@ fn orientation_is_exact_at_both_ends_of_the_range() {
 
 #[test]
 fn orientation_is_exact_for_nearly_collinear_points() {
-    /// Points in a row, each moved by a few units in the last place, scaled to where it hurts.
+    /// Points in a row, each moved by a few units in the last place, scaled to difficult magnitudes.
     fn property(start: Wild, steps: (i16, i16), stretch: (u8, u8), nudges: [i8; 3], scale: i16) -> TestResult {
         let scale = 2_f64.powi(i32::from(scale % 490));
         let start = start.0.clamp(-1.0, 1.0);

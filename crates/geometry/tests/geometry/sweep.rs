@@ -1,4 +1,4 @@
-//! The sweep and the list of clashes against looking at every pair.
+//! The sweep and the list of clashes compared with trying every pair.
 
 use std::collections::{HashMap, HashSet};
 
@@ -14,7 +14,7 @@ fn check(tests: u64, property: impl Testable) {
     QuickCheck::new().rng(generator).tests(tests).quickcheck(property);
 }
 
-/// Points on a small grid, some in the same place, some isolated; segments between them, some several times.
+/// Points on a small grid, some equal, some isolated; segments between them, some repeated.
 #[derive(Clone, Debug)]
 struct Embedding {
     points: Vec<Grid>,
@@ -30,9 +30,9 @@ impl Embedding {
         (0..self.points.len() as u32).collect()
     }
 
-    /// Leaves out what clashes with something before it. The numbers of the points stay.
+    /// Leaves out all parts that clash with earlier ones. The numbers of the points stay.
     fn plane(mut self) -> Self {
-        // A point in the place of another becomes that point; nothing may name it then, so it moves far away.
+        // A point equal to another one becomes that point; nothing refers to it then, so it moves far away.
         let mut first = HashMap::new();
         let whose: Vec<u32> = (0..).zip(&self.points).map(|(id, &p)| *first.entry(p).or_insert(id)).collect();
         let wanted: Vec<_> = self.segments.drain(..).map(|ends| ends.map(|end| whose[end as usize])).collect();
@@ -121,7 +121,7 @@ fn the_sweep_finds_no_clash_and_all_that_is_below_in_plane_drawings() {
 
 #[test]
 fn a_plane_drawing_with_one_more_segment_clashes_or_not() {
-    /// The single fault in an otherwise plane drawing is found, whatever it is.
+    /// The single fault in an otherwise plane drawing is found, of every kind.
     fn property(drawing: Embedding, u: usize, v: usize) -> bool {
         let mut drawing = drawing.plane();
         let n = drawing.points.len();
@@ -139,7 +139,7 @@ fn a_plane_drawing_with_one_more_segment_clashes_or_not() {
 
 #[test]
 fn what_clashes_leaves_nothing_behind() {
-    /// To the right of all that clashes, the status holds again what it should.
+    /// To the right of all clashes, the status is valid again.
     fn property(left: Embedding, right: Embedding) -> bool {
         let (right, shift) = (right.plane(), left.points.len() as u32);
         let moved: Vec<Grid> = right.points.iter().map(|&(x, y)| (x + 100, y)).collect();
@@ -163,7 +163,7 @@ fn all_sets_of_four_segments_on_nine_points_are_judged_rightly() {
         for j in 0..i {
             for k in 0..j {
                 for l in 0..k {
-                    // Only the points that the segments use.
+                    // Only the points used by the segments.
                     let mut points = Vec::new();
                     let segments = [i, j, k, l].map(|s| {
                         every[s].map(|p| {
@@ -219,7 +219,7 @@ fn neither_the_scale_nor_the_order_of_the_endpoints_matters() {
             let scaled: Vec<Point> = places.iter().map(|p| Point::new(p.x * -scale, p.y * -scale)).collect();
             let back: Vec<Point> = scaled.iter().map(|p| Point::new(-p.x, -p.y)).collect();
             let judged = sweep(&scaled, &turned, &[]).unwrap();
-            // Half a turn changes what is below, and which clash comes first, but not whether there is one.
+            // Half a turn changes the segments below points, and which clash comes first, but not whether there is one.
             judged.clash.is_some() == swept.clash.is_some()
                 && clashes(&scaled, &turned, 1000).unwrap() == listed
                 && sweep(&back, &turned, &drawing.all()).unwrap() == swept
@@ -293,7 +293,7 @@ fn the_map_of_the_world_is_plane() {
 
 #[test]
 fn the_two_crossings_that_were_cut_out_of_the_map_are_found() {
-    // The map as published had these pairs of segments, without the points where they cross.
+    // The published map had these pairs of segments, without the points where they cross.
     let published = [
         [[[23.80524, 8.66648], [24.56845, 8.22980]], [[23.88804, 8.61908], [24.19404, 8.72910]]],
         [[[33.96094, 9.58384], [33.97534, 8.68509]], [[33.82414, 9.48398], [33.96454, 9.46367]]],
@@ -321,7 +321,7 @@ fn the_two_crossings_that_were_cut_out_of_the_map_are_found() {
     assert_eq!(segments.len(), 7651);
 
     let crosses = vec![Clash::Cross { a: first, b: first + 1 }, Clash::Cross { a: first + 2, b: first + 3 }];
-    // The two points where they cross are still there, isolated, but rounded, so not on either segment.
+    // The two crossing points are still there, isolated, but rounded, so not on either segment.
     assert_eq!(sweep(&points, &segments, &[]).unwrap().clash, Some(crosses[0]));
     assert_eq!(clashes(&points, &segments, 9).unwrap(), (crosses, 2));
 }

@@ -1,4 +1,4 @@
-//! Cuts that were saved: their points are those of the grid, and no chain turns back, so that to follow chains comes to an end.
+//! Loading saved cuts: points must be on the grid and chains must not turn back, so that following chains terminates.
 
 use super::{Cuts, Found, Key, ROUNDS, is_way, key, unsigned};
 use crate::tile::ends::{Ends, compare_edges, compare_points};
@@ -8,7 +8,7 @@ use twinedge_geometry::Point;
 
 type Chains = Vec<(Ends, Vec<Point>)>;
 
-/// Cuts as they are saved: in order, so that equal ones have equal bytes.
+/// The saved form of cuts: sorted, so that equal cuts have equal bytes.
 #[derive(serde::Serialize, serde::Deserialize)]
 pub(super) struct SavedCuts {
     largest: f64,
@@ -20,7 +20,7 @@ pub(super) struct SavedCuts {
     seen: Vec<Ends>,
 }
 
-/// The cuts that a tile found, as they were read.
+/// The saved form of a tile's finds.
 #[derive(serde::Deserialize)]
 pub(super) struct SavedFound {
     largest: f64,
@@ -30,7 +30,6 @@ pub(super) struct SavedFound {
     doubtful: Vec<Ends>,
 }
 
-/// The error of reading cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub(super) enum SavedError {
     #[error("the largest coordinate is out of range")]
@@ -113,9 +112,9 @@ impl TryFrom<SavedFound> for Found {
 }
 
 impl Cuts {
-    /// Returns true if a point is one that edges are cut at.
+    /// Returns true if edges can be cut at a point.
     fn is_centre(&self, p: Point) -> bool {
-        // Points are checked to be in reach first, as only these can be snapped.
+        // Points are first checked to be in reach, since only such points can be snapped.
         let most = self.noding.snapped(Point::new(self.largest, self.largest)).x;
         let is_near = p.x.abs() <= most && p.y.abs() <= most;
         is_near && compare_points(self.noding.snapped(p), p).is_eq()
@@ -126,7 +125,7 @@ impl Cuts {
             && points.iter().all(|p| self.is_centre(*p))
     }
 
-    /// Returns true if edges are in order: of the input, or else between points that edges are cut at.
+    /// Returns true if edges are in order and between valid points: of the input, or points where edges can be cut.
     fn are_edges<'e>(&self, edges: impl Iterator<Item = &'e Ends> + Clone, of_input: bool) -> bool {
         let is_of_input =
             |p: Point| p.x.abs().max(p.y.abs()) <= self.largest && compare_points(unsigned(p), p) == Ordering::Equal;

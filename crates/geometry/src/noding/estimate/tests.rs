@@ -13,7 +13,7 @@ fn the_estimate_is_near_the_number() {
         let estimate = crossing_cuts(Pixels::ONE_STEP, &lines).unwrap();
         assert!(estimate.abs_diff(cuts) < cuts / 8, "{estimate} for {cuts}");
     }
-    // Two hundred lines through one point, and as many through another: each is cut once.
+    // Two hundred lines through one point, and two hundred through another: each is cut once.
     let star = |x: i64| (0..200).map(move |i| segment([x - 1000, 2 * i - 199], [x + 1000, 199 - 2 * i]));
     let stars: Vec<Segment> = star(0).chain(star(10_000)).collect();
     let estimate = crossing_cuts(Pixels::ONE_STEP, &stars).unwrap();

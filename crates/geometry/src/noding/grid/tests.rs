@@ -40,7 +40,7 @@ fn the_automatic_grid_never_rounds_to_infinity() {
 
 #[test]
 fn halves_go_up() {
-    // Once where a cell is a step, and once where it is many.
+    // Once with cells of one step, and once with cells of many.
     for largest in [power_of_two(53), 4.0] {
         let grid = grid(Snap::Size(1.0), largest);
         let rounded = |x: f64| grid.pixels.at(grid.steps(Point::new(x, x)));
@@ -53,7 +53,7 @@ fn halves_go_up() {
     }
 }
 
-/// Also next to the borders of pixels, which are half-open.
+/// Holds even next to the borders of pixels, which are half-open.
 #[test]
 fn opposite_points_have_opposite_positions() {
     for (cell, largest) in [(power_of_two(-50), 1.0), (power_of_two(-52), 1.0), (power_of_two(-30), 1e6)] {
@@ -64,7 +64,7 @@ fn opposite_points_have_opposite_positions() {
             let [[p, q], [r, s]] = [Point::new(x, -x), Point::new(-x, x)].map(|p| grid.steps(p));
             assert_eq!([p, q], [-r, -s], "{quarters} quarters of a step");
             assert!((p as f64 * step - x).abs() < step);
-            // The pixel is that of the point itself.
+            // The pixel is the pixel of the point itself.
             for (at, x) in [(p, x), (q, -x)] {
                 let pixel = (x / cell + 0.5).floor();
                 assert!((grid.pixels.along(at) as f64 - pixel).abs() < 0.5, "{x} in {cell}");
@@ -79,7 +79,7 @@ fn a_cell_far_larger_than_the_input_is_one_pixel() {
     assert_eq!(grid.pixels.at(grid.steps(Point::new(-1.0, 1.0))), [0, 0]);
 }
 
-/// A coordinate of a grid of decimals is what its text is read as, and its position is the centre of its pixel.
+/// A coordinate of a decimal grid is the double parsed from its text, and its position is the centre of its pixel.
 #[test]
 fn a_decimal_grid_has_the_doubles_of_its_decimals() {
     for (size, places, cells) in [(0.001, 3, 1), (0.3, 1, 3), (2.5, 1, 25), (1e-7, 7, 1), (20.0, 0, 20), (0.015, 3, 15)]
@@ -100,7 +100,7 @@ fn a_decimal_grid_has_the_doubles_of_its_decimals() {
     }
 }
 
-/// A width that is neither a power of two nor a short decimal counts as it is.
+/// A width that is neither a power of two nor a short decimal is used exactly.
 #[test]
 fn other_widths_are_exact() {
     let third = 1.0 / 3.0;

@@ -24,7 +24,7 @@ fn long_division_agrees_with_short_division() {
 fn long_division_holds_the_largest_numbers() {
     let d = 1_i64 << 54;
     let whole = (1_u128 << 111) - 1;
-    // d * (w - 1) / w = d - d / w, which lies just below d.
+    // d * (w - 1) / w = d - d / w, which lies below d by less than one.
     assert_eq!(scale(d, whole - 1, whole), (d - 1, whole - (1 << 54)));
     assert_eq!(scale(-d, whole - 1, whole), (-d, 1 << 54));
 }

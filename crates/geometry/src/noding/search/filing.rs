@@ -1,8 +1,8 @@
-//! Segments and vertices, filed under the parts of a block in which they lie.
+//! Segments and vertices, filed under the parts of a block that contain them.
 
 use crate::noding::pixel::Block;
 
-/// A part without anything to look for.
+/// A part without anything to find.
 const NOWHERE: usize = usize::MAX;
 
 /// The number of segments and vertices in a part of a block, and a box around the segments.
@@ -10,18 +10,17 @@ const NOWHERE: usize = usize::MAX;
 pub(super) struct Content {
     pub(super) segments: usize,
     pub(super) vertices: usize,
-    /// The smallest block around the segments. A vertex outside is visited by none of them.
+    /// The smallest block around the segments. They visit no vertex outside of it.
     pub(super) around: Block,
 }
 
-/// Nothing, and a block that is no larger than any other.
+/// Nothing, with a block that is no larger than any other.
 const EMPTY: Content = Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
 
-/// The contents of each part. The memory is kept from block to block.
+/// The contents of each part. The memory is reused from block to block.
 #[derive(Default)]
 pub(super) struct Filing {
     contents: Vec<Content>,
-    /// Pairs of a part and what is in it.
     segments: Vec<[u32; 2]>,
     vertices: Vec<[u32; 2]>,
 }
@@ -35,7 +34,6 @@ pub(super) struct PartFiling {
 }
 
 impl Filing {
-    /// Empties it, for so many parts.
     pub(super) fn clear(&mut self, parts: usize) {
         self.contents.clear();
         self.contents.resize(parts, EMPTY);
@@ -47,7 +45,7 @@ impl Filing {
         &self.contents
     }
 
-    /// Files a segment, with the smallest block that holds it.
+    /// Files a segment, with the smallest block that contains it.
     #[inline]
     pub(super) fn segment(&mut self, part: usize, id: u32, around: Block) {
         self.segments.push([part as u32, id]);
@@ -56,14 +54,13 @@ impl Filing {
         content.around = content.around.join(&around);
     }
 
-    /// Files a vertex.
     #[inline]
     pub(super) fn vertex(&mut self, part: usize, id: u32) {
         self.vertices.push([part as u32, id]);
         self.contents[part].vertices += 1;
     }
 
-    /// Puts the contents of the parts that are worth a look at the top of the two pools, part after part.
+    /// Moves the contents of the parts that are worth searching to the top of the two pools, part after part.
     pub(super) fn pour(
         &mut self,
         segments: &mut Vec<u32>,
@@ -78,7 +75,7 @@ impl Filing {
                 continue;
             }
             each(PartFiling { part, content: *content, segments_from: segments_to, vertices_from: vertices_to });
-            // From here on, the places of the next ones.
+            // From here on, the insertion indices.
             let places = (segments_to, vertices_to);
             segments_to += content.segments;
             vertices_to += content.vertices;

@@ -1,5 +1,5 @@
-//! The tasks of a search, one after the other, or, where there are many, in two halves at once: blocks share no pixel, so what is
-//! found in one does not change what is found in another. Only the numbers of new vertices depend on the order.
+//! The tasks of a search, run one after the other or, if there are many, in two halves at once. Blocks share no pixel, so the
+//! finds in one do not affect the finds in another; only the numbers of new vertices depend on the order.
 
 use super::filing::Filing;
 use super::limits::{Budget, limit};
@@ -7,11 +7,10 @@ use super::{Look, PixelVisits, Search, Task};
 use crate::noding::input::NodingError;
 use crate::threads;
 
-/// Tasks with fewer segments are not halved.
+/// With fewer segments, tasks are not halved.
 const MANY: usize = limit(1 << 13, 16);
 
 impl Search<'_> {
-    /// Does all tasks.
     pub(super) fn run(&mut self) -> Result<(), NodingError> {
         let (mut segment_ids, mut vertex_ids) = (Vec::new(), Vec::new());
         while let Some(task) = self.tasks.pop() {
@@ -30,7 +29,7 @@ impl Search<'_> {
                     }
                 }
             }
-            // One task finds O(n) at most, in practice.
+            // One task finds at most O(n), in practice.
             self.budget.check(self.found.visits.len())?;
             if let Some(mut other) = self.halve() {
                 let (these, others) = threads::join(|| self.run(), || other.run());
@@ -42,7 +41,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Moves about half of the tasks to another search, if there are many. Not as long as a bundle waits for what is found here.
+    /// Moves about half of the tasks to another search, if there are many and no bundle waits for results of this one.
     fn halve(&mut self) -> Option<Self> {
         if !cfg!(feature = "rayon") || self.segment_pool.len() < MANY || self.tasks.len() < 2 || self.bundles > 0 {
             return None;
@@ -73,7 +72,7 @@ impl Search<'_> {
         })
     }
 
-    /// Takes what another search found in its blocks.
+    /// Adds the finds of another search.
     fn take(&mut self, other: Self) -> Result<(), NodingError> {
         let renamed = self.vertices.take(&other.vertices).ok_or(NodingError::TooMany)?;
         self.found.visits.extend(other.found.visits.into_iter().map(|[segment, v]| [segment, renamed(v)]));

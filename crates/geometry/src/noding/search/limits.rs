@@ -1,24 +1,23 @@
-//! Limits at which a search changes its method, or ends.
+//! Limits at which a search changes its method or stops.
 
 use crate::noding::input::NodingError;
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-/// A limit, and the one in tests of this crate, which is so low that small input goes every way.
+/// Returns the limit; in tests of this crate a low one, so that small input takes every path.
 pub(super) const fn limit(usual: usize, in_tests: usize) -> usize {
     if cfg!(test) { in_tests } else { usual }
 }
 
-/// The number of visits allowed, for all searches that run at once.
+/// The number of visits allowed for all parallel searches together.
 pub(super) struct Budget<'a> {
     pub(super) most: usize,
-    /// Those that were counted.
+    /// The visits counted so far.
     pub(super) visits: &'a AtomicUsize,
-    /// The number of visits counted by this search.
     pub(super) counted: usize,
 }
 
 impl Budget<'_> {
-    /// Counts the visits of this search from time to time: threads wait for each other where they count.
+    /// Counts the visits of this search from time to time: threads contend for the counter.
     pub(super) fn check(&mut self, found: usize) -> Result<(), NodingError> {
         const SOME: usize = limit(1024, 4);
         let fresh = found - self.counted;

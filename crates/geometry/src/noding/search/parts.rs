@@ -1,19 +1,18 @@
-//! Ways to cut a block in parts, each of whole pixels.
+//! Dividing a block into parts of whole pixels.
 
 use crate::noding::pixel::{Block, Pixel};
 
-/// A block is cut in at most 2^TILES tiles along each axis; in fewer in tests of this crate, which have small blocks.
+/// A block is cut into at most 2^TILES tiles along each axis; into fewer in tests of this crate, which have small blocks.
 const TILES: u32 = if cfg!(test) { 1 } else { 6 };
 
-/// About so many segments are to be in a tile, as long as that takes no more tiles.
+/// The intended number of segments per tile, if the number of tiles permits.
 const FULL: usize = 4;
 
-/// The axis along which a block of more than one pixel is longer.
 fn longer(block: &Block) -> usize {
     usize::from(block.high[1] - block.low[1] > block.high[0] - block.low[0])
 }
 
-/// A block, parted across its longer side, and the axis along which that is.
+/// Halves a block across its longer side. Returns the halves and the axis.
 pub(super) fn halves(block: &Block) -> ([Block; 2], usize) {
     let axis = longer(block);
     let mut halves = [*block; 2];
@@ -23,17 +22,15 @@ pub(super) fn halves(block: &Block) -> ([Block; 2], usize) {
     (halves, axis)
 }
 
-/// A block, cut into tiles whose sides are powers of two, those at the upper and the right border excepted.
+/// A block, cut into tiles whose sides are powers of two, except at the upper and the right border.
 pub(super) struct Tiles {
     block: Block,
-    /// The logarithms of the sides.
     sides: [u32; 2],
     /// The logarithm of the number of tiles along each axis.
     count: u32,
 }
 
 impl Tiles {
-    /// Tiles for so many segments.
     pub(super) fn new(block: &Block, segments: usize) -> Self {
         let count = (segments / FULL).checked_ilog2().map_or(1, |tiles| (tiles / 2).clamp(1, TILES));
         let side = |axis: usize| {
@@ -52,7 +49,7 @@ impl Tiles {
         1 << (2 * self.count)
     }
 
-    /// A tile, by its number: they are numbered row by row.
+    /// Returns a tile by its number, counted row by row.
     pub(super) fn block(&self, tile: usize) -> Block {
         let Block { low, high } = self.block;
         let at = [tile & ((1 << self.count) - 1), tile >> self.count].map(usize::cast_signed).map(|place| place as i64);
@@ -62,19 +59,18 @@ impl Tiles {
         }
     }
 
-    /// The tile of a pixel of the block.
     pub(super) fn at(&self, pixel: Pixel) -> usize {
         self.tile(pixel, 1) << self.count | self.tile(pixel, 0)
     }
 
-    /// The tiles that overlap another block, which overlaps this one.
+    /// Returns the tiles that overlap another block, which must overlap this one.
     pub(super) fn of(&self, other: &Block) -> TileRange {
         let [columns, rows] = [0, 1].map(|axis| [self.tile(other.low, axis), self.tile(other.high, axis)]);
         TileRange { columns, rows, count: self.count }
     }
 }
 
-/// Some columns of some rows of tiles, by the first and the last.
+/// A range of columns and rows of tiles, by the first and the last.
 pub(super) struct TileRange {
     columns: [usize; 2],
     rows: [usize; 2],
@@ -86,7 +82,6 @@ impl TileRange {
         (self.columns[1] + 1 - self.columns[0]) * (self.rows[1] + 1 - self.rows[0])
     }
 
-    /// The tile, if there is only one.
     pub(super) fn only(&self) -> Option<usize> {
         (self.columns[0] == self.columns[1] && self.rows[0] == self.rows[1])
             .then_some(self.rows[0] << self.count | self.columns[0])
@@ -98,7 +93,7 @@ impl TileRange {
     }
 }
 
-/// A block without a pixel of it, in up to four parts.
+/// Returns a block without one of its pixels, in up to four parts.
 pub(super) fn around(block: &Block, pixel: Pixel) -> Vec<Block> {
     let axis = longer(block);
     let mut parts = vec![*block; 4];
@@ -110,7 +105,7 @@ pub(super) fn around(block: &Block, pixel: Pixel) -> Vec<Block> {
     }
     parts[2].high[1 - axis] = pixel[1 - axis] - 1;
     parts[3].low[1 - axis] = pixel[1 - axis] + 1;
-    // A pixel on the border leaves nothing on the other side.
+    // A pixel on the border leaves nothing on one side.
     parts.retain(|part| part.low[0] <= part.high[0] && part.low[1] <= part.high[1]);
     parts
 }

@@ -8,7 +8,7 @@ use quickcheck::{Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::AtomicUsize;
 
-/// Segments of one of some families, made from arbitrary numbers.
+/// Segments of one of several families, made from arbitrary numbers.
 fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
     let numbers = raw.iter().map(|&(a, b, c, d)| [a, b, c, d].map(i64::from));
     let segment = |(i, [a, b, c, d]): (usize, [i64; 4])| match kind % 7 {
@@ -17,7 +17,7 @@ fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
         1 => [[a, b], [-a + c % 3, -b + d % 3]],
         // From the origin, or far from it.
         2 => [[if i % 4 == 0 { c } else { 0 }, if i % 4 == 0 { d } else { 0 }], [a, b]],
-        // A bundle with short ones between.
+        // A bundle with short segments between.
         3 if i % 3 > 0 => [[-130, a], [130, a + b % 4]],
         4 if i % 3 > 0 => [[a - 130, -a - 130], [a + 130, -a + 130 + b % 4]],
         5 if i % 3 > 0 => [[a, -130], [a + b % 4, 130]],
@@ -28,7 +28,7 @@ fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
     numbers.enumerate().map(segment).collect()
 }
 
-/// Everything found, against what trying all pairs finds.
+/// Compares all finds with the results of trying all pairs.
 #[expect(clippy::needless_pass_by_value, reason = "what quickcheck asks for")]
 fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
     let pixels = Pixels { shift: u32::from(shift % 4) };
@@ -116,7 +116,7 @@ fn the_tiles_of_a_block_make_the_block() {
 fn a_block_of_one_pixel_is_not_halved_for_ever() {
     let segments: Vec<Segment> =
         (-5..=5).map(|i| Segment { a: [-40, -i], b: [40, i], ends: [u32::MAX - 1, u32::MAX] }).collect();
-    // None of them lies in the block.
+    // None lies in the block.
     let given: Vec<Pixel> = (0..20).map(|i| [-20 - i, -20]).collect();
     let visits = AtomicUsize::new(0);
     let mut search = Search {

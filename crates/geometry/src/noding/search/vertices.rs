@@ -1,4 +1,4 @@
-//! The hot pixels by number: those that were given, and after them those that a search adds.
+//! The hot pixels by number: given ones, followed by the pixels that a search adds.
 
 use crate::noding::pixel::Pixel;
 use core::ops::Index;
@@ -19,19 +19,20 @@ impl<'a> Vertices<'a> {
         self.given.len() + self.added.len()
     }
 
-    /// Adds a pixel, which has no number yet, and returns its number; none if there are too many.
+    /// Adds a pixel without a number, and returns its number; `None` if there are too many.
     pub(super) fn push(&mut self, pixel: Pixel) -> Option<u32> {
         let number = u32::try_from(self.len()).ok().filter(|number| *number < u32::MAX)?;
         self.added.push(pixel);
         Some(number)
     }
 
-    /// Those so far, for a search beside this one.
+    /// Returns the current vertices, for a parallel search.
     pub(super) fn beside(&self) -> Self {
         Self { given: self.given, added: self.added.clone(), before: self.len() }
     }
 
-    /// Adds what a search beside this one added. Returns what the numbers became that it gave to them; none if there are too many.
+    /// Adds the vertices added by a parallel search. Returns a function from their numbers there to their numbers here; `None` if
+    /// there are too many.
     pub(super) fn take(&mut self, other: &Self) -> Option<impl Fn(u32) -> u32 + use<>> {
         let (before, moved) = (other.before as u32, (self.len() - other.before) as u32);
         self.added.extend_from_slice(&other.added[other.before - other.given.len()..]);

@@ -1,4 +1,4 @@
-//! Laws for any input.
+//! Laws for all input.
 
 use crate::noding::oracle::{self, Whole};
 use twinedge_geometry::Point;
@@ -14,7 +14,7 @@ pub(crate) fn auto(segments: &[Segment]) -> Noded {
     node(segments, &[], Snap::Auto).expect("finite input")
 }
 
-/// The number of vertices, of edges and of components.
+/// The numbers of vertices, edges and components.
 pub(crate) fn counts(noded: &Noded) -> [usize; 3] {
     let mut parent: Vec<usize> = (0..noded.points.len()).collect();
     let mut components = parent.len();
@@ -33,7 +33,7 @@ pub(crate) fn counts(noded: &Noded) -> [usize; 3] {
     [noded.points.len(), noded.segments.len(), components]
 }
 
-/// The vertices as whole numbers of cells. Fails if one is not on the grid.
+/// The vertices as whole numbers of cells. Panics if a vertex is off the grid.
 pub(crate) fn cells(noded: &Noded) -> Vec<Whole> {
     let whole = |x: f64| {
         let cells = (x / noded.summary.cell).round();
@@ -44,7 +44,6 @@ pub(crate) fn cells(noded: &Noded) -> Vec<Whole> {
     noded.points.iter().map(|p| [whole(p.x), whole(p.y)]).collect()
 }
 
-/// Checks the laws that hold for any input.
 pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded {
     let noded = node(segments, points, snap).expect("finite input within reach");
     let cells = cells(&noded);
@@ -59,7 +58,7 @@ pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded
         let [cell, of_first] = [again.summary.cell, noded.summary.cell];
         let order = cell.total_cmp(&of_first);
         if order.is_gt() || order.is_lt() && of_first.log2().fract() != 0.0 {
-            // The automatic grid can be coarser than a size that was asked for, and does not have the points of one of decimals.
+            // The automatic grid can be coarser than a requested size, and lacks the points of a decimal grid.
             continue;
         }
         assert_eq!((&again.points, &again.segments), (&noded.points, &noded.segments));
@@ -72,11 +71,11 @@ pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded
     let turned = node(&turned, points, snap).expect("the same input");
     assert_eq!((&turned.points, &turned.segments), (&noded.points, &noded.segments));
 
-    // Points move half a cell at most, chains stay near their segments, and go along edges.
+    // Points move at most half a cell, chains stay near their segments and run along edges.
     let cell = noded.summary.cell;
     let near = |p: Point, v: u32| {
         let to = noded.points[v as usize];
-        // The centre of a cell is rounded, unless a cell is a power of two wide.
+        // The centre of a cell is rounded, unless the width is a power of two.
         let most = cell / 2.0 + if cell.log2().fract() == 0.0 { 0.0 } else { 1e-14 * to.x.abs().max(to.y.abs()) };
         (p.x - to.x).abs() <= most && (p.y - to.y).abs() <= most
     };
@@ -98,7 +97,7 @@ pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded
     noded
 }
 
-/// Is a vertex within so many cells of a segment, in each direction? To within an eighth.
+/// Returns true if a vertex is within `cells` cells of a segment, in each direction, to within an eighth.
 pub(crate) fn is_near(p: Point, [a, b]: Segment, cell: f64, cells: f64) -> bool {
     let eighths = |p: Point| [p.x, p.y].map(|x| (x / cell * 8.0).round() as i128);
     let ([p, a, b], reach) = ([p, a, b].map(eighths), (8.0 * cells) as i128 + 1);

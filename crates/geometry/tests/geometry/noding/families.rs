@@ -15,7 +15,7 @@ fn a_star_through_one_point_has_one_crossing() {
     assert_eq!((noded.summary.crossings, noded.summary.split), (1, 10_000));
 }
 
-/// The ends of a diameter are opposite to the last digit, and are read so.
+/// The ends of a diameter are opposite to the last digit, and are read as opposite.
 #[test]
 fn diameters_of_a_circle_around_the_origin_meet_in_one_point() {
     let n = 1000_i32;
@@ -27,7 +27,7 @@ fn diameters_of_a_circle_around_the_origin_meet_in_one_point() {
 
 #[test]
 fn a_star_whose_lines_nearly_meet_is_plane() {
-    // Sines and cosines are not exact, and neither is the point where the lines should meet.
+    // Sines and cosines are not exact, and neither is the intended common point of the lines.
     let star = |n: i32, [x, y]: [f64; 2]| -> Vec<Segment> {
         let ray = |i: i32| (TAU * f64::from(i) / f64::from(n) / 2.0).sin_cos();
         (0..n).map(|i| (i, ray(i))).map(|(_, (s, c))| segment([x - c, y - s], [x + c, y + s])).collect()
@@ -55,14 +55,14 @@ fn overlaps_on_the_lines_of_a_grid_become_unit_edges() {
 fn thousands_of_segments_on_one_line_cost_and_give_thousands_of_edges() {
     let n = 5000_i32;
     let at = |i: i32| [3.0 * f64::from(i), 5.0 * f64::from(i)];
-    // Nested: the chains have 25 million edges between them.
+    // Nested: the chains have 25 million edges in total.
     let nested: Vec<Segment> = (0..n).map(|i| segment(at(i), at(2 * n - 1 - i))).collect();
     let noded = auto(&nested);
     assert_eq!(counts(&noded), [10_000, 9_999, 1]);
     assert_eq!((noded.summary.split, noded.summary.duplicates), (4_999, 0));
     assert!((0..5000).all(|i| noded.chain(i).unwrap().len() == 10_000 - 2 * i));
     assert!(noded.chain(4_000).unwrap().eq(4_000..6_000));
-    // Overlapping, the same way and the other way, with repetitions.
+    // Overlapping in both directions, with repetitions.
     let overlapping: Vec<Segment> =
         (0..n).flat_map(|i| [segment(at(i), at(i + 3)), segment(at(i + 3), at(i))]).collect();
     let noded = check(&overlapping, &[], Snap::Auto);
@@ -76,7 +76,7 @@ fn a_fan_of_near_parallels_keeps_its_blades() {
     let fan: Vec<Segment> = (0..n).map(|i| segment([0.0, 0.0], [1000.0, 1000.0 + f64::from(i) * 1e-7])).collect();
     let noded = check(&fan, &[], Snap::Auto);
     assert_eq!((counts(&noded), noded.summary.rounds), ([3001, 3000, 1], 0));
-    // A cell is far more than two blades are apart, all the way.
+    // A cell is far wider than the distance of two blades, all the way.
     let coarse = check(&fan, &[], Snap::Size(1.0));
     assert_eq!(counts(&coarse), [2, 1, 1]);
     // Blades with ends at different lengths cut each other's corners.
@@ -87,18 +87,18 @@ fn a_fan_of_near_parallels_keeps_its_blades() {
 
 #[test]
 fn a_bundle_of_parallels_stays_apart_from_what_is_between() {
-    // Long slanted lines beside each other, and short segments strewn between them over the whole length.
+    // Long, slanted, adjacent lines, with short segments strewn between them over the whole length.
     let n = 2000_i32;
     let mut bundle: Vec<Segment> = (0..n).map(f64::from).map(|i| segment([i, -i], [1e9 + i, 1e9 - i])).collect();
     let strewn = (0..n).map(|i| (1e9 * (f64::from(i) + 0.5) / f64::from(n), f64::from(i * 7 % n) + 0.3));
     bundle.extend(strewn.clone().map(|(t, o)| segment([t + o, t - o], [t + o + 0.2, t - o + 0.1])));
     let noded = check(&bundle, &[], Snap::Auto);
     assert_eq!(counts(&noded), [8000, 4000, 4000]);
-    // Longer ones cross one line each, the one at the next whole number, or none.
+    // Each longer segment crosses one line, at the next whole number, or none.
     bundle.retain(|[a, b]| b.x - a.x > 1e8);
     bundle.extend(strewn.map(|(t, o)| segment([t + o, t - o], [t + o + 1.0, t - o - 1.0])));
     let noded = check(&bundle, &[], Snap::Auto);
-    // All cross but the one beyond the last line.
+    // All cross except the one beyond the last line.
     assert_eq!(counts(&noded), [8000 + 1999, 4000 + 2 * 1999, 2000 + 1]);
 }
 
@@ -127,7 +127,7 @@ fn nested_squares_stay_apart_or_touch_at_corners() {
         let squares: Vec<Segment> = (1..=1000).flat_map(|r| square(nest(f64::from(r) / 3.0))).collect();
         assert_eq!(counts(&check(&squares, &[], Snap::Auto)), [4000, 4000, 1000]);
     }
-    // Each inscribed in the last one, with its corners on the middles of the sides.
+    // Each square is inscribed in the previous one, with its corners on the middles of the sides.
     let inscribed: Vec<Segment> = (0..40)
         .flat_map(|i| {
             let r = 2.0_f64.powi(45 - i);

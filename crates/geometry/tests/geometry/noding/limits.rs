@@ -13,10 +13,10 @@ fn coordinates_at_the_extremes_are_noded_or_refused() {
         assert_eq!(counts(&noded), [5, 4, 1], "{r:e}");
         assert_eq!(noded.points[2], Point::new(0.0, 0.0));
     }
-    // Beside the largest, the small ones are one point.
+    // Next to the largest, the small coordinates are one point.
     let mixed = [segment([1e300, 0.0], [-1e300, 1.0]), segment([1e-300, 1.0], [-1.0, 1e100])];
     assert_eq!(counts(&check(&mixed, &[], Snap::Auto)), [3, 2, 1]);
-    // 2^53 cells are in reach, and more are not.
+    // 2^53 cells are in reach, but no more.
     let far = 2.0_f64.powi(53);
     let reaching = [segment([-far, far], [far, -far]), segment([-far, -far], [far, far - 1.0])];
     let noded = check(&reaching, &[], Snap::Size(1.0));
@@ -59,7 +59,7 @@ fn a_grid_has_the_size_that_was_asked_for() {
     for size in [1.0, 1.9, 0.1, 3e-5, 1000.0, 1.0 / 3.0, f64::exp2(-52.0)] {
         assert_eq!(node(&one, &[], Snap::Size(size)).unwrap().summary.cell, size);
     }
-    // Decimals reach less far than powers of two.
+    // Decimals have a smaller reach than powers of two.
     assert_eq!(node(&one, &[], Snap::Size(1e-15)).unwrap_err(), NodingError::OutOfRange { at: Input::Segment(0) });
 }
 
@@ -86,8 +86,7 @@ fn a_point_on_a_segment_splits_it_and_one_beside_it_bends_it() {
     let long = [segment([0.0, 0.0], [10.0, 0.0])];
     let on = check(&long, &[Point::new(4.0, 0.0)], Snap::Size(1.0));
     assert!(on.chain(0).unwrap().eq([0, 1, 2]));
-    // The pixel of a vertex half a cell above a line has the line on its lower side; half a cell below, on its upper
-    // side.
+    // The pixel of a vertex half a cell above a line has the line on its lower side; half a cell below, on its upper side.
     let slanted = [segment([0.0, 0.0], [2.0, 1.0])];
     let above = check(&slanted, &[Point::new(1.0, 1.0)], Snap::Size(1.0));
     assert_eq!(counts(&above), [3, 2, 1]);
@@ -99,14 +98,13 @@ fn a_point_on_a_segment_splits_it_and_one_beside_it_bends_it() {
 
 #[test]
 fn a_vertex_near_a_coarsely_rounded_segment_does_not_change_sides() {
-    // The tip is just above the long side. Were the ends rounded first, it would get below, and there would be
-    // crossings.
+    // The tip is slightly above the long side. If the ends were rounded first, it would move below, and there would be crossings.
     let long = segment([0.4, 0.4], [100.4, 33.6]);
     let tip = Point::new(50.4, 17.01);
     let spike = [long, [tip, Point::new(49.0, 30.0)], [tip, Point::new(52.0, 30.0)]];
     let noded = check(&spike, &[], Snap::Size(1.0));
     assert_eq!(noded.summary.crossings, 0);
-    // The long side goes through the tip's vertex or stays below it.
+    // The long side passes through the tip's vertex or stays below it.
     let at_tip = noded.points[noded.chain(1).unwrap().next().unwrap() as usize];
     let way: Vec<Point> = noded.chain(0).unwrap().map(|v| noded.points[v as usize]).collect();
     assert!(way.contains(&at_tip));

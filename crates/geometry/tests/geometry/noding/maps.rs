@@ -1,4 +1,4 @@
-//! Real maps, whose numbers of vertices, edges and components are known.
+//! Real maps with known numbers of vertices, edges and components.
 
 use crate::noding::check::{Segment, check, counts, is_plane};
 use twinedge_geometry::Point;
@@ -31,7 +31,7 @@ fn two_crossings_of_the_small_world_are_cut() {
     assert_eq!(counts(&noded), [7_493, 7_655, 125]);
     let summary = noded.summary;
     assert_eq!((summary.crossings, summary.rounds, summary.merged), (2, 1, 0));
-    // The same map with the crossings cut by somebody else has the two points.
+    // The published map with its crossings cut has the two points.
     for [x, y] in [[23.888_056_018_6, 8.619_090_951_7], [33.962_861_161_9, 9.463_914_345_4]] {
         assert!(noded.points.iter().any(|p| (p.x - x).abs() < 1e-9 && (p.y - y).abs() < 1e-9));
     }
@@ -51,7 +51,7 @@ fn the_large_world_is_plane_as_it_stands() {
     assert_eq!(counts(&noded), [75_685, 75_863, 1_438]);
     assert_eq!((noded.summary.crossings, noded.summary.split, noded.summary.merged), (0, 0, 0));
     assert_eq!(noded.summary.duplicates, rings.len() - 75_863);
-    // On a coarse grid much is merged, and the rest is plane.
+    // On a coarse grid many vertices merge, and the rest is plane.
     let coarse = check(&rings, &[], Snap::Size(0.1));
     assert!(is_plane(&coarse) && coarse.summary.merged > 0 && coarse.points.len() < 70_000);
 }

@@ -1,4 +1,4 @@
-//! Noding: against an oracle that tries everything, on families that break noders, and on real maps.
+//! Noding compared with an oracle that tries everything, on families that break noders, and on real maps.
 
 mod check;
 mod families;

@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 
 pub(crate) type Whole = [i128; 2];
 
-/// A fraction with a positive denominator.
 #[derive(Clone, Copy)]
 struct Fraction(i128, i128);
 
@@ -23,7 +22,7 @@ pub(crate) fn cross(a: Whole, b: Whole, c: Whole) -> i128 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Do two segments, or a segment and a point, have a point in common that is not an end of both?
+/// Returns true if two segments, or a segment and a point, have a point in common that is not an end of both.
 pub(crate) fn clash([a, b]: [Whole; 2], [c, d]: [Whole; 2]) -> bool {
     let signs = [cross(a, b, c), cross(a, b, d), cross(c, d, a), cross(c, d, b)].map(i128::signum);
     let inside = |[p, q]: [Whole; 2], r: Whole| p.min(q) < r && r < p.max(q) && cross(p, q, r) == 0;
@@ -32,7 +31,7 @@ pub(crate) fn clash([a, b]: [Whole; 2], [c, d]: [Whole; 2]) -> bool {
     crossing || same || inside([a, b], c) || inside([a, b], d) || inside([c, d], a) || inside([c, d], b)
 }
 
-/// When a point that goes from `a` to `b` is in a pixel: from, until.
+/// Returns the times at which a point moving from `a` to `b` enters and leaves a pixel.
 fn visit(a: Whole, b: Whole, pixel: Whole, size: i128) -> Option<[Fraction; 2]> {
     let (mut from, mut until) = ((Fraction(0, 1), true), (Fraction(1, 1), true));
     for axis in 0..2 {
@@ -77,7 +76,7 @@ fn pixel(numerators: Whole, denominator: i128, size: i128) -> Whole {
     numerators.map(|n| (2 * n + size * denominator).div_euclid(2 * size * denominator))
 }
 
-/// The pixel of the point that two segments have in common, unless they are parallel.
+/// The pixel of the common point of two segments, unless they are parallel.
 fn meeting([a, b]: [Whole; 2], [c, d]: [Whole; 2], size: i128) -> Option<Whole> {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let (ex, ey) = (d[0] - c[0], d[1] - c[1]);

@@ -1,4 +1,4 @@
-//! Arbitrary input, against the oracle.
+//! Arbitrary input, compared with the oracle.
 
 use crate::noding::check::{Segment, cells, check, is_plane, segment};
 use crate::noding::oracle::{self, Whole};
@@ -11,7 +11,7 @@ fn quickcheck(size: usize, tests: u64, property: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 1)).tests(tests).quickcheck(property);
 }
 
-/// Numbers are eighths, and cells an eighth to four.
+/// Numbers are eighths, and cells range from an eighth to four.
 fn agrees_with_oracle(raw: Vec<(i8, i8, i8, i8)>, single: Vec<(i8, i8)>, exponent: u8) -> bool {
     let size = 1_i128 << (exponent % 6);
     let of = |x: i8, y: i8| Point::new(f64::from(x) / 8.0, f64::from(y) / 8.0);
@@ -65,7 +65,7 @@ fn crowded_input_agrees_with_the_oracle() {
 
 #[test]
 fn any_finite_numbers_are_noded() {
-    // Whatever bits, those of infinities and NaN excepted.
+    // Arbitrary bits, except infinities and NaN.
     fn any(raw: Vec<(u64, u64, u64, u64)>) -> bool {
         let number = |bits: u64| {
             let x = f64::from_bits(bits);
@@ -89,8 +89,8 @@ fn any_finite_numbers_are_noded() {
     quickcheck(30, 40, long as fn(_, _) -> bool);
 }
 
-/// Whole numbers of cells, noded on a grid of decimals, are noded as whole numbers are, and then written as decimals; in doubles, too,
-/// edges meet only at common ends. Points of the grid do not move, and noding once more changes nothing.
+/// Whole numbers of cells are noded on a decimal grid as on whole numbers, and then written as decimals; even in doubles, edges
+/// meet only at common ends. Points of the grid do not move, and noding again changes nothing.
 #[test]
 fn on_a_decimal_grid_everything_is_as_on_whole_numbers() {
     fn agrees(raw: Vec<(i16, i16, i16, i16)>, grid: u8, far: bool) -> bool {
@@ -120,7 +120,7 @@ fn on_a_decimal_grid_everything_is_as_on_whole_numbers() {
     quickcheck(200, 50, agrees as fn(_, _, _) -> bool);
 }
 
-/// Points that are not on the grid go to the nearest of it, and nothing crosses then.
+/// Points off the grid move to the nearest grid point, and nothing crosses afterwards.
 #[test]
 fn any_numbers_are_noded_on_a_decimal_grid() {
     fn any(raw: Vec<(u16, u16, u16, u16)>, grid: u8) -> bool {
