@@ -87,9 +87,16 @@ mod around;
 mod assemble;
 mod attributes;
 mod audited;
-mod bulk;
+/// Changes to a whole structure at once, in linear time.
+mod bulk {
+    mod compact;
+    mod nest;
+    mod retain;
+
+    pub use compact::Renamed;
+    pub use retain::{MergedFace, Retained};
+}
 mod elements;
-pub mod extend;
 mod history;
 mod import;
 mod operators;
@@ -97,14 +104,30 @@ mod recorder;
 mod structure;
 mod view;
 
-pub use access::ElementKey;
-pub use access::{OperatorError, StaleKey};
+pub mod extend {
+    //! The interface for a structure around a [`Dcel`](super::Dcel), such as a map with coordinates: building it from
+    //! columns, undoing its own changes together with changes of links, and attributes of its own records.
+    //!
+    //! | to | implement or call |
+    //! | --- | --- |
+    //! | undo and redo with a [`History`](super::History) | [`Recorder`] |
+    //! | validate after each change with [`Audited`](super::Audited) | [`Auditable`] |
+    //! | roll back an edit of several operators | [`Dcel::begin_log`](super::Dcel::begin_log), [`Dcel::log_place`](super::Dcel::log_place), [`Dcel::roll_back`](super::Dcel::roll_back), [`Rewrite::apply`] |
+    //! | build from columns | [`Assembly`] |
+    //! | attach attributes to other records | [`Attributed`](super::Attributed) for a type of its own, and the methods of [`Attributes`] |
+
+    pub use super::assemble::{Assembly, AssemblyError};
+    pub use super::audited::Auditable;
+    pub use super::recorder::{Access, LogPlace, Recorder, Rewrite};
+    pub use crate::store::attributes::{Attributes, Kind, Saved, Step};
+    pub use crate::store::{BoundaryStart, VertexLink, Way};
+}
+
+pub use access::{ElementKey, OperatorError, StaleKey};
 pub use audited::Audited;
 pub use bulk::{MergedFace, Renamed, Retained};
-pub use elements::{Boundary, Face, HalfEdge, Vertex};
-pub use elements::{Cycle, Rotation};
-pub use history::History;
-pub use history::Mark;
+pub use elements::{Boundary, Cycle, Face, HalfEdge, Rotation, Vertex};
+pub use history::{History, Mark};
 pub use import::{FacesError, ImportError, Keys, Outside, Placement, RotationsError};
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,

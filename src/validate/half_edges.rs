@@ -1,8 +1,8 @@
 //! Half-edges as the fast path and the rules read them: by calls to a view, or from columns that it lends.
 
-use super::columns::NIL;
 use super::structure::{HalfEdgeColumns, Link, Part, View};
 use super::subject::Extent;
+use crate::slots::NIL;
 
 /// The links of half-edges as numbers. Nil is [`NIL`]; a link past the last slot becomes a number that is no slot.
 pub(crate) trait HalfEdges: Copy {

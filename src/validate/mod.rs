@@ -99,9 +99,7 @@
 
 pub mod adapt;
 mod catalogue;
-mod columns;
 mod expectation;
-mod expectation_text;
 mod fast_path;
 mod findings;
 mod half_edges;
@@ -109,14 +107,31 @@ pub mod near;
 pub mod reference;
 mod report;
 mod rule;
-mod rules;
-mod structure;
+/// The checks of the rules, grouped as in the [catalogue](self::catalogue). R1 is in `live`. The crate `twinedge-map` checks G1 … G5.
+mod rules {
+    pub(super) mod faces;
+    pub(super) mod links;
+    pub(super) mod live;
+    pub(super) mod mesh;
+    pub(super) mod whole;
+}
+
+/// The structure to validate: the trait that it implements, and the parts that it stores.
+mod structure {
+    mod delegate;
+    mod parts;
+    mod view;
+
+    pub use parts::{Only, Part, Parts};
+    pub use view::{BoundaryPlace, HalfEdgeColumns, Link, Start, View};
+}
+
 mod subject;
 mod table;
 mod validator;
 
+pub use expectation::ParseExpectationError;
 pub use expectation::{Expectation, Surface};
-pub use expectation_text::ParseExpectationError;
 pub use findings::{Findings, Flow, Halt};
 pub use report::{Bounds, Collect, Counts, Field, Figures, Named, Record, Report, RuleOutcome, Unchecked, Violation};
 #[cfg(feature = "serde")]

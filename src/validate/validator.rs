@@ -1,6 +1,5 @@
 //! The validator: the fast path, or else the rules R1 … T4 in order; then the requested rules of M1 … M8.
 
-use super::columns::Components;
 use super::expectation::{Expectation, Surface};
 use super::fast_path::{self, Accepted};
 use super::findings::{Findings, Flow, Halt};
@@ -10,6 +9,7 @@ use super::rule::Rule;
 use super::rules::live::{self, Census};
 use super::rules::{faces, links, mesh, whole};
 use super::structure::{Part, View};
+use super::subject::Components;
 use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 

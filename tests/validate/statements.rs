@@ -21,9 +21,7 @@ fn comment(text: &str, marker: &str, start: &str) -> Option<String> {
 
 /// The table of rules and violations, in order.
 fn catalogue() -> String {
-    ["links", "faces", "whole", "mesh", "drawing"]
-        .map(|file| read(&format!("src/validate/catalogue/{file}.rs")))
-        .concat()
+    read("src/validate/catalogue.rs")
 }
 
 /// For each rule its file, and the file and name of the test that breaks it, as its documentation says.

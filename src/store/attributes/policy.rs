@@ -1,4 +1,4 @@
-//! Policies: the rules by which attribute values follow operators.
+//! Policies: the rules by which attribute values follow operators. The kinds of records, and quantities that are shared out.
 
 use crate::store::keys::{FaceKey, HalfEdgeKey, VertexKey};
 use alloc::sync::Arc;
@@ -253,51 +253,6 @@ impl<K: Attributed> Policy<K, u64> {
     }
 }
 
-macro_rules! constructors {
-    ($($kind:ident $name:ident $doc:literal;)*) => {$(
-        impl<T> Policy<$kind, T> {
-            #[doc = $doc]
-            #[must_use]
-            pub const fn $name() -> Self {
-                Self::new()
-            }
-        }
-    )*};
-}
-
-constructors! {
-    Vertices of_vertices "The default policy, for an attribute of vertices.";
-    HalfEdges of_half_edges "The default policy, for an attribute of half-edges.";
-    Edges of_edges "The default policy, for an attribute of edges.";
-    Corners of_corners "The default policy, for an attribute of corners.";
-    Faces of_faces "The default policy, for an attribute of faces.";
-}
-
-/// Policies by the length of edges or the area of faces.
-macro_rules! shares {
-    ($($kind:ident $measure:literal;)*) => {$(
-        impl<T> Policy<$kind, T> {
-            #[doc = concat!("Shares the value of a record that is split out by ", $measure, ".")]
-            ///
-            /// Without coordinates a `Dcel` measures nothing: the part that keeps the key keeps everything.
-            #[must_use]
-            pub fn split_share(mut self) -> Self
-            where
-                T: Quantity,
-            {
-                self.splitting = Splitting::Share(T::share);
-                self
-            }
-        }
-    )*};
-}
-
-shares! {
-    Edges "length";
-    HalfEdges "length";
-    Faces "area (the unbounded face keeps everything)";
-}
-
 impl<T> Policy<Faces, T> {
     /// Gives a merged face the value of the face with the larger area (the unbounded face has infinite area).
     ///
@@ -326,6 +281,7 @@ impl<K: Attributed, T> fmt::Debug for Policy<K, T> {
     }
 }
 
+/// A kind of records that have attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
@@ -354,7 +310,7 @@ pub trait Attributed: Debug + Send + Sync + 'static {
 }
 
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident;)*) => {$(
+    ($($(#[$doc:meta])* $name:ident $kind:ident $key:ident $of:ident $(shared by $measure:literal)?;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
         pub enum $name {}
@@ -364,21 +320,43 @@ macro_rules! kinds {
 
             const KIND: Kind = Kind::$kind;
         }
+
+        impl<T> Policy<$name, T> {
+            #[doc = concat!("Returns the default policy for an attribute of [`", stringify!($name), "`].")]
+            #[must_use]
+            pub const fn $of() -> Self {
+                Self::new()
+            }
+
+            $(
+                #[doc = concat!("Shares the value of a record that is split out by ", $measure, ".")]
+                ///
+                /// Without coordinates a `Dcel` measures nothing: the part that keeps the key keeps everything.
+                #[must_use]
+                pub fn split_share(mut self) -> Self
+                where
+                    T: Quantity,
+                {
+                    self.splitting = Splitting::Share(T::share);
+                    self
+                }
+            )?
+        }
     )*};
 }
 
 kinds! {
     /// Attributes of vertices.
-    Vertices Vertex VertexKey;
+    Vertices Vertex VertexKey of_vertices;
     /// Attributes of half-edges: each side of an edge has its own value.
-    HalfEdges HalfEdge HalfEdgeKey;
+    HalfEdges HalfEdge HalfEdgeKey of_half_edges shared by "length";
     /// Attributes of edges. Either half-edge names the edge; values are stored under the one with the smaller index.
-    Edges Edge HalfEdgeKey;
+    Edges Edge HalfEdgeKey of_edges shared by "length";
     /// Attributes of [corners](crate::dcel::Corner), each named by the half-edge at whose origin and to whose left it lies. The corner
     /// of an isolated vertex has no attributes.
-    Corners Corner HalfEdgeKey;
+    Corners Corner HalfEdgeKey of_corners;
     /// Attributes of faces, including the unbounded face.
-    Faces Face FaceKey;
+    Faces Face FaceKey of_faces shared by "area (the unbounded face keeps everything)";
 }
 
 /// A value that can be shared between the parts of a split record, and summed when records merge.
@@ -408,28 +386,24 @@ pub trait Quantity: Sized {
     }
 }
 
-macro_rules! floats {
-    ($($name:ident)*) => {$(
-        impl Quantity for $name {
+macro_rules! quantities {
+    (floats $($float:ident)*; integers $($integer:ident)*) => {
+        $(impl Quantity for $float {
             fn share(&self, part: f64) -> [Self; 2] {
-                let given = self * part as $name;
+                let given = self * part as $float;
                 [self - given, given]
             }
 
             fn sum(&self, other: &Self) -> Self {
                 self + other
             }
-        }
-    )*};
-}
+        })*
 
-macro_rules! integers {
-    ($($name:ident)*) => {$(
-        impl Quantity for $name {
+        $(impl Quantity for $integer {
             #[allow(clippy::cast_lossless, clippy::cast_sign_loss, reason = "for all integers; the share of a number without sign has none")]
             fn share(&self, part: f64) -> [Self; 2] {
                 // The cast saturates; adding a half rounds, without the standard library.
-                let given = (*self as f64 * part + if *self < 0 as $name { -0.5 } else { 0.5 }) as $name;
+                let given = (*self as f64 * part + if *self < 0 as $integer { -0.5 } else { 0.5 }) as $integer;
                 let given = if part >= 1.0 { *self } else if part <= 0.0 { 0 } else { given };
                 [self.saturating_sub(given), given]
             }
@@ -437,9 +411,8 @@ macro_rules! integers {
             fn sum(&self, other: &Self) -> Self {
                 self.saturating_add(*other)
             }
-        }
-    )*};
+        })*
+    };
 }
 
-floats! { f32 f64 }
-integers! { u32 u64 usize i32 i64 }
+quantities! { floats f32 f64; integers u32 u64 usize i32 i64 }

@@ -1,6 +1,6 @@
 //! An adapter for structures whose cycles are linked backwards.
 
-use super::inverse::{entry, inverse};
+use super::cycles::{entry, inverse};
 use crate::validate::structure::{Link, Part, Parts, View};
 use alloc::vec::Vec;
 

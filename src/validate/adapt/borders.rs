@@ -1,6 +1,6 @@
 //! An adapter for structures whose border half-edges have no `next`.
 
-use super::inverse::{entry, filled, inverse, live, nils};
+use super::cycles::{entry, filled, inverse, live, nils};
 use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
 

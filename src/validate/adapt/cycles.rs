@@ -1,8 +1,8 @@
-//! The cycles of a structure, with the face and the component of each.
+//! The cycles of a structure, with the face and the component of each, and the inverse of a link between half-edges.
 
-use super::inverse::{entry, filled, fits, live, nils};
 use crate::slots::{NIL, Sets};
-use crate::validate::structure::View;
+use crate::validate::structure::{Link, View};
+use crate::validate::subject::column;
 use alloc::vec::Vec;
 
 pub(super) struct Cycles {
@@ -92,4 +92,39 @@ impl Groups {
     pub(super) fn group(&self, label: usize) -> &[u32] {
         &self.members[self.begin[label] as usize..self.begin[label + 1] as usize]
     }
+}
+
+/// By half-edge: the first half-edge whose link leads to it, or [`NIL`]. `None` if there are too many half-edges for
+/// 32-bit numbers, or if memory runs out.
+pub(super) fn inverse<V: View + ?Sized>(view: &V, link: impl Fn(&V, usize) -> Link) -> Option<Vec<u32>> {
+    let mut inverse = nils(view.half_edge_slots())?;
+    for h in live(view, inverse.len()) {
+        if let Some(entry) = link(view, h).and_then(|to| inverse.get_mut(to)).filter(|entry| **entry == NIL) {
+            *entry = h as u32;
+        }
+    }
+    Some(inverse)
+}
+
+/// A column of `n` nils; `None` if memory runs out or 32-bit numbers do not suffice.
+pub(super) fn nils(n: usize) -> Option<Vec<u32>> {
+    filled(n, NIL)
+}
+
+/// A column of `n` copies of `value`; `None` if memory runs out or 32-bit numbers do not suffice.
+pub(super) fn filled<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
+    column(fits(n)? as u32, value).ok()
+}
+
+/// Returns `n` if 32-bit numbers can distinguish `n` records and nil.
+pub(super) fn fits(n: usize) -> Option<usize> {
+    (n < NIL as usize).then_some(n)
+}
+
+pub(super) fn live<V: View + ?Sized>(view: &V, slots: usize) -> impl Iterator<Item = usize> + '_ {
+    (0..slots).filter(|h| view.is_half_edge(*h))
+}
+
+pub(super) fn entry(column: &[u32], i: usize) -> Link {
+    column.get(i).filter(|entry| **entry != NIL).map(|entry| *entry as usize)
 }

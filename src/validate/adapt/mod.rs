@@ -45,9 +45,7 @@ mod backward;
 mod borders;
 mod cycles;
 mod index;
-mod inverse;
 mod labels;
-mod nesting;
 mod targets;
 
 pub use backward::Backward;

@@ -1,6 +1,6 @@
 //! An adapter for structures whose half-edges store their target.
 
-use super::inverse::{entry, filled, inverse, live, nils};
+use super::cycles::{entry, filled, inverse, live, nils};
 use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
 use core::fmt;

@@ -46,22 +46,20 @@
 //! `proofs/coq/FastPath.v` proves an older fast path, which scanned the half-edges by index and walked along every cycle, for the
 //! closed plane with every part. `proofs/coq/compare --fast-path` compares the two on tables.
 
-mod borders;
 mod boundaries;
-mod components;
 mod cycles;
-mod marks;
 mod rotations;
 mod starts;
 
-use super::columns::{NIL, column};
 use super::findings::Halt;
 use super::rules::whole::each_nested_in_itself;
 use super::structure::{Part, View};
+use super::subject::column;
 use super::subject::{Extent, Subject};
+use crate::slots::NIL;
 use alloc::vec::Vec;
 use boundaries::{Boundaries, Inner};
-use components::ComponentNumbers;
+use rotations::ComponentNumbers;
 
 /// The counts of a structure that keeps R1 … T3.
 pub(crate) struct Accepted {
@@ -95,7 +93,7 @@ pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accept
     };
     is_claimed.then_some(())?;
     let unnamed = if has_faces && extent.expect.is_open() { cycles::unnamed(view, extent)? } else { Vec::new() };
-    let loops = if extent.expect.is_open() { borders::loops(view, extent, &mut starts)? } else { Vec::new() };
+    let loops = if extent.expect.is_open() { cycles::border_loops(view, extent, &mut starts)? } else { Vec::new() };
     let cycles = if has_faces { lists.cycles() } else { cycles::count(view, extent)? };
     let borders = unnamed.len() + loops.len();
 
@@ -108,7 +106,7 @@ pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accept
     let edges = (half_edges - unpaired) / 2 + unpaired;
     let twice = signed(vertices + isolated + cycles + borders)? - signed(edges)?;
     let fewest = usize::try_from(twice / 2).unwrap_or(0).max(1);
-    let ComponentNumbers { of, count } = components::join(view, extent, around, fewest)?;
+    let ComponentNumbers { of, count } = rotations::join(view, extent, around, fewest)?;
     let twice_genus = usize::try_from(2 * signed(count)? - twice).ok()?;
     if twice_genus > 0 {
         let is_right = !extent.is_plane() && twice_genus % 2 == 0;

@@ -1,6 +1,6 @@
 //! The half-edges by index: their number, and the starts of the walks around the vertices.
 
-use crate::validate::columns::NIL;
+use crate::slots::NIL;
 use crate::validate::structure::{Part, View};
 use crate::validate::subject::{Extent, Subject};
 use alloc::vec::Vec;

@@ -2,8 +2,8 @@
 
 use super::check::{Scratch, check};
 use super::diff::Diff;
+use super::diff::WriteSet;
 use super::links::LinkReader;
-use super::write_set::WriteSet;
 use crate::validate::expectation::Expectation;
 use crate::validate::report::{Collect, Report};
 use crate::validate::structure::{Part, Parts, View};

@@ -2,9 +2,9 @@
 
 use super::column::Row;
 use super::diff::Diff;
+use super::diff::WriteSet;
 use super::links::{HalfEdge, Label, LinkReader, OUTER, Vertex, index, link};
 use super::orbits::{Member, Members, Walks};
-use super::write_set::WriteSet;
 use crate::validate::expectation::Surface;
 use crate::validate::structure::{Part, Start, View};
 

@@ -29,13 +29,22 @@
 //! Coordinates are validated after a change by `near` of the crate `twinedge-map`, which reads the [changes] of the links.
 
 mod baseline;
-pub mod changes;
 mod check;
 mod column;
 mod diff;
 mod links;
 mod orbits;
-mod write_set;
+
+pub mod changes {
+    //! The links before and after a change, as stored in a [`Baseline`](super::Baseline), for checks beyond links.
+    //!
+    //! A structure with coordinates checks its links [near](super::Baseline::check) a change, reads the differences from [`Diff`], checks
+    //! their consequences, and then [moves the baseline on](super::Baseline::commit).
+
+    pub use super::column::{Column, Row, TIMES, Time};
+    pub use super::diff::Diff;
+    pub use super::links::{Face, HalfEdge, Label, Vertex, index};
+}
 
 pub use baseline::{Baseline, BaselineError, validate_near};
-pub use write_set::WriteSet;
+pub use diff::WriteSet;

@@ -1,20 +1,17 @@
 //! The result of a validation: rule outcomes, violations, counts, and on success the figures of the structure.
 
 mod counts;
-mod hints;
 mod kept;
-mod named;
 mod names;
 mod record;
 #[cfg(feature = "serde")]
 mod saved;
 mod text;
 mod violation;
-mod words;
 
 pub use counts::{Bounds, Counts};
 pub(super) use kept::keep_some_of_each;
-pub use named::Named;
+pub use names::Named;
 pub use record::{Field, Record};
 #[cfg(feature = "serde")]
 pub use saved::{Described, REPORT_SCHEMA};

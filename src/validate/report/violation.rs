@@ -1,115 +1,110 @@
 //! Every way of breaking a rule, with the records involved, its usual cause and its remedy.
 
+use super::names::Number;
 use super::names::{Ends, Name, Names, PlaceText};
 use super::record::{Field, Record};
-use super::words::Number;
 use crate::validate::catalogue::catalogue;
 use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Link};
 use alloc::string::{String, ToString};
 use core::fmt;
 
-/// The type of this kind of field.
-macro_rules! field_type {
-    (half_edge_link) => { Link };
-    (boundary_link) => { Link };
-    (face_link) => { Link };
-    (record) => { Record };
-    (sided) => { Record };
-    (outer) => { Record };
-    (inner) => { Record };
-    (field) => { Field };
-    (place) => { Option<BoundaryPlace> };
-    (list_place) => { BoundaryPlace };
-    (ends) => { [usize; 2] };
+macro_rules! violations {
+    // The type of this kind of field.
+    (@type half_edge_link) => { Link };
+    (@type boundary_link) => { Link };
+    (@type face_link) => { Link };
+    (@type record) => { Record };
+    (@type sided) => { Record };
+    (@type outer) => { Record };
+    (@type inner) => { Record };
+    (@type field) => { Field };
+    (@type place) => { Option<BoundaryPlace> };
+    (@type list_place) => { BoundaryPlace };
+    (@type ends) => { [usize; 2] };
     // The index of a record, or a number.
-    ($index:ident) => { usize };
-}
+    (@type $index:ident) => { usize };
 
-/// The text of this kind of field in sentences.
-macro_rules! in_words {
-    (vertex $names:ident $value:ident) => {
+    // The text of this kind of field in sentences.
+    (@words vertex $names:ident $value:ident) => {
         $names.vertex($value)
     };
-    (half_edge $names:ident $value:ident) => {
+    (@words half_edge $names:ident $value:ident) => {
         $names.half_edge($value)
     };
-    (boundary $names:ident $value:ident) => {
+    (@words boundary $names:ident $value:ident) => {
         $names.boundary($value)
     };
-    (face $names:ident $value:ident) => {
+    (@words face $names:ident $value:ident) => {
         $names.face($value)
     };
-    (half_edge_link $names:ident $value:ident) => {
+    (@words half_edge_link $names:ident $value:ident) => {
         $names.link(Record::HalfEdge, $value)
     };
-    (boundary_link $names:ident $value:ident) => {
+    (@words boundary_link $names:ident $value:ident) => {
         $names.link(Record::Boundary, $value)
     };
-    (face_link $names:ident $value:ident) => {
+    (@words face_link $names:ident $value:ident) => {
         $names.link(Record::Face, $value)
     };
-    (record $names:ident $value:ident) => {
+    (@words record $names:ident $value:ident) => {
         $names.record($value)
     };
-    (sided $names:ident $value:ident) => {
+    (@words sided $names:ident $value:ident) => {
         $names.cycle_of($value)
     };
-    (outer $names:ident $value:ident) => {
+    (@words outer $names:ident $value:ident) => {
         $names.component("outer", $value)
     };
-    (inner $names:ident $value:ident) => {
+    (@words inner $names:ident $value:ident) => {
         $names.component("inner", $value)
     };
-    (place $names:ident $value:ident) => {
+    (@words place $names:ident $value:ident) => {
         PlaceText($value)
     };
-    (list_place $names:ident $value:ident) => {
+    (@words list_place $names:ident $value:ident) => {
         PlaceText(Some($value))
     };
-    (ends $names:ident $value:ident) => {
+    (@words ends $names:ident $value:ident) => {
         Ends($value.map(|v| $names.vertex(v)))
     };
-    (dangling $names:ident $value:ident) => {
+    (@words dangling $names:ident $value:ident) => {
         Dangling($value)
     };
-    ($other:ident $names:ident $value:ident) => {
+    (@words $other:ident $names:ident $value:ident) => {
         $value
     };
-}
 
-/// The record that this kind of field names, if any.
-macro_rules! named_record {
-    (vertex $value:ident) => {
+    // The record that this kind of field names, if any.
+    (@record vertex $value:ident) => {
         Some(Record::Vertex($value))
     };
-    (half_edge $value:ident) => {
+    (@record half_edge $value:ident) => {
         Some(Record::HalfEdge($value))
     };
-    (boundary $value:ident) => {
+    (@record boundary $value:ident) => {
         Some(Record::Boundary($value))
     };
-    (face $value:ident) => {
+    (@record face $value:ident) => {
         Some(Record::Face($value))
     };
-    (record $value:ident) => {
+    (@record record $value:ident) => {
         Some($value)
     };
-    (sided $value:ident) => {
+    (@record sided $value:ident) => {
         Some($value)
     };
-    (outer $value:ident) => {
+    (@record outer $value:ident) => {
         Some($value)
     };
-    (inner $value:ident) => {
+    (@record inner $value:ident) => {
         Some($value)
     };
-    ($other:ident $value:ident) => {
+    (@record $other:ident $value:ident) => {
         None
     };
-}
 
-macro_rules! violations {
+    // The rows of the catalogue.
     ($($(#[doc = $more:literal])* $rule:ident $name:literal counts $one:literal $many:literal
         $statement:literal in $file:literal broken by $tests:literal $test:literal {
         $($variant:ident $({ $($field:ident: $kind:ident),+ })? $word:literal
@@ -144,7 +139,7 @@ macro_rules! violations {
                 #[doc = concat!(stringify!($rule), ": ", $sentence, ".")]
                 #[doc = concat!("\n\n*Usual cause:* ", $cause, ".")]
                 #[doc = concat!("\n\n*Remedy:* ", $remedy, ".")]
-                $variant $({ $($field: field_type!($kind)),+ })?,
+                $variant $({ $($field: violations!(@type $kind)),+ })?,
             )*)*
         }
 
@@ -183,7 +178,7 @@ macro_rules! violations {
                 let mut records: [Option<Record>; 4] = [None; 4];
                 match *self {
                     $($(Self::$variant $({ $($field),+ })? => {
-                        $(for (to, record) in records.iter_mut().zip([$(named_record!($kind $field)),+]) { *to = record; })?
+                        $(for (to, record) in records.iter_mut().zip([$(violations!(@record $kind $field)),+]) { *to = record; })?
                     })*)*
                 }
                 let mut named = records.into_iter().flatten();
@@ -202,7 +197,7 @@ macro_rules! violations {
                 match *self {
                     $($(Self::$variant $({ $($field),+ })? => {
                         $(let $names = names; $(let $extra = $expression;)+)?
-                        $($(let $field = in_words!($kind names $field);)+)?
+                        $($(let $field = violations!(@words $kind names $field);)+)?
                         write!(f, $sentence)
                     })*)*
                 }

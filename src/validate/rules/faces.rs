@@ -1,13 +1,14 @@
 //! B1 … F2: boundary components and the faces that list them.
 
 use super::live::{Census, Fan, list_too_long};
-use crate::validate::columns::{NIL, column};
+use crate::slots::NIL;
 use crate::validate::findings::{Findings, Flow, Halt};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Part, Start};
 use crate::validate::subject::Subject;
+use crate::validate::subject::column;
 use alloc::vec::Vec;
 
 /// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.

@@ -3,13 +3,14 @@
 //! L1, L2 and L3 share one pass over the half-edges, so that each link is read once for all three.
 
 use super::live::{Census, Fan};
-use crate::validate::columns::{Component, Components, NIL, column};
+use crate::slots::NIL;
 use crate::validate::findings::{Findings, Flow, Halt, Pass};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
 use crate::validate::subject::Subject;
+use crate::validate::subject::{Component, Components, column};
 use alloc::vec::Vec;
 
 /// Runs L1, L2 and L3 on every half-edge with live links. At an open boundary without `prev`, returns the predecessor of each

@@ -7,13 +7,14 @@
 //! number of boundary components plus 16 entries. A list that continues breaks R1, because its links cannot be shown to be
 //! live. Without records for boundary components, vertices and half-edges are counted instead.
 
-use crate::validate::columns::{NIL, column};
+use crate::slots::NIL;
 use crate::validate::findings::{Findings, Flow, Halt};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Link, Part, Start};
 use crate::validate::subject::Subject;
+use crate::validate::subject::column;
 use alloc::vec::Vec;
 
 /// The numbers of records, and the state of the links that later rules follow.

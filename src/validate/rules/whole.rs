@@ -1,12 +1,13 @@
 //! T1 … T4: containment and Euler's formula, and the required counts of cycles.
 
-use crate::validate::columns::{Components, NIL, column};
+use crate::slots::NIL;
 use crate::validate::findings::{Findings, Flow, Halt};
 use crate::validate::half_edges::HalfEdges;
 use crate::validate::report::{Bounds, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Subject;
+use crate::validate::subject::{Components, column};
 use alloc::vec::Vec;
 
 /// Counts the cycles of each component for T3, and records which components are open.
