@@ -56,7 +56,6 @@ impl<E: Copy> Timeline<E> {
         self.steps.get(self.done).map(|step| &*step.name)
     }
 
-    /// Adds a step that ends at a position in the log, discarding undone steps.
     pub(crate) fn add(&mut self, name: Cow<'static, str>, end: E) {
         self.steps.truncate(self.done);
         self.last_serial += 1;

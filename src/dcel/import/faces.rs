@@ -143,12 +143,10 @@ impl Dcel {
     }
 }
 
-/// All lists, concatenated.
 struct Corners {
     vertex: Vec<u32>,
     /// By corner: the next corner of the face.
     next: Vec<u32>,
-    /// The start of the list of each face.
     starts: Vec<u32>,
 }
 

@@ -97,7 +97,6 @@ pub(super) fn import<V: View + ?Sized>(
     if report.is_valid() { Ok((dcel, numbers)) } else { Err(ImportError::NotPlane(Box::new(report))) }
 }
 
-/// Checks that the structure can have this unbounded face.
 fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     if !parts.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));

@@ -3,7 +3,6 @@
 use crate::validate::subject::Slots;
 use alloc::vec::Vec;
 
-/// A set of slots, stored as bits.
 #[derive(Default)]
 pub(super) struct Marks(Vec<u64>);
 

@@ -18,7 +18,6 @@ const COLUMNS: [(Field, Part); 4] = [
     (Field::Leaving, Part::Leaving),
 ];
 
-/// Writes the hints, one per line.
 pub(super) fn write(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result {
     nil_columns(f, report)?;
     let any = |is_meant: fn(&Violation) -> bool| report.violations.iter().any(is_meant);
