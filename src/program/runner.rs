@@ -49,6 +49,7 @@ impl<K: Subject> Runner<K> {
         self.retired_faces.clear();
     }
 
+    /// Returns the subject.
     pub const fn subject(&self) -> &K {
         &self.subject
     }

@@ -4,6 +4,7 @@ use crate::store::keys::{FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 use slotmap::Key;
 
+/// A kind of record with attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
