@@ -106,7 +106,7 @@ fn null_keys_are_refused_by_every_function() {
     refused_by_every_function(&mut t, &good, &bad);
 }
 
-/// A key of another structure.
+/// `Dcel::at` panics on a key of another structure.
 macro_rules! at_panics {
     ($($name:ident $keys:ident $expected:literal;)*) => {$(
         #[test]

@@ -1,5 +1,5 @@
 //! The textbooks' maps, drawn edge by edge with the operators: equal to the tables entered by hand, row by row, and so
-//! isomorphic to them. `tests/golden.rs` has the printed tables and drawings.
+//! isomorphic to them. `tests/validate/textbook_tables.rs` has the printed tables and drawings.
 
 use crate::support::tables::{ShortFace, map, textbook_map};
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Split, VertexKey};
