@@ -25,7 +25,6 @@ pub(crate) struct Sets {
     /// Another member of the same set, or the number itself if it represents the set.
     towards: Vec<u32>,
     rank: Vec<u8>,
-    /// The number of sets.
     pub(crate) count: usize,
 }
 

@@ -18,6 +18,7 @@ macro_rules! element {
             slot: $slot,
         }
 
+        /// Two references are equal if they name the same record of the same structure.
         impl PartialEq for $name<'_> {
             fn eq(&self, other: &Self) -> bool {
                 core::ptr::eq(self.dcel, other.dcel) && self.slot == other.slot

@@ -163,7 +163,6 @@ pub(super) trait Logged: Recorder {
         self.rewrite(Rewrite { part, way, token, forgets: false }, others);
     }
 
-    /// The records written by a part of the log and other values.
     fn written_by(&self, part: Range<usize>, others: &[Self::Other]) -> WriteSet {
         let mut written = self.dcel().store.written(part);
         self.add_written(&mut written, others);

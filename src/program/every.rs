@@ -94,7 +94,6 @@ struct NumberedCorner {
 
 struct Picks {
     corners: Vec<NumberedCorner>,
-    /// The first corner of each boundary component.
     boundaries: Vec<NumberedCorner>,
     faces: Vec<FacePick>,
     half_edges: Vec<HalfEdgePick>,

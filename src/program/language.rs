@@ -14,10 +14,10 @@ pub trait Sequence: Clone + PartialEq + fmt::Debug + 'static {
     /// Its operators.
     type Op: Clone + PartialEq + fmt::Debug + 'static;
 
-    /// Returns the operators in order.
+    /// Returns the operators of the program.
     fn ops(&self) -> &[Self::Op];
 
-    /// Makes a sequence of these operators.
+    /// Creates the program of these operators.
     fn from_ops(ops: Vec<Self::Op>) -> Self;
 
     /// Returns the operator with one argument simplified, in every possible way.

@@ -49,7 +49,7 @@ impl<K: Subject> Runner<K> {
         self.retired_faces.clear();
     }
 
-    /// Returns the structure that the program runs on.
+    /// Returns the subject.
     pub const fn subject(&self) -> &K {
         &self.subject
     }
@@ -250,7 +250,6 @@ impl<K: Subject> Runner<K> {
 }
 
 impl<K: Subject> Runner<K> {
-    /// Applies an operator, and updates the lists of handles.
     pub(super) fn apply(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
         match call {
             Call::AddIsolatedVertex { .. } => {
@@ -454,7 +453,6 @@ impl<K: Subject> Runner<K> {
         (0..places).try_fold(h, |h, _| self.subject.next_of(h))
     }
 
-    /// The two half-edges after `h`, if a face lies to its left.
     fn following(&self, h: K::HalfEdge) -> Result<Option<Following<K>>, Refusal> {
         if !is_inside(&self.subject, h)? {
             return Ok(None);

@@ -20,7 +20,6 @@ pub fn shrink<P: Language>(program: &P, fails: impl FnMut(&P) -> bool) -> P {
     shrink_from(program, &P::Start::default(), fails)
 }
 
-/// Shrinks a program that begins with `start`.
 pub(in crate::program) fn shrink_from<P: Language>(
     program: &P,
     start: &P::Start,
@@ -41,7 +40,6 @@ pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> 
     candidates_from(program, &P::Start::default())
 }
 
-/// Candidates for a program that begins with `start`.
 pub(super) fn candidates_from<P: Language>(program: &P, start: &P::Start) -> impl Iterator<Item = P> + use<P> {
     let script: Script<P> = Script::of(program, start);
     let ops = program.ops().to_vec();

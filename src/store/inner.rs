@@ -23,7 +23,6 @@ impl InnerLists {
         Self { faces, lists: Vec::new(), free: Vec::new() }
     }
 
-    /// The entry of an empty list.
     pub(super) const fn unused() -> BoundarySlot {
         NONE
     }

@@ -84,7 +84,6 @@ pub enum Way {
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     pub(crate) entries: Vec<Entry>,
-    /// The number of slots of each kind.
     pub(super) ends: [usize; 4],
     /// By kind, for slots with keys that must not be issued again: the even generation from which to issue.
     floors: [BTreeMap<u32, u32>; 4],
@@ -99,7 +98,6 @@ pub(crate) struct Log {
 }
 
 impl Log {
-    /// Copies the log under a new token.
     pub(super) fn copied(&self) -> Self {
         let Self { entries, ends, floors, saves_vacant, .. } = self;
         let (entries, floors) = (entries.clone(), floors.clone());
@@ -113,7 +111,6 @@ impl Log {
         }
     }
 
-    /// Returns the unique number of this log.
     pub(crate) const fn token(&self) -> Option<u32> {
         self.token
     }
@@ -134,7 +131,6 @@ impl Log {
         self.cuts.clear();
     }
 
-    /// Records that the log was cut back to this number of entries.
     pub(crate) fn cut_back(&mut self, entries: usize) {
         self.serial += 1;
         while self.cuts.last().is_some_and(|(_, cut)| *cut >= entries) {

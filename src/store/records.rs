@@ -133,7 +133,6 @@ pub(crate) struct Live {
 
 #[cfg(feature = "serde")]
 impl Store {
-    /// Returns the generations of all slots. O(slots).
     pub(crate) fn generations(&self) -> Generations {
         Generations {
             offset: self.vertices.offset(),

@@ -332,7 +332,6 @@ impl Store {
         self.vertices.retire(v.0);
     }
 
-    /// Removes an edge.
     pub(crate) fn remove_edge(&mut self, h: HalfEdgeSlot) {
         for h in [h, self.twin(h)] {
             let i = h.index();
@@ -496,7 +495,6 @@ impl Store {
         self.place[b.index()] = OUTER;
     }
 
-    /// Appends `b` to the inner boundary components of `f`.
     pub(crate) fn list_inner(&mut self, f: FaceSlot, b: BoundarySlot) {
         self.note_all([
             (Written::BoundaryFace, b.0, self.boundary_face[b.index()].0),

@@ -55,7 +55,6 @@ pub struct Expectation {
     numbers: [usize; NUMBERS],
 }
 
-/// The number of rules that are requested with a number.
 const NUMBERS: usize = 4;
 
 impl Expectation {

@@ -221,12 +221,10 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         self.is_half_edge(h as usize)
     }
 
-    /// Returns a link to a half-edge, if it is live.
     pub(crate) fn live_half_edge(&self, link: Link) -> Option<usize> {
         self.extent.half_edges.existing(link).filter(|h| self.is_half_edge(*h))
     }
 
-    /// Returns a link to a boundary component, if it is live.
     pub(crate) fn live_boundary(&self, link: Link) -> Option<usize> {
         self.extent.boundaries.existing(link).filter(|b| self.is_boundary(*b))
     }
@@ -238,7 +236,6 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         }
     }
 
-    /// Returns the vertex where a half-edge ends, with or without a twin.
     pub(crate) fn target(&self, h: u32) -> u32 {
         match self.twin(h) {
             NIL => self.target_by_next(h),

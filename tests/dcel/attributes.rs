@@ -15,7 +15,7 @@ fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
 }
 
-/// By token of a corner its vertex, and by token of a half-edge its face.
+/// The vertex of each corner's token, and the face of each half-edge's token.
 fn places(handles: Handles, dcel: &Dcel) -> (BTreeMap<u64, VertexKey>, BTreeMap<u64, FaceKey>) {
     let (mut vertices, mut faces) = (BTreeMap::new(), BTreeMap::new());
     for h in dcel.half_edges() {
@@ -27,7 +27,7 @@ fn places(handles: Handles, dcel: &Dcel) -> (BTreeMap<u64, VertexKey>, BTreeMap<
     (vertices, faces)
 }
 
-/// The tokens that an operator made and dropped, of vertices, half-edges, edges, corners and faces.
+/// Checks the tokens that an operator made and dropped, of vertices, half-edges, edges, corners and faces.
 fn only_what_is_new_has_new_tokens(before: &Dcel, after: &Dcel, name: &str, difference: [[usize; 2]; 5]) {
     let [vertices, half_edges, edges, corners, faces] = difference;
     let isolated = |dcel: &Dcel| dcel.vertices().filter(|v| v.isolated().is_some()).count();
@@ -77,7 +77,7 @@ fn no_token_is_lost_or_doubled_by_any_operator_and_each_stays_where_it_was() {
             let ((was_at, was_beside), (is_at, is_beside)) = (places(handles, &before), places(handles, dcel));
             for (token, v) in &is_at {
                 let stays = was_at.get(token).is_none_or(|was| was == v);
-                // A vertex is split in two, or two are one now.
+                // A vertex was split in two, or two were merged.
                 assert!(stays || before.vertex(*v).is_err() || dcel.vertex(was_at[token]).is_err(), "{name}: {token}");
             }
             for (token, f) in &is_beside {
@@ -107,7 +107,7 @@ fn a_refusal_changes_nothing() {
                 assert_eq!(is, was);
                 refused += 1;
             }
-            // Nothing of a refused operator is given to the next one.
+            // The next operator gets no values announced by a refused one.
             for (mint, (was, is)) in mints.iter().zip(was.iter().zip(&is)) {
                 let is: BTreeSet<u64> = is.values().flatten().copied().collect();
                 assert!(was.values().flatten().all(|token| is.contains(token) || mint.has_dropped(*token)));
@@ -137,7 +137,7 @@ fn retaining_and_compacting_carry_all_tokens() {
         assert!(is_at.iter().all(|(token, v)| was_at[token] == *v));
         let has_edges = |v: VertexKey| dcel.vertex(v).is_ok_and(|v| v.isolated().is_none());
         assert!(was_at.iter().all(|(token, v)| is_at.contains_key(token) == has_edges(*v)));
-        // The rest of a face has the tokens of all that became part of it.
+        // The surviving face has the tokens of all faces merged into it.
         for f in dcel.faces() {
             let of_old = |f: FaceKey| before.value(handles.faces, f).unwrap().iter();
             let tokens = dcel.value(handles.faces, f.key()).unwrap();
@@ -206,14 +206,14 @@ fn values_are_undone_and_redone_with_the_structure() {
             assert_eq!(*state, handles.values(history.get()));
         }
         assert!(!history.redo());
-        // A clone goes on by itself.
+        // A clone continues independently.
         while copy.redo() {}
         assert_eq!(states[last], handles.values(copy.get()));
     }
     check(60, 40, law as fn(Program, bool));
 }
 
-/// A triangle of a loop that was split, and the key of its edge from which it was made.
+/// A triangle made by splitting a loop, and the key of the original edge.
 fn triangle() -> (Dcel, HalfEdgeKey) {
     let mut dcel = Dcel::new();
     let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
@@ -223,7 +223,7 @@ fn triangle() -> (Dcel, HalfEdgeKey) {
     (dcel, h)
 }
 
-/// A change that gives values, applies an operator and gives values again loses none of those that it overwrote.
+/// A change that sets values, applies an operator and sets values again loses no overwritten value.
 #[test]
 fn all_values_that_a_change_overwrote_come_back() {
     let (dcel, h) = triangle();
@@ -245,14 +245,14 @@ fn all_values_that_a_change_overwrote_come_back() {
     assert_eq!(values(&history), [Some(1), None]);
     assert!(history.redo());
     assert_eq!(values(&history), [Some(2), Some(3)]);
-    // The last change is undone as well where those before it are forgotten.
+    // The last change can be undone even after earlier changes are forgotten.
     history.change("value", |dcel| dcel.set_value(owner, inside, 4)).unwrap();
     history.forget(1);
     assert!(history.undo() && !history.undo());
     assert_eq!(values(&history), [Some(2), Some(3)]);
 }
 
-/// Faces that become one are merged by the policies also where each write is recorded.
+/// Policies merge the values of merged faces even if each write is logged.
 #[test]
 fn retaining_in_a_change_merges_the_values_of_faces() {
     let (mut dcel, h) = triangle();
@@ -345,7 +345,7 @@ fn ids_find_their_records_through_operators_undoing_and_compacting() {
         assert_eq!(ids.len(), dcel.edge_count());
         for (key, number) in ids {
             assert_eq!(dcel.find(id, number), Some(key));
-            // A number is never given to another edge.
+            // Two edges never get the same number.
             assert_eq!(*given.entry(*number).or_insert(key), key);
         }
         assert!(given.iter().all(|(number, key)| dcel.find(id, number).is_some() == dcel.half_edge(*key).is_ok()));
@@ -366,7 +366,7 @@ fn ids_find_their_records_through_operators_undoing_and_compacting() {
                 if i % 2 == 0 {
                     history.redo();
                 }
-                // The runner begins anew, with the edges that are there.
+                // The runner starts again with the existing edges.
                 runner = Runner::new(Recording(history));
             }
         }
@@ -395,7 +395,7 @@ fn faces_get_ids_although_the_unbounded_one_has_none() {
     assert_eq!((dcel.next_id(id), dcel.values(id).unwrap().len()), (Some(7), 1));
 }
 
-/// Vertices with the numbers 1 and 2.
+/// Vertices numbered 1 and 2.
 fn two_numbered() -> (Dcel, Attribute<Vertices, u64>, [VertexKey; 2]) {
     let mut dcel = Dcel::new();
     let id = dcel.add_attribute(Policy::of_vertices().ids(1));
@@ -416,7 +416,7 @@ fn a_number_that_was_set_by_hand_is_not_given_again() {
     assert_eq!(dcel.next_id(id), Some(u64::MAX));
 }
 
-/// The last number is not given, so that the next one never starts again.
+/// The last number is never assigned, so the next one never wraps around.
 #[test]
 fn once_all_numbers_are_given_no_record_is_made() {
     let mut by_hand = Dcel::new();
@@ -455,7 +455,7 @@ fn records_that_are_there_are_numbered() {
     let mut sides = [ring.half_edge, twin].map(|h| *dcel.value(of_half_edges, h).unwrap());
     sides.sort_unstable();
     assert_eq!(sides, [1, 2]);
-    // Other numbers that were saved stay, and the rest gets the next ones.
+    // Other saved numbers stay, and the remaining records get the next ones.
     let mut saved = twinedge::dcel::SecondaryMap::new();
     saved.insert(v, 30_u64);
     let w = dcel.split_edge(ring.half_edge).unwrap().vertex;
@@ -470,7 +470,7 @@ fn a_record_is_found_again_once_no_other_has_its_number() {
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (None, Some(a)));
     dcel.set_value(id, a, 1_u64).unwrap();
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(a), Some(b)));
-    // They change numbers.
+    // Exchange the numbers.
     dcel.set_value(id, a, 2_u64).unwrap();
     dcel.set_value(id, b, 1_u64).unwrap();
     assert_eq!((dcel.find(id, &1), dcel.find(id, &2)), (Some(b), Some(a)));

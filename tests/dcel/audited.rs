@@ -1,4 +1,4 @@
-//! An audited structure: it notes whatever an operator writes, and does what the structure inside does.
+//! Audited structures record every write of an operator, and otherwise behave like the inner structure.
 
 use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::{Program, Runner, StepOutcome, conformance, every_op};
@@ -6,7 +6,7 @@ use twinedge::validate::{Expectation, Table};
 use twinedge_trials::ReportAudit;
 use twinedge_trials::census::{Census, Scope};
 
-/// Every record that an operator changes is among those that it is said to have written.
+/// Every record that an operator changes is reported as written.
 #[test]
 fn what_changes_is_written() {
     let mut applied = 0;
@@ -60,7 +60,7 @@ fn it_does_what_the_operators_say() {
     assert!(summary.of("contract_edge").unwrap().applied > 0);
 }
 
-/// Several operators at once are one change, and the keys are those of the structure inside.
+/// Several operators form one change, and keys are those in the inner structure.
 #[test]
 fn a_change_may_be_several_operators() {
     let mut dcel = Dcel::new();

@@ -1,4 +1,4 @@
-//! Accessors of elements, against a drawing with all answers entered by hand.
+//! Accessors of elements, compared with a drawing whose answers were entered by hand.
 
 use crate::support::erased::validate_plane;
 use std::fmt::Debug;
@@ -27,7 +27,7 @@ struct Drawn {
 fn draw() -> Drawn {
     let mut dcel = Dcel::default();
     let outside = dcel.unbounded_face().key();
-    // Removed records leave slots that are used again, or gaps.
+    // Removed records leave reused slots, or gaps.
     let gone = dcel.add_isolated_vertex(outside).unwrap().vertex;
     let a = dcel.add_isolated_vertex(outside).unwrap().vertex;
     dcel.remove_isolated_vertex(gone).unwrap();
@@ -111,7 +111,7 @@ fn half_edges(Drawn { dcel, vertices, half_edges, faces }: &Drawn) {
     let [a, b, c, d, e, ..] = *vertices;
     let [ab, bc, ca, ba, cb, ac, l, l2, de, ed] = *half_edges;
     let [outside, triangle, inside] = *faces;
-    // Half-edge, origin, target, twin, next, face, and whether that is on the outer boundary component of its face.
+    // Half-edge, origin, target, twin, next, face, and whether it is on the outer boundary component of its face.
     let expected = [
         (ab, a, b, ba, bc, triangle, true),
         (bc, b, c, cb, ca, triangle, true),
@@ -141,7 +141,7 @@ fn half_edges(Drawn { dcel, vertices, half_edges, faces }: &Drawn) {
     assert_eq!(both, all);
 }
 
-/// A face, its outer boundary component, its inner ones as it lists them, and the faces across its half-edges.
+/// A face, its outer boundary component, its list of inner ones, and the faces across its half-edges.
 type Lists<'a> = (FaceKey, Option<BoundaryKey>, &'a [BoundaryKey], &'a [FaceKey]);
 
 fn boundaries_and_faces(Drawn { dcel, vertices, half_edges, faces }: &Drawn) {

@@ -1,4 +1,4 @@
-//! Structures compared: equal if and only if they have the same records under the same keys, with the same links and lists.
+//! Equality: structures are equal if and only if they have the same records under the same keys, with the same links and lists.
 
 use crate::support::saved::each_change;
 use crate::support::tracked::Keys;
@@ -13,8 +13,8 @@ fn maps() -> impl Iterator<Item = Runner<Dcel>> {
     Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }).map(|map| map.runner)
 }
 
-/// An operator that is refused leaves the structure equal, and one that is applied does not. But a boundary component can be moved to
-/// the face in which it lies, and a loop around nothing turned.
+/// A refused operator leaves the structure equal, and an applied one does not, except for moving a boundary component to its own face
+/// and turning a loop around nothing.
 #[test]
 fn every_operator_on_every_small_map_makes_a_difference_if_it_is_applied() {
     let (mut applied, mut refused, mut stays) = (0, 0, 0);
@@ -38,8 +38,8 @@ fn every_operator_on_every_small_map_makes_a_difference_if_it_is_applied() {
     assert!(applied > 1000 && refused > 1000 && stays > 10, "{applied} {refused} {stays}");
 }
 
-/// All of a structure is saved. Changed in one place it is refused, or is another structure; but the generation of a vacant slot is
-/// nobody's key.
+/// Everything is saved: a change in one place is refused, or makes another structure. The generation of a vacant slot belongs to no
+/// key.
 #[test]
 fn another_key_link_start_or_order_makes_a_difference() {
     let (mut others, mut same_keys) = (0, 0);
@@ -70,7 +70,7 @@ fn the_order_of_a_list_makes_a_difference() {
         moved.move_inner(alone, inside).unwrap();
         assert_ne!(moved, map);
         moved.move_inner(alone, outside).unwrap();
-        // All links are as they were, and perhaps the list.
+        // All links are unchanged, and perhaps the list.
         assert_eq!(moved == map, order(&moved) == order(&map));
         moved == map
     });

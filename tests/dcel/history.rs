@@ -1,4 +1,4 @@
-//! Changes that are taken back and done again: the structure, its keys, its bytes.
+//! Undo and redo: the structure, its keys, its bytes.
 
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -12,7 +12,7 @@ fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
 }
 
-/// A history whose operators are changes.
+/// A history in which every operator is a change.
 #[derive(Clone, Debug)]
 pub(crate) struct Recording(pub(crate) History);
 
@@ -48,7 +48,7 @@ fn random_programs_are_undone_and_redone_after_each_operator() {
 fn a_program_undone_in_any_part_and_redone_gives_the_bytes_of_the_program() {
     fn law(program: Program, parts: Vec<usize>) {
         let empty = Dcel::new();
-        // A clone gives out the keys that the original does.
+        // A clone issues the same keys as the original.
         let mut plain = Runner::new(empty.clone());
         let mut recording = Runner::new(Recording(History::new(empty)));
         let mut states = vec![bytes(plain.subject())];
@@ -101,7 +101,7 @@ fn a_key_that_lives_again_names_the_same_record() {
         .change("erase", |dcel| {
             dcel.remove_edge(h)?;
             dcel.remove_isolated_vertex(v)?;
-            // The slots are used again.
+            // The slots are reused.
             let v = dcel.add_isolated_vertex(dcel.unbounded_face().key())?.vertex;
             loop_at(dcel, v)
         })
@@ -115,7 +115,7 @@ fn a_key_that_lives_again_names_the_same_record() {
     assert!(!history.undo());
 }
 
-/// Whoever still holds the key of a change that was undone for good must not get another record.
+/// A user who still holds the key of a permanently undone change must not reach another record.
 #[test]
 fn a_key_of_a_change_that_was_dropped_is_never_issued_again() {
     let (mut history, v, made) = with_loop();
@@ -131,7 +131,7 @@ fn a_key_of_a_change_that_was_dropped_is_never_issued_again() {
         }
         gone.push(again);
     }
-    // Also when the slot is retired and issued in turn, below what was issued before.
+    // Even if the slot is retired and issued in turn, below the earlier generation.
     let h = gone.pop().unwrap().half_edge;
     history.change("erase", |dcel| dcel.remove_edge(h)).unwrap();
     let last = history.change("loop", |dcel| loop_at(dcel, v)).unwrap();
@@ -193,7 +193,7 @@ fn a_mark_leads_back_to_its_state_and_nowhere_else() {
     assert_eq!(bytes(history.get()), marked.1);
     assert!(history.undo_to(marked.0), "it is there already");
     assert!(!history.undo_to(ahead), "that lies ahead");
-    // As many changes as there were when the other mark was set.
+    // Makes the number of changes equal to the number at the other mark.
     more(&mut history);
     more(&mut history);
     assert!(!history.undo_to(ahead), "that state was dropped");
@@ -218,7 +218,7 @@ fn what_is_forgotten_cannot_be_undone_and_its_keys_stay_stale() {
     assert_eq!((history.get().vertex_count(), history.get().edge_count()), (1, 0));
 }
 
-/// A structure that the closure swaps in has nothing before it that could be undone.
+/// A structure swapped in by the closure has no history before it.
 #[test]
 fn another_structure_begins_another_history() {
     let ((mut one, v, made), (mut other, ..)) = (with_loop(), with_loop());
@@ -255,7 +255,7 @@ fn a_place_of_the_log_leads_back_within_its_change_alone() {
     });
     first.unwrap();
     let within = history.change("two", |dcel| {
-        // Of an earlier change.
+        // A place in an earlier change.
         for place in places {
             dcel.roll_back(place).apply(dcel);
         }
@@ -268,7 +268,7 @@ fn a_place_of_the_log_leads_back_within_its_change_alone() {
         assert_eq!(dcel.vertex_count(), 3);
         dcel.roll_back(outer).apply(dcel);
         assert_eq!(dcel.vertex_count(), 2);
-        // The log was cut back to before it, and goes on with others.
+        // The log was cut back to before the place, and continues with other entries.
         dcel.add_isolated_vertex(outside)?;
         dcel.add_isolated_vertex(outside)?;
         dcel.roll_back(inner).apply(dcel);

@@ -1,4 +1,4 @@
-//! Structures that come in: the same map, its keys in the right places, and nothing that is not a planar subdivision.
+//! Imports: the same map, keys in the right places, and nothing but planar subdivisions.
 
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
@@ -30,12 +30,12 @@ fn built(program: &Program) -> Dcel {
 const PLANE: Expectation = Expectation::plane();
 const MESH: Expectation = Expectation::surface();
 
-/// The table of a structure, with these parts.
+/// The table of a structure, restricted to these parts.
 fn table(view: &impl View, parts: Parts) -> Table {
     projected(&Table::copy_of(view).unwrap(), &Form::new(PLANE, parts))
 }
 
-/// Every record has the key of the record that has the same links.
+/// Asserts that every record has the key of the record with the same links.
 fn assert_keys_fit<V: View>(view: &V, map: &Dcel, keys: &Keys) {
     for h in 0..view.half_edge_slots() {
         assert_eq!(keys.half_edge(h).is_some(), view.is_half_edge(h));
@@ -127,7 +127,7 @@ fn parts_may_be_missing() {
     check(100, 100, law as fn(Program));
 }
 
-/// The number of structures that came in as meshes, closed and open.
+/// The numbers of structures imported as meshes, closed and open.
 static MESHES: [AtomicUsize; 3] = [AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0)];
 
 #[test]
@@ -159,7 +159,7 @@ fn meshes_come_in_by_a_face_or_a_border() {
         assert_keys_fit(&open, &map, &keys);
         MESHES[1].fetch_add(1, Ordering::Relaxed);
 
-        // Half-edges without twin. Where the border meets a vertex or an edge twice this makes another structure.
+        // Half-edges without twin. If the border meets a vertex or an edge twice, the structure changes.
         let once: BTreeSet<_> = around.boundary_cycle().map(|h| h.origin().index()).collect();
         let bridges = around.boundary_cycle().any(|h| h.twin().face().is_unbounded());
         if bridges || once.len() < around.boundary_cycle().count() {
@@ -255,7 +255,7 @@ fn a_view_that_changes_its_answers_never_comes_in_wrong() {
     assert!(outcomes.iter().all(|count| *count > 0), "{outcomes:?}");
 }
 
-/// One table for so many questions, and then another one.
+/// Answers from one table for a number of questions, and then from another one.
 struct Switched<'a> {
     tables: [&'a Table; 2],
     left: Cell<usize>,
@@ -277,7 +277,7 @@ impl View for Switched<'_> {
     delegate_view!(|this| this.now());
 }
 
-/// A loop in the unbounded face, and once it is validated the same loop in the face that it bounds.
+/// Validation sees a loop in the unbounded face; afterwards the same loop lies in the face that it bounds.
 #[test]
 fn a_component_that_moves_into_itself_does_not_come_in() {
     let parsed = |text: &str| text.parse::<Table>().unwrap();
@@ -298,8 +298,7 @@ fn a_component_that_moves_into_itself_does_not_come_in() {
     assert!(broken.contains(&Rule::T2), "{broken:?}");
 }
 
-/// Once a structure has been validated, a face has lost its outer boundary component, the unbounded face has got one, or a closed mesh
-/// is open.
+/// After validation, a face has lost its outer boundary component, the unbounded face has got one, or a closed mesh has become open.
 #[test]
 fn what_is_missing_when_it_is_read_is_inconsistent() {
     let parsed = |text: &str| text.parse::<Table>().unwrap();
@@ -334,12 +333,12 @@ fn refusal(view: &impl View, expectation: Expectation, outside: Outside) -> Impo
     Dcel::from_view(view, &expectation, outside).unwrap_err()
 }
 
-/// Two triangles side by side, 0 1 2 and 2 1 3, without twins along their border, as an open mesh.
+/// An open mesh of two triangles side by side, 0 1 2 and 2 1 3, without twins along their border.
 fn two_triangles() -> Table {
     bordered(textbook_mesh(4, &[[0, 1, 2], [2, 1, 3]]))
 }
 
-/// A mesh without the half-edges that no triangle has.
+/// Removes the half-edges that belong to no triangle.
 fn bordered(mut table: Table) -> Table {
     for h in 0..table.half_edges.len() {
         if table.half_edges[h].is_some_and(|row| row.face.is_none()) {
@@ -376,7 +375,7 @@ fn an_open_mesh_comes_in_by_its_border() {
     assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (4, 5, 3));
     assert_eq!(map.unbounded_face().half_edges().count(), 4);
     assert_keys_fit(&table, &map, &keys);
-    // Records of boundary components, and half-edges of the border that name none.
+    // Records of boundary components, and border half-edges that name none.
     let mut records = with_boundary_components(&textbook_mesh(3, &[[0, 1, 2], [2, 1, 0]]));
     (records.boundaries[1], records.faces[1]) = (None, None);
     for row in records.half_edges.iter_mut().flatten().filter(|row| row.boundary == Some(1)) {
@@ -385,7 +384,7 @@ fn an_open_mesh_comes_in_by_its_border() {
     let (map, keys) = Dcel::from_view(&records, &OPEN, Outside::Border).unwrap();
     assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (3, 3, 2));
     assert_keys_fit(&records, &map, &keys);
-    // A loose vertex and a second piece lie beside it.
+    // With a loose vertex and a second piece.
     let mut more = bordered(textbook_mesh(8, &[[0, 1, 2], [2, 1, 3], [4, 5, 6]]));
     let (map, keys) = Dcel::from_view(&more, &OPEN, Outside::Border).unwrap();
     assert_eq!(map.unbounded_face().inner_count(), 3);
@@ -459,7 +458,7 @@ fn two_closed_meshes_are_refused() {
     let twice: Vec<_> = TETRAHEDRON.iter().copied().chain(TETRAHEDRON.map(|t| t.map(|v| v + 4))).collect();
     let table = textbook_mesh(8, &twice);
     assert_eq!(refusal(&table, MESH, Outside::Face(0)), ImportError::Disconnected(2));
-    // With lists of what lies in the faces the validator tells which of them lies nowhere.
+    // With lists of inner boundary components the validator finds the component that lies nowhere.
     let error = refusal(&table.without(Part::UnboundedFace), PLANE, Outside::Face(0));
     assert!(matches!(error, ImportError::NotPlane(_) | ImportError::Invalid(_)), "{error}");
     assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::T1);

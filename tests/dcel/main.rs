@@ -1,4 +1,4 @@
-//! The structure: its elements, its operators and their laws, its stores.
+//! The structure: its elements, its operators and their laws, its limits, import and history.
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 

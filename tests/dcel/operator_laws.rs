@@ -1,4 +1,4 @@
-//! Laws for every program: rules are kept, operators can be undone, an error changes nothing, and a stale key stays stale.
+//! Laws for every program: operators keep the rules and can be undone, errors change nothing, and stale keys stay stale.
 
 use crate::support::erased::validate;
 use crate::support::tracked::{Keys, Tracked};
@@ -14,12 +14,12 @@ use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::{Op, Program, Runner, StepOutcome, Subject};
 use twinedge::validate::{Collect, Expectation, Table};
 
-/// So many random programs of up to so many operators, always the same.
+/// Tests a law on `tests` random programs of up to `size` operators, always the same.
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
 }
 
-/// Runs a program and looks at the structure after every step.
+/// Runs a program and inspects the structure after every step.
 fn watch(program: &Program, mut look: impl FnMut(Op, StepOutcome, &Dcel) -> bool) -> bool {
     let mut runner = Runner::new(Dcel::default());
     program.0.iter().all(|op| {
@@ -56,18 +56,18 @@ fn an_error_changes_nothing() {
     check(300, 200, law as fn(Program) -> bool);
 }
 
-/// One of everything that can be done to a map, each undone at once.
+/// Applies every possible change to a map, and undoes each at once.
 struct Undo<'a> {
     map: &'a Dcel,
     code: Code,
     canonizer: Canonizer,
 }
 
-/// The number of operators done and undone.
+/// The number of operators undone.
 static UNDONE: AtomicUsize = AtomicUsize::new(0);
 
 impl Undo<'_> {
-    /// Does something, undoes it, and expects the map that it was.
+    /// Does something, undoes it, and expects the original map.
     fn law<T>(&mut self, does: impl FnOnce(&mut Dcel) -> Option<T>, undoes: impl FnOnce(&mut Dcel, T)) {
         let mut map = self.map.clone();
         if let Some(done) = does(&mut map) {
@@ -148,7 +148,7 @@ impl Undo<'_> {
                         }
                         _ => (true, Vec::new()),
                     };
-                    // A loop that is put back has the empty side to its right.
+                    // A restored loop has its empty side to its right.
                     let new_face = if left_is_new == left_is_empty { Side::Right } else { Side::Left };
                     map.connect(at[0], at[1], Split { new_face, inner: &inner }).unwrap();
                 },
@@ -163,7 +163,7 @@ impl Undo<'_> {
                 |map| map.split_edge(h).ok(),
                 |map, _| {
                     map.join_edges(h).unwrap();
-                    // Not only isomorphic: every link and key is the one that it was.
+                    // Not only isomorphic: every link and key is unchanged.
                     assert_eq!(*map, *self.map);
                 },
             );
@@ -265,7 +265,7 @@ fn what_is_done_can_be_undone() {
     assert!(undone > 20_000, "too little to show anything: {undone}");
 }
 
-/// Data beside a structure: for each kind of key a serial number, and all keys that there ever were.
+/// Data stored by key: for each kind of key a serial number, and all keys ever issued.
 #[derive(Clone, Default)]
 struct Beside<K: Key> {
     data: SecondaryMap<K, usize>,
@@ -273,7 +273,7 @@ struct Beside<K: Key> {
 }
 
 impl<K: Key> Beside<K> {
-    /// Notes the new ones, and says whether of all others those that are gone are refused, and no data is mixed up.
+    /// Records new keys, and checks that removed keys are refused and no data is mixed up.
     fn look(&mut self, live: &BTreeSet<K>, resolves: impl Fn(K) -> bool) -> bool {
         for key in live {
             if !self.data.contains_key(*key) {
@@ -287,7 +287,7 @@ impl<K: Key> Beside<K> {
             if live.contains(key) {
                 resolves(*key) && data == Some(serial)
             } else {
-                // Data of what is gone may be left over, until its place is needed.
+                // Data of removed records may remain until the slot is reused.
                 !resolves(*key) && data.is_none_or(|data| data == serial)
             }
         })
@@ -311,7 +311,7 @@ impl Memory {
             && self.faces.look(&live.faces, |k| map.face(k).is_ok())
     }
 
-    /// Returns the number of keys that are stale by now.
+    /// Returns the number of stale keys.
     fn stale(&self, map: &Dcel) -> usize {
         let live = Keys::of(map);
         self.half_edges.seen.len() + self.boundaries.seen.len() - live.half_edges.len() - live.boundaries.len()
@@ -330,7 +330,7 @@ fn a_stale_key_never_resolves_again() {
             })
         };
         let same = goes_on(&mut runner, &mut memory, &program.0);
-        // A clone knows the keys of its original, and refuses the same ones. Each then goes its own way.
+        // A clone knows the keys of its original, and refuses the same ones. Afterwards they are independent.
         let (mut clone, mut memory_of_clone) = (runner.clone(), memory.clone());
         let stale = memory.stale(runner.subject());
         same && memory_of_clone.look(clone.subject())
@@ -381,7 +381,7 @@ fn stale_keys_are_refused_by_every_operator() {
     check(100, 150, law as fn(Program) -> bool);
 }
 
-/// A polygon in the unbounded face: its half-edges, the inside to their left.
+/// Makes a polygon in the unbounded face; returns its half-edges, with the inside to their left.
 fn polygon(map: &mut Dcel, corners: usize) -> Vec<HalfEdgeKey> {
     let v = map.add_isolated_vertex(Subject::unbounded_face(map).unwrap()).unwrap().vertex;
     let mut sides = vec![map.connect(v, v, Split::default()).unwrap().half_edge];
@@ -399,7 +399,7 @@ fn only_the_shorter_side_is_relabelled() {
     let (a, b) = (outer(&map, big[0]), outer(&map, small[0]));
     let of = |map: &Dcel, h: HalfEdgeKey| map.half_edge(h).unwrap().boundary().key();
     let (of_big, of_small) = (of(&map, a), of(&map, b));
-    // Whichever comes first, the record of the long boundary stays; relabelling the other is the cheaper way.
+    // In either order, the record of the long boundary stays; relabelling the other one is cheaper.
     for (from, to) in [(a, b), (b, a)] {
         let bridge = map.connect(from, to, Split::default()).unwrap();
         let Connection::Bridge { kept, dropped } = bridge.connection else { panic!("{bridge:?}") };
@@ -409,7 +409,7 @@ fn only_the_shorter_side_is_relabelled() {
         assert_eq!((kept, made), (of_big, of(&map, b)));
     }
     assert!(map.boundary(of_small).is_err());
-    // And in a split, on whichever side the new face is to lie.
+    // A split also keeps the record, with the new face on either side.
     for (i, j) in [(0, 5), (5, 0), (29_999, 3), (14_000, 14_001)] {
         for new_face in [Side::Left, Side::Right] {
             let whole = of(&map, big[0]);
@@ -425,8 +425,7 @@ fn only_the_shorter_side_is_relabelled() {
     assert!(map.validate().is_valid());
 }
 
-/// Ten thousand changes at a boundary of sixty thousand half-edges. If each walked along it, that would be billions of
-/// steps.
+/// Ten thousand changes at a boundary of sixty thousand half-edges. Walking along it for each would take billions of steps.
 #[test]
 fn small_changes_to_a_long_boundary_are_cheap() {
     let mut t = Tracked::default();

@@ -1,4 +1,4 @@
-//! Structures that are saved and loaded: the same map with the same keys, and nothing that is not a planar subdivision.
+//! Saving and loading: the same map with the same keys, and nothing but planar subdivisions.
 
 use quickcheck::{Gen, QuickCheck, Testable};
 use serde_json::{Value, json};
@@ -81,7 +81,7 @@ fn data_by_key_finds_its_records_again() {
     }
 }
 
-/// A triangle with a vertex inside, beside an edge; and some records that are gone.
+/// A triangle with a vertex inside, and a separate edge; some records were removed.
 fn grown() -> Program {
     "twinedge program 1
     add_isolated_vertex unbounded
@@ -128,7 +128,7 @@ fn every_number_changed_is_refused_with_a_report_or_gives_a_valid_map() {
         }
     }
     assert!(refused > 300 && reports > 200, "{refused} refused, {reports} reports");
-    // Generations and starts may be others.
+    // Generations and starts may differ.
     assert!(accepted > 0, "{accepted}");
 }
 
@@ -146,7 +146,7 @@ impl Clone for Step {
     }
 }
 
-/// The places of all numbers, and of what is none.
+/// Collects the paths of all values that are neither objects nor arrays.
 fn numbers(value: &Value, at: &mut Vec<Step>, paths: &mut Vec<Vec<Step>>) {
     match value {
         Value::Object(fields) => {

@@ -1,5 +1,5 @@
-//! Keys that name nothing (of what is gone, of another structure, of nothing at all) are refused by every function that
-//! takes a key, and change nothing.
+//! Every function that takes a key refuses invalid keys (of removed records, of another structure, of nothing at all),
+//! and changes nothing.
 
 use crate::support::tracked::{Keys, Tracked};
 use std::collections::BTreeSet;
@@ -7,7 +7,7 @@ use twinedge::dcel::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, Side, Split, Stale
 
 const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
 
-/// Every function that takes a key, with these keys, and with good ones beside them.
+/// Calls every function that takes a key with a bad key, and valid keys for the other arguments.
 fn refused_by_every_function(t: &mut Tracked, good: &Keys, bad: &Keys) {
     let b = *bad.boundaries.first().unwrap();
     let f = *bad.faces.first().unwrap();
@@ -39,7 +39,7 @@ fn refused_by_every_function(t: &mut Tracked, good: &Keys, bad: &Keys) {
     assert_eq!(t.refuses(|map| map.flip_edge(h, Turn::Clockwise)), stale_h.into());
     assert_eq!(t.refuses(|map| map.move_inner(b, good_f)), stale_b.into());
     assert_eq!(t.refuses(|map| map.move_inner(good_b, f)), stale_f.into());
-    // Both for an edge that splits a face, and for a bridge, which needs no list.
+    // For an edge that splits a face, and for a bridge, which needs no list.
     let split = Split { inner: &[good_b, b], ..LEFT };
     assert_eq!(t.refuses(|map| map.connect(good_h, good_h, split)), stale_b.into());
     let lone = *good.vertices.iter().find(|v| t.map.vertex(**v).unwrap().isolated().is_some()).unwrap();
@@ -47,7 +47,7 @@ fn refused_by_every_function(t: &mut Tracked, good: &Keys, bad: &Keys) {
     assert_eq!(t.refuses(|map| map.connect(beside, lone, Split { inner: &[b], ..LEFT })), stale_b.into());
 }
 
-/// A structure with something of everything, always with the same history.
+/// A structure with all kinds of elements, always with the same history.
 fn sample() -> Tracked {
     let mut t = Tracked::default();
     let outside = t.outside();
@@ -77,7 +77,7 @@ fn keys_of_what_is_gone_are_refused_by_every_function() {
     };
     assert_eq!(Keys::of(&t.map), before);
     refused_by_every_function(&mut t, &before, &bad);
-    // Nor when other records have taken their slots.
+    // Nor if other records have taken their slots.
     t.polygon(outside, 2);
     assert!(bad.are_stale(&t.map));
     refused_by_every_function(&mut t, &before, &bad);
@@ -106,7 +106,7 @@ fn null_keys_are_refused_by_every_function() {
     refused_by_every_function(&mut t, &good, &bad);
 }
 
-/// A key of another structure.
+/// `Dcel::at` panics on a key of another structure.
 macro_rules! at_panics {
     ($($name:ident $keys:ident $expected:literal;)*) => {$(
         #[test]

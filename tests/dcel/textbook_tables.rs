@@ -1,5 +1,5 @@
-//! The textbooks' maps, drawn edge by edge with the operators: the same as the tables entered by hand, row by row, and
-//! so isomorphic to them. `tests/golden.rs` has the tables as they are printed, and what the maps look like.
+//! The textbooks' maps, drawn edge by edge with the operators: equal to the tables entered by hand, row by row, and so
+//! isomorphic to them. `tests/validate/textbook_tables.rs` has the printed tables and drawings.
 
 use crate::support::tables::{ShortFace, map, textbook_map};
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Split, VertexKey};
@@ -10,8 +10,8 @@ use twinedge::validate::{Start, Table, View};
 const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
 const RIGHT: Split<'_> = Split { new_face: Side::Right, inner: &[] };
 
-/// A table in short: origin and next of e1,1, e1,2, e2,1, …, and of each face a half-edge of its outer boundary
-/// component and of each inner one, all counted from 0.
+/// A table in short: origin and next of e1,1, e1,2, e2,1, …, and for each face a half-edge of its outer boundary
+/// component and of each inner one, counted from 0.
 struct Golden {
     vertices: usize,
     half_edges: &'static [(usize, usize)],
@@ -61,7 +61,7 @@ impl Golden {
     }
 }
 
-/// A map in the making: vertices v1, v2, … in the unbounded face, and half-edges e1,1, e1,2, e2,1, …
+/// A map being drawn: vertices v1, v2, … in the unbounded face, and half-edges e1,1, e1,2, e2,1, …
 struct Embedding {
     map: Dcel,
     vertices: Vec<VertexKey>,
@@ -107,7 +107,7 @@ impl Embedding {
         connected.new_face().expect("a face is closed")
     }
 
-    /// Checks that every row equals that of the table, names for names.
+    /// Checks that every row equals the table's, with the same names.
     fn assert_same(&self, faces: &[FaceKey], golden: &Table) {
         let vertex = |v| self.vertices.iter().position(|other| *other == v);
         let half_edge = |h| self.half_edges.iter().position(|other| *other == h);
@@ -138,12 +138,12 @@ impl Embedding {
 fn dangling() -> (Embedding, [FaceKey; 2]) {
     let mut drawing = Embedding::new(4);
     drawing.begin(1, 2); // e1
-    // e2 and e3 start at v3, which e4 reaches; so that they have their numbers, e4 is drawn first and put last.
+    // e2 and e3 start at v3, which e4 reaches; for the right numbers, e4 is drawn first and put last.
     let e4 = drawing.map.connect(drawing.e(1, 2), drawing.v(3), LEFT).unwrap().half_edge;
     let back = drawing.map.half_edge(e4).unwrap().twin().key();
     let e2 = drawing.map.connect(back, drawing.v(4), LEFT).unwrap().half_edge;
     drawing.keep(e2);
-    // The triangle is closed on the side of e4 where e2 is not.
+    // The triangle is closed on the side of e4 away from e2.
     let closing = drawing.map.connect(back, drawing.e(1, 1), RIGHT).unwrap();
     drawing.keep(closing.half_edge);
     drawing.half_edges.extend([back, e4]);
@@ -197,13 +197,13 @@ fn other_ways_lead_to_the_same_maps() {
     let outside =
         built("add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h1 h1");
     assert!(isomorphic(&outside, &DANGLING.table()));
-    // The leaf inside: the same map on the sphere, another one in the plane.
+    // The leaf inside: the same map on the sphere, but a different one in the plane.
     let inside =
         built("add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h0 h0");
     assert!(!isomorphic(&inside, &DANGLING.table()));
     let mut canonizer = Canonizer::new();
     assert_eq!(canonizer.unrooted(&inside), canonizer.unrooted(&DANGLING.table()));
-    // An edge that is turned makes another map of it, and the same again when it is turned back.
+    // Turning an edge makes another map, and turning it back restores the map.
     let (mut drawing, _) = five_faces();
     drawing.map.flip_edge(drawing.e(5, 1), twinedge::dcel::Turn::Clockwise).unwrap();
     assert!(!isomorphic(&drawing.map, &FIVE_FACES.table()));

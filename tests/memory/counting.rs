@@ -1,16 +1,16 @@
-//! An allocator that counts, per thread, so that tests that run at the same time do not count each other's memory.
+//! An allocator that counts per thread, so concurrent tests do not count each other's memory.
 #![allow(unsafe_code, reason = "an allocator that counts has to be an allocator")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 thread_local! {
-    /// The number of times that memory was asked for, fresh or to grow.
+    /// The number of requests for memory, fresh or to grow.
     pub(crate) static REQUESTS: Cell<usize> = const { Cell::new(0) };
-    /// Allocations less deallocations.
+    /// Allocations minus deallocations.
     pub(crate) static LIVE: Cell<isize> = const { Cell::new(0) };
     pub(crate) static LIVE_BYTES: Cell<isize> = const { Cell::new(0) };
-    /// The most bytes that were live at any time since this was set.
+    /// The peak of live bytes since this was set.
     pub(crate) static PEAK_BYTES: Cell<isize> = const { Cell::new(0) };
 }
 
@@ -45,7 +45,7 @@ unsafe impl GlobalAlloc for Counting {
 
     unsafe fn realloc(&self, old: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         REQUESTS.set(REQUESTS.get() + 1);
-        // Old and new may be live together while the content is copied.
+        // Both blocks may be live while the content is copied.
         grow(size);
         // SAFETY: the caller keeps the contract of `realloc`.
         let new = unsafe { System.realloc(old, layout, size) };

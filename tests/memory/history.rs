@@ -1,11 +1,11 @@
-//! The memory of a history: that of what was written, whatever the size of the map.
+//! The memory of a history depends on the written values, not on the size of the map.
 
 use crate::counting::{LIVE_BYTES, REQUESTS};
 use twinedge::dcel::{Dcel, History};
 
 const CHANGES: usize = 1 << 15;
 
-/// A map with so many isolated vertices and some more room, and a history of it.
+/// A history of a map with `vertices` isolated vertices and some spare room.
 fn history(vertices: usize) -> History {
     let mut dcel = Dcel::with_capacity(vertices + CHANGES, 0);
     let outside = dcel.unbounded_face().key();
@@ -15,7 +15,7 @@ fn history(vertices: usize) -> History {
     History::new(dcel)
 }
 
-/// The bytes that a history takes, for each of some changes.
+/// The bytes per change that a history takes.
 fn bytes_per_change(history: &mut History) -> isize {
     let outside = history.get().unbounded_face().key();
     let start = LIVE_BYTES.get();
@@ -28,11 +28,12 @@ fn bytes_per_change(history: &mut History) -> isize {
 
 #[test]
 fn a_change_takes_64_bytes_beside_what_it_writes() {
-    // A vertex, a boundary component and an entry of a list are added; four links and these are removed, and two are written.
+    // A vertex, a boundary component and a list entry are added; four links and these records are removed, and two links are
+    // written.
     let entries = isize::midpoint(3, 9) * 12;
     for vertices in [0, 10_000] {
         let taken = bytes_per_change(&mut history(vertices));
-        // The logs may have up to twice the room that they need; here the number of changes is a power of two.
+        // The logs may have twice the required capacity; here the number of changes is a power of two.
         assert!(taken <= 64 + 2 * entries, "{taken} bytes");
     }
 }

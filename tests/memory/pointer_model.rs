@@ -1,4 +1,4 @@
-//! The pointer model owns each record once, and its links, however they run in circles, keep none alive.
+//! The pointer model owns each record once, and its cyclic links keep nothing alive.
 
 use quickcheck::{Gen, QuickCheck};
 use std::rc::Weak;
@@ -23,16 +23,16 @@ fn records_are_freed(program: Program) -> bool {
         let before = runner.subject().records();
         runner.step(*op);
         let now = runner.subject().records();
-        // Each record is owned by its list, and by nothing else.
+        // Each record is owned only by its list.
         if now.iter().any(|record| record.strong_count() != 1) {
             return false;
         }
-        // Links lead to records that are there, and each record is linked to as often as it says.
+        // Links lead to existing records, and each record has the number of links that it reports.
         let watched: usize = before.iter().filter(|record| record.strong_count() > 0).count() + now.len();
         if now.iter().map(Weak::weak_count).sum::<usize>() != watched + links(runner.subject()) {
             return false;
         }
-        // Removed records are gone: of the records of before there remain no more than there are now.
+        // Removed records are freed: of the earlier records, only current ones remain.
         let remain = before.iter().filter(|old| old.strong_count() > 0);
         if !remain.clone().all(|old| now.iter().any(|new| old.ptr_eq(new))) {
             return false;

@@ -1,5 +1,5 @@
-//! Requests of a structure to the allocator: it gives back all memory when it is dropped, memory of removed records is used again, and where
-//! room was made nothing is requested.
+//! Memory requests of a structure: all memory is freed on drop, memory of removed records is reused, and with reserved
+//! room nothing is requested.
 
 use crate::counting::{LIVE, LIVE_BYTES, REQUESTS};
 use twinedge::dcel::{Dcel, Split};
@@ -61,12 +61,11 @@ fn records_that_were_removed_are_used_again() {
     assert_eq!(LIVE_BYTES.get(), before);
 }
 
-/// Makes a ring of that many vertices and then loops, until there are that many edges, and counts how often that asks for
-/// memory.
+/// Makes a ring of `vertices` vertices and then loops, up to `edges` edges, and counts the memory requests.
 fn grow(dcel: &mut Dcel, vertices: usize, edges: usize) -> usize {
     let outside = dcel.unbounded_face().key();
     let root = dcel.add_isolated_vertex(outside).unwrap().vertex;
-    // From here on, as the list of the inner boundary components of a face is not a column.
+    // Counting starts here, as the list of a face's inner boundary components is not a column.
     let before = REQUESTS.get();
     let ring = dcel.connect(root, root, Split::default()).unwrap().half_edge;
     for _ in 1..vertices {
@@ -81,7 +80,7 @@ fn grow(dcel: &mut Dcel, vertices: usize, edges: usize) -> usize {
 
 #[test]
 fn where_room_was_made_for_a_connected_map_no_more_is_asked_for() {
-    // The validation at the end asks for some memory whatever the room.
+    // The validation at the end requests some memory regardless of the room.
     let validation = grow(&mut Dcel::with_capacity(1, 1), 1, 1);
     for (vertices, edges) in [(1, 300), (300, 300), (100, 300), (299, 300)] {
         let mut dcel = Dcel::with_capacity(vertices, edges);
@@ -108,14 +107,14 @@ fn a_record_takes_as_many_bytes_as_the_documentation_says() {
         8 * (vertices + 1) + 36 * (edges + 1) + 12 * (faces + 1) + 16 * (boundaries + 1)
     };
     let before = LIVE_BYTES.get();
-    // As many faces as boundary components, and one of either outside.
+    // Equal numbers of faces and boundary components, plus one for the outside.
     let dcel = Dcel::with_capacity(EACH, 2 * EACH);
     let held = (LIVE_BYTES.get() - before).cast_unsigned();
     let stated = columns(EACH, 2 * EACH, EACH + 2, EACH + 2);
     assert!(held <= stated && held + 64 >= stated, "{held} bytes, {stated} stated");
     drop(dcel);
 
-    // An only inner boundary component is listed in the column.
+    // A single inner boundary component is stored in the column.
     let mut dcel = Dcel::with_capacity(EACH, EACH);
     let outside = dcel.unbounded_face().key();
     let before = LIVE_BYTES.get();

@@ -1,11 +1,11 @@
-//! Memory that a validation requests, per record: the figures in the documentation of `validate`.
+//! The memory of a validation per record: the figures in the documentation of `validate`.
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{BoundaryPlace, Collect, Expectation, Link, Only, Part, Parts, Rule, Start, View, validate};
 use twinedge::{delegate_view, view_answers};
 
-/// The most bytes that are live at a time while a structure is validated, less those of a structure without records.
+/// The peak of live bytes during a validation, minus the peak for an empty structure.
 fn peak(view: &impl View, expectation: Expectation) -> usize {
     peak_of(|| validate(view, &expectation, Collect::All).is_valid())
 }
@@ -17,10 +17,10 @@ fn peak_of(is_valid: impl FnOnce() -> bool) -> usize {
     (PEAK_BYTES.get() - before).cast_unsigned()
 }
 
-/// The size of a report, whatever the structure.
+/// The size of a report, for any structure.
 const REPORT: usize = 2000;
 
-/// So many isolated vertices in the unbounded face.
+/// This number of isolated vertices in the unbounded face.
 struct Points(usize);
 
 impl View for Points {
@@ -42,7 +42,7 @@ impl View for Points {
     }
 }
 
-/// One cycle of so many edges: half-edges `2i` on its inside, `2i + 1` on its outside. Where the border is open, there is no
+/// One cycle of `edges` edges: half-edges `2i` on its inside, `2i + 1` on its outside. With an open border there is no
 /// outside.
 struct Polygon {
     edges: usize,
@@ -78,14 +78,14 @@ impl View for Polygon {
     }
 }
 
-/// As many bytes as the documentation says at most, and no less than nine tenths of that where all are needed.
+/// Asserts at most the documented number of bytes, and at least nine tenths of it.
 #[track_caller]
 fn assert_close(bytes: usize, stated: usize) {
     assert!(bytes <= stated + REPORT, "{bytes} bytes are more than {stated}");
     assert!(bytes >= stated / 10 * 9, "{bytes} bytes are far less than {stated}");
 }
 
-/// As many bytes as are allocated at a time by the rules without the fast path.
+/// The peak of live bytes of the rules without the fast path.
 fn peak_elsewhere(view: &impl View, expectation: Expectation) -> usize {
     peak_of(|| rule_by_rule(view, &expectation, Collect::All).is_valid())
 }
@@ -103,8 +103,8 @@ fn a_component_takes_20_bytes_and_elsewhere_72_at_most() {
     }
 }
 
-/// Edges from one vertex, the last or the first, to all others. With the last one, no other vertex has a neighbour with a
-/// smaller number.
+/// Edges from one vertex, the last or the first, to all others. If it is the last one, no other vertex has a neighbour with
+/// a smaller number.
 struct Star {
     edges: usize,
     centre_is_last: bool,
@@ -132,7 +132,7 @@ fn vertices_and_half_edges_take_what_is_said() {
     assert_close(peak(&closed, surface), 8 * edges);
     assert_close(peak(&Only::new(&closed, Parts::ALL.without(Part::Leaving)), surface), 12 * edges);
     assert_close(peak_elsewhere(&closed, surface), 12 * edges);
-    // Two half-edges for each vertex, which take 4 bytes each before the rotations are walked around.
+    // Two half-edges per vertex, which take 4 bytes each before the rotations are walked around.
     let mesh = Parts::NONE.with(Part::Leaving).with(Part::Faces);
     assert_close(peak_elsewhere(&Only::new(&closed, mesh), surface), 8 * edges + 4 * 2 * edges);
     for open in [false, true] {
@@ -142,12 +142,12 @@ fn vertices_and_half_edges_take_what_is_said() {
             assert!(peak_elsewhere(&polygon, surface.open()) <= (12 + 4 * 2) * edges + REPORT);
         }
     }
-    // The one cycle is long: a bit for each half-edge of it, while the rotations are walked around.
+    // The only cycle is long: one bit for each of its half-edges, while the rotations are walked around.
     assert_close(peak(&Star { edges, centre_is_last: false }, surface), 12 * edges + 2 * edges / 8);
     assert_close(peak(&Star { edges, centre_is_last: true }, surface), 12 * edges);
 }
 
-/// A structure with one wrong answer: that for this record to the question of this rule.
+/// A structure with one incorrect answer: for this record, to the question of this rule.
 struct Wrong<'a, V> {
     right: &'a V,
     rule: Rule,
@@ -189,7 +189,7 @@ impl<V: View> View for Wrong<'_, V> {
     }
 }
 
-/// On a structure with one fault, the fast path has given its memory back before the rules take theirs.
+/// With one fault, the fast path has freed its memory before the rules allocate theirs.
 #[test]
 fn a_structure_with_a_fault_takes_no_more_than_elsewhere() {
     let edges = 100_000;

@@ -1,4 +1,4 @@
-//! Canonical forms: against published counts of maps, and against a search through all correspondences.
+//! Canonical forms, compared with published counts of maps and with a search through all correspondences.
 
 use crate::support::erased::validate_plane;
 use crate::support::tables::TEXTBOOK;
@@ -11,8 +11,8 @@ use twinedge::validate::{
 };
 use twinedge_trials::forms::{Form, projected};
 
-/// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a
-/// face.
+/// All maps with one more edge, one of each isomorphism class: a leaf in every corner, an edge between any two corners
+/// of a face.
 fn grow(maps: &[Dcel]) -> Vec<Dcel> {
     let mut canonizer = Canonizer::new();
     let mut seen = BTreeSet::new();
@@ -64,7 +64,7 @@ fn plane_maps_are_as_many_as_published() {
     assert_eq!(counts, [(1, 1), (2, 2), (4, 9), (14, 54), (57, 378), (312, 2916)]);
 }
 
-/// Every table of twins `2e, 2e + 1` and `next` a permutation, with the vertices that follow from these.
+/// Every table with twins `2e, 2e + 1` and a permutation as `next`, with the resulting vertices.
 fn every_map(edges: usize, mut judge: impl FnMut(&Table)) {
     let n = 2 * edges;
     let mut next: Vec<usize> = (0..n).collect();
@@ -124,7 +124,7 @@ fn rooted_maps_of_every_genus_are_as_many_as_published() {
         let mut codes: BTreeMap<usize, BTreeSet<Code>> = BTreeMap::new();
         let mut rootings: BTreeMap<Code, usize> = BTreeMap::new();
         every_map(edges, |table| {
-            // Connected ones have a form without root.
+            // Connected maps have a form without a root.
             if let Some(unrooted) = canonizer.unrooted(table) {
                 let next = |h: usize| table.next(h).unwrap();
                 // V - E + cycles = 2 - 2g.
@@ -139,7 +139,7 @@ fn rooted_maps_of_every_genus_are_as_many_as_published() {
     }
 }
 
-/// True if some correspondence of half-edges keeps everything, found by trying all.
+/// Tells whether some correspondence of half-edges keeps everything, by trying all.
 fn correspond(one: &Dcel, other: &Dcel) -> bool {
     let counts = |map: &Dcel| {
         let isolated = map.vertices().filter(|v| v.isolated().is_some()).count();
@@ -148,7 +148,7 @@ fn correspond(one: &Dcel, other: &Dcel) -> bool {
     counts(one) == counts(other) && extend(one, other, &mut BTreeMap::new())
 }
 
-/// Tries every image of the first half-edge that has none yet.
+/// Tries every image of the first half-edge without one.
 fn extend(one: &Dcel, other: &Dcel, images: &mut BTreeMap<usize, usize>) -> bool {
     let Some(first) = one.half_edges().find(|h| !images.contains_key(&h.index())) else {
         return keeps_faces(one, other, images);
@@ -159,7 +159,7 @@ fn extend(one: &Dcel, other: &Dcel, images: &mut BTreeMap<usize, usize>) -> bool
     })
 }
 
-/// Extends a correspondence along `next` and `twin`, as far as a contradiction.
+/// Extends a correspondence along `next` and `twin`, up to a contradiction.
 fn follow(one: &Dcel, other: &Dcel, h: usize, image: usize, images: &mut BTreeMap<usize, usize>) -> bool {
     if let Some(known) = images.get(&h) {
         return *known == image;
@@ -189,7 +189,7 @@ fn keeps_faces(one: &Dcel, other: &Dcel, images: &BTreeMap<usize, usize>) -> boo
         && faces.iter().all(|(f, image)| isolated(one, *f) == isolated(other, *image))
 }
 
-/// Numbers without pattern, always the same.
+/// Pseudorandom numbers, always the same.
 fn noise(seed: u64) -> impl Iterator<Item = u8> {
     let mut state = seed;
     std::iter::repeat_with(move || {
@@ -198,7 +198,7 @@ fn noise(seed: u64) -> impl Iterator<Item = u8> {
     })
 }
 
-/// A small map, with nesting as often as not.
+/// A small map, with nesting in about half of the cases.
 fn random_map(seed: u64) -> Dcel {
     let mut runner = Runner::new(Dcel::new());
     let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
@@ -210,7 +210,7 @@ fn random_map(seed: u64) -> Dcel {
     runner.into_subject()
 }
 
-/// All maps that come of moving one hole or isolated vertex to another face, twice.
+/// All maps made by moving one hole or isolated vertex to another face, twice.
 fn with_moves(map: &Dcel) -> Vec<Dcel> {
     let mut family = vec![map.clone()];
     for _ in 0..2 {
@@ -251,7 +251,7 @@ fn forms_are_equal_exactly_where_some_correspondence_is_found() {
     assert!(equal > 1000 && different > 1000, "too few pairs with holes to show anything: {equal}, {different}");
 }
 
-/// The same with all records in other slots, some of them vacant, other starts, and lists the other way round.
+/// An isomorphic table with its records in other slots, some vacant, with other starts and reversed lists.
 fn renamed(map: &Dcel, seed: u64) -> Table {
     let table = Table::copy_of(map).expect("a small map fits");
     let mut bytes = noise(seed);
@@ -325,8 +325,7 @@ fn forms_do_not_depend_on_names_nor_on_the_kind_of_records() {
 
 #[test]
 fn a_mirror_image_is_another_map() {
-    // A triangle with a path of two edges inside at one vertex and a single edge inside at the next, or the other way
-    // round.
+    // A triangle with a path of two edges inside at one vertex and a single edge inside at the next, or vice versa.
     let triangle = |lengths: [usize; 3]| {
         let mut map = Dcel::new();
         let v = map.add_isolated_vertex(map.unbounded_face().key()).unwrap().vertex;

@@ -26,7 +26,7 @@ fn connected_maps_are_as_many_as_published() {
         again.run(&found.program);
         assert!(canonical::isomorphic(again.subject(), map));
     }
-    // OEIS A103937: one face is distinguished. A006384 and A000168: none is; and one half-edge.
+    // OEIS A103937: one face is distinguished. A006384: nothing is. A000168: one half-edge is.
     assert_eq!(plane, [1, 2, 6, 26, 150]);
     let (mut sensed, mut rooted) = ([0; 5], [0; 5]);
     for (edges, count) in rootings.into_values() {
@@ -58,7 +58,7 @@ fn a_scope_too_small_for_its_smallest_map_is_not_empty() {
     assert_eq!(Census::new(Scope::Subdivisions { edges: 5, vertices: 0 }).count(), 1);
 }
 
-/// A loop with a vertex on each side, and handles that are gone.
+/// A loop with a vertex on each side, and removed records.
 fn loop_with_vertices() -> Runner<Dcel> {
     let text = "twinedge program 1
         add_isolated_vertex unbounded
@@ -81,8 +81,8 @@ fn every_operator_comes_with_every_argument_once() {
     let ops = every_op(&map);
     assert_eq!(ops.iter().collect::<HashSet<_>>().len(), ops.len());
     let count = |is: fn(&Op) -> bool| ops.iter().filter(|op| is(op)).count();
-    // Two faces and one that is gone; two vertices, one that is not isolated and one that is gone; two half-edges and one
-    // that is gone; four boundary components, and the three wrong handles.
+    // Two faces and a removed one; two vertices, a non-isolated and a removed one; two half-edges and a removed one; four
+    // boundary components and three invalid handles.
     assert_eq!(count(|op| matches!(op, Op::AddIsolatedVertex { .. })), 3);
     assert_eq!(count(|op| matches!(op, Op::RemoveIsolatedVertex { .. })), 4);
     assert_eq!(count(|op| matches!(op, Op::MoveInner { .. })), 3 * (4 + 3));
@@ -95,10 +95,11 @@ fn every_operator_comes_with_every_argument_once() {
         assert_eq!(count(is), 3);
     }
     assert_eq!(count(|op| matches!(op, Op::FlipEdge { .. })), 2 * 3);
-    // Four corners; four with three wrong ones, in both orders.
+    // Four corners; four with three invalid ones, in both orders.
     assert_eq!(count(|op| matches!(op, Op::SplitVertex { .. })), 4 * 4 + 2 * 4 * 3);
     // Twelve pairs of different boundary components, on two sides; four corners with themselves, on two sides, with or
-    // without the other boundary component of the face, and with what may not go: itself, two elsewhere, three wrong ones.
+    // without the other boundary component of the face, and with components that may not go: itself, two elsewhere, three
+    // invalid ones.
     assert_eq!(count(|op| matches!(op, Op::Connect { .. })), 12 * 2 + 4 * (2 * 2 + 6) + 2 * 4 * 3);
 
     let mut refusals = BTreeSet::new();
@@ -114,7 +115,7 @@ fn every_operator_comes_with_every_argument_once() {
             StepOutcome::Skipped => panic!("{op} has nothing to choose from"),
         }
     });
-    // No vertex has another degree than 2, and the one edge separates two faces.
+    // No vertex has degree 2, and the only edge separates two faces.
     let all = [
         Refusal::Stale,
         Refusal::NotIsolated,

@@ -1,9 +1,9 @@
-//! The sources of choices: each answers in range, and exhaustive enumeration leaves nothing out.
+//! The sources of choices: answers are in range, and exhaustive enumeration is complete.
 
 use std::collections::BTreeSet;
 use twinedge::program::choose::{Bytes, Choose, Odometer, for_each_choice};
 
-/// As many questions as the first answer says, each of a number of its own.
+/// Asks the number of questions given by the first answer, each with its own bound.
 fn questions(source: &mut impl Choose) -> Vec<usize> {
     let count = source.choose(4);
     // The first of these is no choice, and takes no byte.

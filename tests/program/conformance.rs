@@ -1,4 +1,4 @@
-//! Kernels in step with the reference: right ones pass, and each kind of difference is told from the others.
+//! Kernels in step with the reference: correct ones pass, and each kind of difference is recognised.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -11,7 +11,7 @@ use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
 use twinedge_trials::RawPointers;
 
-/// Numbers without pattern, always the same.
+/// Pseudorandom numbers, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
     let mut state = seed;
     let mut step = || {
@@ -39,29 +39,29 @@ fn the_models_and_the_structure_do_the_same() {
 /// The fault of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fault {
-    /// It begins with a vertex in it.
+    /// It begins with a vertex.
     NotEmpty,
-    /// `connect` gives the twin of the half-edge that it should give.
+    /// `connect` returns the twin of the expected half-edge.
     Twin,
-    /// `connect` takes the one side for the other.
+    /// `connect` confuses the sides.
     Side,
-    /// `contract_edge` says of loops that they are stale.
+    /// `contract_edge` reports loops as stale.
     WrongReason,
     /// `contract_edge` panics at loops.
     Panics,
     /// `flip_edge` turns the wrong way.
     Turn,
-    /// `remove_edge` reports the wrong face as gone.
+    /// `remove_edge` reports the wrong removed face.
     WrongFaceGone,
-    /// The half-edge kept by a vertex is a wrong one.
+    /// A vertex keeps a wrong half-edge.
     Leaving,
-    /// Faces are mixed up in answers, and nowhere else.
+    /// Only answers about faces are mixed up.
     FaceOf,
-    /// There is room for two edges only.
+    /// There is room for only two edges.
     Small,
-    /// There is room for two edges only, but the vertex goes in.
+    /// There is room for only two edges, but the vertex is added.
     SmallAndDirty,
-    /// Nothing.
+    /// No fault.
     None,
 }
 
@@ -71,9 +71,9 @@ struct Faulty {
     model: RawPointers,
     fault: Fault,
     parts: Parts,
-    /// The number of questions that it was asked.
+    /// The number of questions asked.
     asked: Rc<Cell<usize>>,
-    /// A question after so many panics.
+    /// A question panics after this number of questions.
     panics_after: Option<usize>,
 }
 
@@ -175,12 +175,12 @@ impl Subject for Faulty {
 }
 
 fn judge(program: &Program, fault: Fault) -> Result<ConformanceSummary, Failure> {
-    // Making a program small must not lead to one that applies nothing.
+    // Shrinking must not lead to a program that applies nothing.
     let asked = Conformance::of(&Expectation::plane()).coverage(Coverage::Nothing);
     asked.run(program, Faulty::new(fault))
 }
 
-/// The first random program on which a subject with this fault fails, shrunk, and how it fails then.
+/// The first random program on which a subject with this fault fails, shrunk, with its failure.
 fn shrunk(fault: Fault) -> (Program, Failure) {
     let mut programs = (0..200).map(|seed| Program::from_bytes(&noise(seed, 400)));
     let program = programs.find(|program| judge(program, fault).is_err()).expect("the fault is found");
@@ -202,7 +202,7 @@ fn a_subject_that_is_not_empty_and_gives_no_handles_fails_before_the_first_opera
 
 #[test]
 fn a_wrong_handle_is_found_at_once() {
-    // A loop, and the half-edge of its inside given for that of its outside: the same map, and valid.
+    // A loop, with its inner half-edge returned instead of its outer one: the map is valid and unchanged.
     for fault in [Fault::Twin, Fault::Side] {
         let (shrunk, failure) = shrunk(fault);
         assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left"));
@@ -220,7 +220,7 @@ fn a_valid_map_that_is_another_one_is_found() {
     let (shrunk, failure) = shrunk(Fault::Turn);
     assert!(shrunk.0.len() <= 6, "{shrunk}");
     assert!(matches!(failure.op, Some(Op::FlipEdge { .. })));
-    // Of two loops at a vertex one has a second vertex on it, and the other ends there, or not, when it is turned.
+    // Of two loops at a vertex, one has a second vertex, where the other one ends, or not, after turning.
     let flip = program(
         "add_isolated_vertex unbounded\nconnect i0 ~0 left\nconnect h0 ~0 left\nsplit_edge h0\nflip_edge h0 ccw",
     );
@@ -241,7 +241,7 @@ fn a_wrong_reason_is_found() {
     );
 }
 
-/// A panic once ended the run, and the program that led to it was lost.
+/// Regression: a panic ended the run, and its program was lost.
 #[test]
 fn a_panic_is_caught_shrunk_and_shown_with_its_place() {
     let settings = Conformance::of(&Expectation::plane());
@@ -250,7 +250,7 @@ fn a_panic_is_caught_shrunk_and_shown_with_its_place() {
     let text = found.to_string();
     assert!(text.starts_with("in operator 3, `contract_edge h0`: panicked: a loop ("), "{text}");
     assert!(text.contains("conformance.rs:"), "{text}");
-    // A question that panics is no other thing; and at the start, no operator is named.
+    // A panic in a question is the same difference; at the start, no operator is named.
     let panicking = Faulty { panics_after: Some(10), ..Faulty::new(Fault::None) };
     let failure = settings.run(&found.program, panicking).unwrap_err();
     assert!(
@@ -261,7 +261,7 @@ fn a_panic_is_caught_shrunk_and_shown_with_its_place() {
     assert!(failure.unwrap_err().to_string().starts_with("at the start: "));
 }
 
-/// No program, or programs without operators, once passed.
+/// Regression: no program, or programs without operators, passed.
 #[test]
 fn a_check_without_programs_or_operators_has_tried_nothing() {
     for (programs, operators) in [(0, 40), (200, 0)] {
@@ -304,7 +304,7 @@ fn want_of_room_is_no_fault_unless_it_leaves_a_trace() {
     assert_eq!((failure.before, failure.difference), (3, Difference::NotIsomorphic));
 }
 
-/// Comparing once asked O(n²) questions, and each took the model O(n).
+/// Regression: comparing asked O(n²) questions, each O(n) in the model.
 #[test]
 fn a_step_asks_every_corner_a_few_questions() {
     let subject = Faulty::new(Fault::None);
@@ -320,7 +320,7 @@ fn a_step_asks_every_corner_a_few_questions() {
     for _ in 0..100 {
         step("split_edge h0");
     }
-    // Four of each of the 202 corners, and a few by the operator itself.
+    // Four questions for each of the 202 corners, and a few by the operator itself.
     let questions = step("remove_edge !h0");
     assert_eq!(questions, 4 * 202);
 }

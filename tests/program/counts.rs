@@ -1,4 +1,4 @@
-//! Operators change the counts of a map as the table of operators says.
+//! Operators change the counts of a map as stated in the table of operators.
 
 use quickcheck::{Gen, QuickCheck};
 use std::collections::BTreeSet;
@@ -13,7 +13,7 @@ fn counts(map: &Dcel) -> [usize; 4] {
     [map.vertex_count(), map.edge_count(), map.face_count(), components]
 }
 
-/// The changes that were met, by the name of the operator.
+/// The changes seen, by operator name.
 static MET: Mutex<BTreeSet<(&str, [i8; 4])>> = Mutex::new(BTreeSet::new());
 
 fn as_numbers(change: CountChange) -> [i8; 4] {

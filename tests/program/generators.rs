@@ -1,4 +1,4 @@
-//! Generators and proptest: they draw the operators that have a weight, and failures shrink operator by operator.
+//! Generators and proptest: they draw operators with a weight, and failures shrink operator by operator.
 
 use proptest::arbitrary::{any, any_with};
 use proptest::strategy::{Strategy, ValueTree};
@@ -9,7 +9,7 @@ use twinedge::dcel::Dcel;
 use twinedge::program::choose::Bytes;
 use twinedge::program::*;
 
-/// The same programs every time, and nothing written down.
+/// Runs the same programs every time, and writes no file.
 fn runner() -> TestRunner {
     let config = Config { max_shrink_iters: 100_000, failure_persistence: None, ..Config::default() };
     let rng = TestRng::deterministic_rng(config.rng_algorithm);
@@ -22,7 +22,7 @@ fn run(program: &Program) -> Dcel {
     runner.into_subject()
 }
 
-/// True if some bounded face has a hole that is a cycle.
+/// Tells whether some bounded face has a hole that is a cycle.
 fn has_hole(program: &Program) -> bool {
     run(program).faces().any(|f| !f.is_unbounded() && f.inner().any(|b| b.start().is_some()))
 }
@@ -43,7 +43,7 @@ fn each_operator_comes_as_often_as_its_weight_says() {
     }
     let sum: u32 = counts.values().sum();
     for ((_, share), name) in OpKind::SHARES.iter().zip(Op::NAMES) {
-        // Those of meshes come only when they are asked for.
+        // Operators of meshes are only drawn on request.
         let (expected, found) = (sum * share / 32, counts.get(name).copied().unwrap_or(0));
         assert_eq!(found == 0, *share == 0, "{name}");
         assert!(found.abs_diff(expected) < 30 + expected / 10, "{name}: {found}, not {expected}");
@@ -77,7 +77,7 @@ fn generators_draw_what_they_are_told_and_no_more() {
     for nothing in [Program::generator().only(&[]), Program::generator().length(0..=0)] {
         assert_eq!(nothing.generate(&mut runner).0, []);
     }
-    // A source that has run out answers with zeros, so the length is the least.
+    // An exhausted source answers zeros, so the length is minimal.
     assert_eq!(Program::generator().length(3..=9).generate(&mut Bytes::new(&[])).0.len(), 3);
 }
 
@@ -99,7 +99,7 @@ fn operators_of_meshes_are_drawn_if_they_are_asked_for() {
 fn bytes_are_as_many_operators_as_they_are_enough_for() {
     let split = Program::generator().only(&[OpKind::SplitEdge]).weight(OpKind::SplitEdge, 1).length(1..=1);
     let text = |generator: &Generator, bytes: &[u8]| generator.decode(bytes).to_string();
-    // The bound on the number is for `generate`.
+    // The bound on the number applies only to `generate`.
     let three = "twinedge program 1\nsplit_edge h3\nsplit_edge !h4\nsplit_edge h0\n";
     assert_eq!(text(&split, &[0, 0, 3, 0, 15, 4, 0]), three);
     assert_eq!(text(&split, &[]), "twinedge program 1\n");

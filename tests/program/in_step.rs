@@ -1,5 +1,5 @@
-//! Whatever a program does, it does the same to the pointer model and to the structure of this crate, with limits and without:
-//! the same refusals, the same map after each step, and never anything for the validator to find.
+//! Every program does the same to the pointer model and to this crate's structure, with limits and without: the same refusals,
+//! the same map after each step, and no violation.
 
 use crate::support::erased::validate;
 use quickcheck::{Arbitrary, Gen, QuickCheck};
@@ -12,7 +12,7 @@ const SIZE: usize = 100;
 const SEED: u64 = 11;
 const TESTS: u64 = 1000;
 
-/// A subject in a run, and how to look at it.
+/// A subject in a run, and a function that inspects it.
 struct Lane<K: Subject> {
     runner: Runner<K>,
     canonizer: Canonizer,
@@ -23,7 +23,7 @@ impl<K: Subject> Lane<K> {
         Self { runner: Runner::new(subject), canonizer: Canonizer::new() }
     }
 
-    /// Runs an operator, and tells what became of it and which map there is now.
+    /// Runs an operator, and returns its outcome and the resulting map.
     fn step(&mut self, op: Op) -> (StepOutcome, Option<Code>) {
         let outcome = self.runner.step(op);
         let report = validate(self.runner.subject(), &Expectation::plane(), Collect::All);
@@ -32,7 +32,7 @@ impl<K: Subject> Lane<K> {
     }
 }
 
-/// The operator after which two subjects no longer agree. One that is full drops out.
+/// Returns the operator after which two subjects differ. A full subject drops out.
 fn first_difference(program: &Program) -> Option<Op> {
     let mut pointer_model = Lane::new(PointerModel::new());
     let mut slots = Lane::new(Dcel::new());
@@ -64,7 +64,7 @@ fn all_subjects_stay_in_step_for_long() {
     QuickCheck::new().rng(Gen::from_size_and_seed(1000, SEED)).tests(10).quickcheck(in_step as fn(Program) -> bool);
 }
 
-/// The programs of the test above leave no operator and no refusal out.
+/// The programs of the test above cover every operator and every refusal.
 #[test]
 fn programs_meet_every_refusal() {
     let mut met: Vec<Refusal> = Vec::new();

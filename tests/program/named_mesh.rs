@@ -1,4 +1,4 @@
-//! Meshes that move their half-edges and store none on the border, put to the test by names that stay.
+//! Meshes that move half-edges and store none on the border, tested through stable names.
 
 use crate::support::erased::validate;
 use crate::support::triangles::{Bug, Triangles};
@@ -40,8 +40,8 @@ fn operators(found: &Counterexample) -> Vec<&str> {
     found.program.0.iter().map(|op| op.name()).collect()
 }
 
-/// Every bug is found on the disc, and the program is made small from the disc on: no number counts beyond the half-edges that there
-/// are, and nothing is left that the bug does not need.
+/// Every bug is found on the disc, and its program shrinks from there: no number exceeds the existing half-edges, and every
+/// remaining operator is necessary.
 #[test]
 fn bugs_are_found_and_their_programs_are_small() {
     for (bug, most) in [(Bug::StaleLeaving, 1), (Bug::ForgetsFan, 4), (Bug::Pinches, 4), (Bug::Panics, 3)] {
@@ -58,7 +58,7 @@ fn bugs_are_found_and_their_programs_are_small() {
     }
 }
 
-/// The advice to use `Named` once answered a flip that did nothing under `Named`.
+/// Regression: advice to use `Named` was given for a flip that did nothing under `Named`.
 #[test]
 fn a_flip_that_does_nothing_is_not_told_of_names() {
     let found = conformance::check(|| named(5, &PYRAMID, Bug::FlipsNothing), &MESH).unwrap_err();
@@ -67,7 +67,7 @@ fn a_flip_that_does_nothing_is_not_told_of_names() {
     assert!(text.contains("in the view, Next of half-edge") && !text.contains("Named"), "{text}");
 }
 
-/// A kernel that loses the data of vertices once passed: which vertex survives a collapse was not compared.
+/// Regression: a kernel that loses the data of vertices passed, since the survivor of a collapse was not compared.
 #[test]
 fn the_vertex_that_survives_a_collapse_is_compared() {
     let settings = Conformance::of(&MESH);
@@ -76,7 +76,7 @@ fn the_vertex_that_survives_a_collapse_is_compared() {
     let found = right(End::Target).unwrap_err();
     assert_eq!(operators(&found), ["mesh_collapse_edge"]);
     assert!(matches!(&found.failure.difference, Difference::Vertex { expected, .. } if expected.len() == 1), "{found}");
-    // Either end will do if nothing is asked for, but not a vertex that is new.
+    // By default either end may survive, but a new vertex may not.
     settings.check(|| named(5, &PYRAMID, Bug::KeepsEither)).unwrap();
     for end in [End::Origin, End::Target] {
         assert!(settings.collapse_keeps(end).check(|| named(5, &PYRAMID, Bug::KeepsEither)).is_err());
@@ -86,14 +86,14 @@ fn the_vertex_that_survives_a_collapse_is_compared() {
     assert!(found.to_string().contains(" and is 5, so what is kept by its handle is lost"), "{found}");
 }
 
-/// A kernel that gives vertices other indices once had no way to be tested.
+/// Regression: kernels that renumber vertices could not be tested.
 #[test]
 fn vertices_may_get_other_handles_if_that_is_said() {
     let settings = Conformance::of(&MESH).without_vertex_handles();
     let summary = settings.check(|| named(5, &PYRAMID, Bug::MakesVertex)).unwrap();
     assert!(summary.of("mesh_collapse_edge").unwrap().applied > 0, "{summary}");
     assert!(summary.not_compared().any(|part| part == NotCompared::VertexHandles), "{summary}");
-    // All else is still compared.
+    // Everything else is still compared.
     assert!(settings.check(|| named(5, &PYRAMID, Bug::ForgetsFan)).is_err());
 }
 
@@ -104,7 +104,7 @@ fn numbers(program: &Program) -> Vec<usize> {
     words.map(|number| number.parse().expect("is a number")).collect()
 }
 
-/// Engines that did not know the start left more operators, and numbers such as `h208` on a mesh of 16 half-edges.
+/// Regression: engines that did not know the start left more operators, and numbers such as `h208` on a mesh of 16 half-edges.
 #[test]
 fn every_engine_shrinks_by_the_start() {
     let make = || named(5, &PYRAMID, Bug::ForgetsFan);
@@ -117,7 +117,7 @@ fn every_engine_shrinks_by_the_start() {
     let most = 4;
     for program in programs.take(10) {
         let small = [
-            // Fuzz targets, quickcheck's `shrink`, which repeats the candidates, and proptest's tree.
+            // Fuzz targets; quickcheck's `shrink`, which repeats the candidates; and proptest's tree.
             settings.run_and_shrink(&program, make).unwrap_err().program,
             generator.shrink(&program, fails),
             shrunk_by_tree(&program, &generator, fails),
@@ -148,12 +148,12 @@ fn a_counterexample_says_which_vertices_a_half_edge_joins() {
     let (h, _) = start.half_edges[k as usize];
     let [origin, target] = [h, mesh.twin(h).unwrap()].map(|h| mesh.origin(h).unwrap());
     assert!(text.contains(&format!("\nmesh_collapse_edge h{k} # {h} ({origin} to {target})\n")), "{text}");
-    // A program is shown that can be read again.
+    // The printed program can be parsed.
     let (_, shown) = text.split_once("choose:\n").unwrap();
     assert_eq!(shown.parse(), Ok(found.program));
 }
 
-/// A kernel may turn an edge either way: in two triangles, both give the same.
+/// A kernel may turn an edge either way: in two triangles the results are equal.
 #[test]
 fn a_flip_may_turn_either_way() {
     struct Clockwise(PointerModel);
@@ -165,7 +165,7 @@ fn a_flip_may_turn_either_way() {
 
         fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
             let Call::MeshFlipEdge { half_edge } = call else { return self.0.apply(call) };
-            // Twice there and once back is once clockwise, with the refusals of the first.
+            // Two turns forward and one back amount to one clockwise turn, with the refusals of the first.
             self.0.apply(call)?;
             let back = Call::FlipEdge { half_edge, turn: Turn::Clockwise };
             self.0.apply(back.clone())?;
@@ -176,7 +176,7 @@ fn a_flip_may_turn_either_way() {
     assert!(summary.of("mesh_flip_edge").unwrap().applied > 0);
 }
 
-/// The same by indices: the first flip is a difference, though the mesh is right, and the message says what to do.
+/// Without names, the first flip is a difference although the mesh is valid, and the message contains advice.
 #[test]
 fn a_mesh_that_moves_half_edges_is_told_of_names() {
     struct ByIndex(Named<Triangles>, Vec<usize>);
@@ -233,7 +233,7 @@ fn a_mesh_that_moves_half_edges_is_told_of_names() {
     assert!(found.to_string().contains("the mesh needs program::mesh::Named"), "{found}");
 }
 
-/// The half-edges that are not stored are there, without face and next, and each half-edge is the same one after an operator.
+/// Half-edges that are not stored exist, without face and next, and each half-edge keeps its identity.
 #[test]
 fn names_stay() {
     let mut mesh = named(5, &PYRAMID, Bug::None);
@@ -254,7 +254,7 @@ fn names_stay() {
         );
     }
     let before: Vec<_> = live(&mesh).into_iter().map(|n| (n, ends(&mesh, n))).collect();
-    // The edge from 0 to the apex is turned: two half-edges are new, all others have their ends.
+    // The edge from 0 to the apex is turned: two half-edges are new, all others keep their ends.
     let spoke = before.iter().find(|(_, ends)| *ends == [Some(0), Some(4)]).unwrap().0;
     assert_eq!(mesh.apply(Call::MeshFlipEdge { half_edge: spoke }), Ok(None));
     let turned: Vec<usize> = live(&mesh).into_iter().filter(|n| *n >= 16).collect();
@@ -267,7 +267,7 @@ fn names_stay() {
         assert!(is_turned != mesh.is_half_edge(*n));
         assert!(is_turned || ends(&mesh, *n) == *ends_before);
     }
-    // An edge of the border collapses, given by the half-edge that is not stored; what started at one end starts at the other.
+    // A border edge collapses, given by the half-edge that is not stored; half-edges that started at one end now start at the other.
     let n = border[0];
     let [from, to] = ends(&mesh, n);
     assert_eq!(mesh.apply(Call::MeshCollapseEdge { half_edge: n }), Ok(None));
@@ -285,7 +285,7 @@ fn names_stay() {
     assert!(!mesh.is_half_edge(usize::MAX) && mesh.twin(usize::MAX).is_none() && mesh.origin(usize::MAX).is_none());
 }
 
-/// A link that still leads to a removed half-edge leads to the number that it had.
+/// A link that still leads to a removed half-edge leads to its former number.
 #[test]
 fn a_link_to_a_removed_half_edge_has_its_number() {
     let found = Conformance::of(&MESH).check(|| named(5, &PYRAMID, Bug::StaleLeaving)).unwrap_err();

@@ -1,4 +1,4 @@
-//! Structures that do not have all operators, or all parts: meshes, surfaces, borders.
+//! Structures without some operators or parts: meshes, surfaces, borders.
 
 use crate::support::erased::validate;
 use crate::support::tables::torus;
@@ -27,19 +27,19 @@ const RING: [[usize; 3]; 6] = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flip {
     Right,
-    /// It turns the other way. On triangles the map is the same, but the half-edge is the other one.
+    /// Turns the other way. On triangles the map is the same, but with the other half-edge.
     Reversed,
-    /// It says that it did, and does nothing.
+    /// Claims success, but does nothing.
     Nothing,
-    /// It leaves the edge and breaks the cycles.
+    /// Leaves the edge and breaks the cycles.
     Breaks,
-    /// It makes another edge, with two vertices of its own.
+    /// Makes another edge, with two new vertices.
     Adds,
-    /// It drops the last edge.
+    /// Drops the last edge.
     Drops,
 }
 
-/// A structure that can only turn edges, as in the finding: no faces, no holes, no unbounded face, nothing else supported.
+/// A structure that can only turn edges, as in the bug report: no faces, no holes, no unbounded face, no other operators.
 struct FlipOnly {
     next: Vec<usize>,
     origin: Vec<usize>,
@@ -111,10 +111,10 @@ impl Subject for FlipOnly {
             }
             _ => {}
         }
-        // Taken out.
+        // Take the edge out.
         let (before_h, before_t, after_h, after_t) = (self.prev(h), self.prev(t), self.next[h], self.next[t]);
         (self.next[before_h], self.next[before_t]) = (after_t, after_h);
-        // And put in: `h` leaves before `x`, `t` before `y`.
+        // Put it in: `h` leaves before `x`, `t` before `y`.
         let (x, y) = match turn {
             Turn::CounterClockwise => (self.next[b], self.next[a]),
             Turn::Clockwise => (a, b),
@@ -158,7 +158,7 @@ fn the_wrong_flip_of_a_structure_that_has_nothing_else_is_called_and_caught() {
     }
 }
 
-/// The map that it was made with, and no operator.
+/// The initial map, without operators.
 struct Inert(Table);
 
 impl View for Inert {
@@ -197,7 +197,7 @@ fn a_run_in_which_nothing_was_applied_fails_unless_it_is_allowed_to() {
     assert!(Conformance::of(&plane).coverage(Coverage::Nothing).check(inert).is_ok());
 }
 
-/// A model that refuses to flip wherever the reference does, and never does anything else: each loop is gone first.
+/// A model that refuses all flips that the reference refuses, and never flips: loops are removed first.
 struct NeverFlips(RawPointers);
 
 impl View for NeverFlips {
@@ -262,10 +262,10 @@ fn the_models_and_the_structure_have_every_operator() {
     check(PointerModel::new, &Expectation::plane()).unwrap();
 }
 
-/// The questions that the runner asks about an edge before it is removed must not stand in for the operator.
+/// The runner's questions about an edge before its removal must not replace the operator.
 #[test]
 fn stale_handles_reach_the_operators_that_remove() {
-    /// Says that it removed an edge that was not there.
+    /// Claims to have removed a missing edge.
     struct Careless(RawPointers);
     impl View for Careless {
         delegate_view!(|this| &this.0);
@@ -303,7 +303,7 @@ fn what_is_not_written_is_not_supported() {
     }
 }
 
-/// A count of what a mesh programmer writes, with imports and without blank lines and comments.
+/// Counts the lines that a mesh programmer writes, including imports but not blank lines and comments.
 #[test]
 fn a_mesh_is_put_to_the_test_in_under_forty_lines() {
     let example = include_str!("../../examples/mesh_conformance.rs");
@@ -324,7 +324,7 @@ fn a_map_that_exists_is_the_start_on_every_structure() {
     let map = runner.into_subject();
     assert!(map.half_edge_count() > 0);
     check(|| map.clone(), &Expectation::plane()).unwrap();
-    // The reference made from a view is that map again, and is itself valid.
+    // The reference made from a view is the same map, and itself valid.
     let start = PointerModel::from_view(&map, &Expectation::plane()).unwrap();
     assert!(canonical::isomorphic(&start.model, &map));
     assert!(validate(&start.model, &Expectation::plane(), Collect::All).is_valid());
@@ -387,7 +387,7 @@ fn a_structure_without_twins_is_refused_by_name() {
     );
 }
 
-/// A structure that has no handle for one of its half-edges.
+/// A structure without a handle for one of its half-edges.
 struct Nameless(FlipOnly);
 
 impl View for Nameless {
@@ -457,7 +457,7 @@ fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
     assert_eq!(model.apply(Call::FlipEdge { half_edge: border, turn: Turn::Clockwise }), Err(Refusal::Border));
     assert_eq!(model.apply(Call::MeshFlipEdge { half_edge: border }), Err(Refusal::Border));
     assert_eq!(model.apply(Call::MeshSplitFace { half_edge: border }), Err(Refusal::Border));
-    // A leaf inside a face, and removed again: the vertex would be isolated.
+    // A leaf inside a face cannot be removed: its vertex would be isolated.
     let leaf = model.make_edge(Call::SplitVertex { from: Corner::At(spoke), to: Corner::At(spoke) }).unwrap();
     assert_eq!(model.apply(Call::RemoveEdge { half_edge: leaf }), Err(Refusal::NotDisc));
     assert_eq!(model.apply(Call::MeshFlipEdge { half_edge: spoke }), Err(Refusal::NotTriangle));
@@ -470,7 +470,7 @@ fn structures_that_use_handles_again_are_not_asked_for_stale_ones() {
     assert!(summary.not_compared().any(|part| part == NotCompared::StaleHandles));
 }
 
-/// A mesh that keeps no `next` on the border, and perhaps no faces.
+/// A mesh without `next` on the border, and perhaps without faces.
 struct Bare {
     mesh: Mesh,
     has_faces: bool,
@@ -515,12 +515,12 @@ fn half_edges_on_the_border_need_no_next() {
             assert!(check(|| make(true), &MESH).is_err());
         }
     }
-    // If it is kept, it is compared.
+    // If it is stored, it is compared.
     let summary = check(|| Mesh::new(6, &RING, false), &MESH).unwrap();
     assert!(summary.not_compared().all(|part| part != NotCompared::BorderNext), "{summary}");
 }
 
-/// A triangle with a loop was half collapsed, and then refused.
+/// Regression: a triangle with a loop was half collapsed, and then refused.
 #[test]
 fn a_collapse_that_is_refused_changes_nothing() {
     for (side, face) in [("left", 0), ("left", 2), ("left", 3), ("right", 0), ("right", 2), ("right", 3)] {

@@ -6,7 +6,7 @@ use twinedge::program::choose::Random;
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Table};
 
-/// Numbers without pattern, always the same.
+/// Pseudorandom numbers, always the same.
 fn noise(count: usize) -> Vec<u8> {
     let mut random = Random::seeded(52);
     (0..count).map(|_| choose::Choose::choose(&mut random, 256) as u8).collect()

@@ -1,4 +1,4 @@
-//! The language of programs: its text, its Rust source, and what the interpreter makes of it.
+//! The language of programs: its text, its Rust source, and its interpretation.
 
 use arbitrary::{Arbitrary, Unstructured};
 use quickcheck::Gen;
@@ -7,7 +7,7 @@ use twinedge::program::*;
 use twinedge::validate::Table;
 use twinedge_trials::RawPointers;
 
-/// Numbers without pattern, always the same.
+/// Pseudorandom numbers, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
     let mut state = seed;
     let mut step = || {
@@ -123,7 +123,7 @@ fn what_is_no_program_is_refused_with_its_place() {
 
 #[test]
 fn rust_source_is_the_program() {
-    // Pasted from the output, so it compiles.
+    // Pasted from the output, so it is known to compile.
     let pasted = "twinedge program 1
     add_isolated_vertex h3
     connect i0 h3 right inner 0,2,15 also !h4
@@ -169,7 +169,7 @@ fn picks_count_in_order_of_creation_and_start_again() {
     for pair in h.chunks(2) {
         assert_eq!(map.half_edge(pair[0]).unwrap().twin().key(), pair[1]);
     }
-    // `h4` was `h0` then; the newest follows it, and the older one follows that.
+    // `h4` was `h0` then; the newest half-edge follows it, and the older one comes after that.
     assert_eq!(map.half_edge(h[0]).unwrap().next().key(), h[4]);
     assert_eq!(map.half_edge(h[4]).unwrap().next().key(), h[2]);
 }
@@ -212,7 +212,7 @@ fn everything_that_is_gone_can_be_asked_for_again_and_is_stale() {
 
 #[test]
 fn every_refusal_can_be_met() {
-    // An edge with a loop at its end, in which lies an isolated vertex; another one outside.
+    // An edge with a loop at its end that contains an isolated vertex; another vertex outside.
     let (runner, _) = run("\
         add_isolated_vertex unbounded\n\
         add_isolated_vertex unbounded\n\
@@ -243,7 +243,7 @@ fn every_refusal_can_be_met() {
 
 #[test]
 fn inner_boundary_components_are_counted_as_their_first_corners_were_made() {
-    // A loop around everything, split off with every choice of what is to go with it.
+    // A loop around everything, split off with every choice of moved components.
     let setup = "\
         add_isolated_vertex unbounded\n\
         add_isolated_vertex unbounded\n\
@@ -273,7 +273,7 @@ fn a_fuzzer_gets_the_program_that_its_bytes_are() {
         assert_eq!(<Program as Arbitrary>::arbitrary_take_rest(Unstructured::new(&bytes)), Ok(program.clone()));
         assert_eq!(<Op as Arbitrary>::arbitrary(&mut Unstructured::new(&bytes)), Ok(program.0[0]));
     }
-    // One operator that took the most bytes there can be.
+    // One operator that takes the maximum number of bytes.
     let longest = [0x06, 0, 0xF1, 0, 7, 0, 0xF1, 0, 1, 0, 0, 31, 0xF1, 0];
     assert_eq!(Program::from_bytes(&longest).0.len(), 1);
     assert_eq!(Program::from_bytes(&longest[..13]).0.len(), 0);
@@ -326,8 +326,7 @@ fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
 
 #[test]
 fn what_remains_of_a_program_goes_on_choosing_the_same() {
-    // `h4` is made by the third operator. Without the second it is `h2`, and the number beyond the end comes down to
-    // it.
+    // The third operator makes `h4`. Without the second operator it is `h2`, and larger numbers are reduced to it.
     let long: Program = "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 ~0\nsplit_edge h0\n\
                          split_edge h1\nremove_edge h10"
         .parse()
@@ -366,7 +365,7 @@ fn what_an_operator_would_choose_can_be_asked() {
     assert_eq!(runner.resolve(op(4)), Ok(call));
     runner.step(op(4));
     runner.step(op(5));
-    // A stale one is chosen like any other.
+    // A stale handle is chosen like any other.
     assert_eq!(runner.resolve(op(6)), Ok(Call::FlipEdge { half_edge: 3, turn: Turn::Clockwise }));
     assert_eq!(runner.resolve(op(7)), Err(StepOutcome::Skipped));
 }

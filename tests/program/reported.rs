@@ -8,7 +8,7 @@ use twinedge_trials::ReportAudit;
 fn holds(make: impl Fn() -> ReportAudit) {
     let mut applied = 0;
     for number in 0..60_u32 {
-        // Any bytes do: a multiplicative generator.
+        // Any bytes will do: a multiplicative generator.
         let mut state = number.wrapping_mul(0x9E37_79B9) | 1;
         let bytes: Vec<u8> = (0..600)
             .map(|_| {

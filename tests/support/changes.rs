@@ -1,10 +1,10 @@
-//! The records that a change has written.
+//! The records written by a change.
 
 use twinedge::validate::Table;
 use twinedge::validate::near::WriteSet;
 use twinedge_trials::enumerate::Cell;
 
-/// The record that has the cell.
+/// Adds the record that contains the cell.
 pub(crate) fn note(written: &mut WriteSet, cell: Cell) {
     match cell {
         Cell::Origin(h) | Cell::Twin(h) | Cell::Next(h) | Cell::Prev(h) | Cell::Boundary(h) | Cell::Face(h) => {
@@ -17,7 +17,7 @@ pub(crate) fn note(written: &mut WriteSet, cell: Cell) {
     }
 }
 
-/// All records that differ.
+/// Returns all records that differ.
 pub(crate) fn difference(before: &Table, after: &Table) -> WriteSet {
     fn rows<R: PartialEq>(before: &[Option<R>], after: &[Option<R>]) -> Vec<usize> {
         let row = |rows: &[Option<R>], i: usize| -> Option<usize> { rows.get(i)?.as_ref().map(|_| i) };

@@ -1,5 +1,5 @@
-//! The validators through a pointer. Each is compiled once in a test binary then, and not for every structure: it is most of what
-//! the tests compile.
+//! The validators called through a trait object. They are then compiled once per test binary instead of once per structure, which
+//! is most of the compile time.
 
 use twinedge::validate::{Collect, Expectation, Report, Rule, View, reference};
 

@@ -4,30 +4,30 @@ use std::cell::Cell;
 use twinedge::delegate_view;
 use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
 
-/// A table that gives so many consistent answers, and then pseudorandom ones, different each time. It panics where it is
-/// asked about a slot that it does not have.
+/// A table that answers consistently a number of times, and then pseudorandomly, differently each time. It panics when
+/// asked about a missing slot.
 pub(crate) struct Inconsistent<'a> {
     pub(crate) table: &'a Table,
     pub(crate) questions: Cell<u64>,
-    /// The last length of a list that it answered.
+    /// The last list length that it answered.
     listed: Cell<usize>,
     consistent_answers: u64,
     seed: u64,
 }
 
 impl<'a> Inconsistent<'a> {
-    /// One whose answers are those of the table so many times.
+    /// Answers like the table `consistent_answers` times.
     pub(crate) fn new(table: &'a Table, consistent_answers: u64, seed: u64) -> Self {
         Self { table, questions: Cell::new(0), listed: Cell::new(0), consistent_answers, seed }
     }
 
-    /// The answer of the table while answers are consistent, then an index from 0 to `n` or nil.
+    /// The table's answer while answers are consistent, then an index from 0 to `n` or nil.
     fn link(&self, answer: Link, n: usize) -> Link {
         let noise = self.noise()?;
         if noise == u64::MAX { answer } else { Some((noise % (n as u64 + 1)) as usize) }
     }
 
-    /// [`u64::MAX`] while answers are consistent; then pseudorandom, and one time in 16 none.
+    /// [`u64::MAX`] while answers are consistent; then pseudorandom, and `None` one time in 16.
     pub(crate) fn noise(&self) -> Option<u64> {
         let asked = self.questions.get() + 1;
         self.questions.set(asked);

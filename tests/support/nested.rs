@@ -25,7 +25,7 @@ pub(crate) fn nested() -> Table {
     map(7, &HALF_EDGES, &FACES)
 }
 
-/// The same in the form of the textbook.
+/// The triangles in the form of the textbook.
 pub(crate) fn nested_textbook() -> Table {
     textbook_map(7, &HALF_EDGES, &FACES)
 }

@@ -1,9 +1,9 @@
-//! A view that panics where its contract promises that it is not asked.
+//! A view that panics on calls that its contract rules out.
 
 use twinedge::delegate_view;
 use twinedge::validate::{BoundaryPlace, Link, Start, View};
 
-/// Answers as the view does, and panics where it is asked about a vacant slot, or beyond the end of a list.
+/// Answers like the view, but panics when asked about a vacant slot, or beyond the end of a list.
 pub(crate) struct OnlyLive<'a, V>(pub(crate) &'a V);
 
 impl<V: View> OnlyLive<'_, V> {

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use twinedge::validate::reference::{Disagreement, compare, compare_first};
 use twinedge::validate::{Collect, Expectation, Report, Rule, View};
 
-/// The rules that the report says are broken.
+/// The rules broken according to the report.
 pub(crate) fn broken(report: &Report) -> Vec<Rule> {
     report.broken_rules().collect()
 }
@@ -26,7 +26,7 @@ pub(crate) fn agree<V: View + Debug>(view: &V, expectation: Expectation) -> Opti
     agreed(compare::<dyn View>(view, &expectation), view, expectation)
 }
 
-/// The same for very many structures: only the first broken rule is compared.
+/// Asserts agreement on the first broken rule only, for very many structures.
 pub(crate) fn agree_on_first<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
     agreed(compare_first::<dyn View>(view, &expectation), view, expectation)
 }

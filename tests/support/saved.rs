@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-/// Calls with the document after each change of one number, of one text, or of the order of two entries of a list, and with the place
-/// of the change.
+/// Calls `visit` with the document after each change of one number, one text, or the order of two list entries, and with the place of
+/// the change.
 pub(crate) fn each_change(saved: &Value, mut visit: impl FnMut(&str, Value)) {
     let mut places = Vec::new();
     collect(saved, String::new(), &mut places);
@@ -16,7 +16,7 @@ pub(crate) fn each_change(saved: &Value, mut visit: impl FnMut(&str, Value)) {
     }
 }
 
-/// The places of all values in a value, itself included.
+/// Collects the places of all values in a value, including itself.
 fn collect(value: &Value, place: String, places: &mut Vec<String>) {
     let entries: Vec<(String, &Value)> = match value {
         Value::Array(list) => list.iter().enumerate().map(|(i, value)| (i.to_string(), value)).collect(),

@@ -1,20 +1,20 @@
-//! Tables, written down the short way.
+//! Tables in a short notation.
 
 use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow};
 
-/// The parts of the tables of the textbook.
+/// The parts of textbook tables.
 pub(crate) const TEXTBOOK: Parts = Parts::ALL.without(Part::BoundaryComponents);
 
-/// A face in the short way: a half-edge of its outer cycle, and where its inner boundary components start.
+/// A face in short: a half-edge of its outer cycle, and the starts of its inner boundary components.
 pub(crate) type ShortFace<'a> = (Option<usize>, &'a [Start]);
 
-/// A map with this origin and next for each half-edge, the twins being 0 and 1, 2 and 3, …, and these faces, with
-/// records for its boundary components, numbered as the faces list them.
+/// A map with this origin and next for each half-edge, where 0 and 1, 2 and 3, … are twins, and with these faces. It
+/// has records for boundary components, numbered in the order of the lists.
 pub(crate) fn map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
     with_boundary_components(&textbook_map(vertices, half_edges, faces))
 }
 
-/// The same in the form of the textbook, without records for boundary components.
+/// The map in the form of the textbook, without records for boundary components.
 pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
     let mut table = Table {
         parts: TEXTBOOK,
@@ -56,7 +56,7 @@ pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces
 /// The triangles of a tetrahedron.
 pub(crate) const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
 
-/// The triangles of a torus: two for each square of a grid that is closed in both directions.
+/// The triangles of a torus: two for each square of a grid closed in both directions.
 pub(crate) fn torus([columns, rows]: [usize; 2]) -> Vec<[usize; 3]> {
     let at = |x: usize, y: usize| x % columns + columns * (y % rows);
     let squares = (0..columns).flat_map(|x| (0..rows).map(move |y| (x, y)));
@@ -64,17 +64,17 @@ pub(crate) fn torus([columns, rows]: [usize; 2]) -> Vec<[usize; 3]> {
     corners.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()
 }
 
-/// Seven vertices, all joined: the torus of Möbius.
+/// Seven vertices, all adjacent: Möbius' torus.
 pub(crate) fn k7() -> Table {
     mesh(7, &[0, 1, 2, 3, 4, 5, 6].map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).concat())
 }
 
-/// A mesh of these triangles, each a face with that outer boundary component, no two with a side in the same direction.
+/// A mesh of these triangles, each with an outer boundary component. No two share a side in the same direction.
 pub(crate) fn mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
     with_boundary_components(&textbook_mesh(vertices, triangles))
 }
 
-/// The same in the form of the textbook.
+/// The mesh in the form of the textbook.
 pub(crate) fn textbook_mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
     let sides = |[a, b, c]: [usize; 3]| [(a, b), (b, c), (c, a)];
     let mut pairs: Vec<(usize, usize)> = vec![];
@@ -96,7 +96,7 @@ pub(crate) fn textbook_mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table 
     textbook_map(vertices, &half_edges, &faces)
 }
 
-/// A textbook table with records for its boundary components instead: one for each entry of the list of each face.
+/// Adds records for boundary components to a textbook table: one for each list entry.
 pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
     let mut table = Table { parts: Parts::ALL, ..textbook.clone() };
     for half_edge in table.half_edges.iter_mut().flatten() {
@@ -133,7 +133,7 @@ fn listed(table: &Table) -> Vec<(usize, BoundaryPlace, Start)> {
     listed
 }
 
-/// The half-edges of the cycle that starts there; none at an isolated vertex.
+/// The half-edges of the cycle that starts there; empty for an isolated vertex.
 fn cycle(table: &Table, start: Start) -> Vec<usize> {
     let Start::HalfEdge(start) = start else {
         return vec![];
@@ -147,29 +147,29 @@ fn cycle(table: &Table, start: Start) -> Vec<usize> {
     cycle
 }
 
-/// The row of a half-edge, to change it.
+/// The row of a half-edge, for changing it.
 pub(crate) fn half_edge(table: &mut Table, h: usize) -> &mut HalfEdgeRow {
     table.half_edges[h].as_mut().unwrap()
 }
 
-/// The row of a vertex, to change it.
+/// The row of a vertex, for changing it.
 pub(crate) fn vertex(table: &mut Table, v: usize) -> &mut VertexRow {
     table.vertices[v].as_mut().unwrap()
 }
 
-/// The row of a boundary component, to change it.
+/// The row of a boundary component, for changing it.
 pub(crate) fn boundary(table: &mut Table, b: usize) -> &mut BoundaryRow {
     table.boundaries[b].as_mut().unwrap()
 }
 
-/// The row of a face, to change it.
+/// The row of a face, for changing it.
 pub(crate) fn face(table: &mut Table, f: usize) -> &mut FaceRow {
     table.faces[f].as_mut().unwrap()
 }
 
 /// Tables that store less.
 pub(crate) trait Without {
-    /// The same table, of which the part is not stored.
+    /// Returns the table without this part.
     fn without(&self, part: Part) -> Self;
 }
 

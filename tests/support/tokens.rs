@@ -1,4 +1,4 @@
-//! Attributes of tokens, each of which is made once: what follows neither loses nor doubles one.
+//! Attributes of unique tokens: policies must neither lose nor duplicate one.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -8,7 +8,7 @@ use twinedge::dcel::{Attribute, Attributed, Corners, Dcel, Edges, Faces, HalfEdg
 
 pub(crate) type Tokens = Vec<u64>;
 
-/// The tokens that were made and dropped, of one kind of record.
+/// The tokens made and dropped for one kind of record.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Mint {
     made: Arc<AtomicU64>,
@@ -23,7 +23,8 @@ impl Mint {
         self.made.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Parts share, merged records join, and made ones get a new token. Every so many tokens one is refused, if some are.
+    /// Parts share tokens, merged records join them, and new records get a new one. If `refuses` is not 0, every
+    /// `refuses`-th token is refused.
     pub(crate) fn policy<K: Attributed>(&self, policy: Policy<K, Tokens>, refuses: u64) -> Policy<K, Tokens> {
         let (mint, drain) = (self.clone(), self.clone());
         let refuse = move |tokens: &Tokens| {
@@ -102,7 +103,7 @@ impl Handles {
         ]
     }
 
-    /// Each record has a value, and nothing else has; no token is lost, and none is there twice.
+    /// Checks that exactly the records have values, and that no token is lost or duplicated.
     pub(crate) fn check(self, dcel: &Dcel, mints: &Mints) {
         let values = self.values(dcel);
         let edges = dcel.edge_count();
@@ -122,12 +123,12 @@ impl Handles {
 }
 
 impl Mint {
-    /// The numbers of tokens that were made and dropped.
+    /// Returns the numbers of tokens made and dropped.
     pub(crate) fn counts(&self) -> [usize; 2] {
         [self.made.load(Ordering::Relaxed) as usize, self.dropped.lock().unwrap().len()]
     }
 
-    /// These are all tokens that were made and not dropped, each once.
+    /// Checks that these are all tokens made and not dropped, each once.
     pub(crate) fn check(&self, mut tokens: Tokens) {
         tokens.extend(self.dropped.lock().unwrap().iter());
         tokens.sort_unstable();
@@ -138,7 +139,7 @@ impl Mint {
         self.dropped.lock().unwrap().contains(&token)
     }
 
-    /// So many tokens that faces can share them.
+    /// Enough tokens for faces to share.
     pub(crate) fn purse(&self) -> Tokens {
         (0..40).map(|_| self.token()).collect()
     }

@@ -1,4 +1,4 @@
-//! A structure of which every change is checked against what the operator said of it.
+//! A structure whose every change is compared with the operator's report.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 #![allow(clippy::infinite_iter, reason = "the cycle of a half-edge has nothing to do with `Iterator::cycle`")]
 
@@ -37,7 +37,7 @@ impl Keys {
             && self.faces.iter().all(|k| map.face(*k).is_ok())
     }
 
-    /// Returns true if none does.
+    /// Returns true if none of these keys resolves.
     pub(crate) fn are_stale(&self, map: &Dcel) -> bool {
         self.vertices.iter().all(|k| map.vertex(*k).is_err())
             && self.half_edges.iter().all(|k| map.half_edge(*k).is_err())
@@ -80,8 +80,8 @@ impl Keys {
     }
 }
 
-/// A structure. After each operator it is valid, and has the keys that it had, with those reported made and without
-/// those reported dropped. After one that refuses it is as it was.
+/// A structure that is checked after each operator: it must be valid, with the old keys plus those reported made, minus
+/// those reported dropped. A refused operator must change nothing.
 #[derive(Clone, Default)]
 pub(crate) struct Tracked {
     pub(crate) map: Dcel,
@@ -124,7 +124,7 @@ impl Tracked {
         self.map.half_edge(h).unwrap().boundary().is_outer()
     }
 
-    /// The boundary components that a face lists as inner ones.
+    /// The inner boundary components of a face.
     pub(crate) fn inner(&self, f: FaceKey) -> BTreeSet<BoundaryKey> {
         self.map.face(f).unwrap().inner().map(Boundary::key).collect()
     }
@@ -139,7 +139,7 @@ impl Tracked {
         [self.map.vertex_count(), self.map.edge_count(), self.map.face_count(), components]
     }
 
-    /// A polygon in a face: its half-edges with the inside to their left.
+    /// Makes a polygon in a face; returns its half-edges with the inside to their left.
     pub(crate) fn polygon(&mut self, f: FaceKey, corners: usize) -> Vec<HalfEdgeKey> {
         let v = self.add(f).vertex;
         let mut sides = vec![self.connect(v, v, Split::default()).half_edge];
@@ -149,12 +149,12 @@ impl Tracked {
         sides
     }
 
-    /// An edge from the corner of `h` to a new vertex.
+    /// Makes an edge from the corner of `h` to a new vertex.
     pub(crate) fn leaf(&mut self, h: HalfEdgeKey) -> HalfEdgeKey {
         self.split_vertex(h, h).half_edge
     }
 
-    /// An edge in a face, alone.
+    /// Makes a separate edge in a face.
     pub(crate) fn edge(&mut self, f: FaceKey) -> HalfEdgeKey {
         let v = self.add(f).vertex;
         self.split_vertex(v, v).half_edge
@@ -332,7 +332,7 @@ impl Tracked {
         error
     }
 
-    /// Runs an operator; `made_and_dropped` reads these off what it said, and checks the rest.
+    /// Runs an operator; `made_and_dropped` extracts these from its report, and checks the rest.
     fn run<T: std::fmt::Debug>(
         &mut self,
         operator: impl FnOnce(&mut Dcel) -> Result<T, OperatorError>,

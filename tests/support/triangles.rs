@@ -1,4 +1,4 @@
-//! A mesh in which `next` is arithmetic, so that its operators move half-edges, and in which nothing is stored on the border.
+//! A mesh with arithmetic `next`, so its operators move half-edges, and without stored border half-edges.
 
 use std::collections::BTreeSet;
 use twinedge::program::Refusal;
@@ -9,23 +9,23 @@ use twinedge::view_answers;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bug {
     None,
-    /// A collapse leaves the vertex opposite with a half-edge of the triangle that is gone.
+    /// A collapse leaves the opposite vertex with a half-edge of the removed triangle.
     StaleLeaving,
-    /// A collapse moves the triangles on one side of a border only.
+    /// A collapse moves only the triangles on one side of a border.
     ForgetsFan,
     /// An inner edge between two vertices of the border collapses.
     Pinches,
-    /// A flip says that it did, and does nothing.
+    /// A flip claims success, but does nothing.
     FlipsNothing,
-    /// A collapse keeps the target where the edge is inside, and the origin on the border.
+    /// A collapse keeps the target of an inner edge, and the origin on the border.
     KeepsEither,
-    /// A collapse makes a vertex that is new.
+    /// A collapse makes a new vertex.
     MakesVertex,
     /// A split panics at vertices of degree 6 or more.
     Panics,
 }
 
-/// Half-edge `h` belongs to triangle `h / 3`, and `next` leads around that.
+/// Half-edge `h` belongs to triangle `h / 3`, and `next` leads around it.
 #[derive(Clone, Debug)]
 pub(crate) struct Triangles {
     target: Vec<usize>,
@@ -91,7 +91,7 @@ impl Triangles {
         if self.is_live.get(h) == Some(&true) { Ok(()) } else { Err(Refusal::Stale) }
     }
 
-    /// `a` and `b` leave the same vertices as before, and two other half-edges have become the edge between the vertices opposite.
+    /// `a` and `b` leave the same vertices as before, and two other half-edges form the edge between the opposite vertices.
     pub(crate) fn flip(&mut self, a: usize) -> Result<(), Refusal> {
         self.check(a)?;
         let b = self.twin[a].ok_or(Refusal::Border)?;
@@ -127,7 +127,7 @@ impl Triangles {
         Ok(())
     }
 
-    /// Splits the triangle of `a`, which ends at the new vertex then. Gives the half-edge from there to where `a` ended.
+    /// Splits the triangle of `a`, which then ends at the new vertex. Returns the half-edge from there to the old target of `a`.
     fn split_side(&mut self, a: usize, middle: usize) -> usize {
         let (v, w, after) = (self.target[a], self.target[next(a)], next(a));
         let new = self.add([v, w, middle]);
@@ -139,7 +139,7 @@ impl Triangles {
         new
     }
 
-    /// The target becomes the origin.
+    /// Merges the target into the origin.
     pub(crate) fn collapse(&mut self, a: usize) -> Result<(), Refusal> {
         self.check(a)?;
         let (u, v) = (self.origin_of(a), self.target[a]);
@@ -148,7 +148,7 @@ impl Triangles {
         let common: BTreeSet<usize> = self.neighbours(u).intersection(&self.neighbours(v)).copied().collect();
         let is_inner = sides.len() == 2;
         let pinches = is_inner && self.is_on_border(u) && self.is_on_border(v) && self.bug != Bug::Pinches;
-        // A triangle both other sides of which are on the border, and a tetrahedron.
+        // A triangle with both other sides on the border, and a tetrahedron.
         let is_last = sides.iter().any(|side| match (self.twin[next(*side)], self.twin[prev(*side)]) {
             (None, None) => true,
             (Some(s), Some(t)) => self.target[next(s)] == self.target[next(t)],

@@ -1,10 +1,10 @@
-//! A table that counts how often it is asked.
+//! A table that counts questions.
 
 use std::cell::Cell;
 use twinedge::delegate_view;
 use twinedge::validate::{Link, Start, Table, View};
 
-/// Answers as the table does, and counts some of the questions.
+/// Answers like the table, and counts some of the questions.
 pub(crate) struct Watched<'a, C = fn(usize) -> Option<usize>> {
     pub(crate) table: &'a Table,
     pub(crate) twin: Cell<usize>,
@@ -12,19 +12,19 @@ pub(crate) struct Watched<'a, C = fn(usize) -> Option<usize>> {
     pub(crate) prev: Cell<usize>,
     pub(crate) inner_count: Cell<usize>,
     pub(crate) inner: Cell<usize>,
-    /// The length of a list that it claims instead of its own, given how often it has been asked.
+    /// The list length claimed instead of the true one, given the number of questions so far.
     pub(crate) claims: C,
 }
 
 impl<'a> Watched<'a> {
-    /// One that answers as the table does.
+    /// Answers exactly like the table.
     pub(crate) fn new(table: &'a Table) -> Self {
         Self::claiming(table, |_| None)
     }
 }
 
 impl<'a, C: Fn(usize) -> Option<usize>> Watched<'a, C> {
-    /// One that answers as the table does, except for the length of its lists.
+    /// Answers like the table, except for list lengths.
     pub(crate) fn claiming(table: &'a Table, claims: C) -> Self {
         let [twin, next, prev, inner_count, inner] = [const { Cell::new(0) }; 5];
         Self { table, twin, next, prev, inner_count, inner, claims }
@@ -54,7 +54,7 @@ impl<C: Fn(usize) -> Option<usize>> View for Watched<'_, C> {
     fn inner_count(&self, face: usize) -> usize {
         (self.claims)(count(&self.inner_count)).unwrap_or_else(|| self.table.inner_count(face))
     }
-    /// Of a list that is longer than it is, the last entry comes over and over.
+    /// Beyond the true end of a list, repeats the last entry.
     fn inner(&self, face: usize, position: usize) -> Link {
         count(&self.inner);
         self.table.inner(face, position.min(self.table.inner_count(face).saturating_sub(1)))

@@ -1,5 +1,5 @@
-//! Views that answer anything: the validator returns, and refuses them. No answer makes it panic, ask about a slot that is
-//! not there, or go on for ever.
+//! Views with arbitrary answers: the validator terminates and refuses them. No answer makes it panic, ask about a missing
+//! slot, or loop.
 
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
@@ -18,7 +18,7 @@ use twinedge_trials::forms::Form;
 
 const SURFACE: Expectation = Expectation::surface();
 
-/// All the forms that make a difference to which code runs.
+/// The forms that exercise different code.
 fn forms() -> Vec<Form> {
     let mut all = vec![];
     for claims in [PLANE, SURFACE] {
@@ -101,7 +101,7 @@ fn every_link_leads_to_one_record() {
     }
 }
 
-/// A loop in a loop beside a vertex, in either form: every question has an answer in it.
+/// Two nested loops and a vertex, in either form: every question has an answer.
 fn loops() -> Table {
     let (outside, between) = ([Start::HalfEdge(1), Start::Vertex(2)], [Start::HalfEdge(3)]);
     let half_edges = [(0, 0), (0, 1), (1, 2), (1, 3)];
@@ -116,8 +116,7 @@ fn loops() -> Table {
     table
 }
 
-/// However many answers are consistent before they begin to change: only a few questions more are asked, and none about
-/// slots that are not there.
+/// Answers that change after any number of consistent ones only cause a few more questions, none about missing slots.
 #[test]
 fn answers_may_change_from_call_to_call() {
     let table = loops();
@@ -137,7 +136,7 @@ fn answers_may_change_from_call_to_call() {
     }
 }
 
-/// The same of checks near a change: of every record, and of a few.
+/// Answers may also change during checks near a change, of every record and of a few.
 #[test]
 fn answers_may_change_while_a_change_is_checked() {
     let table = loops();
@@ -161,8 +160,8 @@ fn answers_may_change_while_a_change_is_checked() {
     }
 }
 
-/// `next` is a permutation when R1 and L2 read it, and another one when T3 counts its cycles: the only way to a surface
-/// that does not exist, because where L and V2 hold, the numbers of a component are those of a surface.
+/// `next` is a permutation when R1 and L2 read it, and a different one when T3 counts its cycles. Otherwise no invalid
+/// surface is possible, since where L and V2 hold, the counts of a component belong to a surface.
 #[test]
 fn a_surface_that_does_not_exist() {
     struct Changing(Cell<usize>, [usize; 2]);
@@ -180,7 +179,7 @@ fn a_surface_that_does_not_exist() {
             },
         }
     }
-    // One change makes the fast path give up, and the other one comes when the cycles are counted.
+    // One change makes the fast path fail, and the other one comes while cycles are counted.
     let changes = (1..10).flat_map(|once| (once..40).map(move |from| [once, from]));
     let reports = changes.map(|when| validate(&Changing(Cell::new(0), when), &SURFACE, Collect::All));
     let odd: Vec<_> = reports.filter(|report| broken(report) == [Rule::T3]).collect();
@@ -189,7 +188,7 @@ fn a_surface_that_does_not_exist() {
     assert!(odd.iter().all(|report| report.violations() == [violation]));
 }
 
-/// Twice and four times the records cost twice and four times the questions, whether the structure is valid or not.
+/// Twice and four times the records take twice and four times the questions, for valid and invalid structures.
 #[test]
 fn the_work_is_linear() {
     assert_eq!(validate(&mesh(30, &torus([3, 10])), &SURFACE, Collect::All).figures().unwrap().genus, 1);
@@ -210,7 +209,7 @@ fn the_work_is_linear() {
     ];
     for corrupt in corruptions {
         let [one, two, four] = [10, 20, 40].map(|length| questions(length, corrupt));
-        // Questions asked once, before a violation is found, cancel out in the differences.
+        // Questions asked only once, before a violation is found, cancel in the differences.
         assert!((four - two).abs_diff(2 * (two - one)) < 10, "{one} {two} {four}");
     }
 }
@@ -221,20 +220,20 @@ fn a_consistent_table_is_valid() {
     assert_eq!(agree(&loops().without(Part::BoundaryComponents), PLANE), None);
 }
 
-/// The table whole, open, and without one part.
+/// The whole table, open, and without one part.
 fn forms_of(whole: Table) -> [(Table, Expectation); 4] {
     let [without_prev, without_places] = [Part::Prev, Part::Places].map(|part| whole.without(part));
     [(whole.clone(), PLANE.open()), (whole, PLANE), (without_prev, PLANE), (without_places, PLANE)]
 }
 
-/// Links may lead one past the end, or anywhere else: no question is asked about what is there.
+/// Links may lead past the end, or anywhere else: no question concerns missing slots.
 #[test]
 fn no_question_about_a_slot_that_is_not_there() {
     for (mut table, expectation) in [nested(), nested_textbook()].into_iter().flat_map(forms_of) {
         let (mut changes, parts) = (0, table.parts);
         for_each_corruption(&mut table, parts, |changed, _, _| {
             changes += 1;
-            // It panics where it is asked about something else.
+            // The view panics on any other question.
             let report = validate(&Inconsistent::new(changed, u64::MAX, 0), &expectation, Collect::All);
             assert_eq!(report, validate(changed, &expectation, Collect::All));
         });
@@ -249,15 +248,15 @@ struct StaleSlots {
 }
 
 impl StaleSlots {
-    /// The last slots must be vacant, of boundary components the last two. They answer with the fields of the first ones,
-    /// the last face with those of the second.
+    /// The last slots must be vacant, for boundary components the last two. They answer with the fields of the first ones,
+    /// and the last face with the fields of the second.
     fn by(live: &Table) -> Self {
         let live = live.clone();
         let mut rows = live.clone();
         *rows.vertices.last_mut().unwrap() = rows.vertices[0];
         *rows.half_edges.last_mut().unwrap() = rows.half_edges[0];
         let n = rows.boundaries.len();
-        // A cycle and an isolated vertex, where there are boundary components.
+        // A cycle and an isolated vertex, if boundary components are stored.
         (rows.boundaries[n - 1], rows.boundaries[n - 2]) = (rows.boundaries[0], rows.boundaries[3 % n]);
         rows.faces.pop();
         rows.faces.push(rows.faces[1].clone());
@@ -291,7 +290,7 @@ fn answers_for_vacant_slots_do_not_matter() {
     }
 }
 
-/// A table that lends other links than it answers: origin, next, prev and boundary.
+/// A table that lends links different from its answers: origin, next, prev and boundary.
 struct Lying<'a> {
     table: &'a Table,
     columns: [Vec<u32>; 4],

@@ -1,4 +1,4 @@
-//! The comparison of both validators finds differences, and says which.
+//! The comparison of both validators finds and identifies differences.
 
 use crate::support::nested::{PLANE, nested};
 use crate::support::tables::{half_edge, vertex};
@@ -7,7 +7,7 @@ use twinedge::delegate_view;
 use twinedge::validate::reference::{Disagreement, broken_rules, compare, compare_first, disagreement};
 use twinedge::validate::{Collect, Link, Rule, Table, View, validate};
 
-/// A table whose twins are right so many times, and then nil.
+/// A table whose twins are correct a number of times, and then nil.
 struct Forgetful<'a>(&'a Table, Cell<usize>);
 
 impl View for Forgetful<'_> {
@@ -47,7 +47,7 @@ fn a_later_rule_on_which_they_differ_is_named() {
     let with_more = [&broken[..], &[Rule::F1]].concat();
     let difference = disagreement(&report, &with_more).unwrap();
     assert_eq!(difference, Disagreement::LaterRule { rule: Rule::F1, fast: false });
-    // A rule that the fast validator declines to check is not compared.
+    // A rule that the fast validator does not check is not compared.
     assert_eq!(disagreement(&report, &without(Rule::V2)), None);
 }
 

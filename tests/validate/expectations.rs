@@ -1,4 +1,4 @@
-//! Expectations: each accepts the structures that it should, and the report says what is not checked.
+//! Expectations: each accepts the right structures, and the report lists the unchecked rules.
 
 use crate::support::erased::validate;
 use crate::support::opinions::agree;
@@ -15,7 +15,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 const PLANE: Expectation = Expectation::plane();
 const MESH: Expectation = Expectation::surface();
 
-/// The figures, after both validators agreed on the table and on every change of one field of it.
+/// Returns the figures, after both validators agreed on the table and on every change of one of its fields.
 #[track_caller]
 fn figures(table: &Table, expectation: Expectation) -> Figures {
     let report = validate(table, &expectation, Collect::All);
@@ -35,7 +35,7 @@ fn violations(table: &Table, expectation: Expectation) -> Vec<Violation> {
     validate(table, &expectation, Collect::All).violations().to_vec()
 }
 
-/// The reasons why rules were not checked.
+/// Returns the unchecked rules with their reasons.
 fn not_checked(table: &Table, expectation: Expectation) -> Vec<(Rule, Unchecked)> {
     let report = validate(table, &expectation, Collect::All);
     report.outcomes().filter_map(|(rule, outcome)| Some((rule, outcome.unchecked?))).collect()
@@ -49,12 +49,12 @@ fn a_mesh_without_prev() {
     }
     let found = figures(&table.without(Part::Prev), MESH);
     assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 4, 4, 0));
-    // With the links demanded, each is missing.
+    // If the links are required, each is missing.
     let nil = |h| Violation::Nil { record: Record::HalfEdge(h), field: Field::Prev };
     assert_eq!(violations(&table, MESH), (0..12).map(nil).collect::<Vec<_>>());
 }
 
-/// The triangle of face 3 is missing, and its half-edges are there but have no face.
+/// The triangle of face 3 is missing, but its half-edges exist without a face.
 #[test]
 fn a_mesh_with_a_border_of_half_edges_without_face() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
@@ -67,12 +67,12 @@ fn a_mesh_with_a_border_of_half_edges_without_face() {
     assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: &usize| Violation::Nil { record: Record::HalfEdge(*h), field: Field::Face };
     assert_eq!(violations(&table, MESH), border.iter().map(nil).collect::<Vec<_>>());
-    // A face that a border half-edge names all the same changes along the border.
+    // A face that all half-edges of a border name still changes along the border.
     half_edge(&mut table, border[0]).face = Some(0);
     assert_eq!(agree(&table, MESH.open()), Some(Rule::B1));
 }
 
-/// The triangle of face 3 is missing together with its half-edges, so that their twins have none.
+/// The triangle of face 3 is missing with its half-edges, so their twins have none.
 #[test]
 fn a_mesh_with_a_border_of_half_edges_without_twin() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
@@ -91,15 +91,15 @@ fn a_mesh_with_a_border_of_half_edges_without_twin() {
     let nil = |h: usize| Violation::Nil { record: Record::HalfEdge(h), field: Field::Twin };
     let expected: Vec<_> = (0..12).filter(|h| missing.contains(&(h ^ 1))).map(nil).collect();
     assert_eq!(violations(&table, MESH), expected);
-    // Nor can somebody have a twin that has none.
+    // Nor can a half-edge name a twin that has none.
     half_edge(&mut table, missing[0] ^ 1).twin = Some(missing[1] ^ 1);
     assert_eq!(agree(&table, MESH.open()), Some(Rule::L1));
 }
 
-/// A border has one of two forms. A half-edge of neither form, with a missing twin and a missing face, bounds nothing.
+/// A border has one of two forms. A half-edge with neither twin nor face bounds nothing.
 #[test]
 fn r1_at_a_border_twin_and_face_are_not_both_missing() {
-    // A face and its whole cycle, on its own: the half-edges have no twins. Then they lose their face, too.
+    // A separate face with its whole cycle: the half-edges have no twins. Then they also lose their face.
     let row = |h: usize| HalfEdgeRow {
         origin: Some(h),
         next: Some((h + 1) % 3),
@@ -115,9 +115,9 @@ fn r1_at_a_border_twin_and_face_are_not_both_missing() {
     for expectation in [MESH, PLANE] {
         assert_eq!(agree(&table.without(Part::UnboundedFace), expectation.open()), Some(Rule::R1));
     }
-    // Without faces there is no face to miss.
+    // Without faces no face is missing.
     assert_eq!(figures(&table.without(Part::Faces), MESH.open()).borders, 1);
-    // With one of the two links it is a border of the one form, and with two such triangles back to back of the other.
+    // With one of the two links it is a border of the first form, and with two such triangles back to back of the second.
     for h in 0..3 {
         half_edge(&mut table, h).face = Some(0);
     }
@@ -138,7 +138,7 @@ fn r1_at_a_border_twin_and_face_are_not_both_missing() {
     assert_eq!((found.borders, found.cycles), (1, 1));
 }
 
-/// An edge of a tetrahedron is cut open: two half-edges without twin side by side, parallel edges to the eye of T4.
+/// An edge of a tetrahedron is cut open: two half-edges without twin, which T4 counts as parallel edges.
 #[test]
 fn a_mesh_with_a_slit_is_planar_but_not_simple() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
@@ -180,7 +180,7 @@ fn a_combinatorial_map_alone() {
     assert_eq!(agree(&table, PLANE), Some(Rule::T3));
 }
 
-/// The lists have more entries than half-edges, of which there are none.
+/// There are no half-edges, so the lists have more entries than half-edges.
 #[test]
 fn nothing_but_isolated_vertices_in_either_form() {
     let all: Vec<Start> = (0..9).map(Start::Vertex).collect();
@@ -192,17 +192,17 @@ fn nothing_but_isolated_vertices_in_either_form() {
     }
 }
 
-/// A loop inside a loop, each with the half-edge 0, or 2, inside; face 1 is between, face 2 innermost.
+/// A loop inside a loop, with half-edges 0 and 2 on their insides; face 1 is between them, face 2 innermost.
 const LOOP_IN_LOOP: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 2), (1, 3)];
 
-/// Half-edges 1 are outside everything, where there is no face, and the face between has a hole and an isolated vertex.
+/// Half-edge 1 is outside everything, where there is no face, and the face between has a hole and an isolated vertex.
 #[test]
 fn an_open_outside_and_holes_inside() {
     let faces: [(Option<usize>, &[Start]); 2] = [(Some(0), &[Start::HalfEdge(3), Start::Vertex(2)]), (Some(2), &[])];
     for mut table in [map(3, &LOOP_IN_LOOP, &faces), textbook_map(3, &LOOP_IN_LOOP, &faces)] {
         let found = figures(&table.without(Part::UnboundedFace), PLANE.open());
         assert_eq!((found.components, found.faces, found.cycles, found.borders), (3, 2, 3, 1));
-        // Without any face for it, the outside needs no record of the unbounded face, but one may be there.
+        // If the outside has no face, a record of the unbounded face is optional.
         assert_eq!(agree(&table, PLANE.open()), Some(Rule::F1));
         table.faces.push(Some(FaceRow::default()));
         assert_eq!(figures(&table, PLANE.open()).faces, 3);
@@ -210,8 +210,7 @@ fn an_open_outside_and_holes_inside() {
     }
 }
 
-/// Two triangles side by side, in the plane, whose half-edges on the border have no twins: there is no outside to be listed
-/// by any face.
+/// Two triangles side by side in the plane, without twins on the border: no face lists the outside.
 #[test]
 fn an_outside_without_half_edges() {
     let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
@@ -233,7 +232,7 @@ fn an_outside_without_half_edges() {
     assert!(found.bounds.is_some(), "no two edges are parallel");
 }
 
-/// As on a sphere: both sides of the outer loop are bounded, so its component has no inner boundary component.
+/// As on a sphere, both sides of the outer loop are bounded, so its component has no inner boundary component.
 #[test]
 fn no_unbounded_face_but_holes() {
     let faces: [(Option<usize>, &[Start]); 3] = [(Some(1), &[]), (Some(0), &[Start::HalfEdge(3)]), (Some(2), &[])];
@@ -263,7 +262,7 @@ fn what_a_structure_lacks_is_not_checked_and_said() {
     );
     let not_simple = (Rule::T4, Unchecked::NotSimple);
     assert_eq!(not_checked(&table, PLANE), [not_simple]);
-    // Each part, wrong in the table, is wrong only for those who have it.
+    // An incorrect part of the table only matters if it is stored.
     let mut wrong = table.clone();
     vertex(&mut wrong, 0).leaving = Some(2);
     assert_eq!(agree(&wrong, PLANE), Some(Rule::V1));
@@ -397,7 +396,7 @@ fn a_report_reads_as_sentences() {
     }
 }
 
-/// A view of a combinatorial map need answer six questions only; of the rest it says that there is nothing.
+/// A view of a combinatorial map answers only six questions; everything else is absent by default.
 #[test]
 fn what_a_view_does_not_answer_is_not_there() {
     struct Digon;

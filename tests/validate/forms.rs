@@ -1,4 +1,4 @@
-//! Small maps in every form: right where they should be.
+//! Small maps in every form are valid.
 
 use crate::support::erased::{first_broken_rule, validate};
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Table};
@@ -8,8 +8,8 @@ use twinedge_trials::forms::{forms, projections};
 #[test]
 fn there_are_112_forms() {
     let all = forms();
-    // The parts of the faces: none, or three ways to keep boundary components, times three to keep holes and the unbounded
-    // face; surfaces have neither. Then prev and leaving, and open boundaries.
+    // The parts of the faces: none, or three ways to store boundary components, times three to store holes and the
+    // unbounded face; surfaces have neither. Then prev and leaving, and open boundaries.
     let of_the_plane = 2 * 4 * (1 + 3 * 3);
     let of_surfaces = 2 * 4 * (1 + 3);
     assert_eq!(all.len(), of_the_plane + of_surfaces);
@@ -21,7 +21,7 @@ fn there_are_112_forms() {
     assert_eq!(surfaces.count(), of_surfaces);
 }
 
-/// Both validators find every projection of every small map right.
+/// Both validators accept every projection of every small map.
 #[test]
 fn every_projection_of_a_small_map_is_right() {
     let mut opened = [0; 2];
@@ -41,7 +41,7 @@ fn every_projection_of_a_small_map_is_right() {
     assert!(opened[0] == 0 && opened[1] > 10_000, "{opened:?}");
 }
 
-/// A part that a form does not have is nil, so that a validator that reads it would notice.
+/// A part missing in a form is nil, so a validator that reads it would fail.
 #[test]
 fn what_is_left_out_is_nil() {
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {

@@ -1,4 +1,4 @@
-//! Hints of reports, and the rules that they leave out.
+//! Hints of reports, and the rules that they omit.
 
 use crate::support::erased::validate;
 use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_map, textbook_mesh, vertex};
@@ -117,10 +117,10 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_no_part_of_the_structure() {
     let by_record = Table { parts: Parts::ALL, ..table.clone() };
     let boundary = nil("boundary component of all 12 half-edges", lacks, Part::BoundaryComponents);
     assert_eq!(hints(&validate(&by_record, &MESH, Collect::All)), [prev, boundary, leaving]);
-    // Those of the first half-edges alone are kept.
+    // Only the violations of the first half-edges are kept.
     let some = validate(&table, &MESH, Collect::AtMost(5));
     assert_eq!(hints(&some)[0], nil("prev of the first 3 half-edges", "prev links", Part::Prev));
-    // One that is not nil: it is the others that are broken.
+    // With one non-nil link, the others are broken rather than missing.
     half_edge(&mut table, 0).prev = Some(2);
     assert!(!hints(&validate(&table, &MESH, Collect::All)).iter().any(|hint| hint.contains("prev")));
 }
@@ -136,7 +136,7 @@ fn half_edges_without_twin_are_said_to_be_legal_at_a_border() {
     assert_eq!(hints(&validate(&table, &MESH.open(), Collect::All)), [""; 0]);
 }
 
-/// A vertex that a face of the textbook lists, seen as if there were boundary components.
+/// A vertex listed by a textbook face, read as if there were boundary components.
 #[test]
 fn lists_of_the_textbook_are_said_to_be_no_boundary_components() {
     let table: Table = "V 1 - - H 0 B 0 F 1 - 1 - FH 1 - 1 v0".parse().unwrap();

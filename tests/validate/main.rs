@@ -1,4 +1,4 @@
-//! The validator: its rules, its reports, what it expects, and what it is given.
+//! The validator: its rules, reports, expectations and inputs.
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 

@@ -1,4 +1,4 @@
-//! The rules that must be asked for, M1 … M8, and the counts that do not depend on the way in which a border is kept.
+//! The optional rules, M1 … M8, and the counts that do not depend on the representation of borders.
 
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
@@ -26,7 +26,7 @@ enum Border {
 
 const BORDERS: [Border; 2] = [Border::OneHalfEdge, Border::NoFace];
 
-/// A mesh of these faces in the form of the textbook. At most one border passes each vertex.
+/// A mesh of these faces in the form of the textbook. Each vertex lies on at most one border.
 fn faces<F: AsRef<[usize]>>(vertices: usize, faces: &[F], border: Border) -> Table {
     let vertices = vec![Some(VertexRow::default()); vertices];
     let mut table = Table { parts: TEXTBOOK, vertices, ..Table::default() };
@@ -66,7 +66,7 @@ fn faces<F: AsRef<[usize]>>(vertices: usize, faces: &[F], border: Border) -> Tab
     table
 }
 
-/// The squares of a grid, closed to a ring in each direction if said so, without those of the holes.
+/// The squares of a grid, closed to a ring in each direction if `around` says so, without the holes.
 fn grid([columns, rows]: [usize; 2], around: [bool; 2], holes: &[[usize; 2]]) -> (usize, Vec<[usize; 4]>) {
     let size = [columns + usize::from(!around[0]), rows + usize::from(!around[1])];
     let at = |x: usize, y: usize| x % size[0] + y % size[1] * size[0];
@@ -78,7 +78,7 @@ fn grid([columns, rows]: [usize; 2], around: [bool; 2], holes: &[[usize; 2]]) ->
 /// Name, vertices, faces, border loops, Euler characteristic and genus.
 type Surface = (&'static str, usize, Vec<[usize; 4]>, [isize; 3]);
 
-/// Surfaces with their numbers by the classification of surfaces: `χ = 2 − 2g − b`.
+/// Surfaces with their numbers from the classification of surfaces: `χ = 2 − 2g − b`.
 fn surfaces() -> Vec<Surface> {
     let surface = |name, (vertices, faces), numbers| (name, vertices, faces, numbers);
     vec![
@@ -96,7 +96,7 @@ fn figures(table: &Table, expectation: Expectation) -> Figures {
     validate(table, &expectation, Collect::All).into_result().unwrap_or_else(|report| panic!("{report}"))
 }
 
-/// The counts that both ways of keeping a border share.
+/// The counts common to both representations of a border.
 fn numbers(found: &Figures) -> [usize; 8] {
     let Figures { vertices, edges, faces, components, cycles, borders, isolated_vertices, genus, .. } = *found;
     [vertices, edges, faces, components, cycles, borders, isolated_vertices, genus]
@@ -128,7 +128,7 @@ fn the_figures_do_not_depend_on_the_way_in_which_a_border_is_kept() {
     }
 }
 
-/// T3 adds up: `χ = 2C − I − 2g − B` where each face has one cycle, over several components, of which one is a vertex.
+/// The sum of T3 is `χ = 2C − I − 2g − B` if each face has one cycle, over several components, one of them a vertex.
 #[test]
 fn the_euler_characteristic_is_that_of_the_whole() {
     for border in BORDERS {
@@ -144,29 +144,30 @@ fn the_euler_characteristic_is_that_of_the_whole() {
         assert_eq!(found.euler_characteristic, 2 * 3 - 1 - 2 - 4);
         let [v, e, f] = [found.vertices, found.edges, found.faces].map(|n| isize::try_from(n).unwrap());
         assert_eq!(found.euler_characteristic, v - e + f);
-        // M5 counts no vertex without edge.
+        // M5 does not count vertices without edges.
         let asked = MESH.components(2).genus(1).borders(4).sides(4).simple();
         assert_eq!(agree_on_first(&table, asked), None);
         assert_eq!(agree_on_first(&table, asked.components(3)), Some(Rule::M5));
     }
 }
 
-/// In the plane: a triangle in a triangle, and a vertex between them. F counts faces, whose boundaries may be several cycles.
+/// In the plane: a triangle in a triangle, with a vertex between them. F counts faces, whose boundaries may have several
+/// cycles.
 #[test]
 fn the_euler_characteristic_in_the_plane_is_one_more_than_the_components() {
     let found = figures(&nested(), PLANE);
     assert_eq!((found.components, found.faces, found.cycles, found.euler_characteristic), (3, 3, 4, 4));
-    // Without faces, each cycle is one.
+    // Without faces, each cycle counts as one.
     let found = figures(&nested().without(Part::Faces), PLANE);
     assert_eq!((found.faces, found.cycles, found.euler_characteristic), (0, 4, 2 * 3 - 1));
 }
 
-/// An annulus: one of its two border loops is kept in the one way, the other one in the other.
+/// An annulus: its two border loops have different representations.
 #[test]
 fn both_ways_of_keeping_borders_in_one_mesh() {
     let (vertices, squares) = grid([4, 2], [true, false], &[]);
     let mut table = faces(vertices, &squares, Border::NoFace);
-    // The half-edges of one of the two loops go.
+    // Remove the half-edges of one of the two loops.
     let start = table.half_edges.iter().position(|row| row.unwrap().face.is_none()).unwrap();
     let mut h = start;
     for _ in 0..4 {
@@ -180,7 +181,7 @@ fn both_ways_of_keeping_borders_in_one_mesh() {
     assert_eq!((found.cycles, found.borders, found.euler_characteristic), (8, 2, 0));
 }
 
-/// Asserts that these are all the violations, of one rule, for both validators.
+/// Asserts that these are all violations, of one rule, for both validators.
 #[track_caller]
 fn only(rule: Rule, table: &Table, expectation: Expectation, violations: &[Violation]) {
     let report = validate(table, &expectation, Collect::All);
@@ -195,7 +196,7 @@ fn disc(border: Border) -> Table {
     faces(vertices, &squares, border)
 }
 
-/// The claims that two squares side by side meet.
+/// The claims that two adjacent squares keep.
 const DISC: Expectation = MESH.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
 
 #[test]
@@ -229,13 +230,13 @@ fn m2_an_edge_is_a_loop_or_parallel_to_another() {
     assert!(parallel(0, 2).message().contains("that both join vertices 0 and 1: "));
     only(Rule::M2, &digon, plane, &[parallel(0, 2)]);
     only(Rule::M2, &digon.without(Part::Prev), plane, &[parallel(0, 2)]);
-    // Two triangles that are not joined along the edge that they share.
+    // Two triangles not joined along their common edge.
     let mut slit = faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], Border::OneHalfEdge);
     let h = half_edge(&mut slit, 0).twin.unwrap();
     half_edge(&mut slit, 0).twin = None;
     half_edge(&mut slit, h).twin = None;
     only(Rule::M2, &slit, MESH.simple(), &[parallel(0, h)]);
-    // Two faces, back to back, of one half-edge per edge.
+    // Two faces back to back, with one half-edge per edge.
     let pillow = faces(3, &[[0, 1, 2], [2, 1, 0]], Border::OneHalfEdge);
     assert_eq!(agree(&pillow, MESH.simple()), None);
 }
@@ -260,7 +261,7 @@ fn m3_a_face_has_a_side_too_many() {
     let half_edges = [(0, 2), (1, 9), (1, 4), (2, 1), (2, 0), (0, 6), (2, 8), (3, 3), (3, 5), (0, 7)];
     let square = map(4, &half_edges, &[(None, &[Start::HalfEdge(1)]), (Some(0), &[]), (Some(5), &[])]);
     assert_eq!(agree(&square, PLANE.triangles()), None);
-    // Holes count: 3 around the face between two triangles, 3 in it.
+    // Holes count: 3 half-edges around the face between two triangles, 3 in it.
     let between = Violation::WrongSides { record: Record::Face(1), sides: 6, expected: 3 };
     only(Rule::M3, &nested(), PLANE.triangles(), &[between]);
     only(Rule::M3, &nested_textbook(), PLANE.triangles(), &[between]);
@@ -276,11 +277,11 @@ fn m4_a_mesh_has_a_border() {
     only(Rule::M4, &triangle(Border::NoFace), MESH.closed(), &no_face.map(|(h, ends)| at(h, ends, Field::Face)));
     let records = with_boundary_components(&triangle(Border::NoFace));
     only(Rule::M4, &records, MESH.closed(), &no_face.map(|(h, ends)| at(h, ends, Field::Boundary)));
-    // Without faces, nobody can tell that one is missing.
+    // Without faces, a missing face cannot be noticed.
     let bare = |border| triangle(border).without(Part::Faces);
     assert_eq!(agree(&bare(Border::NoFace), MESH.closed()), None);
     only(Rule::M4, &bare(Border::OneHalfEdge), MESH.closed(), &no_twin);
-    // If borders are not legal, R1 has found them.
+    // If borders are not legal, R1 has reported them.
     let closed = Expectation::surface().closed();
     let report = validate(&triangle(Border::OneHalfEdge), &closed, Collect::All);
     assert_eq!(broken(&report), [Rule::R1]);
@@ -295,7 +296,7 @@ fn m5_there_is_a_second_component() {
         only(Rule::M5, &table, MESH.components(1), &wrong(1));
         only(Rule::M5, &table, MESH.components(0), &wrong(0));
     }
-    // A drawn map has three, of which one is a vertex.
+    // A drawn map has three components, including a vertex.
     only(Rule::M5, &nested(), PLANE.components(3), &[Violation::WrongComponents { found: 2, expected: 3 }]);
 }
 
@@ -348,7 +349,7 @@ fn m8_a_border_vertex_keeps_an_inner_half_edge() {
     let border = vertex(&mut twins, v).leaving.replace(2).unwrap();
     only(Rule::M8, &twins, MESH.border_kept(), &[wrong(v, 2, border)]);
     only(Rule::M8, &with_boundary_components(&twins), MESH.border_kept(), &[wrong(v, 2, border)]);
-    // Without faces nobody can tell; vertices that keep nothing break no promise; a closed surface has no border.
+    // Without faces this cannot be decided; vertices that store nothing break no promise; a closed surface has no border.
     assert_eq!(agree(&twins.without(Part::Faces), MESH.border_kept()), None);
     let report = validate(&twins.without(Part::Leaving), &MESH.border_kept(), Collect::All);
     assert_eq!(report.outcome(Rule::M8).unwrap().unchecked, Some(Unchecked::Lacks(Part::Leaving)));
@@ -363,7 +364,7 @@ fn m8_a_border_vertex_keeps_an_inner_half_edge() {
 
 const OPTIONAL: [Rule; 8] = [Rule::M1, Rule::M2, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7, Rule::M8];
 
-/// The expectation, with everything asked for.
+/// The expectation with every optional rule.
 const fn everything(expectation: Expectation) -> Expectation {
     expectation.no_unused_vertices().simple().sides(3).closed().components(1).borders(0).genus(0).border_kept()
 }
@@ -404,7 +405,7 @@ fn a_rule_is_in_the_report_if_and_only_if_it_is_asked_for() {
     assert_ne!(none.genus(0), none);
 }
 
-/// If one rule before M is broken, some rules are not checked, and the report says why.
+/// If a rule before M is broken, some rules are not checked, and the report says why.
 #[test]
 fn what_cannot_be_known_is_not_checked() {
     let expectation = everything(MESH);
@@ -424,7 +425,7 @@ fn what_cannot_be_known_is_not_checked() {
     let [_, m2, m3, _, m5, m6, m7, _] = OPTIONAL;
     assert_eq!(unchecked(&|_| ()), []);
     assert_eq!(unchecked(&|t| half_edge(t, 0).origin = Some(99)), because(Rule::R1, &OPTIONAL));
-    // Of the links from faces only M3 needs anything.
+    // Of the links from faces, only M3 needs any.
     assert_eq!(unchecked(&|t| face(t, 0).outer_half_edge = Some(99)), because(Rule::R1, &[m3]));
     assert_eq!(unchecked(&|t| face(t, 0).outer_half_edge = None), because(Rule::F1, &[m3]));
     assert_eq!(unchecked(&|t| half_edge(t, 0).twin = Some(0)), because(Rule::L1, &[m2, m5, m6, m7]));
@@ -469,8 +470,8 @@ fn the_first_violation_is_of_the_first_rule_that_is_asked_for() {
     }
 }
 
-/// Every change of one cell of a few surfaces, in both forms, under expectations that are met and that are not. The reference takes long for
-/// the tetrahedron, so that one is changed in its whole forms only.
+/// Every change of one cell of a few surfaces, in both forms, under expectations that hold and others that do not. The
+/// reference takes long for the tetrahedron, which is only changed in its whole forms.
 #[test]
 fn both_validators_agree_on_every_corruption() {
     let two = faces(7, &[[0, 1, 2], [3, 4, 5]], Border::NoFace);
@@ -497,8 +498,8 @@ fn both_validators_agree_on_every_corruption() {
     assert!(met > 0 && optional > 100, "{met} {optional}");
 }
 
-/// Every twin or nil, next and origin of three half-edges on three vertices: each rule is asked for alone, and is met by some
-/// and broken by others, for both validators alike.
+/// Every twin or nil, next and origin of three half-edges on three vertices. Each rule is requested alone; both validators
+/// find that some tables keep it and others break it.
 #[test]
 fn both_validators_agree_on_all_small_open_maps() {
     let asked = [
@@ -532,13 +533,13 @@ fn both_validators_agree_on_all_small_open_maps() {
             }
         }
     });
-    // Three half-edges cannot all have a twin, and make no handle.
+    // Three half-edges cannot all have a twin, and form no handle.
     let met = [true, true, true, false, true, true, false, true];
     assert_eq!(found.map(|[met, _]| met > 0), met, "{found:?}");
     assert!(found.iter().all(|[_, broken]| *broken > 0), "{found:?}");
 }
 
-/// A triangle that breaks all that is asked for, and R1, too: what needs the links is not checked, and nothing is said of it.
+/// A triangle that breaks every requested rule and R1: rules that need links are not checked and not mentioned.
 #[test]
 fn what_is_asked_for_is_not_checked_where_links_are_broken() {
     for border in BORDERS {

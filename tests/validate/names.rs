@@ -36,7 +36,7 @@ fn an_index_that_is_extended_keeps_its_numbers() {
     assert_eq!(names, ["3", "\"d\"", "'f'", "8"]);
 }
 
-/// With the index as the name, a report reads as it does without names; and each record that a violation names is named.
+/// With indices as names, a report reads as without names; and every record in a violation is named.
 #[test]
 fn every_record_in_a_report_is_named() {
     let mut seen = BTreeSet::new();
@@ -63,7 +63,7 @@ fn every_record_in_a_report_is_named() {
         }
     }
     assert!(seen.len() > 25, "{seen:?}");
-    // Those of coordinates, and what no single corruption shows.
+    // Violations about coordinates, and others that no single corruption produces.
     let named = |violation: Violation| violation.named(|record| format!("<{record}>")).message();
     assert!(
         named(Violation::Cross { first: 1, second: 2 }).starts_with("half-edges <half-edge 1> and <half-edge 2> cross")

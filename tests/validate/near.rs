@@ -1,4 +1,4 @@
-//! Local validation: it accepts nothing that a full validation refuses, follows what is right, and reads only what has changed.
+//! Local validation: it accepts nothing that a full validation refuses, follows valid changes, and reads only changes.
 
 use crate::support::changes::{difference, note};
 use crate::support::erased::validate;
@@ -15,7 +15,7 @@ use twinedge_trials::forms::{Form, forms, projected};
 const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();
 
-/// Asserts that what is found right keeps R1 … F2.
+/// Asserts that accepted structures keep R1 … F2.
 fn judge(baseline: &Baseline, table: &Table, written: &WriteSet) -> bool {
     let found = validate_near(&mut baseline.clone(), &OnlyLive(table), written);
     let report = validate(table, baseline.expectation(), Collect::First);
@@ -24,7 +24,7 @@ fn judge(baseline: &Baseline, table: &Table, written: &WriteSet) -> bool {
             let broken = report.broken_rules().find(|rule| *rule <= Rule::F2);
             assert_eq!(broken, None, "{table}\n{written:?}\n{report}");
         }
-        // Of two full validations, this one ends at the first broken rule.
+        // Of two full validations, this one stops at the first broken rule.
         Err(found) => assert_eq!(found.first(), report.first(), "{table}\n{written:?}"),
     }
     report.is_valid()
@@ -52,7 +52,7 @@ fn every_corruption_of_every_small_map_in_every_form() {
 #[test]
 fn every_pair_of_corruptions_of_every_smallest_map() {
     let (mut judged, mut right) = (0, 0);
-    // Without faces a rotation that falls into two breaks no other rule.
+    // Without faces, a rotation that falls in two breaks no other rule.
     for form in [Form::new(PLANE, Parts::ALL), Form::new(SURFACE, Parts::NONE)] {
         for map in Census::new(Scope::Subdivisions { edges: 1, vertices: 3 }) {
             let mut table = projected(&Table::copy_of(map.runner.subject()).unwrap(), &form);
@@ -72,7 +72,7 @@ fn every_pair_of_corruptions_of_every_smallest_map() {
     assert!(judged > 100_000 && right > 100, "{judged} pairs, of which {right} are right");
 }
 
-/// The outer boundary component of a face and an isolated vertex inside exchange their places, and each half-edge is as it was.
+/// The outer boundary component of a face and an isolated vertex inside exchange their places; half-edges are unchanged.
 #[test]
 fn an_isolated_vertex_is_no_outer_boundary_component() {
     let before = Table::copy_of(&ring(5)).unwrap();
@@ -97,8 +97,9 @@ fn an_isolated_vertex_is_no_outer_boundary_component() {
     assert_eq!(exchanged, 1);
 }
 
-/// Two isolated vertices lose their boundary components, and the face around them is gone, too: its outer boundary component is an inner one of
-/// the unbounded face. Then the sum of Euler's formula is as before, and only the vertices, which were not written, tell.
+/// Two isolated vertices lose their boundary components, and the face around them is removed: its outer boundary component
+/// becomes an inner one of the unbounded face. The sum of Euler's formula is unchanged, and only the vertices, which were not
+/// written, reveal the fault.
 #[test]
 fn vertices_of_boundary_components_that_go_are_looked_at() {
     let mut dcel = Dcel::new();
@@ -129,7 +130,7 @@ fn vertices_of_boundary_components_that_go_are_looked_at() {
     assert_eq!(report.broken_rules().next(), Some(Rule::R1));
 }
 
-/// Notes of a change that was refused have no part in what is found of the next one.
+/// Data about a refused change does not influence the next one.
 #[test]
 fn a_refused_change_leaves_the_baseline_as_it_was() {
     let mut refused = 0;
@@ -141,7 +142,7 @@ fn a_refused_change_leaves_the_baseline_as_it_was() {
             let mut written = WriteSet::default();
             note(&mut written, cell);
             if validate_near(&mut baseline, corrupt, &written).is_ok() {
-                // It has moved on: back again.
+                // It has moved on: move it back.
                 validate_near(&mut baseline, &before, &written).unwrap();
             } else {
                 let watched = Watched::new(&before);
@@ -154,7 +155,7 @@ fn a_refused_change_leaves_the_baseline_as_it_was() {
     assert!(refused > 3_000, "{refused}");
 }
 
-/// Every mistake of an operator in one link, on every small map.
+/// Every incorrect link after an operator, on every small map.
 #[test]
 fn every_operator_with_every_wrong_link() {
     let (mut judged, mut wrong) = (0, 0);
@@ -178,7 +179,7 @@ fn every_operator_with_every_wrong_link() {
     assert!(judged > 100_000 && wrong * 10 > judged * 9, "{judged} results, of which {wrong} are wrong");
 }
 
-/// The table without each of its records in turn.
+/// The table with each of its records removed in turn.
 fn dropped(table: &Table) -> Vec<Table> {
     let mut all = vec![];
     for v in 0..table.vertices.len() {
@@ -202,8 +203,8 @@ fn without<R: Clone>(rows: &[Option<R>], i: usize) -> Vec<Option<R>> {
     rows
 }
 
-/// A record that an operator needs is dropped besides, in each way. On surfaces without `prev` the half-edges of a vertex that is dropped may
-/// all be as they were, and no sum tells.
+/// Additionally drops a record that an operator needs, in every way. On surfaces without `prev` the half-edges of a dropped
+/// vertex may all be unchanged, and no sum reveals it.
 #[test]
 fn every_operator_that_drops_a_record() {
     let (mut judged, mut wrong) = (0, 0);
@@ -226,7 +227,7 @@ fn every_operator_that_drops_a_record() {
     assert!(judged > 20_000 && wrong * 2 > judged, "{judged} results, of which {wrong} are wrong");
 }
 
-/// The rows of one table, or those of another, as a coin says.
+/// A random mixture of the rows of two tables.
 fn mixed<R: Clone + PartialEq>(
     before: &[Option<R>],
     after: &[Option<R>],
@@ -240,7 +241,7 @@ fn mixed<R: Clone + PartialEq>(
     (0..before.len().max(after.len())).map(&mut either).collect()
 }
 
-/// Mistakes of operators that leave some records as they were: a few ways of each.
+/// Operators that leave some records unchanged by mistake: a few ways of each.
 #[test]
 fn every_operator_that_forgets_some_records() {
     let (mut judged, mut right, mut bits) = (0, 0, 1_u64);
@@ -280,7 +281,7 @@ fn every_operator_that_forgets_some_records() {
     assert!(judged > 20_000 && right > 1_000, "{judged} results, of which {right} are right");
 }
 
-/// One baseline follows each operator, and is then what a new one would be.
+/// One baseline follows each operator, and then equals a new one.
 #[test]
 fn a_baseline_follows_every_operator_on_every_small_map() {
     for (claims, parts) in [
@@ -301,7 +302,7 @@ fn a_baseline_follows_every_operator_on_every_small_map() {
                 let mut followed = baseline.clone();
                 let written = difference(&before, &after);
                 validate_near(&mut followed, &after, &written).unwrap();
-                // Both lead to the same verdicts from here on, if they go back by the same way.
+                // Both lead to the same verdicts from here on, if the change is undone the same way.
                 let fresh = Baseline::new(&after, &claims).unwrap();
                 for mut baseline in [followed, fresh] {
                     validate_near(&mut baseline, &before, &written).unwrap();
@@ -315,7 +316,7 @@ fn a_baseline_follows_every_operator_on_every_small_map() {
     }
 }
 
-/// A ring of this many edges, and in its face an isolated vertex and a ring of three.
+/// A ring of this many edges, with an isolated vertex and a ring of three in its face.
 fn ring(edges: usize) -> Dcel {
     let mut dcel = Dcel::new();
     let outside = dcel.unbounded_face().key();
@@ -331,7 +332,7 @@ fn ring(edges: usize) -> Dcel {
     dcel
 }
 
-/// The amount that it reads does not grow with the structure.
+/// The amount of data read does not grow with the structure.
 #[test]
 fn what_is_read_depends_on_the_change_only() {
     type Change = fn(&mut Dcel);
@@ -397,7 +398,7 @@ fn where_there_is_no_local_validation() {
     assert_eq!(*report, validate(&broken, &PLANE, Collect::All));
 }
 
-/// A face that came and went within one change, like all of its records.
+/// A face that was added and removed within one change, with all its records.
 #[test]
 fn what_came_and_went_is_vacant() {
     let mut dcel = ring(5_000);
@@ -420,8 +421,8 @@ fn what_came_and_went_is_vacant() {
     assert!(watched.twin.get() < 100, "{}", watched.twin.get());
 }
 
-/// After records were not named the baseline is wrong. Nothing loops or panics then, and what is wrong in the structure itself
-/// is found if it is named.
+/// A baseline that missed records is incorrect. Still nothing loops or panics, and faults of the structure are found if they
+/// are named.
 #[test]
 fn a_baseline_that_missed_something_ends() {
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
@@ -433,7 +434,7 @@ fn a_baseline_that_missed_something_ends() {
             let mut baseline = right.clone();
             let mut written = everything.clone();
             note(&mut written, cell);
-            // It believes that nothing has changed, and then hears of records that have not.
+            // It sees no change, and then is given unchanged records.
             assert!(validate_near(&mut baseline, corrupt, &WriteSet::default()).is_ok());
             let found = validate_near(&mut baseline, corrupt, &written);
             let report = validate(corrupt, &PLANE, Collect::First);
@@ -443,13 +444,13 @@ fn a_baseline_that_missed_something_ends() {
     }
 }
 
-/// A structure that is right although records that have changed were not named is right, and followed from there.
+/// A valid structure is accepted although changed records were not named, and followed from there.
 #[test]
 fn forgotten_records_are_caught_up_with() {
     let mut dcel = ring(5);
     let mut baseline = Baseline::new(&dcel, &PLANE).unwrap();
     let h = dcel.half_edges().next().unwrap().key();
-    // Nothing is named, so nothing is read, and nothing can be said.
+    // Nothing is named, so nothing is read or found.
     dcel.split_edge(h).unwrap();
     validate_near(&mut baseline, &dcel, &WriteSet::default()).unwrap();
     let before = Table::copy_of(&dcel).unwrap();
@@ -465,7 +466,7 @@ fn forgotten_records_are_caught_up_with() {
     assert!(watched.twin.get() < 100);
 }
 
-/// A change that the baseline did not follow would be a false alarm, and be followed by a full validation.
+/// Failing to follow a change would be a false alarm, followed by a full validation.
 #[test]
 fn a_baseline_follows_a_sequence_without_reading_everything() {
     type Change = fn(&mut Dcel);

@@ -1,4 +1,4 @@
-//! Local validation, check by check: several wrong records at once, of which no other check but one notices anything.
+//! Local validation, check by check: several wrong records at once, which only one check notices.
 
 use crate::support::changes::difference;
 use crate::support::erased::validate;
@@ -9,8 +9,8 @@ use twinedge::validate::{
     View,
 };
 
-/// This many components of two vertices with two edges between them, each with a face inside. Component i has the half-edges 4i and
-/// 4i + 2 around its inside, with boundary component 2i, and the other two around its outside, with 2i + 1.
+/// This many components of two vertices joined by two edges, each with a face inside. Component i has the half-edges 4i and 4i + 2
+/// around its inside, with boundary component 2i, and the other two around its outside, with 2i + 1.
 fn rings(count: usize) -> Table {
     let mut table = Table { faces: vec![Some(FaceRow::default())], ..Table::default() };
     for i in 0..count {
@@ -65,13 +65,13 @@ fn add_isolated(table: &mut Table, f: usize) -> usize {
     v
 }
 
-/// The cycle inside a component becomes an inner one of the unbounded face: two less in Euler's formula, and T1 is broken.
+/// Makes the inside cycle of a component an inner one of the unbounded face: Euler's sum falls by two, and T1 is broken.
 fn turn_inside_out(table: &mut Table, ring: usize) {
     table.faces[ring + 1] = None;
     list(table, 0, 2 * ring, false);
 }
 
-/// The cycle outside a component becomes the outer one of a new face: two more.
+/// Makes the outside cycle of a component the outer one of a new face: Euler's sum rises by two.
 fn close(table: &mut Table, ring: usize) {
     let f = add_face(table);
     let b = 2 * ring + 1;
@@ -83,7 +83,7 @@ fn close(table: &mut Table, ring: usize) {
     list(table, f, b, true);
 }
 
-/// Half-edges of which 2i and 2i + 1 are twins, by vertex in clockwise order, and a face for each cycle.
+/// Half-edges with the twins 2i and 2i + 1, by vertex in clockwise order, and a face for each cycle.
 fn turning(rotations: &[&[usize]]) -> Table {
     let count = rotations.iter().map(|rotation| rotation.len()).sum();
     let parts = Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces);
@@ -109,7 +109,7 @@ fn turning(rotations: &[&[usize]]) -> Table {
     table
 }
 
-/// Links half-edges so that each is followed clockwise by the one behind it, and the last by the first.
+/// Links half-edges in clockwise order, the last one to the first.
 fn turn(table: &mut Table, rotation: &[usize]) {
     for (i, h) in rotation.iter().enumerate() {
         let next = rotation[(i + 1) % rotation.len()];
@@ -118,8 +118,8 @@ fn turn(table: &mut Table, rotation: &[usize]) {
     }
 }
 
-/// Asserts that a change breaks this rule, and no rule before it, and that local validation finds it: with a baseline of the structure
-/// before, and with one that has followed it there from nothing; and where what has changed is named, and where everything is.
+/// Asserts that a change breaks this rule and no earlier one, and that local validation finds it: with a baseline of the previous
+/// structure, and with one that followed it from nothing; with only changed records named, and with all.
 fn assert_found(name: &str, [before, after]: [&Table; 2], expectation: &Expectation, rule: Rule) {
     let report = validate(after, expectation, Collect::All);
     assert_eq!(report.broken_rules().next(), Some(rule), "{name}: {report}");
@@ -129,7 +129,7 @@ fn assert_found(name: &str, [before, after]: [&Table; 2], expectation: &Expectat
     let mut followed = Baseline::new(&nothing, expectation).unwrap();
     validate_near(&mut followed, before, &difference(&nothing, before)).unwrap();
     let mut changed = difference(before, after);
-    // An entry beyond the end of a list, or of a face that is no more, is not written.
+    // An entry beyond the end of a list, or of a removed face, is not written.
     changed.listed.retain(|(f, i)| after.is_face(*f) && *i < after.inner_count(*f));
     let mut everything = difference(&Table::default(), after);
     everything.vertices.extend(&changed.vertices);
@@ -144,7 +144,7 @@ fn assert_found(name: &str, [before, after]: [&Table; 2], expectation: &Expectat
     }
 }
 
-/// With wrong components added so that the sum of Euler's formula holds.
+/// Wrong components are added to keep the sum of Euler's formula.
 #[test]
 #[expect(clippy::too_many_lines, reason = "a table of cases")]
 fn what_only_one_check_finds() {
@@ -293,7 +293,7 @@ fn what_only_one_check_finds() {
     }
 }
 
-/// A fault in the links from an unchanged half-edge to a changed one, found by no other check.
+/// A fault in the links from an unchanged half-edge to a changed one, which no other check finds.
 #[test]
 fn what_only_a_half_edge_that_has_not_changed_tells() {
     type Change = fn(&mut Table);

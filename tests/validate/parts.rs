@@ -1,4 +1,4 @@
-//! Sets of parts: closed under what the parts depend on, and what is not in them is not looked at.
+//! Sets of parts: closed under dependencies, and other parts are ignored.
 
 use crate::support::erased::validate;
 use std::collections::BTreeSet;
@@ -6,7 +6,7 @@ use twinedge::validate::{Collect, Only, Part, Parts, Table};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::forms::{forms, projected};
 
-/// The parts on which this one depends.
+/// The parts that this one depends on.
 fn needs(part: Part) -> &'static [Part] {
     match part {
         Part::BoundaryComponents | Part::Holes => &[Part::Faces],
@@ -16,13 +16,13 @@ fn needs(part: Part) -> &'static [Part] {
     }
 }
 
-/// All 128 sets of parts, whatever they depend on.
+/// All 128 sets of parts, regardless of dependencies.
 fn all_sets() -> impl Iterator<Item = BTreeSet<Part>> {
     (0..1_u32 << Part::ALL.len())
         .map(|bits| Part::ALL.into_iter().filter(|part| bits >> *part as u32 & 1 == 1).collect())
 }
 
-/// Each set that is closed, once.
+/// Each closed set, once.
 fn closed_sets() -> Vec<Parts> {
     let is_closed = |set: &BTreeSet<Part>| set.iter().all(|part| needs(*part).iter().all(|other| set.contains(other)));
     all_sets().filter(is_closed).map(|set| set.into_iter().collect()).collect()
@@ -45,7 +45,8 @@ fn a_part_comes_with_those_on_which_it_depends() {
         assert_eq!(format!("{parts:?}"), format!("{expected:?}"));
         found.insert(expected);
     }
-    // With and without prev and leaving; no faces, or three ways to keep boundary components times three to keep holes.
+    // With and without prev and leaving; no faces, or three ways to store boundary components, times three to store
+    // holes.
     assert_eq!(found.len(), 2 * 2 * (1 + 3 * 3));
     assert_eq!((of(Parts::NONE).len(), of(Parts::ALL), Parts::default()), (0, Part::ALL.into(), Parts::ALL));
 }
@@ -61,7 +62,7 @@ fn a_part_goes_with_those_that_depend_on_it() {
             let mut expected = of(parts);
             expected.extend(needs(part).iter().chain([&part]));
             assert_eq!(of(with), expected);
-            // Twice is once, and the one undoes the other as far as the part itself goes.
+            // Repeating changes nothing, and one undoes the other for the part itself.
             assert_eq!((with.with(part), without.without(part)), (with, without));
             assert_eq!(with.without(part).intersection(parts), without);
             assert_eq!((parts.has(part), parts.has(part)), (with == parts, without != parts));
@@ -98,7 +99,7 @@ fn each_part_has_a_word_and_a_name_of_its_own() {
     }
 }
 
-/// The table with nil in every column of a part that is not among these.
+/// The table with nil in every column of a missing part.
 fn erased(table: &Table, parts: Parts) -> Table {
     let mut table = Table { parts, ..table.clone() };
     let lacks = |part| !parts.has(part);
@@ -133,7 +134,7 @@ fn erased(table: &Table, parts: Parts) -> Table {
     table
 }
 
-/// The maps are right without the part, or wrong.
+/// The maps are valid without the part, or invalid.
 #[test]
 fn what_is_not_looked_at_might_as_well_not_be_there() {
     let (mut right, mut wrong) = (0, 0);

@@ -1,4 +1,4 @@
-//! Contents of a report beside the violation looked for: how much was checked, where it was cut short, what else is wrong.
+//! Report contents besides the expected violation: the numbers of checks, early ends, further faults.
 
 use crate::support::erased::validate;
 use crate::support::nested::{FACES, HALF_EDGES, PLANE, nested, nested_textbook};
@@ -12,7 +12,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 
 #[test]
 fn every_rule_says_how_much_it_checked_whatever_else_is_broken() {
-    // By counting the drawing. T1 and T2 rely on V1.
+    // By counting in the drawing. T1 and T2 rely on V1.
     let expected = |links| [links, 12, 12, 12, 6, 6, 12, 7, 3, 5, 3, 3, 3, 1];
     for (mut table, links) in [(nested(), 83), (nested_textbook(), 73)] {
         let checked = |table: &Table| {
@@ -65,7 +65,7 @@ fn f2_what_is_not_listed_is_counted_as_checked_too() {
     assert_eq!(report.outcome(Rule::F2).map(|outcome| outcome.checked), Some(5));
 }
 
-/// The nested triangles, and in the inner one half-edges 12 and 13, a loop at vertex 7 around face 3. The last slot of each
+/// The nested triangles with a loop at vertex 7 around face 3 in the inner one: half-edges 12 and 13. The last slot of each
 /// kind is vacant.
 fn with_a_loop() -> Table {
     let mut half_edges = HALF_EDGES.to_vec();
@@ -82,7 +82,7 @@ fn with_a_loop() -> Table {
 /// A change that breaks a table.
 type Change = fn(&mut Table);
 
-/// Returns the violations for a link of half-edge 12 that does not lead to a live record: that link, and the starts there.
+/// Returns the violations for a link of half-edge 12 that leads to no live record: the link, and the starts there.
 fn broken_link(field: Field, value: Option<usize>) -> Vec<Violation> {
     let record = Record::HalfEdge(12);
     let leads_nowhere = match value {
@@ -172,7 +172,7 @@ fn t4_applies_from_three_vertices_on() {
         (bounds, report.outcome(Rule::T4).and_then(|outcome| outcome.unchecked))
     };
     assert_eq!(t4(&edge), (None, Some(Unchecked::NotSimple)));
-    // It has as many of both as there can be.
+    // It has the maximum numbers of both.
     assert_eq!(t4(&triangle), (Some((3, 2)), None));
     let mut one_face_more = triangle;
     one_face_more.faces.push(Some(FaceRow::default()));
@@ -206,8 +206,8 @@ fn rules_of_coordinates_are_those_of_g() {
     assert!(Rule::ALL.iter().all(|rule| rule.is_geometric() == rule.id().starts_with('G')));
 }
 
-/// More wrong origins than are kept come before the one half-edge that is its own twin. Of each broken rule some violations are
-/// kept, and the first is of L1.
+/// More wrong origins than the cap come before the one half-edge that is its own twin. Some violations of each broken rule are
+/// kept, and the first belongs to L1.
 #[test]
 fn a_thousand_violations_of_l3_hide_none_of_l1() {
     let mut table = textbook_mesh(40 * 40, &torus([40, 40]));
@@ -245,7 +245,7 @@ fn a_thousand_violations_of_l3_hide_none_of_l1() {
     );
 }
 
-/// L1, L2 and L3 are checked in one pass, and a record that breaks L3 may come before one that breaks L1.
+/// L1, L2 and L3 are checked in one pass, so a record that breaks L3 may come before one that breaks L1.
 #[test]
 fn the_first_violation_is_the_first_of_the_first_broken_rule() {
     let mut cases = 0;
@@ -258,14 +258,14 @@ fn the_first_violation_is_the_first_of_the_first_broken_rule() {
     for (table, expectation) in
         [(nested(), PLANE), (nested().without(Part::Prev), PLANE), (nested(), PLANE.open()), (nested_textbook(), PLANE)]
     {
-        // Two cells of the same value exchanged, as far from one another as can be: half-edge 0 and the last.
+        // Exchange two equal cells as far apart as possible: half-edge 0 and the last.
         let mut twice = table.clone();
         half_edge(&mut twice, 0).next = Some(7);
         half_edge(&mut twice, 11).twin = Some(11);
         compare(&twice, &expectation);
         let mut corrupt = table.clone();
         for_each_corruption(&mut corrupt, table.parts, |corrupt, _, _| compare(corrupt, &expectation));
-        // One fault in a low slot, another one in a high slot.
+        // One fault in a low slot, another in a high slot.
         half_edge(&mut corrupt, 0).next = Some(4);
         for_each_corruption(&mut corrupt, table.parts, |corrupt, _, _| compare(corrupt, &expectation));
     }

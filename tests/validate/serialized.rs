@@ -1,4 +1,4 @@
-//! Reports and tables with serde: what is written is read again, and a report that no validation gives is refused.
+//! Reports and tables with serde: written documents can be read, and reports that no validation produces are refused.
 
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
@@ -43,7 +43,7 @@ fn tables_and_figures_are_read_as_they_were_written() {
     }
 }
 
-/// The names are those of [`Violation::kind`], which do not change.
+/// The names are the values of [`Violation::kind`], which do not change.
 #[test]
 fn a_violation_is_named_by_its_kind() {
     let violation = Violation::TwinNotMutual { half_edge: 3, twin: 2, found: None };
@@ -51,7 +51,7 @@ fn a_violation_is_named_by_its_kind() {
     assert_eq!(written, json!({ "kind": "twin_not_mutual", "fields": { "half_edge": 3, "twin": 2, "found": null } }));
     assert_eq!(from_value::<Violation>(written).unwrap(), violation);
     assert_eq!(to_value(Rule::L1).unwrap(), json!("L1"));
-    // Each name is one that serde knows: what it misses then are the fields.
+    // Serde knows each name, and only misses the fields.
     let unknown = |kind: &str| from_value::<Violation>(json!({ "kind": kind, "fields": {} })).unwrap_err().to_string();
     assert!(unknown("no_such_kind").contains("unknown variant"));
     for kind in Violation::KINDS.iter().filter(|kind| **kind != "no_unbounded_face") {
@@ -60,7 +60,7 @@ fn a_violation_is_named_by_its_kind() {
     assert_eq!(from_value::<Violation>(json!({ "kind": "no_unbounded_face" })).unwrap(), Violation::NoUnboundedFace);
 }
 
-/// A report with one violation of L1, and then with one value replaced.
+/// Reads a report with one violation of L1 after a change, and returns the refusal.
 fn refused(change: impl FnOnce(&mut Value)) -> String {
     let mut table = nested();
     half_edge(&mut table, 0).twin = Some(0);
@@ -112,7 +112,7 @@ fn a_report_that_blames_a_rule_that_holds_is_refused() {
     assert_eq!(error, "a rule was not checked because V1 is broken, which it is not");
 }
 
-/// The refusal of the report of the nested triangles, which is valid, after a change.
+/// Changes the report of the nested triangles, which is valid, and returns the refusal.
 fn refused_though_valid(change: impl FnOnce(&mut Value)) -> String {
     let mut value = to_value(validate(&nested(), &PLANE, Collect::All)).unwrap();
     change(&mut value);
@@ -172,7 +172,7 @@ fn a_valid_report_that_breaks_the_formula_of_euler_is_refused() {
     ] {
         assert_eq!(refused_though_valid(|report| report["counts"][count] = json!(value)), expected, "{count} {value}");
     }
-    // The sum is right, but no handle fits into the plane.
+    // The sum is correct, but a handle cannot lie in the plane.
     let torus = |report: &mut Value| {
         let counts = &mut report["counts"];
         (counts["genus"], counts["components"]) = (json!(1), json!(4));
@@ -189,7 +189,7 @@ fn a_valid_report_with_other_bounds_than_those_of_t4_is_refused() {
             assert_eq!(refused_though_valid(|report| report["bounds"][bound] = json!(other)), expected);
         }
     }
-    // T4 does not apply, or there is no number of vertices that grants so many edges.
+    // T4 does not apply, or no number of vertices allows this number of edges.
     let unchecked = |report: &mut Value| report["rules"][13]["unchecked"] = json!("not_simple");
     assert_eq!(refused_though_valid(unchecked), expected);
     let too_many_edges = |report: &mut Value| {
@@ -218,7 +218,7 @@ fn parts_are_read_as_they_were_written() {
         assert_eq!(from_value::<Part>(json!(without.word())).unwrap(), without);
     }
     assert_eq!(from_value::<Parts>(json!([])).unwrap(), Parts::NONE);
-    // A part brings those on which it depends.
+    // A part implies its dependencies.
     assert_eq!(from_value::<Parts>(json!(["places"])).unwrap(), Parts::NONE.with(Part::Places));
     assert!(from_value::<Parts>(json!(["next"])).unwrap_err().to_string().contains("unknown variant `next`"));
 }

@@ -1,4 +1,4 @@
-//! The fast path changes nothing in a report, and accepts what is right.
+//! The fast path does not change reports, and accepts valid structures.
 
 use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
@@ -20,8 +20,8 @@ use twinedge_trials::{FastPath, Outcome, RawPointers, Run, Structure, corrupt, s
 
 const PLANE: Expectation = Expectation::plane();
 
-/// The report is that of the rules one by one, however many violations are collected, and neither asks for what a
-/// vacant slot holds.
+/// Asserts that the report equals the rule-by-rule report, for any number of collected violations, and that neither reads vacant
+/// slots.
 #[track_caller]
 fn assert_same(view: &impl View, expectation: &Expectation, what: impl std::fmt::Display) {
     for collect in COLLECTED {
@@ -31,7 +31,7 @@ fn assert_same(view: &impl View, expectation: &Expectation, what: impl std::fmt:
 
 const COLLECTED: [Collect; 3] = [Collect::All, Collect::First, Collect::AtMost(1)];
 
-/// The same for one number of violations.
+/// Asserts this for one number of collected violations.
 #[track_caller]
 fn assert_same_collected(view: &impl View, expectation: &Expectation, collect: Collect, what: &impl std::fmt::Display) {
     let view = OnlyLive(view);
@@ -63,7 +63,7 @@ fn for_each_permutation(numbers: &mut [usize], left: usize, visit: &mut impl FnM
     }
 }
 
-/// The surfaces with these cycles: a table of every part that surfaces have.
+/// The surfaces with these cycles, as a table with every part that surfaces have.
 fn rotation_system(next: &[usize]) -> Table {
     // The numbers of the orbits, in the order of their first half-edges.
     let orbits = |step: &dyn Fn(usize) -> usize| {
@@ -101,7 +101,7 @@ fn rotation_system(next: &[usize]) -> Table {
     }
 }
 
-/// From four edges on there are surfaces with more handles than components.
+/// With at least four edges there are surfaces with more handles than components.
 #[test]
 fn every_rotation_system_of_up_to_four_edges_is_accepted_with_its_genus() {
     let mut by_genus = [0; 3];
@@ -134,7 +134,7 @@ fn right_maps_in_every_form() {
     }
 }
 
-/// By turns, all violations are collected, the first ones, and one.
+/// Collects in turn all violations, the first ones, and one.
 #[test]
 fn every_corruption_of_small_maps_in_every_form() {
     let mut corruptions = 0;
@@ -153,8 +153,8 @@ fn every_corruption_of_small_maps_in_every_form() {
     assert!(corruptions > 100_000, "{corruptions}");
 }
 
-/// One edge. The wrong next is that of the half-edge which ends at vertex 1, so no next leaves this vertex, which names a boundary
-/// component, as only isolated ones may.
+/// One edge. The wrong next belongs to the half-edge that ends at vertex 1. So no next leaves this vertex, which names a boundary
+/// component, as only isolated vertices may.
 #[test]
 fn a_vertex_that_no_next_leaves() {
     let table: Table = "V 2 0 - 1 1 H 2 0 1 0 1 0 1 0 0 0 0 B 2 0 h0 i0 0 v1 i1 F 1 - 2 0 1".parse().unwrap();
@@ -163,8 +163,8 @@ fn a_vertex_that_no_next_leaves() {
     assert_same(&table, &PLANE, &table);
 }
 
-/// Two edges and an isolated vertex. The half-edges of the second edge name the boundary component of the vertex, each as the next
-/// does, and a wrong prev at the first edge keeps cycles from being walked along.
+/// Two edges and an isolated vertex. The half-edges of the second edge consistently name the boundary component of the vertex, and
+/// a wrong prev at the first edge prevents walks along cycles.
 #[test]
 fn half_edges_on_the_boundary_component_of_a_vertex_where_prev_is_wrong_elsewhere() {
     let table = "V 5 0 - 1 - 2 - 3 - - 1 H 4 0 1 1 0 0 1 0 0 0 0 2 3 3 3 1 3 2 2 2 1 B 2 0 h0 i0 0 v4 i1 F 1 - 2 0 1";
@@ -175,7 +175,7 @@ fn half_edges_on_the_boundary_component_of_a_vertex_where_prev_is_wrong_elsewher
     assert_same(&table, &PLANE, &table);
 }
 
-/// A mesh without the half-edges of its border.
+/// A mesh without its border half-edges.
 fn bare(paired: &Table) -> Table {
     let mut bare = paired.clone();
     for h in 0..bare.half_edges.len() {
@@ -190,8 +190,8 @@ fn bare(paired: &Table) -> Table {
     bare
 }
 
-/// A torus with a border, where the plane is expected, and no half-edge says what is before it. Only T3 is broken, so the components are found
-/// once more by walks around the vertices, which at the border go back along the cycles.
+/// A torus with a border, without `prev`, where the plane is expected. Only T3 is broken, so the components are found again by
+/// walks around the vertices, which at the border go back along the cycles.
 #[test]
 fn an_open_torus_in_the_plane_where_there_is_no_prev() {
     let mut triangles = torus([3, 4]);
@@ -204,7 +204,7 @@ fn an_open_torus_in_the_plane_where_there_is_no_prev() {
     }
 }
 
-/// So many loops, each at a vertex of its own.
+/// This number of loops, each at its own vertex.
 fn loops(count: usize) -> Table {
     let half_edge = |h: usize| HalfEdgeRow {
         origin: Some(h / 2),
@@ -236,7 +236,7 @@ fn any_number_of_wrong_half_edges() {
     }
 }
 
-/// A link is read by the fast path, once for each rule that it takes part in, and where the walks follow it.
+/// The fast path reads a link once for each rule that uses it, and where walks follow it.
 #[test]
 fn one_wrong_link_does_not_make_the_rules_ask_on_and_on() {
     let count = 1000;
@@ -246,7 +246,7 @@ fn one_wrong_link_does_not_make_the_rules_ask_on_and_on() {
         let _ = validate(&view, &PLANE, Collect::All);
         [view.twin.get(), view.next.get(), view.prev.get()]
     };
-    // Without faces the cycles are counted, each half-edge with the three that follow it.
+    // Without faces the cycles are counted, each half-edge with the three that follow.
     assert_eq!(asked(&loops(count)), [2 * n, 4 * n, n]);
     let wrong: [fn(&mut HalfEdgeRow); 3] = [|row| row.twin = None, |row| row.next = None, |row| row.prev = None];
     for wrong in wrong {
@@ -257,7 +257,7 @@ fn one_wrong_link_does_not_make_the_rules_ask_on_and_on() {
     }
 }
 
-/// Numbers that look random, each less than what is asked for. Always the same for a seed.
+/// Pseudorandom numbers below a bound, always the same for a seed.
 struct Numbers(u64);
 
 impl Numbers {
@@ -266,7 +266,7 @@ impl Numbers {
         (self.0 >> 33) as usize % end.max(1)
     }
 
-    /// A place for each of so many records, no two the same, with two vacant slots among them.
+    /// Distinct places for `count` records, with two vacant slots among them.
     fn places(&mut self, count: usize) -> Vec<usize> {
         let mut places: Vec<usize> = (0..count + 2).collect();
         for i in (1..places.len()).rev() {
@@ -286,7 +286,7 @@ fn placed<T: Clone>(rows: &[Option<T>], places: &[usize]) -> Vec<Option<T>> {
     placed
 }
 
-/// The same structure with its records in another order, and vacant slots among them.
+/// The structure with its records in another order, and vacant slots among them.
 fn renumbered(table: &Table, numbers: &mut Numbers) -> Table {
     let [v, h, b, f] = [table.vertices.len(), table.half_edges.len(), table.boundaries.len(), table.faces.len()]
         .map(|count| numbers.places(count));
@@ -326,7 +326,7 @@ fn renumbered(table: &Table, numbers: &mut Numbers) -> Table {
     }
 }
 
-/// The report is that of the rules one by one: as the table is, and with some of its links set to other half-edges.
+/// Asserts equal reports, for the table and after changing some of its links to other half-edges.
 #[track_caller]
 fn assert_same_with_wrong_links(table: &Table, expectation: &Expectation, numbers: &mut Numbers) {
     assert_same(table, expectation, table);
@@ -340,8 +340,8 @@ fn assert_same_with_wrong_links(table: &Table, expectation: &Expectation, number
     }
 }
 
-/// Maps with tens of edges, in every form. In maps with three edges no cycle is long, and each component has one vertex that is
-/// smaller than its neighbours.
+/// Maps with tens of edges, in every form. With three edges no cycle is long, and each component has only one vertex smaller than
+/// its neighbours.
 #[test]
 fn larger_maps_with_their_records_in_any_order() {
     for seed in 0..12 {
@@ -363,13 +363,13 @@ fn larger_maps_with_their_records_in_any_order() {
     }
 }
 
-/// Meshes with and without border, of any genus, with the half-edges of the border and without.
+/// Meshes of any genus, with and without border, with border half-edges stored and not.
 #[test]
 fn larger_meshes_with_their_records_in_any_order() {
     let mesh = Expectation::surface();
     for seed in 0..60 {
         let mut numbers = Numbers(seed);
-        // Up to three of them side by side, and some triangles taken out.
+        // Up to three of them side by side, with some triangles removed.
         let mut triangles = Vec::new();
         let parts = 1 + numbers.below(3);
         for part in 0..parts {

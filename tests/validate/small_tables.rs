@@ -1,5 +1,5 @@
-//! All small tables: every assignment of the cells named, right or wrong. Both validators judge each alike, and as many
-//! are right as there are maps to be written down.
+//! All small tables: every assignment of the named cells, valid or not. Both validators judge each alike, and the
+//! number of valid ones is the number of labelled maps.
 
 use crate::support::erased::validate;
 use crate::support::nested::PLANE;
@@ -10,14 +10,14 @@ use twinedge::validate::{
 };
 use twinedge_trials::enumerate::{Cell, TableCells, Value, for_each_assignment};
 
-/// The values to which a cell is set.
+/// The values that a cell takes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum To {
-    /// The records that there are.
+    /// The live records.
     Live,
-    /// These and nil.
+    /// The live records and nil.
     OrNil,
-    /// These, and the slot past the end.
+    /// The live records and the slot past the end.
     OrPastTheEnd,
 }
 
@@ -36,7 +36,7 @@ fn choices(table: &Table, cell: Cell, to: To) -> (Cell, Vec<Value>) {
     (cell, values.into_iter().filter(wanted).collect())
 }
 
-/// A table of this size, all nil, each face listing as many inner boundary components as said.
+/// A table of this size, all nil, with list lengths for the faces.
 fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize]) -> Table {
     let face = |listed: &usize| FaceRow {
         inner: if boundaries > 0 { vec![None; *listed] } else { vec![] },
@@ -52,13 +52,12 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
     }
 }
 
-/// The same without faces.
+/// A blank table without faces.
 fn bare(vertices: usize, half_edges: usize) -> Table {
     blank(vertices, half_edges, 0, &[]).without(Part::Faces)
 }
 
-/// Sets all cells that matter, and are wanted, to everything; returns how many tables there were and how many were
-/// right.
+/// Sets all relevant, selected cells to every value; returns the numbers of tables and of valid ones.
 fn judge_all(
     mut table: Table,
     expectation: Expectation,
@@ -96,15 +95,15 @@ fn count_pairings(edges: u64) -> u64 {
     (1..=edges).map(|i| 2 * i - 1).product()
 }
 
-/// The maps of n edges on labelled half-edges, with the labels of k of m vertices given to their rotations, which may
-/// be any permutation `next∘twin`. What is left of the m are isolated vertices.
+/// The maps of n edges on labelled half-edges: k of m vertices label the rotations, the orbits of any permutation
+/// `next∘twin`. The other vertices are isolated.
 fn labelled_maps(edges: u64, vertices: u64) -> u64 {
     let labelled = |k| factorial(k) * binomial(vertices, k) * permutations_with_orbits(2 * edges, k);
     count_pairings(edges) * (0..=vertices).map(labelled).sum::<u64>()
 }
 
-/// The same with a half-edge chosen from each rotation, for `leaving`: k orbits of n things in a row, each with a first
-/// thing, are the things in a row with k − 1 bars between.
+/// The labelled maps with a half-edge chosen from each rotation, for `leaving`: k orbits of n things in a row, each
+/// with a first thing, correspond to the things in a row with k − 1 separators.
 fn labelled_maps_with_leaving(edges: u64, vertices: u64) -> u64 {
     let labelled = |k| binomial(vertices, k) * factorial(2 * edges) * binomial(2 * edges - 1, k - 1);
     count_pairings(edges) * (1..=vertices).map(labelled).sum::<u64>()
@@ -112,7 +111,7 @@ fn labelled_maps_with_leaving(edges: u64, vertices: u64) -> u64 {
 
 const SURFACE: Expectation = Expectation::surface();
 
-/// Every link between two half-edges and two vertices, nil and dangling included.
+/// Every link between two half-edges and two vertices, including nil and dangling ones.
 #[test]
 fn two_half_edges_and_two_vertices() {
     assert_eq!((labelled_maps_with_leaving(1, 2), labelled_maps(1, 2)), (2 * 2 + 2, 2 + 2));
@@ -132,7 +131,7 @@ fn four_half_edges_and_two_vertices() {
     assert_eq!(found, (4_u64.pow(8) * 2_u64.pow(4), labelled_maps(2, 2)));
 }
 
-/// Sets these cells to everything, derives the origins, and counts what is right on any surface, and in the plane.
+/// Sets these cells to every value, derives the origins, and counts the tables valid on any surface and in the plane.
 fn judge_with_origins(mut table: Table, expectation: Expectation, cells: &[(Cell, Vec<Value>)]) -> (u64, u64, u64) {
     let plane = if expectation.is_open() { PLANE.open() } else { PLANE };
     let (mut right, mut planar) = (0, 0);
@@ -145,7 +144,7 @@ fn judge_with_origins(mut table: Table, expectation: Expectation, cells: &[(Cell
     (all, right, planar)
 }
 
-/// Rooted maps with n edges on a surface have no symmetry, so each can be labelled in (2n − 1)! ways, its root being
+/// Rooted maps with n edges on a surface have no symmetry, so each can be labelled in (2n − 1)! ways, with its root
 /// first. There are 2, 9, 54 of them in the plane (Tutte; A000168) and 0, 1, 20 on the torus (A006300) for n = 1, 2, 3.
 const fn connected(rooted: u64, edges: u64) -> u64 {
     let mut labelled = rooted;
@@ -170,7 +169,7 @@ fn the_maps_of_two_edges_are_those_of_the_plane_and_of_the_torus() {
     assert_eq!(judge_with_origins(table, SURFACE, &cells), (4_u64.pow(8), right, planar));
 }
 
-/// So many half-edges, of which 2i and 2i + 1 are twins.
+/// This number of half-edges, with 2i and 2i + 1 as twins.
 fn paired(half_edges: usize) -> Table {
     let mut table = Table { parts: Parts::NONE, ..bare(0, half_edges) };
     for h in 0..half_edges {
@@ -179,7 +178,7 @@ fn paired(half_edges: usize) -> Table {
     table
 }
 
-/// Every next of six half-edges whose twins are given, one of fifteen ways to pair them.
+/// Every next of six half-edges with fixed twins, one of fifteen ways to pair them.
 #[test]
 fn the_maps_of_three_edges_are_those_of_the_plane_and_of_the_torus() {
     let table = paired(6);
@@ -191,7 +190,7 @@ fn the_maps_of_three_edges_are_those_of_the_plane_and_of_the_torus() {
     assert_eq!(judge_with_origins(table, SURFACE, &cells), (6_u64.pow(6), factorial(6), planar / 15));
 }
 
-/// Every next and prev of four half-edges whose twins are given: for each permutation there is one that undoes it.
+/// Every next and prev of four half-edges with fixed twins: each permutation has one inverse.
 #[test]
 fn each_next_has_one_prev() {
     let table = Table { parts: Parts::NONE.with(Part::Prev), ..paired(4) };
@@ -201,8 +200,8 @@ fn each_next_has_one_prev() {
     assert_eq!(judge_with_origins(table, SURFACE, &cells), (4_u64.pow(8), factorial(4), planar));
 }
 
-/// Every twin, or none, and next of four half-edges: 0, 1 or 2 pairs of twins. Borders that are closed by one more
-/// cycle each always give a surface.
+/// Every twin, or none, and next of four half-edges: 0, 1 or 2 pairs of twins. Closing each border by a cycle always
+/// yields a surface.
 #[test]
 fn open_maps_of_four_half_edges() {
     let table = Table { parts: Parts::NONE, ..bare(0, 4) };
@@ -210,11 +209,11 @@ fn open_maps_of_four_half_edges() {
     let cells: Vec<_> = twins.chain((0..4).map(|h| choices(&table, Cell::Next(h), To::Live))).collect();
     let (all, right, planar) = judge_with_origins(table, SURFACE.open(), &cells);
     assert_eq!((all, right), (5_u64.pow(4) * 4_u64.pow(4), (1 + 6 + 3) * factorial(4)));
-    // Two pairs of twins cross in six maps of the torus, and with fewer twins there is no room for a handle.
+    // Two pairs of twins cross in six maps of the torus; fewer twins form no handle.
     assert_eq!(planar, right - connected(1, 2));
 }
 
-/// Every table for this map of two edges, with the twins 0 and 1, 2 and 3.
+/// Visits every map of two edges, with the twins 0 and 1, 2 and 3.
 fn each_map_of_two_edges(mut visit: impl FnMut(&Table, usize)) {
     let mut table = paired(4);
     let cells: Vec<_> = (0..4).map(|h| choices(&table, Cell::Next(h), To::Live)).collect();
@@ -227,8 +226,8 @@ fn each_map_of_two_edges(mut visit: impl FnMut(&Table, usize)) {
     });
 }
 
-/// Every face of each half-edge and half-edge of each face, for each map of two edges: there are as many faces as
-/// cycles, in any order, and each keeps any half-edge of its cycle.
+/// Every face of each half-edge and half-edge of each face, for each map of two edges: faces correspond to cycles, in
+/// any order, and each face stores any half-edge of its cycle.
 #[test]
 fn the_faces_of_a_mesh() {
     let parts = Parts::NONE.with(Part::Faces);
@@ -243,7 +242,7 @@ fn the_faces_of_a_mesh() {
     });
     // The cycles in a row, each with a first half-edge, as above.
     assert_eq!(right, (1..=4).map(|c| factorial(4) * binomial(3, c - 1)).sum::<u64>());
-    // One face, kept by any half-edge of any map; all other half-edges bound nothing.
+    // One face, stored with any half-edge of any map; all other half-edges bound nothing.
     assert_eq!(open, factorial(4) * 4);
 }
 
@@ -257,7 +256,7 @@ fn an_edge_in_the_form_of_the_textbook() {
     assert_eq!(judge(0), (half_edges * 3, 0));
 }
 
-/// A loop and two faces: which half-edge is outside, and which face, if not only one has room for it.
+/// A loop and two faces: either half-edge may be outside, and either face, unless only one has room for it.
 #[test]
 fn a_loop_in_the_form_of_the_textbook() {
     let tables = 2_u64.pow(2) * 3_u64.pow(4) * 3_u64.pow(2) * 3_u64.pow(2);
@@ -268,7 +267,8 @@ fn a_loop_in_the_form_of_the_textbook() {
     }
 }
 
-/// A loop with two boundary components and two faces: which half-edge is outside, which face, and which component.
+/// A loop with two boundary components and two faces: either half-edge may be outside, with either face and either
+/// component.
 #[test]
 fn a_loop_with_boundary_components() {
     let loop_alone = map(1, &[(0, 0), (0, 1)], &[]);
@@ -287,7 +287,7 @@ fn a_loop_with_boundary_components() {
     }
 }
 
-/// Two isolated vertices in one face: which boundary component is which vertex, and in which order they are listed.
+/// Two isolated vertices in one face: boundary components and vertices correspond in any way, listed in any order.
 #[test]
 fn two_isolated_vertices() {
     for (listed, right) in [(0, 0), (1, 0), (2, 2 * 2)] {
@@ -297,8 +297,8 @@ fn two_isolated_vertices() {
     }
 }
 
-/// Two loops and three faces, the first of them unbounded: which half-edge of each is outside, which face is inside
-/// which, and one in the other or, in any order, both side by side.
+/// Two loops and three faces, the first of them unbounded. Choices: the outside half-edge of each loop, the face inside
+/// each, and nesting: one in the other, or both side by side in any order.
 #[test]
 fn two_loops_and_how_they_nest() {
     let loops = textbook_map(2, &[(0, 0), (0, 1), (1, 2), (1, 3)], &[]).without(Part::Leaving).without(Part::Prev);
@@ -322,8 +322,8 @@ fn two_loops_and_how_they_nest() {
     assert_eq!(right, 2 * 2 * factorial(2) * (2 + 1 + 1));
 }
 
-/// Loops that each lie in the unbounded face or in another loop, or, wrongly, in themselves or in a ring of loops. By
-/// Cayley's formula (k + 1)^(k − 1) of the (k + 1)^k ways for k loops are trees.
+/// Loops that each lie in the unbounded face or in another loop, or, incorrectly, in themselves or in a ring of loops.
+/// By Cayley's formula (k + 1)^(k − 1) of the (k + 1)^k ways for k loops are trees.
 #[test]
 fn loops_nest_as_trees() {
     for loops in 1..=5_u32 {
@@ -345,9 +345,9 @@ fn loops_nest_as_trees() {
     }
 }
 
-/// Every change of two fields of a loop in a loop beside a vertex. Harmless is to let both vertices keep the other
-/// half-edge that leaves them, and, where no boundary component says its place, to list the two in the unbounded face
-/// the other way.
+/// Every change of two fields of two nested loops and a vertex. Two changes are harmless: both vertices store the other
+/// half-edge that leaves them; and, if boundary components store no places, the two in the unbounded face are listed in
+/// the opposite order.
 #[test]
 fn two_fields_at_once() {
     let (outside, between) = ([Start::HalfEdge(1), Start::Vertex(2)], [Start::HalfEdge(3)]);

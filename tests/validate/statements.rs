@@ -1,5 +1,5 @@
-//! Each rule is stated once: the README, the files of the rules, the reference and the diagram repeat that statement, and what
-//! the documentation of a rule names is there.
+//! Each rule is stated once: the README, the files of the rules, the reference and the diagram repeat the statement, and all
+//! names in the documentation of a rule exist.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,7 +11,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The comment lines that follow one another from the first that starts with `start`, as one line.
+/// Returns, as one line, the consecutive comment lines from the first that starts with `start`.
 fn comment(text: &str, marker: &str, start: &str) -> Option<String> {
     let lines = text.lines().map(str::trim).skip_while(|line| !line.starts_with(&format!("{marker} {start}")));
     let words: Vec<&str> =
@@ -24,7 +24,7 @@ fn catalogue() -> String {
     read("src/validate/catalogue.rs")
 }
 
-/// For each rule its file, and the file and name of the test that breaks it, as its documentation says.
+/// For each rule: its file, and the file and name of the test that breaks it, as documented.
 fn documented() -> Vec<(Rule, String, String, String)> {
     let source = catalogue();
     let entries: Vec<_> = source.lines().filter_map(|line| line.trim().strip_prefix("in \"")).collect();
@@ -84,7 +84,7 @@ fn the_test_that_breaks_each_rule_is_there() {
     }
 }
 
-/// `TwinIsSelf` is `twin_is_self`.
+/// For example, `TwinIsSelf` is `twin_is_self`.
 #[test]
 fn each_kind_of_violation_is_its_name_in_snake_case() {
     let source = catalogue();
@@ -112,7 +112,7 @@ fn causes_and_remedies_are_parts_of_sentences() {
     }
 }
 
-/// The names are those of `docs/report.md`; none is there twice.
+/// The names match `docs/report.md`, and are unique.
 #[test]
 fn every_kind_of_violation_is_documented_once() {
     let kinds: BTreeSet<_> = Violation::KINDS.iter().collect();

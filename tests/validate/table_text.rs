@@ -1,4 +1,4 @@
-//! Tables as lines of text: what is written is read again, and what is no table is refused at its position.
+//! Tables as lines of text: written tables can be read, and other texts are refused at the right position.
 
 use crate::support::nested::{nested, nested_textbook};
 use quickcheck::{Arbitrary, Gen, quickcheck};
@@ -6,7 +6,7 @@ use twinedge::validate::{
     BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Link, ParseTableError, Part, Parts, Start, Table, VertexRow,
 };
 
-/// Any table at all: vacant rows, links that lead nowhere, lists of any length.
+/// Any table: vacant rows, dangling links, lists of any length.
 #[derive(Clone, Debug)]
 struct AnyTable(Table);
 
@@ -112,7 +112,7 @@ fn a_vacant_slot_is_x() {
     assert_eq!(text.parse(), Ok(table));
 }
 
-/// A part brings those on which it depends; with all of them, the section is left out.
+/// A part implies its dependencies; with all parts, the section is omitted.
 #[test]
 fn the_parts_that_are_stored_come_first() {
     let parsed = |text: &str| text.parse::<Table>().unwrap();
@@ -195,7 +195,7 @@ fn an_extension_with_another_number_of_rows_is_refused() {
     assert_eq!(error, ParseTableError::RowCount { position: 23, expected: 1, found: 2 });
 }
 
-/// A text may claim any number of rows: what it does not hold takes no memory.
+/// A text may claim any number of rows, but missing rows take no memory.
 #[test]
 fn a_claim_of_many_rows_is_refused_where_the_rows_end() {
     let text = format!("V {} - -", usize::MAX);

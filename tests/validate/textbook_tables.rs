@@ -1,8 +1,8 @@
-//! The tables of the textbooks, entered by hand, and every change of one field of them.
+//! The tables of the textbooks, entered by hand, and every change of one of their fields.
 //!
 //! (a) is the polygonal map with a dangling edge of the lecture notes CS60064, lecture 12, after de Berg et al.,
-//! *Computational Geometry*, chapter 2. (b) is the map of five faces that is often used to explain the three tables; of
-//! its half-edge table only four rows are given (marked `*`), along with all of the vertex and the face table.
+//! *Computational Geometry*, chapter 2. (b) is the map of five faces that is often used to explain the three tables;
+//! only four rows of its half-edge table are given (marked `*`), but all of the vertex and the face table.
 
 use crate::support::erased::validate;
 use crate::support::nested::PLANE;
@@ -57,8 +57,8 @@ const DANGLING: Textbook = Textbook {
 ///              v5
 /// ```
 ///
-/// What is given leaves two completions, which differ in which of e7 and e9 joins v3 to v6. This is the one that
-/// numbers the edges of each triangle as the drawing does, in the order in which the faces are added.
+/// The given rows have two completions, which differ in the edge that joins v3 to v6, e7 or e9. This one numbers the
+/// edges of each triangle as the drawing does, in the order in which the faces are added.
 const FIVE_FACES: Textbook = Textbook {
     half_edges: "
         e1,1  V3  e1,2  f1  e2,1  e3,1
@@ -94,8 +94,8 @@ const FIVE_FACES: Textbook = Textbook {
       * f5  nil   e9,2",
 };
 
-/// Three tables as they are printed. A half-edge has origin, twin, face, next and prev; a vertex a half-edge that
-/// leaves it; a face a half-edge of its outer boundary component and one of each inner one.
+/// Three tables as printed. A half-edge has origin, twin, face, next and prev; a vertex a leaving half-edge; a face a
+/// half-edge of its outer boundary component and of each inner one.
 struct Textbook {
     half_edges: &'static str,
     vertices: &'static str,
@@ -207,9 +207,8 @@ fn the_other_completion_is_accepted_too() {
     assert_eq!(figures(&table, PLANE).faces, 5);
 }
 
-/// The changes of one field after which the table is another right table, each with the reason. There are two reasons
-/// only: a vertex may keep any half-edge that leaves it, and a boundary component may start at any half-edge of its
-/// cycle.
+/// The changes of one field that produce another valid table, each with the reason. There are only two reasons: a
+/// vertex may store any leaving half-edge, and a boundary component may start at any half-edge of its cycle.
 fn harmless(textbook: &Table, records: &Table, by_record: bool) -> BTreeSet<(Cell, Value)> {
     let half_edges = 0..textbook.half_edges.len();
     let mut harmless = BTreeSet::new();
@@ -239,7 +238,7 @@ fn harmless(textbook: &Table, records: &Table, by_record: bool) -> BTreeSet<(Cel
     harmless
 }
 
-/// Changes one field at a time; returns how many changes were made, and how many of them were harmless.
+/// Changes one field at a time; returns the numbers of changes and of harmless ones.
 fn change_every_field(textbook: &Table, by_record: bool) -> (usize, usize) {
     let records = with_boundary_components(textbook);
     let mut table = if by_record { records.clone() } else { textbook.clone() };
@@ -255,10 +254,10 @@ fn change_every_field(textbook: &Table, by_record: bool) -> (usize, usize) {
     (changes, accepted.len())
 }
 
-/// A link has two more wrong values than there are slots to lead to: nil, and past the end one near and one far, less
-/// the one that was there. A start has half-edges and vertices to choose from.
+/// A link has all slots plus two more wrong values (nil, and two past the end, minus the original value). A start may
+/// be any half-edge or vertex.
 ///
-/// Of the harmless changes there are 2E − V at the vertices and 2E − cycles at the starts.
+/// There are 2E − V harmless changes at the vertices and 2E − cycles at the starts.
 #[test]
 fn every_change_of_one_field_of_the_first_map_is_judged_right() {
     let table = DANGLING.table();
@@ -277,7 +276,7 @@ fn every_change_of_one_field_of_the_second_map_is_judged_right() {
     assert_eq!(change_every_field(&table, true), (rows + 6 * 7 + 5 * (7 + 28 + 4) + 5 * 7 + 7, harmless));
 }
 
-/// Lists one entry longer or shorter are never right, whatever the entry.
+/// A list with one entry too many or too few is never valid, whatever the entry.
 #[test]
 fn every_change_of_the_length_of_a_list_is_caught() {
     for textbook in [DANGLING, FIVE_FACES] {
@@ -309,8 +308,8 @@ fn every_change_of_the_length_of_a_list_is_caught() {
     }
 }
 
-/// The tables as a mesh would keep them: no lists of inner boundary components, so the unbounded face is a face like
-/// others.
+/// The tables as a mesh would store them: without lists of inner boundary components, the unbounded face is an ordinary
+/// face.
 #[test]
 fn the_maps_are_meshes_of_a_sphere_too() {
     for (textbook, unbounded, start) in [(DANGLING, 0, 0), (FIVE_FACES, 4, 17)] {

@@ -1,6 +1,5 @@
-//! The number of questions that the validator asks: on a valid structure with all parts, no more than the fast path needs.
-//!
-//! These are bounds on work that do not depend on any clock.
+//! The number of questions that the validator asks: for a valid structure with all parts, only the questions of the fast
+//! path. These bounds on work do not depend on a clock.
 
 use crate::support::erased::validate;
 use crate::support::nested::{PLANE, nested, nested_textbook};
@@ -10,7 +9,7 @@ use crate::support::watched::Watched;
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, Violation};
 
-/// Returns the numbers of questions to a valid table for the twin, next and prev of its half-edges.
+/// Returns the numbers of questions about the twin, next and prev of half-edges of a valid table.
 fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
     let view = Watched::new(table);
     let report = validate(&view, &expectation, Collect::All);
@@ -19,7 +18,7 @@ fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
     [view.twin.get(), view.next.get(), view.prev.get()]
 }
 
-/// The second half of the vertices, edges, boundary components and faces, and all that hangs on them, moved up by one slot,
+/// Moves the second half of the vertices, edges, boundary components and faces, with all links to them, up by one slot,
 /// which is vacant.
 fn with_vacant_slots(table: &Table) -> Table {
     let (v, h, b, f) =
@@ -56,7 +55,8 @@ fn with_vacant_slots(table: &Table) -> Table {
     moved
 }
 
-/// A valid map asks for each twin twice, as a step and as the answer to it, and for each next and each prev once.
+/// In a valid map, the validator asks for each twin twice, as a step and as the answer to it, and for each next and each
+/// prev once.
 #[test]
 fn a_valid_map_is_walked_around_once() {
     use Start::{HalfEdge, Vertex};
@@ -103,7 +103,7 @@ fn a_valid_map_is_walked_around_once() {
     }
 }
 
-/// On a torus the cycles are counted, too: each of its triangles by three questions from each half-edge.
+/// On a torus the cycles are also counted: each triangle by three questions from each half-edge.
 #[test]
 fn a_valid_surface_is_walked_around_once() {
     let tetrahedron = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
@@ -113,7 +113,7 @@ fn a_valid_surface_is_walked_around_once() {
     }
 }
 
-/// Whatever is lacking, nothing else is asked more often. Vacant slots make no difference.
+/// A missing part does not increase other questions, and vacant slots make no difference.
 #[test]
 fn what_lacks_parts_is_not_asked_more_often() {
     let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
@@ -131,7 +131,7 @@ fn what_lacks_parts_is_not_asked_more_often() {
     }
 }
 
-/// No list is read further than twice the number of records and a little, whatever its face claims.
+/// No list is read much beyond twice the number of records, whatever its face claims.
 #[test]
 fn a_list_that_never_ends_is_cut_short() {
     let table = map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
@@ -144,7 +144,7 @@ fn a_list_that_never_ends_is_cut_short() {
     assert_eq!(view.inner.get(), 2 * 20);
 }
 
-/// Each rule that reads the lists keeps to that bound, also where a list is said to be longer once another rule has read it.
+/// Each rule that reads the lists keeps this bound, even if a list grows after another rule has read it.
 #[test]
 fn a_list_that_grows_is_cut_short() {
     for (table, records) in [(nested().without(Part::Places), 5), (nested_textbook(), 12 + 7)] {
@@ -153,14 +153,14 @@ fn a_list_that_grows_is_cut_short() {
         for honest_answers in 0..=honest.inner_count.get() {
             let view = Watched::claiming(&table, |asked| (asked > honest_answers).then_some(usize::MAX));
             let _ = validate(&view, &PLANE, Collect::All);
-            // The fast path, R1, B (where there are no records for boundary components), F2 and T1 read the lists.
+            // The fast path, R1, B (without records for boundary components), F2 and T1 read the lists.
             let most = records + 4 * (2 * records + 16);
             assert!(view.inner.get() <= most, "{honest_answers}: {}", view.inner.get());
         }
     }
 }
 
-/// Half-edges of which each leaves a vertex of its own, although turning around any of these meets them all.
+/// Half-edges that each leave their own vertex, although turning around any of these meets them all.
 fn one_rotation(half_edges: usize) -> Table {
     let starts: Vec<(usize, usize)> = (0..half_edges).map(|h| (h, ((h ^ 1) + 1) % half_edges)).collect();
     map(half_edges, &starts, &[(None, &[Start::HalfEdge(0)])])
@@ -175,16 +175,16 @@ fn one_rotation_is_not_walked_around_from_every_vertex() {
     assert!(view.twin.get() + view.next.get() <= 20 * 200, "{} + {}", view.twin.get(), view.next.get());
 }
 
-/// Vertices 0 and 1 claim the same rotation of two half-edges, of three.
+/// Vertices 0 and 1 claim the same rotation of two half-edges, out of three.
 #[test]
 fn a_rotation_that_two_vertices_claim_leaves_room_for_no_third() {
     let mut table = map(3, &[(0, 0), (1, 1), (2, 2)], &[(None, &[Start::HalfEdge(0)])]);
     half_edge(&mut table, 2).twin = Some(2);
-    // Two half-edges have no boundary component, either.
+    // Two half-edges also lack a boundary component.
     assert_eq!(agree(&table, PLANE), Some(Rule::R1));
 }
 
-/// The fast path enters what the rules would have counted one by one.
+/// The fast path records the counts of the rules.
 #[test]
 fn the_fast_path_and_the_rules_report_the_same() {
     let tetrahedron = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
@@ -210,7 +210,7 @@ fn the_fast_path_and_the_rules_report_the_same() {
     }
 }
 
-/// The same mesh, whose half-edges name faces, and whose faces name half-edges.
+/// The mesh with half-edges that name faces, and faces that name half-edges.
 fn with_labels(mut mesh: Table) -> Table {
     let boundary = |b: Link| mesh.boundaries[b.unwrap()].unwrap();
     for row in mesh.half_edges.iter_mut().flatten() {

@@ -19,7 +19,7 @@ fn one_loop() -> Table {
     map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])])
 }
 
-/// Asserts that these are all violations, of one rule, and that the reference validator names the same rule first.
+/// Asserts that these are all violations, of one rule, and that the reference validator also finds this rule first.
 #[track_caller]
 fn only(rule: Rule, table: &Table, expectation: Expectation, violations: &[Violation]) {
     let report = validate(table, &expectation, Collect::All);
@@ -28,7 +28,7 @@ fn only(rule: Rule, table: &Table, expectation: Expectation, violations: &[Viola
     assert_eq!(agree(table, expectation), Some(rule));
 }
 
-/// Asserts that a change to the nested triangles breaks this rule, and nothing else, in this way.
+/// Asserts that a change to the nested triangles breaks only this rule, in this way.
 #[track_caller]
 fn change(rule: Rule, change: impl FnOnce(&mut Table), violations: &[Violation]) {
     let mut table = nested();
@@ -36,7 +36,7 @@ fn change(rule: Rule, change: impl FnOnce(&mut Table), violations: &[Violation])
     only(rule, &table, PLANE, violations);
 }
 
-/// The same in the form of the textbook.
+/// Asserts this in the form of the textbook.
 #[track_caller]
 fn change_textbook(rule: Rule, change: impl FnOnce(&mut Table), violations: &[Violation]) {
     let mut table = nested_textbook();
@@ -66,7 +66,7 @@ fn r1_a_link_dangles() {
     let dangling = |value| [Violation::Dangling { record, field, value }];
     change(Rule::R1, |t| vertex(t, 3).leaving = Some(12), &dangling(12));
     change(Rule::R1, |t| vertex(t, 3).leaving = Some(usize::MAX), &dangling(usize::MAX));
-    // A slot whose record was retired is no better.
+    // A slot of a retired record is no better.
     let retired = |t: &mut Table| {
         t.half_edges.push(None);
         vertex(t, 3).leaving = Some(12);
@@ -236,7 +236,7 @@ fn b2_a_boundary_component_starts_at_a_connected_vertex() {
     change_textbook(Rule::B2, listed, &[Violation::StartsAtConnected { record, vertex: 0 }]);
 }
 
-/// The same where the component has no other outside, so that each component has one.
+/// Also where the component has no other outside, so that each component has one.
 #[test]
 fn b2_a_connected_vertex_stands_for_the_outside_of_its_component() {
     let outside = |t: &mut Table| {
@@ -342,7 +342,7 @@ fn f2_a_boundary_component_is_listed_by_another_face_or_at_another_place() {
     }
 }
 
-/// With five boundary components, no more than 26 entries are read.
+/// With five boundary components, at most 26 entries are read.
 #[test]
 fn r1_a_list_is_longer_than_all_boundary_components_together() {
     let mut table = nested().without(Part::Places);
@@ -362,7 +362,7 @@ fn r1_a_list_is_longer_than_all_boundary_components_together() {
     assert_eq!(agree(&table, PLANE), Some(Rule::R1));
 }
 
-/// Fuzzing found that R1 was called sound, and F2 the first broken rule, where R1 had not read all of the lists.
+/// Regression, found by fuzzing: R1 was called valid, and F2 the first broken rule, although R1 had not read all lists.
 #[test]
 fn r1_is_not_called_sound_where_lists_were_not_read_to_the_end() {
     for mut table in [nested(), nested_textbook()] {
@@ -372,7 +372,7 @@ fn r1_is_not_called_sound_where_lists_were_not_read_to_the_end() {
         row.inner_starts.resize(100, Some(Start::HalfEdge(7)));
         row.inner_starts.push(None);
         assert_eq!(agree(&table, PLANE), Some(Rule::R1));
-        // Of the entries that are read, the second one is listed twice, which breaks F2.
+        // Among the entries read, the second is listed twice, which breaks F2.
         let first = validate(&table, &PLANE, Collect::First);
         assert_eq!(first.violations(), [Violation::ListTooLong { face: 1, claimed: 101 }]);
         let report = validate(&table, &PLANE, Collect::AtMost(0));
@@ -393,7 +393,7 @@ fn t1_a_component_has_no_outside() {
         (row.face, row.place) = (Some(3), Some(BoundaryPlace::Outer));
     };
     change(Rule::T1, outer, &[Violation::NoOutside { vertex: 3 }]);
-    // Only what lies at an open boundary may do without, also where open boundaries are legal.
+    // Only components at an open boundary may lack an inner one, even if open boundaries are legal.
     let mut table = nested();
     outer(&mut table);
     only(Rule::T1, &table, PLANE.open(), &[Violation::NoOutside { vertex: 3 }]);
@@ -420,7 +420,7 @@ fn t1_a_component_has_two_outsides() {
     change_textbook(Rule::T1, inner, &[Violation::TwoOutsides { vertex: 3, first, second }]);
 }
 
-/// Every local rule holds, and Euler's formula, in both.
+/// In both tables every local rule holds, and Euler's formula.
 #[test]
 fn t2_a_component_lies_inside_itself() {
     let in_itself = |t: &mut Table| {
@@ -446,7 +446,7 @@ fn t3_a_component_has_a_handle() {
     only(Rule::T3, &table, PLANE, &[violation]);
 }
 
-/// Lists the outer boundary component of face 0 as its inner one, which makes it the unbounded face.
+/// Lists the outer boundary component of face 0 as an inner one, which makes the face unbounded.
 fn turn_inside_out(table: &mut Table) {
     *face(table, 0) = FaceRow { inner: vec![Some(0)], ..FaceRow::default() };
     boundary(table, 0).place = Some(BoundaryPlace::Inner(0));
@@ -468,17 +468,16 @@ fn t3_and_t4_seven_vertices_all_joined_do_not_fit_in_the_plane() {
     assert_eq!(report.violations(), violations, "{report}");
     assert_eq!(broken(&report), [Rule::T3, Rule::T4]);
     assert_eq!(agree(&table, PLANE), Some(Rule::T3));
-    // Without faces it is the edges alone that are too many.
+    // Without faces only the edges are too many.
     let bare = k7().without(Part::Faces);
     assert_eq!(agree(&bare, PLANE), Some(Rule::T3));
     let report = validate(&bare, &PLANE, Collect::All);
     assert_eq!(broken(&report), [Rule::T3, Rule::T4]);
 }
 
-/// T4 is never broken alone. Where all rules before it hold, the structure is a planar subdivision, and those have no
-/// more edges and faces than T4 grants, by Euler's formula. In particular too many edges mean T3; too many faces can
-/// also mean that the faces are counted wrong, as here: four triangles of a tetrahedron all face inwards, and a fifth
-/// face is outside.
+/// T4 is never broken alone. Where all rules before it hold, the structure is a planar subdivision, which by Euler's
+/// formula satisfies the bounds of T4. Too many edges always break T3. Too many faces can also mean that the faces are
+/// counted wrong, as here: four triangles of a tetrahedron all face inwards, and a fifth face is outside.
 #[test]
 fn t4_is_broken_with_t1_where_faces_are_counted_wrong() {
     let mut table = mesh(4, &TETRAHEDRON);
@@ -487,7 +486,7 @@ fn t4_is_broken_with_t1_where_faces_are_counted_wrong() {
     let violations = [Violation::NoOutside { vertex: 0 }, Violation::TooManyFaces { vertices: 4, faces: 5 }];
     assert_eq!(report.violations(), violations, "{report}");
     assert_eq!(agree(&table, PLANE), Some(Rule::T1));
-    // The same with an outside is right, and there is no room for another face or edge.
+    // With an outside the structure is valid, and no further face or edge fits.
     table.faces.pop();
     turn_inside_out(&mut table);
     let bounds = validate(&table, &PLANE, Collect::All).figures().unwrap().bounds.unwrap();
@@ -496,7 +495,7 @@ fn t4_is_broken_with_t1_where_faces_are_counted_wrong() {
 
 #[test]
 fn r1_alone_reports_the_boundary_component_of_a_half_edge_that_leads_nowhere() {
-    // None of these starts a boundary component, or that would not be on its own cycle.
+    // These start no boundary component, which would then not be on its own cycle.
     for h in [2, 3, 8, 9] {
         let (record, field) = (Record::HalfEdge(h), Field::Boundary);
         change(Rule::R1, |t| half_edge(t, h).boundary = None, &[Violation::Nil { record, field }]);

@@ -140,7 +140,6 @@ struct Nest<'a> {
 
 /// A search of the region beyond a cycle.
 struct Search {
-    /// The boundary component where it began.
     from: u32,
     /// Boundary components still to be walked around.
     ahead: Vec<BoundarySlot>,
@@ -206,7 +205,6 @@ impl Nest<'_> {
         true
     }
 
-    /// Pushes the boundary components of the group of `b`.
     fn push_cycles(&self, store: &Store, group: usize, b: BoundarySlot, all: &mut Vec<BoundarySlot>) {
         if self.groups.all[group].changes {
             let mut cycle = self.first[group];

@@ -106,8 +106,8 @@ impl Dcel {
     /// | faces that touch at a vertex only, parallel edges, loops | [`Dcel::from_rotations`] |
     ///
     /// The returned keys are indexed by number of vertex, by number of face, and for half-edges by *corner*: half-edge `i` leaves the
-    /// `i`-th vertex of the concatenated lists. Records keep this order; the index of an edge is determined by its half-edge with the
-    /// smaller number. The result needs no validation.
+    /// `i`-th vertex of the concatenated lists. Records keep this order; of the two half-edges of an edge, the one with the smaller
+    /// number gets the smaller index. The result needs no validation.
     ///
     /// O(n) time and memory for n vertices and corners.
     ///
@@ -143,12 +143,10 @@ impl Dcel {
     }
 }
 
-/// All lists, concatenated.
 struct Corners {
     vertex: Vec<u32>,
     /// By corner: the next corner of the face.
     next: Vec<u32>,
-    /// The start of the list of each face.
     starts: Vec<u32>,
 }
 

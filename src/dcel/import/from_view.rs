@@ -24,8 +24,8 @@ impl Dcel {
     ///
     /// Boundary components, their places, `prev` and leaving half-edges are optional.
     ///
-    /// Records and lists keep their order; the index of an edge is determined by its half-edge with the smaller index in
-    /// the view.
+    /// Records and lists keep their order; of the two half-edges of an edge, the one with the smaller index in the view
+    /// gets the smaller index.
     ///
     /// O(n) time and memory for n slots of the view.
     ///
@@ -97,7 +97,6 @@ pub(super) fn import<V: View + ?Sized>(
     if report.is_valid() { Ok((dcel, numbers)) } else { Err(ImportError::NotPlane(Box::new(report))) }
 }
 
-/// Checks that the structure can have this unbounded face.
 fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     if !parts.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));

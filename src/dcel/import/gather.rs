@@ -226,7 +226,6 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         Ok(())
     }
 
-    /// Numbers the faces, the unbounded face first.
     fn faces(&mut self) -> Result<(), ImportError> {
         let (mut numbers, count) = enumerate(self.view.face_slots(), RecordKind::Face, |f| self.view.is_face(f))?;
         self.unbounded = match self.outside {

@@ -91,7 +91,6 @@ impl Dcel {
         Ok(())
     }
 
-    /// Sets the leaving half-edge of the origin of `h` to the one clockwise of `h`.
     fn release_end(&mut self, h: HalfEdgeSlot) {
         let other = self.store.next(self.store.twin(h));
         self.store.set_vertex_link(self.store.origin(h), VertexLink::Leaving(other));

@@ -16,7 +16,6 @@ type Steps = Vec<(Kind, Step)>;
 #[derive(Clone, Copy)]
 struct EdgeData {
     edge: KeyData,
-    /// The given half-edge and its twin.
     sides: [KeyData; 2],
 }
 

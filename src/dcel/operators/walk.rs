@@ -181,7 +181,6 @@ impl Dcel {
         found
     }
 
-    /// Queues the outer boundary components across the half-edges of `b`.
     fn offer_across(&mut self, queue: &mut Queue, b: BoundarySlot) {
         let BoundaryStart::HalfEdge(start) = self.store.start(b) else { return };
         let mut h = start;

@@ -5,7 +5,6 @@ use crate::slots::NIL;
 use crate::validate::View;
 use alloc::vec::Vec;
 
-/// Fills a column with `len` copies of `value`; `None` if memory runs out.
 pub(super) fn fill<T: Clone>(column: &mut Vec<T>, len: usize, value: T) -> Option<()> {
     column.clear();
     column.try_reserve(len).ok()?;
@@ -78,7 +77,6 @@ impl Map {
         Some(())
     }
 
-    /// Marks an isolated vertex; `None` if it is marked already.
     pub(super) fn mark_isolated(&mut self, vertex: usize) -> Option<()> {
         (!core::mem::replace(self.busy.get_mut(vertex)?, true)).then_some(())
     }

@@ -289,7 +289,6 @@ impl Conformance {
         self.explain(small, make()).unwrap_or_else(|| Counterexample::of(program, failure))
     }
 
-    /// Runs a failing program, and records the choices of its operators.
     fn explain<K: Subject>(self, program: Program, subject: K) -> Option<Counterexample> {
         let mut pair = match self.begin(subject) {
             Err(failure) => return Some(Counterexample::of(program, failure)),

@@ -183,7 +183,6 @@ impl<M: View> Named<M> {
         live.flat_map(|h| [Some(2 * h), self.mesh.twin(h).is_none().then_some(2 * h + 1)]).flatten().collect()
     }
 
-    /// The vertices where the half-edge at a place starts and ends.
     fn ends_at(&self, place: Place) -> [Link; 2] {
         let h = place / 2;
         let start = |link: Link| link.filter(|h| *h < self.mesh.half_edge_slots()).and_then(|h| self.mesh.origin(h));

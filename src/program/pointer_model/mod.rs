@@ -68,7 +68,6 @@ struct HalfEdge {
     twin: Pointer<HalfEdge>,
     next: Pointer<HalfEdge>,
     prev: Pointer<HalfEdge>,
-    /// The face to its left.
     face: Pointer<Face>,
     /// True on the outer cycle of that face.
     outer: bool,
@@ -167,7 +166,6 @@ fn component(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
     found
 }
 
-/// Labels one half-edge with the face to its left.
 fn label(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
     h.borrow_mut().face = Rc::downgrade(f);
     h.borrow_mut().outer = outer;

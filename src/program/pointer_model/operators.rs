@@ -63,7 +63,6 @@ fn spot_side(spot: &Spot) -> Result<(Owned<Face>, bool), Refusal> {
     }
 }
 
-/// Refuses to change the outside.
 fn no_border<'a>(faces: impl IntoIterator<Item = &'a Owned<Face>>) -> Result<(), Refusal> {
     if faces.into_iter().any(|f| f.borrow().border) { Err(Refusal::Border) } else { Ok(()) }
 }
@@ -76,7 +75,6 @@ fn same_boundary(a: &Spot, b: &Spot) -> bool {
     }
 }
 
-/// Moves the inner boundary component of a corner to another face.
 fn give(spot: &Spot, f: &Owned<Face>) {
     match spot {
         Corner::At(h) => label_cycle(h, f, false),

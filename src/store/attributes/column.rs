@@ -40,7 +40,6 @@ pub(super) trait AnyColumn: Any + Debug + Send + Sync {
     fn announce(&mut self, step: Step, is_larger: bool, log: &mut Vec<Saved>) -> Result<(), Reason>;
     /// Sets the announced value of a new record.
     fn settle(&mut self, made: KeyData, log: &mut Vec<Saved>);
-    /// Discards the announced values.
     fn forget_announced(&mut self);
     fn shares(&self) -> bool;
     fn is_by_measure(&self) -> bool;
@@ -174,7 +173,6 @@ impl<K: Attributed, T: Value> Column<K, T> {
         }
     }
 
-    /// Sets or removes a value, and returns the previous one.
     pub(super) fn put(&mut self, key: K::Key, value: Option<T>, log: &mut Vec<Saved>) -> Option<T> {
         let writes = value.is_some();
         let had = self.replace(key, value);

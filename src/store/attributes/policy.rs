@@ -55,7 +55,6 @@ pub struct Policy<K: Attributed, T> {
     pub(super) dropping: Option<Arc<Dropping<T>>>,
     /// The number of a value, by which its record is found.
     pub(super) number: Option<fn(&T) -> u128>,
-    /// The next id, if the policy assigns ids.
     pub(super) counter: Option<Arc<AtomicU64>>,
     of: PhantomData<K>,
 }

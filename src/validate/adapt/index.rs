@@ -48,7 +48,6 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Index<K> {
     ids: Vec<K>,
-    /// Indices in the order of ids.
     sorted: Vec<usize>,
 }
 

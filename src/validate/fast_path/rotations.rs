@@ -176,7 +176,7 @@ pub(super) struct ComponentNumbers {
     pub(super) count: usize,
 }
 
-/// Joins vertices until `count` components are left, or every edge is used.
+/// Joins vertices until `fewest` components are left, or every edge is used.
 ///
 /// First each vertex joins its neighbour with the smallest number. Numbers fall along these steps, so they end, and if
 /// neighbours have close numbers they end at one vertex of each component. The rest is joined edge by edge.

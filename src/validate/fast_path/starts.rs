@@ -5,7 +5,6 @@ use crate::validate::structure::{Part, View};
 use crate::validate::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
-/// The starts of the walks around the vertices.
 pub(super) struct Starts {
     pub(super) half_edges: usize,
     pub(super) unpaired: usize,

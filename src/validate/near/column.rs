@@ -111,13 +111,11 @@ impl<R: Row> Column<R> {
         self.after.len()
     }
 
-    /// The index of one of these rows.
     #[inline]
     pub(super) fn index(&self, position: usize) -> usize {
         self.after[position].0 as usize
     }
 
-    /// Sets one of these rows to its state after the change.
     #[inline]
     pub(super) fn put(&mut self, position: usize, row: R) {
         self.after[position].1 = row;

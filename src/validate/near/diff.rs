@@ -8,7 +8,6 @@ use alloc::vec::Vec;
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sums {
-    /// The number of unbounded faces.
     pub(super) unbounded: i64,
     /// 2V − 2E + 2F − 2 · (inner boundary components).
     pub(super) euler: i64,
@@ -65,7 +64,6 @@ impl Diff {
         self.faces.commit();
     }
 
-    /// The next half-edge clockwise before the change.
     pub(super) fn clockwise_before(&self, h: usize) -> usize {
         self.half_edges.before(self.half_edges.before(h).twin as usize).next as usize
     }

@@ -168,7 +168,6 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         if h < self.half_edges { self.next(self.view.twin(h)?) } else { None }
     }
 
-    /// Returns only the label of a half-edge.
     pub(super) fn label_of(&self, h: usize) -> Option<usize> {
         if self.has(Part::BoundaryComponents) { self.view.boundary(h) } else { self.view.face(h) }
     }

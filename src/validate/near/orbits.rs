@@ -24,7 +24,6 @@ impl Members {
     pub(super) fn sort(&mut self) {
         self.0.sort_unstable();
     }
-    /// Returns the members of one orbit, after sorting.
     pub(super) fn of(&self, orbit: usize) -> &[Member] {
         let from = self.0.partition_point(|member| (member.of as usize) < orbit);
         let rest = &self.0[from..];
@@ -32,7 +31,6 @@ impl Members {
     }
 }
 
-/// Memory for the walks, which is reused.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walks {
     /// The member where each unfinished walk began, and its current half-edge.

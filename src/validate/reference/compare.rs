@@ -36,7 +36,6 @@ pub enum Disagreement {
     },
 }
 
-/// A first broken rule, in words.
 struct RuleText(Option<Rule>);
 
 impl fmt::Display for RuleText {
@@ -126,7 +125,6 @@ pub fn disagreement(report: &Report, broken: &[Rule]) -> Option<Disagreement> {
     })
 }
 
-/// Returns the difference in the first broken rule.
 fn first(report: &Report, reference: Option<Rule>) -> Option<Disagreement> {
     let fast = report.broken_rules().find(|rule| !rule.is_geometric());
     let valid = report.is_valid();

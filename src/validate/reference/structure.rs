@@ -14,13 +14,11 @@ pub(super) enum Says {
     Face,
 }
 
-/// An entry of the list of a face.
 pub(super) struct Entry {
     pub(super) face: Link,
     pub(super) place: BoundaryPlace,
     /// The listed boundary component, if boundary components are records.
     pub(super) boundary: Link,
-    /// The start of the listed boundary component.
     pub(super) start: Option<Start>,
 }
 
@@ -164,12 +162,10 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.origin(if self.twin(h).is_some() { self.twin(h) } else { self.next(h) })
     }
 
-    /// All half-edges with that origin.
     pub(super) fn all_leaving(&self, v: Link) -> BTreeSet<Link> {
         self.half_edges.iter().copied().filter(|&h| self.origin(h) == v).collect()
     }
 
-    /// The orbit of `h` under `next`.
     pub(super) fn cycle(&self, h: Link) -> BTreeSet<Link> {
         orbit(h, |h| self.next(h))
     }
@@ -228,7 +224,6 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         }
     }
 
-    /// True if there are faces, and the half-edge has none.
     pub(super) fn lacks_face(&self, h: Link) -> bool {
         match self.says {
             Says::Nothing => false,

@@ -31,7 +31,6 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Nothing counted.
     pub(crate) const NOTHING: Self = Self {
         vertices: 0,
         half_edges: 0,

@@ -69,7 +69,8 @@ pub enum Unchecked {
     TooLarge,
     /// Memory ran out.
     OutOfMemory,
-    /// The faces list more inner boundary components than twice their number plus 16; the rest of the lists was not read.
+    /// The lists of the faces have more entries than twice the number of boundary components plus 16; the rest of the lists was not
+    /// read.
     ListTooLong,
 }
 

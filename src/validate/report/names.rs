@@ -20,7 +20,6 @@ pub(super) struct Name<'a> {
     before: Before,
 }
 
-/// The words before the name of a record.
 #[derive(Clone, Copy)]
 enum Before {
     Nothing,
@@ -32,10 +31,8 @@ enum Before {
     Component(&'static str),
 }
 
-/// The two ends of an edge.
 pub(super) struct Ends<'a>(pub(super) [Name<'a>; 2]);
 
-/// A place in the list of a face.
 pub(super) struct PlaceText(pub(super) Option<BoundaryPlace>);
 
 impl<'a> Names<'a> {
@@ -58,17 +55,14 @@ impl<'a> Names<'a> {
         self.link(Record::Face, Some(index))
     }
 
-    /// A link to a record of this kind.
     pub(super) fn link(self, kind: fn(usize) -> Record, link: Link) -> Name<'a> {
         Name { names: self, record: link.map(kind), before: Before::Nothing }
     }
 
-    /// A record, with its kind.
     pub(super) const fn record(self, record: Record) -> Name<'a> {
         Name { names: self, record: Some(record), before: Before::Kind }
     }
 
-    /// A face, or the cycle of a half-edge.
     pub(super) const fn cycle_of(self, record: Record) -> Name<'a> {
         Name { names: self, record: Some(record), before: Before::CycleOf }
     }

@@ -191,7 +191,6 @@ macro_rules! violations {
                 Sentence(self, Names::INDICES).to_string()
             }
 
-            /// Writes the sentence with these names.
             #[allow(unused_variables, reason = "some fields are said in other words")]
             fn write(&self, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 match *self {
@@ -235,7 +234,6 @@ impl fmt::Display for Dangling {
     }
 }
 
-/// The place where a component lies.
 enum Place<'a> {
     In(Name<'a>),
     Nowhere,

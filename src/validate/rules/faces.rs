@@ -166,7 +166,6 @@ fn face_constant(
     })
 }
 
-/// Checks that a half-edge that a face lists names that face.
 fn names_its_face(subject: Subject<'_>, face: usize, h: usize, findings: &mut Findings) -> Flow {
     let Some(half_edge) = subject.live_half_edge(Some(h)) else { return Ok(()) };
     let found = subject.view.face(half_edge);

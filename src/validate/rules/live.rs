@@ -17,7 +17,6 @@ use crate::validate::subject::Subject;
 use crate::validate::subject::column;
 use alloc::vec::Vec;
 
-/// The numbers of records, and the state of the links that later rules follow.
 pub(crate) struct Census {
     pub(crate) half_edges: usize,
     pub(crate) edges: usize,
@@ -122,7 +121,6 @@ impl Links<'_, '_> {
     }
 }
 
-/// Returns the numbers of half-edges and of edges.
 fn links_of_half_edges(
     subject: Subject<'_>,
     half_edges: impl HalfEdges,
@@ -186,7 +184,6 @@ fn half_edge(subject: Subject<'_>, h: usize, findings: &mut Findings) -> Flow {
     links.check(field, extent.name(view, h), kind, is_needed)
 }
 
-/// Returns the number of vertices and of isolated vertices.
 fn vertices(subject: Subject<'_>, fans: &[Fan], findings: &mut Findings) -> Result<[usize; 2], Halt> {
     let names_boundary = subject.has(Part::BoundaryComponents) && subject.has(Part::Holes);
     let (mut live, mut isolated) = (0, 0);

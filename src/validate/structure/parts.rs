@@ -77,7 +77,6 @@ impl Part {
         Self::ALL.into_iter().find(|part| part.word() == word)
     }
 
-    /// The bits of the parts that this one depends on.
     const fn needs(self) -> u8 {
         match self {
             Self::Prev | Self::Leaving | Self::Faces => 0,

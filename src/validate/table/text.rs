@@ -286,7 +286,6 @@ impl<'a> Tokens<'a> {
         true
     }
 
-    /// Reads the rows of a section.
     fn rows<T>(
         &mut self,
         mut row: impl FnMut(&mut Self) -> Result<T, ParseTableError>,

@@ -1,4 +1,4 @@
-//! Compacting: the same map without gaps, and where everything went.
+//! Compacting: the same map without gaps, and the new keys.
 
 use super::{built, check};
 use twinedge::dcel::{Boundary, Dcel, Face, HalfEdge, Vertex};

@@ -1,4 +1,4 @@
-//! From faces: what comes out has these faces, and what is refused is refused for the reason that a plain count finds.
+//! Building from faces: accepted structures have these faces, and refusals have the reason found by a plain count.
 
 use super::check;
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,7 +29,7 @@ fn faces_that_do_not_fit_together_are_named() {
     assert_eq!(refused(4, &[&[0, 1, 2], &[3, 1, 2]]), same([0, 1], [1, 2]));
     assert_eq!(refused(5, &[&[0, 1, 2], &[3, 2, 1], &[1, 2, 4]]), same([0, 2], [1, 2]));
     assert_eq!(refused(5, &[&[0, 1, 2, 0, 1, 3]]), same([0, 0], [0, 1]));
-    // Two triangles at a vertex; two tetrahedra at one, which have no border.
+    // Two triangles sharing only a vertex; two tetrahedra sharing a vertex, without a border.
     assert_eq!(refused(5, &[&[0, 1, 2], &[0, 3, 4]]), FacesError::SeveralFans { vertex: 0 });
     let tetrahedron = |[a, b, c, d]: [u32; 4]| [[a, b, c], [a, c, d], [a, d, b], [b, d, c]];
     let two = [tetrahedron([0, 1, 2, 3]), tetrahedron([4, 5, 3, 6])].concat();
@@ -53,7 +53,7 @@ fn holes_and_handles_are_not_plane() {
     assert_eq!(Dcel::from_faces(10, &torus[1..]).unwrap_err(), FacesError::Genus { vertex: 1, genus: 1 });
 }
 
-/// Returns the reason why these faces are no map, by sets and counts; the smallest offender first.
+/// Finds, by sets and counts, the reason why these faces form no map; the smallest offender first.
 fn reason(vertices: usize, faces: &Lists) -> Option<&'static str> {
     let mut sides = BTreeMap::new();
     for (f, face) in faces.iter().enumerate() {
@@ -65,7 +65,7 @@ fn reason(vertices: usize, faces: &Lists) -> Option<&'static str> {
     }
     let has = |side: &(u32, u32)| sides.contains_key(side);
     for v in 0..vertices as u32 {
-        // Each corner at v, from the vertex before it to the one after it: chains of corners are fans.
+        // Each corner at v, from the previous to the next vertex: chains of corners are fans.
         let mut corners = BTreeMap::new();
         for face in faces {
             for (i, _) in face.iter().enumerate().filter(|(_, at)| **at == v) {
@@ -118,11 +118,11 @@ fn reason(vertices: usize, faces: &Lists) -> Option<&'static str> {
     None
 }
 
-/// The number of times that each reason came up.
+/// The number of occurrences of each reason.
 static OUTCOMES: [AtomicUsize; 6] = [const { AtomicUsize::new(0) }; 6];
 const REASONS: [&str; 5] = ["SameSide", "SeveralFans", "Closed", "SeveralBorders", "Genus"];
 
-/// Some faces of a grid on a torus, which may be cut open, and of a tetrahedron beside it; maybe one is turned.
+/// Some faces of a grid on a torus, possibly cut open, and of a separate tetrahedron; one may be turned.
 fn some_faces(keep: &[bool], open: (bool, bool), turned: u8) -> (usize, Lists) {
     let width = 3 + u32::from(open.0);
     let height = 3 + u32::from(open.1);
@@ -176,7 +176,7 @@ fn what_comes_in_has_these_faces_and_what_is_refused_breaks_a_rule() {
             assert_eq!(cycle, expected);
             corner += list.len();
         }
-        // Of an edge, the corner that came first has the smaller index.
+        // The first corner of an edge has the smaller index.
         for c in 0..corner {
             let h = map.half_edge(keys.half_edge(c).unwrap()).unwrap();
             let other = (0..corner).find(|other| keys.half_edge(*other) == Some(h.twin().key()));

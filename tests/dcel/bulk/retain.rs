@@ -1,4 +1,4 @@
-//! Retaining: what is left is what the operators leave, one by one.
+//! Retaining: the result equals removing records one by one.
 
 use super::{built, check};
 use crate::support::erased::validate_plane;
@@ -12,12 +12,12 @@ use twinedge::program::choose::{Choose, Random};
 use twinedge::program::{OpKind, Program, Runner};
 use twinedge::validate::Table;
 
-/// Returns true if a record with this index stays: a condition that is made of some bytes.
+/// Decides, from some bytes, whether a record with this index stays.
 fn stays(chosen: &[u8], index: usize) -> bool {
     chosen.get(index.checked_rem(chosen.len()).unwrap_or(0)).is_none_or(|byte| byte % 3 > 0)
 }
 
-/// Returns the groups of faces that become one, as sets.
+/// Returns the groups of merged faces, as sets.
 fn groups(faces: &[FaceKey], merged: impl IntoIterator<Item = (FaceKey, FaceKey)>) -> BTreeSet<BTreeSet<FaceKey>> {
     let mut group: BTreeMap<FaceKey, FaceKey> = faces.iter().map(|f| (*f, *f)).collect();
     for (dropped, kept) in merged {
@@ -31,7 +31,7 @@ fn groups(faces: &[FaceKey], merged: impl IntoIterator<Item = (FaceKey, FaceKey)
     sets.into_values().collect()
 }
 
-/// The numbers of edges, vertices and faces dropped, of boundary components made, and of runs in which nothing changed.
+/// The numbers of dropped edges, vertices and faces, of new boundary components, and of runs without changes.
 static SEEN: [AtomicUsize; 5] = [const { AtomicUsize::new(0) }; 5];
 
 fn law(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: bool) {
@@ -40,7 +40,7 @@ fn law(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: boo
     let retained = map.retain(|v| stays(&of_vertices, v.index()), |h| stays(&of_edges, h.index() / 2)).unwrap();
     assert!(validate_plane(&map).is_valid(), "{:?}", validate_plane(&map));
 
-    // The conditions decide alone which records are dropped.
+    // Only the conditions decide which records are dropped.
     let vertices: Vec<VertexKey> =
         old.vertices().filter(|v| !stays(&of_vertices, v.index())).map(|v| v.key()).collect();
     let edges: Vec<HalfEdgeKey> = old
@@ -62,7 +62,7 @@ fn law(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: boo
         }
     }
 
-    // The operators leave the same, in either order, and merge the same faces.
+    // Operators have the same result, in either order, and merge the same faces.
     let mut merged = vec![];
     let mut order = edges.clone();
     if backwards {
@@ -88,13 +88,13 @@ fn law(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: boo
     }
     assert_eq!(map.face_count() + retained.faces.len(), old.face_count());
     assert_eq!(map.unbounded_face().key(), old.unbounded_face().key());
-    // Of several faces that is kept which lay to the left of the half-edge with the smallest index.
+    // The surviving face lay to the left of the half-edge with the smallest index.
     for f in map.faces().filter(|f| !f.is_unbounded()) {
         let first = f.outer().unwrap().half_edges().min_by_key(|h| h.index()).unwrap().key();
         assert_eq!(old.half_edge(first).unwrap().face().key(), f.key());
     }
 
-    // Boundary components go and come as is said, and stay with their starts.
+    // Reported boundary components are made and dropped, and others stay with their starts.
     let all = |map: &Dcel| map.boundaries().map(|b| b.key()).collect::<BTreeSet<BoundaryKey>>();
     let (before, after) = (all(&old), all(&map));
     assert!(before.difference(&after).copied().eq(retained.dropped.iter().copied().collect::<BTreeSet<_>>()));
@@ -105,7 +105,7 @@ fn law(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: boo
         assert_eq!(start, b.start().map(|_| b.key()));
         assert_eq!(was.isolated_vertex().map(|v| v.key()), b.isolated_vertex().map(|v| v.key()));
     }
-    // Of several starts on one cycle that of the boundary component with the smallest index stays.
+    // Of several components starting on one cycle, the one with the smallest index survives.
     for b in map.boundaries() {
         let mut starts = old.boundaries().filter_map(|was| Some((was.key(), was.start()?.key())));
         let first = starts.find(|(_, h)| map.half_edge(*h).is_ok_and(|h| h.boundary().key() == b.key()));
@@ -127,8 +127,8 @@ fn what_is_left_is_what_the_operators_leave() {
     assert!(SEEN.iter().all(|seen| seen.load(Ordering::Relaxed) > 10), "{SEEN:?}");
 }
 
-/// Loops and edges beside and inside each other, of which those that join them go: faces come to have several cycles, and what lies in them,
-/// too.
+/// Loops and edges, separate and nested; removing the edges that join them leaves faces with several cycles that
+/// contain others.
 #[test]
 fn of_several_cycles_the_outer_one_is_found_whatever_lies_inside_the_others() {
     let kinds = [OpKind::AddIsolatedVertex, OpKind::Connect, OpKind::SplitVertex, OpKind::SplitEdge];

@@ -1,4 +1,4 @@
-//! From rotations: every map comes back from its own, and every refusal has its cause.
+//! Building from rotations: every map can be rebuilt, and every refusal has its cause.
 
 use super::{built, check};
 use std::collections::BTreeMap;
@@ -7,7 +7,7 @@ use twinedge::dcel::{Corner, Dcel, Placement, RotationsError};
 use twinedge::program::Program;
 use twinedge::program::canonical::isomorphic;
 
-/// The rotations of a map from any of its half-edges, and where its components lie.
+/// The rotations of a map, each from any of its half-edges, and the placements of its components.
 fn system(map: &Dcel, turn: usize) -> (Vec<Vec<u32>>, Vec<Placement>) {
     let edges = map.edges().flat_map(|h| [h.index(), h.twin().index()]);
     let dart: BTreeMap<usize, u32> = edges.zip(0..).collect();
@@ -50,7 +50,7 @@ fn a_map_comes_back_from_its_rotations() {
             assert!(v.rotation().all(|h| keys.half_edge(h.index() - 2) == Some(h.key())));
         }
         assert_eq!(keys.face(0), None);
-        // Without placements all lie in the unbounded face, each with the outside at its smallest dart.
+        // Without placements every component lies in the unbounded face, with the outside at its smallest dart.
         let (apart, keys) = Dcel::from_rotations(&rotations, &[]).unwrap();
         assert!(apart.validate().is_valid());
         assert_eq!(apart.unbounded_face().inner_count(), placements.len());
@@ -61,13 +61,13 @@ fn a_map_comes_back_from_its_rotations() {
     check(500, 150, law as fn(Program, usize));
 }
 
-/// A face may be named by a dart on the outside of a component in it.
+/// A placement may name a face by a dart on the outside of another component in it.
 #[test]
 fn components_lie_beside_those_that_are_named() {
     let triangle = |first: u32| (0..3).map(move |i| vec![first + 2 * i, first + (2 * i + 5) % 6]);
     let rotations: Vec<Vec<u32>> = (0..4).flat_map(|i| triangle(6 * i)).chain([vec![]]).collect();
     let at = |outside, within| Placement { outside: Corner::At(outside), within };
-    // The second lies beside the third, which lies in the first; the fourth and the vertex lie in the second.
+    // The second and the third component lie side by side in the first; the fourth and the vertex lie in the second.
     let island = Placement { outside: Corner::Isolated(12), within: Some(6) };
     let placements = [at(7, Some(13)), at(13, Some(0)), at(1, None), island, at(18, Some(8))];
     let (map, keys) = Dcel::from_rotations(&rotations, &placements).unwrap();
@@ -111,13 +111,13 @@ fn placements_that_are_wrong_are_named() {
         refused(&edge, &[at(2, inside_of(0)), at(0, inside_of(2))]),
         RotationsError::InsideItself { placement: 0 | 1 }
     ));
-    // One that lies in those that lie in each other does not lie inside itself.
+    // A component inside two components that contain each other does not lie inside itself.
     let island = Placement { outside: Corner::Isolated(4), within: Some(0) };
     let error = refused(&edge, &[island, at(2, inside_of(0)), at(0, inside_of(2))]);
     assert!(matches!(error, RotationsError::InsideItself { placement: 1 | 2 }), "{error}");
 }
 
-/// The number of systems that were plane, and of those that were not.
+/// The numbers of planar and non-planar systems.
 static PLANE: [AtomicUsize; 2] = [const { AtomicUsize::new(0) }; 2];
 
 /// The darts in any order, cut into rotations anywhere.

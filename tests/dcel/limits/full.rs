@@ -1,4 +1,4 @@
-//! A structure with limits refuses records that do not fit, without a trace, kind of record by kind.
+//! A structure with limits refuses records that do not fit, without a trace, for each kind of record.
 
 use super::{an_edge, limited};
 use crate::support::erased::validate_plane;
@@ -104,7 +104,7 @@ fn compacting_and_cloning_keep_the_limits() {
     }
 }
 
-/// The unbounded face takes no room that it has not.
+/// The unbounded face always has room.
 #[test]
 fn a_limit_of_no_faces_is_one_of_one() {
     let mut dcel = limited([2, 1, 1, 0]);

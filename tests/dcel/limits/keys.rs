@@ -1,11 +1,11 @@
-//! Keys that name nothing are refused, and those that are issued work as keys of slotmap.
+//! Invalid keys are refused, and issued keys work as slotmap keys.
 
 use super::an_edge;
 use std::collections::HashSet;
 use twinedge::dcel::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, RemovedEdge, Split, StaleKey, VertexKey};
 use twinedge::validate::Table;
 
-/// All keys that a structure has now.
+/// All current keys of a structure.
 fn all_keys(dcel: &Dcel) -> (Vec<VertexKey>, Vec<HalfEdgeKey>, Vec<BoundaryKey>, Vec<FaceKey>) {
     (
         dcel.vertices().map(twinedge::dcel::Vertex::key).collect(),
@@ -15,7 +15,7 @@ fn all_keys(dcel: &Dcel) -> (Vec<VertexKey>, Vec<HalfEdgeKey>, Vec<BoundaryKey>,
     )
 }
 
-/// Two structures made alike share no key, and each refuses those of the other by name.
+/// Two identically built structures share no key, and each refuses the other's keys by name.
 #[test]
 fn foreign_keys_are_refused() {
     let make = || {
@@ -47,7 +47,7 @@ fn foreign_keys_are_refused() {
     assert_eq!(Table::copy_of(&one), before);
 }
 
-/// A slot is used again, with a key that was never there before, while all keys of the past stay refused.
+/// A reused slot gets a new key, and all old keys stay refused.
 #[test]
 fn used_slots_get_new_keys() {
     let mut dcel = Dcel::default();
@@ -76,7 +76,7 @@ fn used_slots_get_new_keys() {
     assert!(dcel.vertex(kept).is_ok() && dcel.face(outside).is_ok());
 }
 
-/// Keys made of arbitrary bits name a record only if they are its key.
+/// A key made of arbitrary bits names a record only if it is the record's key.
 #[test]
 fn only_keys_that_were_issued_are_accepted() {
     let mut dcel = Dcel::default();
@@ -96,7 +96,7 @@ fn only_keys_that_were_issued_are_accepted() {
     }
 }
 
-/// Data kept beside the structure is found by key, and comes back in full when iterated.
+/// Data stored by key is found, and iteration returns all of it.
 #[test]
 fn secondary_maps_take_the_keys() {
     let mut dcel = Dcel::default();
@@ -112,7 +112,7 @@ fn secondary_maps_take_the_keys() {
     assert_eq!(of_faces.keys().collect::<Vec<_>>(), faces);
 }
 
-/// A change of a copy does not show in the original, nor the other way round.
+/// Changes of a copy and of the original are independent.
 #[test]
 fn copies_are_apart() {
     let mut dcel = Dcel::default();

@@ -1,5 +1,5 @@
-//! A structure with limits differs from one without in nothing but that it refuses what does not fit, without a trace: the same operators
-//! on both give the same structure, step by step, with records named by the order in which they were made. Keys that name nothing are refused.
+//! A structure with limits only differs from an unlimited one by refusing records that do not fit, without a trace: the same operators
+//! make the same structure, step by step, with records named by their order of creation. Invalid keys are refused.
 
 mod full;
 mod keys;
@@ -15,12 +15,12 @@ use twinedge::dcel::{
 };
 use twinedge::validate::{BoundaryRow, FaceRow, HalfEdgeRow, Start, Table, VertexRow};
 
-/// An empty structure with room for so many vertices, edges, boundary components and faces.
+/// An empty structure limited to these numbers of vertices, edges, boundary components and faces.
 pub(crate) fn limited([vertices, edges, boundaries, faces]: [usize; 4]) -> Dcel {
     Dcel::with_limits(Room { vertices, edges, boundaries, faces })
 }
 
-/// The keys of one kind by number: the order in which their records were made.
+/// The keys of one kind, numbered by the order of creation.
 struct Names<K>(Vec<K>);
 
 impl<K: Copy + Eq + Hash> Names<K> {
@@ -33,7 +33,7 @@ impl<K: Copy + Eq + Hash> Names<K> {
         self.0.iter().rposition(|k| *k == key).expect("a key that was made")
     }
 
-    /// Per index in the view, the rank among the records that are live.
+    /// By index in the view: the rank among the live records.
     fn ranks(&self, index: impl Fn(K) -> Option<usize>) -> HashMap<usize, usize> {
         self.0.iter().filter_map(|key| index(*key)).enumerate().map(|(rank, index)| (index, rank)).collect()
     }
@@ -46,7 +46,7 @@ enum Spot {
     Isolated(usize),
 }
 
-/// One operator, its arguments by number.
+/// One operator, with arguments by number.
 #[derive(Clone, Debug)]
 enum Step {
     AddIsolatedVertex(usize),
@@ -65,7 +65,7 @@ enum Step {
 /// The answer of an operator, by number, or the kind of its error.
 type Answer = Result<Vec<usize>, (Discriminant<OperatorError>, Option<Discriminant<StaleKey>>, Option<RecordKind>)>;
 
-/// A structure and the names of all that was ever made in it.
+/// A structure, and the names of all records ever made in it.
 struct Run {
     dcel: Dcel,
     vertices: Names<VertexKey>,
@@ -167,7 +167,7 @@ impl Run {
         })
     }
 
-    /// The answers of the structure, the live records numbered in the order in which they were made.
+    /// The answers of the structure, with live records numbered in the order of creation.
     fn table(&self) -> Table {
         let said = Table::copy_of(&self.dcel).expect("a small map fits");
         let v = self.vertices.ranks(|key| self.dcel.vertex(key).ok().map(twinedge::dcel::Vertex::index));
@@ -203,7 +203,7 @@ impl Run {
     }
 }
 
-/// The live rows, which must be those with a rank, in order of rank.
+/// The live rows, which must be the rows with a rank, in order of rank.
 fn ordered<R>(rows: &[Option<R>], ranks: &HashMap<usize, usize>, renumbered: impl Fn(&R) -> R) -> Vec<Option<R>> {
     let mut result: Vec<Option<R>> = ranks.iter().map(|_| None).collect();
     for (index, row) in rows.iter().enumerate() {
@@ -214,7 +214,7 @@ fn ordered<R>(rows: &[Option<R>], ranks: &HashMap<usize, usize>, renumbered: imp
     result
 }
 
-/// Picks one of the live, mostly, or of all there ever were.
+/// Picks a live key, mostly, or any key ever issued.
 fn pick<K: Copy>(keys: &[K], live: impl Fn(K) -> bool, random: u16) -> Option<usize> {
     let any_at_all = random.is_multiple_of(16);
     let candidates: Vec<usize> = (0..keys.len()).filter(|i| any_at_all || live(keys[*i])).collect();
@@ -247,7 +247,7 @@ impl Run {
         if random.is_multiple_of(4) { isolated().or_else(at) } else { at().or_else(isolated) }
     }
 
-    /// A corner that goes with another: of the same face or vertex, mostly.
+    /// A corner to combine with another: of the same face or vertex, mostly.
     fn a_partner(&self, spot: Spot, same_vertex: bool, random: u16) -> Option<Spot> {
         let Some(Ok(h)) = (if let Spot::At(h) = spot { Some(self.dcel.half_edge(self.half_edges.0[h])) } else { None })
         else {
@@ -261,7 +261,7 @@ impl Run {
         Some(Spot::At(self.half_edges.of(others[random as usize / 8 % others.len()].key())))
     }
 
-    /// The step that these numbers stand for, if the structure has what it takes.
+    /// The step that these numbers encode, if its elements exist.
     fn step(&self, [operator, a, b, c]: [u16; 4]) -> Option<Step> {
         let side = if c % 2 == 0 { Side::Left } else { Side::Right };
         Some(match operator % 16 {
@@ -299,7 +299,7 @@ impl Run {
     }
 }
 
-/// Puts two vertices, joined by an edge, in the unbounded face. Takes one boundary component only.
+/// Puts an edge with two vertices in the unbounded face. Takes only one boundary component.
 fn an_edge(dcel: &mut Dcel) -> HalfEdgeKey {
     let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
     dcel.split_vertex(v, v).unwrap().half_edge

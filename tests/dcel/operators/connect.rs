@@ -13,7 +13,7 @@ fn connect_two_isolated_vertices() {
     let connected = t.connect(a.vertex, b.vertex, LEFT);
     let h = connected.half_edge;
     assert_eq!((t.origin(h), t.target(h)), (a.vertex, b.vertex));
-    // Neither is longer: that of the second corner is kept.
+    // Both are equally long, so the second corner's is kept.
     assert_eq!(connected.connection, Connection::Bridge { kept: b.boundary, dropped: a.boundary });
     assert_eq!(connected.new_face(), None);
     assert_eq!(t.cycle(h), [h, t.twin(h)]);
@@ -47,11 +47,11 @@ fn connect_a_corner_to_itself() {
         let before = t.cycle(h).len();
         let connected = t.connect(h, h, split);
         let n = connected.half_edge;
-        // Its left side is the cycle that was there, its right side is empty.
+        // On its left is the old cycle, and its right side is empty.
         assert_eq!((t.cycle(n).len(), t.cycle(t.twin(n)).len()), (before + 1, 1));
         assert_eq!(t.next(n), h);
         assert_eq!(connected.new_face(), Some(t.face(if around { n } else { t.twin(n) })));
-        // Around: the loop goes about the triangle, which is no longer seen from outside.
+        // The loop surrounds the triangle, which is no longer seen from outside.
         assert_eq!(t.face(h) == outside, !around);
         assert_eq!(t.is_outer(h), around);
         assert_eq!(t.counts(), [3, 4, 3, 1]);
@@ -94,7 +94,7 @@ fn connect_twice_makes_parallel_edges() {
 
 #[test]
 fn connect_around_an_inner_cycle_from_both_sides() {
-    // A path of three edges: an edge between its ends closes it to a square, of which either side may be the outside.
+    // A path of three edges: an edge between its ends closes it to a square, with either side as the outside.
     for split in [LEFT, RIGHT] {
         let mut t = Tracked::default();
         let outside = t.outside();
@@ -122,7 +122,7 @@ fn connect_a_hole_to_what_is_around_it() {
         let (outer_b, inner_b) = (t.boundary(outer[0]), t.boundary(inner[0]));
         assert_eq!(t.inner(f), BTreeSet::from([inner_b]));
         let connected = t.connect(outer[0], inner[0], LEFT);
-        // The longer is kept, and bounds the face from outside, whatever it was.
+        // The longer one is kept, and bounds the face from outside, whatever it was before.
         let (kept, dropped) = if around > hole { (outer_b, inner_b) } else { (inner_b, outer_b) };
         assert_eq!(connected.connection, Connection::Bridge { kept, dropped });
         assert_eq!(t.boundary(connected.half_edge), kept);
@@ -177,7 +177,7 @@ fn a_split_takes_along_the_holes_that_it_is_told_to() {
         let w = t.add(f).boundary;
         let hole = t.polygon(f, 3);
         let hole = t.boundary(t.twin(hole[0]));
-        // Named twice, it goes once.
+        // Named twice, it moves once.
         let inner = [v, hole, v];
         let new = t.connect(sides[0], sides[2], Split { new_face: split_side, inner: &inner }).new_face().unwrap();
         assert_eq!(t.inner(new), BTreeSet::from([v, hole]));

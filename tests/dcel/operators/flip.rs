@@ -27,7 +27,7 @@ fn flip_an_edge_to_the_face_around() {
         let sides = t.polygon(outside, 4);
         t.flip_edge(sides[0], turn);
         assert_eq!(t.face(t.twin(sides[0])), outside);
-        // It now joins the ends of the side opposite, and its own old ends are leaves.
+        // It now joins the ends of the opposite side, and its old ends are leaves.
         let ends = BTreeSet::from([t.origin(sides[0]), t.target(sides[0])]);
         assert_eq!(ends, BTreeSet::from([t.origin(sides[2]), t.target(sides[2])]));
         let mut degrees: Vec<_> = t.map.vertices().map(Vertex::degree).collect();
@@ -40,13 +40,13 @@ fn flip_an_edge_to_the_face_around() {
 fn flip_a_loop() {
     let mut t = Tracked::default();
     let outside = t.outside();
-    // Alone, it stays what it is.
+    // A lone loop does not change.
     let lone = t.polygon(outside, 1)[0];
     for turn in [Turn::CounterClockwise, Turn::Clockwise] {
         t.flip_edge(lone, turn);
         assert_eq!(t.cycle(lone), [lone]);
     }
-    // At a corner of a triangle it slides from one to the next, inside or outside.
+    // At a corner of a triangle it slides to the next corner, inside or outside.
     for i in [0, 1] {
         for turn in [Turn::CounterClockwise, Turn::Clockwise] {
             let mut t = Tracked::default();

@@ -1,5 +1,5 @@
-//! Every operator on every case that it has, by hand. What is reported made, kept and dropped is checked by `Tracked`
-//! each time, and so is that the map stays valid; the tests say what the map is then.
+//! Every operator in every case, by hand. `Tracked` checks the reported records and the validity of the map each time;
+//! the tests check the resulting map.
 
 mod connect;
 mod flip;
@@ -56,14 +56,14 @@ fn move_holes_and_isolated_vertices() {
         assert_eq!((t.face(hole[0]), t.map.boundary(v.boundary).unwrap().face().key()), (in_hole, in_hole));
     }
     assert_eq!(t.move_inner(v.boundary, right), in_hole);
-    // The square itself, into its own parts or what lies in them.
+    // The square cannot move into its own parts, or into faces inside them.
     let whole = t.boundary(t.twin(sides[0]));
     for f in [left, right, in_hole] {
         assert_eq!(t.refuses(|map| map.move_inner(whole, f)), OperatorError::InsideItself(whole, f));
     }
     let outer = t.boundary(sides[0]);
     assert_eq!(t.refuses(|map| map.move_inner(outer, outside)), OperatorError::IsOuter(outer));
-    // But beside it.
+    // It can move to a face outside.
     let island = t.polygon(outside, 3);
     let on_island = t.face(island[0]);
     assert_eq!(t.move_inner(whole, on_island), outside);

@@ -17,7 +17,7 @@ fn remove_the_edge_between_two_faces_side_by_side() {
         let (v, w) = (t.add(left).boundary, t.add(right).boundary);
         let longer = t.boundary(n);
         let removed = t.remove_edge(h);
-        // The face to the left is kept, and the record of the longer cycle.
+        // The left face survives, with the record of the longer cycle.
         let RemovedEdge::Merged { kept_face, kept, .. } = removed else { panic!("{removed:?}") };
         assert_eq!((kept_face, kept), (left, longer));
         assert_eq!(t.inner(left), BTreeSet::from([v, w]));
@@ -67,7 +67,7 @@ fn remove_a_loop() {
 fn remove_a_bridge_from_an_inner_cycle() {
     let mut t = Tracked::default();
     let outside = t.outside();
-    // A single edge falls into two isolated vertices; the part of the origin keeps the record on a tie.
+    // A single edge falls into two isolated vertices; on a tie the origin's part keeps the record.
     let h = t.edge(outside);
     let (a, b, whole) = (t.origin(h), t.target(h), t.boundary(h));
     let removed = t.remove_edge(h);
@@ -79,7 +79,7 @@ fn remove_a_bridge_from_an_inner_cycle() {
     let (end, whole) = (t.target(leaf), t.boundary(leaf));
     let removed = t.remove_edge(leaf);
     assert_eq!(removed, RemovedEdge::Parted { kept: whole, made: t.isolated(end) });
-    // Two polygons with an edge between: the longer part keeps the record.
+    // Two polygons joined by an edge: the longer part keeps the record.
     let more = t.polygon(outside, 5);
     let bridge = t.connect(t.twin(sides[0]), t.twin(more[0]), LEFT).half_edge;
     let whole = t.boundary(bridge);
@@ -92,7 +92,7 @@ fn remove_a_bridge_from_an_inner_cycle() {
 
 #[test]
 fn remove_a_bridge_from_an_outer_cycle() {
-    // The part that reaches the outside stays around the face, be it the shorter or the longer, the origin's or the
+    // The part that reaches the outside stays around the face, whether it is shorter or longer, the origin's or the
     // target's.
     for (around, within) in [(3, 8), (8, 3), (1, 1), (4, 1), (1, 4)] {
         for reversed in [false, true] {
@@ -119,7 +119,7 @@ fn remove_a_bridge_from_an_outer_cycle() {
 
 #[test]
 fn remove_a_bridge_where_the_outside_is_far() {
-    // A ring of faces, and a bridge from it inwards to another ring; the cycle that is cut touches the outside nowhere.
+    // A ring of faces, and a bridge from it inwards to another ring; the cut cycle touches the outside nowhere.
     for (corners, reversed) in [(3, false), (3, true), (9, false), (9, true)] {
         let mut t = Tracked::default();
         let outside = t.outside();

@@ -14,7 +14,7 @@ fn split_and_join_edges() {
     assert_eq!(t.cycle(h), [h, n, t.twin(n), t.twin(h)]);
     t.join_edges(h);
     assert_eq!((t.cycle(h), (t.origin(h), t.target(h))), (vec![h, t.twin(h)], ends));
-    // From the other end it is the other edge that stays.
+    // From the other end, the other edge stays.
     let n = t.split_edge(h).half_edge;
     let (back, other) = (t.twin(n), t.twin(h));
     let joined = t.join_edges(back);
@@ -30,7 +30,7 @@ fn split_and_join_a_loop() {
     let n = t.split_edge(h).half_edge;
     assert_eq!(t.cycle(h), [h, n]);
     assert_eq!(t.cycle(t.twin(h)), [t.twin(h), t.twin(n)]);
-    // Two edges between two vertices become a loop again, at either.
+    // Two edges between two vertices become a loop again, at either vertex.
     let mut other = t.clone();
     t.join_edges(h);
     assert_eq!((t.cycle(h), t.cycle(t.twin(h))), (vec![h], vec![t.twin(h)]));
@@ -80,7 +80,7 @@ fn split_a_corner_makes_a_leaf_there() {
     assert_eq!(t.cycle(sides[0]), sides);
 }
 
-/// A vertex with so many leaves, counter-clockwise.
+/// A vertex with `leaves` leaves, counter-clockwise.
 fn star(t: &mut Tracked, leaves: usize) -> (VertexKey, Vec<HalfEdgeKey>) {
     let outside = t.outside();
     let first = t.edge(outside);
@@ -103,7 +103,7 @@ fn split_a_vertex_between_any_two_corners() {
             let (v, rays) = star(&mut t, 5);
             let split = t.split_vertex(rays[from], rays[to]);
             let n = split.half_edge;
-            // Counter-clockwise from the first corner to the second: those go to the target.
+            // The half-edges counter-clockwise from the first corner to the second move to the target.
             let moved: BTreeSet<_> = (1..=(to + 5 - from) % 5).map(|i| rays[(from + i) % 5]).collect();
             let at = |v| -> BTreeSet<_> { t.map.vertex(v).unwrap().rotation().map(HalfEdge::key).collect() };
             let expected: BTreeSet<_> = moved.iter().copied().chain([t.twin(n)]).collect();
@@ -130,7 +130,7 @@ fn split_a_vertex_with_a_loop() {
     let n = t.split_vertex(inside, out).half_edge;
     assert_eq!([n, t.twin(n)].map(|h| t.cycle(h).len()), [2, 2]);
     assert_eq!(t.counts(), [2, 2, 2, 1]);
-    // And contracted, a loop again.
+    // Contracting restores the loop.
     let contracted = t.contract_edge(n);
     assert_eq!((t.origin(inside), t.target(inside)), (contracted.kept, contracted.kept));
     assert_eq!(t.refuses(|map| map.contract_edge(inside)), OperatorError::Loop(inside));
@@ -156,7 +156,7 @@ fn contract_an_edge_of_a_triangle() {
     let sides = t.polygon(outside, 3);
     let v = t.origin(sides[0]);
     let contracted = t.contract_edge(sides[0]);
-    // On a tie the origin stays.
+    // On a tie the origin survives.
     assert_eq!(contracted.kept, v);
     assert_eq!((t.cycle(sides[1]).len(), t.counts()), (2, [2, 2, 2, 1]));
     t.contract_edge(sides[1]);

@@ -1,4 +1,4 @@
-//! Runs programs in a child process, so that one that never ends, takes all memory or overflows the stack is found out.
+//! Runs programs in a child process, to detect programs that never end, take all memory or overflow the stack.
 
 use crate::entry::Entry;
 use crate::program::Program;
@@ -9,9 +9,9 @@ use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-/// The time that a program may take. They take milliseconds.
+/// The time limit of a program. Programs take milliseconds.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The memory that the child may have, in KiB, where the shell can limit it.
+/// The memory limit of the child in KiB, where the shell supports it.
 const MEMORY: &str = "4000000";
 
 /// A child process that runs programs of one crate.
@@ -22,7 +22,7 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// A judge for this crate, whose child runs `EXECUTABLE worker CRATE`: the program of this package.
+    /// Creates a judge for this crate, whose child runs `EXECUTABLE worker CRATE`: the program of this package.
     #[must_use]
     pub const fn new(entry: Entry, executable: PathBuf) -> Self {
         Self { entry, executable, child: None }
@@ -94,7 +94,7 @@ fn start(executable: &PathBuf, name: &str) -> std::io::Result<(Child, Receiver<S
 }
 
 enum Answer<'a> {
-    /// This operator is called next.
+    /// The next call is of this operator.
     Calls(&'a str),
     /// The program has ended.
     Verdict(Verdict),
@@ -116,7 +116,7 @@ fn read(line: &str) -> Answer<'_> {
     }
 }
 
-/// Reads programs, a line each, and answers with a line for each call and one for the verdict.
+/// Reads programs, one per line, and answers with one line for each call and one for the verdict.
 ///
 /// # Errors
 /// If the input cannot be read, or the output not written.

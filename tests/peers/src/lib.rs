@@ -6,12 +6,12 @@
 //! | module | purpose |
 //! | --- | --- |
 //! | [`program`] | a program as data: steps of an operator and small numbers |
-//! | [`peer`] | what an audited crate supplies |
+//! | [`peer`] | the interface of an audited crate |
 //! | [`entry`] | an audited crate, by name |
 //! | [`run`] | runs a program, judges after each step, catches panics |
-//! | [`judge`] | runs programs in a child process, so that one that never ends or takes all memory is found out |
-//! | [`search`] | many random programs, counted by what they found |
-//! | [`shrink`] | the shortest program that finds the same |
+//! | [`judge`] | runs programs in a child process, to detect programs that never end or take all memory |
+//! | [`search`] | many random programs, counted by finding |
+//! | [`shrink`] | the shortest program with the same finding |
 //! | [`crates`] | the adapters: `impl View` and the operators of each crate |
 
 pub mod crates;

@@ -6,11 +6,11 @@ use twinedge::validate::Report;
 /// The result of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Applied {
-    /// It was made, and it returned.
+    /// The call was made and returned.
     Done,
-    /// It was made, and it returned an error.
+    /// The call was made and returned an error.
     Refused,
-    /// It was not made: there is nothing to call it on, or the documentation asks for something that does not hold.
+    /// The call was not made: there was no element to call it on, or a documented precondition did not hold.
     Skipped,
 }
 

@@ -1,5 +1,5 @@
-//! A program as data: steps of an operator and small numbers, so that all crates share one generator, one text form and
-//! one shrinker. What the numbers mean is the adapter's to say; it takes them modulo what there is.
+//! A program as data: operators with small numbers, so that all crates share one generator, one text form and one
+//! shrinker. The adapter interprets the numbers, modulo the number of records.
 
 use std::fmt::Write;
 
@@ -10,9 +10,9 @@ pub struct Operator {
     pub name: &'static str,
     /// The number of arguments, which are numbers.
     pub arguments: usize,
-    /// The frequency with which it is drawn, in proportion to the other weights.
+    /// The relative frequency with which it is drawn.
     pub weight: u32,
-    /// True if the numbers are places in lists of records, which move down when the record before them is not made.
+    /// True if the numbers are places in lists of records, which move down when an earlier record is not made.
     pub places: bool,
 }
 
@@ -43,11 +43,11 @@ pub struct Step {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Program(pub Vec<Step>);
 
-/// Arguments are below this.
+/// The bound of arguments.
 const ARGUMENTS: u32 = 64;
 
 impl Program {
-    /// The random program with this number, of up to `steps` steps. The same numbers give the same program.
+    /// Returns the random program with this number, of at most `steps` steps. Equal numbers yield equal programs.
     #[must_use]
     pub fn random(operators: &[Operator], seed: u64, number: u64, steps: usize) -> Self {
         let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ number.wrapping_mul(0xd1b5_4a32_d192_ed03));
@@ -66,7 +66,7 @@ impl Program {
         Self((0..length).map(step).collect())
     }
 
-    /// `insert 3 4; remove 0`.
+    /// Writes the program as text, such as `insert 3 4; remove 0`.
     #[must_use]
     pub fn to_text(&self, operators: &[Operator]) -> String {
         let step = |step: &Step| {
@@ -78,10 +78,10 @@ impl Program {
         self.0.iter().map(step).collect::<Vec<_>>().join("; ")
     }
 
-    /// The program in this text.
+    /// Parses a program.
     ///
     /// # Errors
-    /// Says what cannot be read.
+    /// Describes the unreadable part.
     pub fn parse(text: &str, operators: &[Operator]) -> Result<Self, String> {
         let step = |text: &str| {
             let mut words = text.split_whitespace();

@@ -10,7 +10,7 @@ use twinedge::validate::Report;
 /// The result of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Nothing: every step left a structure that keeps the rules.
+    /// No finding: every step left a structure that keeps the rules.
     Sound {
         /// The number of calls that were made and returned.
         done: usize,
@@ -19,30 +19,30 @@ pub enum Verdict {
         /// The number of calls that were not made.
         skipped: usize,
     },
-    /// Something.
+    /// A finding.
     Finding(Finding),
 }
 
 /// A broken rule, a panic, or a call that did not return.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// The operator that was called last.
+    /// The operator called last.
     pub operator: String,
-    /// The effect, in words that are the same for the same cause: `breaks L3`, `panics at src/cdt.rs:120`.
+    /// The effect, in the same words for the same cause: `breaks L3`, `panics at src/cdt.rs:120`.
     pub what: String,
     /// The violation or the message.
     pub detail: String,
 }
 
 impl Finding {
-    /// By which findings are counted.
+    /// The key by which findings are counted.
     #[must_use]
     pub fn signature(&self) -> String {
         format!("{} {}", self.operator, self.what)
     }
 }
 
-/// Runs a program on the empty structure, up to the first finding. The closure gets each call before it is made.
+/// Runs a program on the empty structure, up to the first finding. The closure is called before each call.
 pub fn run<P: Peer>(program: &Program, before: &mut dyn FnMut(&str)) -> Verdict {
     let mut peer = P::new();
     let (mut done, mut refused, mut skipped) = (0, 0, 0);
@@ -76,7 +76,7 @@ pub fn run<P: Peer>(program: &Program, before: &mut dyn FnMut(&str)) -> Verdict 
     Verdict::Sound { done, refused, skipped }
 }
 
-/// The first broken rule, and the first violation of it.
+/// Returns the first broken rule with its first violation.
 #[must_use]
 pub fn first_broken(report: &Report) -> Option<(String, String)> {
     let violation = report.first()?;
@@ -109,7 +109,7 @@ pub fn caught<T>(closure: impl FnOnce() -> T) -> Result<T, (String, String)> {
     })
 }
 
-/// The place without the folder that Cargo keeps the crate in.
+/// The place relative to Cargo's folder of the crate.
 fn short(place: &str) -> String {
     let parts = place.split('/').collect::<Vec<_>>();
     let from = parts.iter().rposition(|part| *part == "src").unwrap_or(0);

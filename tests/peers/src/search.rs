@@ -1,4 +1,4 @@
-//! Many random programs, counted by what they found.
+//! Many random programs, counted by finding.
 
 use crate::entry::Entry;
 use crate::judge::Judge;
@@ -15,11 +15,11 @@ pub struct Search {
     pub entry: Entry,
     /// The number of programs.
     pub programs: u64,
-    /// The seed of the programs: the same seed gives the same programs.
+    /// The seed of the programs. Equal seeds produce equal programs.
     pub seed: u64,
-    /// Programs have up to so many steps.
+    /// The maximum number of steps of a program.
     pub steps: usize,
-    /// The operators that are not called.
+    /// Operators to leave out.
     pub without: Vec<String>,
     /// The program of this package, for the child process.
     pub executable: PathBuf,
@@ -28,7 +28,7 @@ pub struct Search {
 /// The findings with one cause.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// In how many programs it was the first thing found.
+    /// The number of programs in which it was the first finding.
     pub programs: u64,
     /// The shortest program.
     pub shortest: Program,
@@ -41,18 +41,18 @@ pub struct Found {
 pub struct Outcome {
     /// The findings, by [signature](Finding::signature).
     pub found: BTreeMap<String, Found>,
-    /// Calls made that returned, in the programs in which nothing was found.
+    /// Calls that returned, in programs without findings.
     pub done: usize,
-    /// Calls that returned an error, in the same programs.
+    /// Calls that returned an error, in programs without findings.
     pub refused: usize,
-    /// Calls that were not made, in the same programs.
+    /// Calls that were not made, in programs without findings.
     pub skipped: usize,
-    /// The programs in which nothing was found.
+    /// The number of programs without findings.
     pub sound: u64,
 }
 
 impl Search {
-    /// Runs the programs, and shortens the first of each cause.
+    /// Runs the programs, and shrinks the first one for each cause.
     ///
     /// # Errors
     /// If no child process can be started.

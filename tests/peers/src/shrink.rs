@@ -1,8 +1,8 @@
-//! The shortest program that finds the same.
+//! Shrinks a program while keeping its finding.
 
 use crate::program::{Operator, Program};
 
-/// Drops steps and lowers arguments as long as the program still does what it is kept for.
+/// Drops steps and lowers arguments as long as `keeps` returns true.
 ///
 /// # Errors
 /// If `keeps` fails.
@@ -53,8 +53,8 @@ fn lower_arguments(program: &Program) -> impl Iterator<Item = Program> + '_ {
     })
 }
 
-/// The program without one step, and with the places of later steps from some place on moved down by one: without the
-/// record that the step made.
+/// The program without one step and the record that it made: the places of later steps, from some place on, move down
+/// by one.
 fn fewer_records<'a>(program: &'a Program, operators: &'a [Operator]) -> impl Iterator<Item = Program> + 'a {
     let highest = program.0.iter().flat_map(|step| step.arguments.iter().copied()).max().unwrap_or(0);
     (0..program.0.len()).flat_map(move |dropped| {

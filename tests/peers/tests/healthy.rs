@@ -1,5 +1,5 @@
-//! For each crate: the operators in which nothing was found keep every rule, in thousands of programs. So the adapters
-//! themselves are not at fault.
+//! The operators of each crate without findings keep every rule, in thousands of programs, so the adapters are not at
+//! fault.
 
 use twinedge_peers::crates::PEERS;
 use twinedge_peers::program::{Operator, Program};
@@ -7,7 +7,7 @@ use twinedge_peers::run::Verdict;
 
 const PROGRAMS: u64 = 2000;
 
-/// Runs programs of these operators alone, and asserts that nothing is found and that calls were made.
+/// Runs programs of only these operators, and asserts that calls are made without findings.
 fn healthy(name: &str, only: &[&str]) {
     let entry = PEERS.iter().find(|entry| entry.name == name).unwrap();
     for name in only {

@@ -29,7 +29,7 @@ fn programs_are_read_as_they_are_written() {
     assert_eq!(Program::parse(" ", operators), Ok(Program::default()));
 }
 
-/// The shrunk program keeps a call of `use` with the place of the third record. Two records and their calls are not needed.
+/// The shrunk program keeps a call of `use` with the place of the third record, and drops two records and their calls.
 #[test]
 fn programs_shrink_to_what_matters() {
     let operators = [Operator::with_values("make", 1, 1), Operator::on_records("use", 1, 1)];
@@ -48,7 +48,7 @@ fn programs_shrink_to_what_matters() {
     assert_eq!(shrink(&program, &operators, keeps).unwrap().to_text(&operators), "make 7; use 0");
 }
 
-/// Also in a release build of this package, because it compares what was found and not how long it took.
+/// Works in a release build of this package, because it compares findings and not times.
 #[test]
 fn the_same_search_finds_the_same() {
     let search = |seed| {
@@ -68,7 +68,7 @@ fn the_same_search_finds_the_same() {
     assert!(first.sound > 0);
 }
 
-/// A judge without a child that answers: each program "ends the process".
+/// A judge whose child never answers: each program "ends the process".
 #[test]
 fn a_child_that_ends_is_a_finding() {
     let mut judge = Judge::new(entry("dcel"), "/does/not/exist".into());

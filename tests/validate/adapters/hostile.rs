@@ -1,4 +1,4 @@
-//! Structures that answer of what is not there, that change, or that claim too much.
+//! Structures that answer for missing records, that change, or that claim too much.
 
 use super::{MESH, as_targets, fan, maps, mirrored};
 use crate::support::erased::validate;
@@ -10,7 +10,7 @@ use twinedge::validate::adapt::{Backward, Borders, FaceLabels};
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Only, Part, Parts, Table, View};
 use twinedge::{delegate_view, view_answers};
 
-/// A table with a tombstone before each of its half-edges: a half-edge that is not live, and answers what the live one does.
+/// A table with a tombstone before each half-edge: a dead half-edge with the answers of the live one.
 struct WithTombstones(Table);
 
 impl View for WithTombstones {
@@ -44,7 +44,7 @@ impl View for WithTombstones {
     }
 }
 
-/// The answers of a structure about half-edges that it has deleted do not count.
+/// Answers for deleted half-edges are ignored.
 #[test]
 fn adapters_do_not_read_tombstones() {
     let judge = |view: &dyn View, expectation: &Expectation| {
@@ -63,7 +63,7 @@ fn adapters_do_not_read_tombstones() {
     judge(&FaceLabels::with_holes(WithTombstones(nested), Some(0)).unwrap(), &PLANE);
 }
 
-/// A link to a slot that is vacant, or that is not there, is an answer like any other: nobody asks what that slot holds.
+/// A link to a vacant or missing slot is an ordinary answer: the slot's contents are never read.
 #[test]
 fn adapters_ask_no_vacant_slot() {
     let links: [fn(&mut HalfEdgeRow) -> &mut Link; 3] = [|row| &mut row.twin, |row| &mut row.next, |row| &mut row.prev];
@@ -87,8 +87,7 @@ fn adapters_ask_no_vacant_slot() {
     }
 }
 
-/// No answers, whether they dangle or change from call to call, make an adapter panic, loop, or ask about slots that are
-/// not there.
+/// No answers, even dangling or changing ones, make an adapter panic, loop, or ask about missing slots.
 #[test]
 fn adapters_are_total() {
     let all = |view: &dyn Fn() -> Box<dyn View>| {
@@ -119,7 +118,7 @@ fn adapters_are_total() {
     }
 }
 
-/// A table that claims one half-edge less each time it is asked, until there is none.
+/// A table that claims one half-edge fewer on every call, down to none.
 struct Shrinking<'a>(&'a Table, std::cell::Cell<usize>);
 
 impl View for Shrinking<'_> {
@@ -148,7 +147,7 @@ fn a_structure_that_shrinks_makes_no_adapter_panic() {
     }
 }
 
-/// A claim of more records than 32 bits number makes no adapter.
+/// A structure that claims more records than 32-bit numbers gets no adapter.
 #[test]
 fn a_claim_of_too_many_records_makes_no_adapter() {
     struct Claims([usize; 3]);

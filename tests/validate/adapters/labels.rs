@@ -1,4 +1,4 @@
-//! Lists of faces that follow from the faces of half-edges.
+//! Lists of faces derived from the faces of half-edges.
 
 use super::MESH;
 use crate::support::erased::{first_broken_rule, validate};
@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use twinedge::validate::adapt::FaceLabels;
 use twinedge::validate::{Collect, Link, Part, Rule, Start, Table, View};
 
-/// A face that two cycles name, and one that nobody names.
+/// A face named by two cycles, and a face named by none.
 #[test]
 fn labels_alone_show_faces_that_are_not_one_cycle() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
@@ -34,11 +34,11 @@ fn labels_alone_show_faces_that_are_not_one_cycle() {
     assert_eq!(judge(&table), [Rule::F2]);
 }
 
-/// The lists of a map follow from its labels, up to their order and the half-edges that stand for cycles.
+/// The lists of a map follow from its labels, up to their order and the representatives of cycles.
 #[test]
 fn holes_follow_from_labels() {
     let mut table = nested_textbook();
-    // The isolated vertex is in no list that can be derived.
+    // Derived lists never contain the isolated vertex.
     table.vertices.pop();
     table.faces[1].as_mut().unwrap().inner_starts.pop();
     assert_eq!(agree(&table, PLANE), None);
@@ -53,7 +53,7 @@ fn holes_follow_from_labels() {
     assert_eq!((view.inner_count(3), view.inner_count(usize::MAX), view.inner_start(0, 9)), (0, 0, None));
 }
 
-/// Returns the number of nodes that these edges connect with the first.
+/// Returns the number of nodes connected to the first by these edges.
 fn reached(edges: &[(usize, usize)]) -> usize {
     let mut reached = BTreeSet::from([0]);
     while let Some((a, b)) = edges.iter().find(|(a, b)| reached.contains(a) != reached.contains(b)) {
@@ -62,8 +62,8 @@ fn reached(edges: &[(usize, usize)]) -> usize {
     reached.len()
 }
 
-/// Every label of every cycle of three loops side by side, and every unbounded face, or none. By the labels, faces and components
-/// are joined; a map is a tree that hangs from the unbounded face.
+/// Every label of every cycle of three separate loops, with every unbounded face, or none. Labels join faces and components; a
+/// map is a tree rooted at the unbounded face.
 #[test]
 fn labels_that_cannot_nest_are_refused() {
     let half_edges: Vec<(usize, usize)> = (0..6).map(|h| (h / 2, h)).collect();
@@ -91,9 +91,9 @@ fn labels_that_cannot_nest_are_refused() {
             assert_eq!(judge(Some(f)), is_tree, "{edges:?} {f}");
         }
         accepted[0] += usize::from(is_tree);
-        // Without a record of the unbounded face the tree hangs from a component.
+        // Without a record of the unbounded face, the root is a component.
         assert_eq!(judge(None), is_tree);
-        // If one half-edge is outside everything, or is not there, the three other faces are bounded.
+        // If one half-edge is outside everything, or missing, the three other faces are bounded.
         table.faces.pop();
         for outside in [1, 3, 5] {
             let labels_live = (0..6).all(|h| h == outside || label(h) < 3);
@@ -109,14 +109,14 @@ fn labels_that_cannot_nest_are_refused() {
                 let report = validate(&view, &PLANE.open(), Collect::AtMost(0));
                 assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &PLANE.open()));
                 assert_eq!(report.is_valid(), is_tree, "{edges:?}\n{report}");
-                // The component at the border is the one that lies in no face.
+                // The component at the border lies in no face.
                 let inside = outside ^ 1;
                 assert!(!is_tree || view.outer_half_edge(label(inside)) == Some(inside), "{edges:?}");
                 accepted[1] += usize::from(is_tree);
             }
         }
     }
-    // A component joins two faces. By Cayley there are 4² trees on four faces, and 3! · 2³ ways to name and turn their edges.
+    // A component joins two faces. By Cayley there are 4² trees on four faces, and 3! · 2³ ways to name and orient their edges.
     assert_eq!(accepted[0], 16 * 6 * 8);
     assert!(accepted[1] > 0);
 }

@@ -1,4 +1,4 @@
-//! Structures that keep targets, and structures that keep `prev` alone.
+//! Structures that store targets, and structures that store only `prev`.
 
 use super::{as_targets, maps, mirrored};
 use crate::support::erased::{first_broken_rule, validate};
@@ -9,8 +9,8 @@ use twinedge::validate::adapt::Backward;
 use twinedge::validate::{Collect, Link, Record, Rule, Table, View};
 use twinedge_trials::enumerate::{Cell, for_each_corruption};
 
-/// A structure with targets is sound if and only if its mirror image, in which nothing is derived, is: for each change of each
-/// link, and of two at once where origins are concerned.
+/// A structure with targets is valid if and only if its mirror image, without derived links, is: for each change of one link,
+/// and of two if origins are involved.
 #[test]
 fn targets_are_judged_as_their_mirror_image() {
     for (table, expectation) in maps() {
@@ -41,7 +41,7 @@ fn targets_are_judged_as_their_mirror_image() {
     }
 }
 
-/// At a border, too, each target is the origin of exactly one half-edge.
+/// Even at a border, each target is the origin of exactly one half-edge.
 #[test]
 fn each_target_is_read_once() {
     for (table, _) in maps() {
@@ -56,7 +56,7 @@ fn each_target_is_read_once() {
     assert_eq!((nothing.origin_from(0), nothing.origin_from(usize::MAX), nothing.origin(3)), (None, None, None));
 }
 
-/// `next` is not read, and where `prev` is changed it is no permutation. All else is as with both links.
+/// `next` is never read, and a changed `prev` is no permutation. All other verdicts equal those for both links.
 #[test]
 fn backward_links_are_judged_as_forward_ones() {
     for (table, expectation) in maps() {
@@ -79,7 +79,7 @@ fn backward_links_are_judged_as_forward_ones() {
     }
 }
 
-/// Of two half-edges with the same `prev`, the first follows it, and L2 is broken at the second.
+/// Of two half-edges with the same `prev`, the first becomes `next`, and L2 is broken at the second.
 #[test]
 fn of_two_that_follow_one_half_edge_the_first_is_next() {
     let [(mut table, expectation), ..] = maps();

@@ -12,7 +12,7 @@ use twinedge::validate::{Expectation, HalfEdgeRow, Link, Part, Parts, Table, Vie
 
 const MESH: Expectation = Expectation::surface();
 
-/// The view, whose origins are read as targets, and not as origins.
+/// The view with its origins as targets.
 fn as_targets<V: View>(view: &V) -> Option<Targets<impl View, impl Fn(usize) -> Link>> {
     struct NoOrigins<'a, V>(&'a V);
     impl<V: View> View for NoOrigins<'_, V> {
@@ -24,7 +24,7 @@ fn as_targets<V: View>(view: &V) -> Option<Targets<impl View, impl Fn(usize) -> 
     Targets::of(NoOrigins(view), |h| view.origin(h))
 }
 
-/// The table seen from the other side: what was the origin is the target, and cycles run backwards.
+/// The table seen from the other side: origins become targets, and cycles run backwards.
 fn mirrored(table: &Table) -> Table {
     let mut mirrored = table.clone();
     for row in mirrored.half_edges.iter_mut().flatten() {
@@ -33,7 +33,7 @@ fn mirrored(table: &Table) -> Table {
     mirrored
 }
 
-/// A closed mesh, one with a border whose half-edges have no twins, and an edge with a loop at one end.
+/// A closed mesh, one with a border of half-edges without twins, and an edge with a loop at one end.
 pub(super) fn maps() -> [(Table, Expectation); 3] {
     let closed = textbook_mesh(4, &TETRAHEDRON);
     let mut open = with_bare_border(5, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
@@ -47,7 +47,7 @@ pub(super) fn maps() -> [(Table, Expectation); 3] {
     [(kept(closed), MESH), (kept(open), MESH.open()), (kept(tadpole), MESH)]
 }
 
-/// A mesh of these triangles. Its border half-edges have twin and origin, and neither face nor next.
+/// A mesh of these triangles. Its border half-edges have twin and origin, but neither face nor next.
 fn with_bare_border(vertices: usize, triangles: &[[usize; 3]]) -> Table {
     let mut table = textbook_mesh(vertices, triangles);
     for h in 0..table.half_edges.len() {

@@ -1,5 +1,5 @@
-//! Records for boundary components, as in the arrangements of CGAL: half-edges know their *target* and their boundary
-//! component; a vertex keeps a half-edge that *arrives* at it, or the record of the isolated vertex that it is.
+//! Records for boundary components, as in CGAL's arrangements: half-edges store their *target* and their boundary
+//! component; a vertex stores a half-edge that *arrives* at it, or the record of an isolated vertex.
 
 use super::{Stored, each_change, holds, judged, mirrored};
 use crate::support::erased::validate_plane;
@@ -19,7 +19,7 @@ struct HalfEdge {
 
 #[derive(Clone)]
 struct Arrangement {
-    /// A half-edge that arrives, and the boundary component of an isolated vertex.
+    /// An arriving half-edge, and the boundary component of an isolated vertex.
     vertices: Vec<[Link; 2]>,
     half_edges: Vec<HalfEdge>,
     /// The face, and a half-edge or an isolated vertex.
@@ -127,6 +127,6 @@ fn table(map: &Arrangement) -> Table {
 #[test]
 fn no_fault_of_an_arrangement_is_hidden() {
     let found = each_change(&sound(), links, |map| judged(&map.view(), PLANE), |map| holds(&table(map), PLANE));
-    // Another half-edge that arrives at the same vertex (6 of degree 2) is as good.
+    // Another half-edge arriving at the same vertex (6 of degree 2) is equally valid.
     assert_eq!((found.all, found.accepted), (910, 6));
 }

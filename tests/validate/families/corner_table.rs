@@ -1,5 +1,5 @@
 //! The corner table of Rossignac, *Edgebreaker* (1999): triangle `t` has the corners `3t`, `3t + 1` and `3t + 2`. A corner
-//! keeps its vertex and the opposite corner, that of the triangle across the side that faces it.
+//! stores its vertex and the opposite corner, in the triangle across the side that it faces.
 
 use super::{Stored, each_change, judged};
 use crate::support::erased::validate;
@@ -36,7 +36,7 @@ impl View for CornerTable {
 
 const EXPECTATION: Expectation = Expectation::surface().open();
 
-/// Triangles, glued along the sides that they share.
+/// Triangles, glued along shared sides.
 fn glued(vertices: usize, triangles: &[[usize; 3]]) -> CornerTable {
     let vertex: Vec<usize> = triangles.concat();
     let side = |c: usize| (vertex[next(c)], vertex[next(next(c))]);
@@ -62,7 +62,7 @@ fn links(table: &mut CornerTable) -> Vec<Stored<'_>> {
     vertex.chain(table.opposite.iter_mut().map(|link| (link, corners))).collect()
 }
 
-/// In the words of the corner table: corners that are opposite see the same side, and the corners at a vertex are one fan.
+/// In terms of the corner table: opposite corners see the same side, and the corners at a vertex form one fan.
 fn is_sound(table: &CornerTable) -> bool {
     let corners = || 0..table.vertex.len();
     let at = |c: usize| table.vertex[c];

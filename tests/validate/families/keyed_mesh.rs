@@ -1,5 +1,5 @@
-//! A mesh with keys, as tri-mesh keeps it: half-edges know their *target*; those along the border are there and have neither
-//! next nor face; a vertex keeps a half-edge that leaves it.
+//! A mesh with keys, as in tri-mesh: half-edges store their *target*; border half-edges have neither next nor face; a vertex
+//! stores a leaving half-edge.
 
 use super::{Stored, each_change, holds, judged, open_tetrahedron};
 use crate::support::erased::validate;
@@ -68,7 +68,7 @@ const VERTEX: usize = 100;
 const HALF_EDGE: usize = 200;
 const FACE: usize = 300;
 
-/// A mesh with keys, from a table in which twins have neighbouring numbers.
+/// Converts a table in which twins have neighbouring numbers into a mesh with keys.
 fn keyed(table: &Table) -> KeyedMesh {
     let rows: Vec<_> = table.half_edges.iter().flatten().collect();
     let keys = |kind: usize, link: Link| link.map(|i| kind + i);
@@ -108,7 +108,7 @@ fn validating_a_mesh_with_keys() {
     assert!(text.contains(expected), "{text}");
 }
 
-/// Values of links by key: the harness knows numbers below the number of records, so keys are made from them.
+/// Converts link values into keys: the harness uses numbers below the number of records.
 fn shifted(mesh: &KeyedMesh) -> KeyedMesh {
     let key = |kind: usize, link: Link| link.map(|i| if i < usize::MAX { kind + i } else { i });
     let half_edge = |h: &HalfEdge| HalfEdge {
@@ -124,7 +124,7 @@ fn shifted(mesh: &KeyedMesh) -> KeyedMesh {
     }
 }
 
-/// The reverse.
+/// Converts keys back.
 fn unshifted(mesh: &KeyedMesh) -> KeyedMesh {
     let index = |kind: usize, link: Link| link.map(|key| key - kind);
     let half_edge = |h: &HalfEdge| HalfEdge {
@@ -150,8 +150,8 @@ fn links(mesh: &mut KeyedMesh) -> Vec<Stored<'_>> {
     links
 }
 
-/// Without border half-edges: they are judged by their own sentences, the others as a table in which their twins are nil. The
-/// origin of a half-edge is the target of the one before it, which is found by its next.
+/// Border half-edges are judged by their own sentences, the others as a table in which their twins are nil. The origin of a
+/// half-edge is the target of the previous one, found by its next.
 fn is_sound(mesh: &KeyedMesh) -> bool {
     let get = |h: Link| h.and_then(|h| mesh.half_edges.get(&h));
     let is_border = |h: &HalfEdge| h.next.is_none() && h.face.is_none();
@@ -173,7 +173,7 @@ fn is_sound(mesh: &KeyedMesh) -> bool {
             ..HalfEdgeRow::default()
         })
     };
-    // A border half-edge at a vertex leaves it if its twin ends there.
+    // A border half-edge leaves a vertex if its twin ends there.
     let ends_at = |v: usize, h: Link| {
         let ends = |h: &HalfEdge| get(h.twin).is_some_and(|twin| twin.vertex == Some(v));
         get(h).is_some_and(ends)
@@ -181,7 +181,7 @@ fn is_sound(mesh: &KeyedMesh) -> bool {
     let has_half_edges = |v: usize| mesh.half_edges.values().any(|row| row.vertex == Some(v));
     let leaving_is_right =
         mesh.vertices.iter().all(|(v, h)| if h.is_some() || has_half_edges(*v) { ends_at(*v, *h) } else { true });
-    // The target of a half-edge is the origin of its twin; at the border the table does not say so.
+    // The target of a half-edge is the origin of its twin, which the table does not contain at the border.
     let targets_are_right = mesh.half_edges.iter().all(|(h, row)| {
         is_border(row) || get(row.twin).is_none_or(|twin| is_border(twin) || origin(*h) == twin.vertex)
     });
@@ -201,6 +201,6 @@ fn is_sound(mesh: &KeyedMesh) -> bool {
 fn no_fault_of_a_mesh_with_keys_is_hidden() {
     let verdict = |mesh: &KeyedMesh| judged(&MeshView::of(&shifted(mesh)).view(), EXPECTATION);
     let found = each_change(&unshifted(&keyed(&open_tetrahedron())), links, verdict, is_sound);
-    // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is as good.
+    // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is equally valid.
     assert_eq!((found.all, found.accepted), (566, 4 * 2 + 3 * 2));
 }

@@ -1,5 +1,5 @@
-//! Well-known families of structures, each as its owner would validate it, and that no fault of theirs is hidden: each link
-//! that a small sound structure keeps is set to each other value, and the verdict compared with one by other means.
+//! Well-known families of structures, each validated as its owner would do it, without hiding faults: each stored link of a
+//! small valid structure is set to every other value, and the verdict is compared with an independent one.
 
 mod ccb;
 mod corner_table;
@@ -15,17 +15,17 @@ use crate::support::tables::{TETRAHEDRON, textbook_mesh};
 
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Report, Table, View};
 
-/// A stored link, and the number of records of the kind that it leads to.
+/// A stored link, and the number of records that it can lead to.
 type Stored<'a> = (&'a mut Link, usize);
 
-/// The number of changes of one stored link, and the number of those that both verdicts accept.
+/// The number of changes of one stored link, and the number of changes that both verdicts accept.
 #[derive(Debug, PartialEq, Eq)]
 struct Changes {
     all: usize,
     accepted: usize,
 }
 
-/// Sets each link of a sound structure to each other value (nil, each record, the one past the end, `usize::MAX`), and
+/// Sets each link of a valid structure to every other value (nil, each record, the one past the end, `usize::MAX`), and
 /// compares the verdict with an independent one.
 #[track_caller]
 fn each_change<S: Clone>(
@@ -57,7 +57,7 @@ fn each_change<S: Clone>(
     changes
 }
 
-/// The verdict of both validators, which agree.
+/// Returns the common verdict of both validators.
 #[track_caller]
 fn judged(view: &impl View, expectation: Expectation) -> Report {
     let report = validate(view, &expectation, Collect::All);
@@ -70,19 +70,19 @@ fn holds(table: &Table, expectation: Expectation) -> bool {
     broken_rules(table, &expectation).is_empty()
 }
 
-/// The mirror image of a half-edge that keeps its target: seen from the other side it starts there, and `next` and `prev`
-/// change places. No link is derived. A structure is sound if and only if its mirror image is.
+/// The mirror image of a half-edge that stores its target: seen from the other side it starts there, and `next` and `prev`
+/// are exchanged. No link is derived. A structure is valid if and only if its mirror image is.
 fn mirrored(target: Link, [twin, next, prev]: [Link; 3]) -> HalfEdgeRow {
     HalfEdgeRow { origin: target, twin, next: prev, prev: next, ..HalfEdgeRow::default() }
 }
 
-/// The twin of a stored half-edge, where twins have neighbouring numbers. What leads nowhere stays as it is.
+/// The twin of a stored half-edge, if twins have neighbouring numbers. Dangling links are unchanged.
 fn other_side(half_edge: Link, half_edges: usize) -> Link {
     half_edge.map(|h| if h < half_edges { h ^ 1 } else { h })
 }
 
-/// A tetrahedron without one of its faces: its vertices, and for each half-edge origin, next and face. Twins have
-/// neighbouring numbers, and those along the border have no face.
+/// A tetrahedron without one face: its vertices, and for each half-edge origin, next and face. Twins have neighbouring
+/// numbers, and border half-edges have no face.
 fn open_tetrahedron() -> Table {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     for row in table.half_edges.iter_mut().flatten().filter(|row| row.face == Some(3)) {

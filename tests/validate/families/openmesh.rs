@@ -1,5 +1,5 @@
-//! A mesh as OpenMesh keeps it: half-edges `2e` and `2e + 1` are twins and know their *target*; border half-edges have a
-//! next and no face; a vertex keeps a half-edge that leaves it.
+//! A mesh as in OpenMesh: half-edges `2e` and `2e + 1` are twins and store their *target*; border half-edges have a next
+//! but no face; a vertex stores a leaving half-edge.
 
 use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
 use crate::support::erased::validate;
@@ -74,7 +74,7 @@ fn links(mesh: &mut OpenMesh) -> Vec<Stored<'_>> {
     links
 }
 
-/// The mirror image. Its `next` is the inverse of that of the mesh, which is no table where it has none.
+/// The mirror image. Its `next` is the inverse of the mesh's; if there is no inverse, there is no table.
 fn table(mesh: &OpenMesh) -> Table {
     let n = mesh.half_edges.len();
     let prev = |h: usize| mesh.half_edges.iter().position(|other| other.next == Some(h));
@@ -83,7 +83,7 @@ fn table(mesh: &OpenMesh) -> Table {
         row.face = half_edge.face;
         Some(row)
     };
-    // A half-edge that leaves a vertex arrives in the mirror.
+    // A leaving half-edge arrives in the mirror image.
     let leaving = |h: &Link| Some(VertexRow { leaving: other_side(*h, n), isolated: None });
     let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
     Table {
@@ -99,6 +99,6 @@ fn table(mesh: &OpenMesh) -> Table {
 fn no_fault_of_such_a_mesh_is_hidden() {
     let verdict = |mesh: &OpenMesh| judged(&mesh.view(), EXPECTATION);
     let found = each_change(&sound(), links, verdict, |mesh| holds(&table(mesh), EXPECTATION));
-    // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is as good.
+    // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is equally valid.
     assert_eq!((found.all, found.accepted), (398, 4 * 2 + 3 * 2));
 }

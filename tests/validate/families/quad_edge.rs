@@ -1,5 +1,5 @@
 //! The quad-edge structure of Guibas and Stolfi (1985): each edge has four quarters, `4e + r`, turned by `Rot`. A quarter
-//! keeps `Onext`, the next one counter-clockwise around its origin, which is a vertex for even `r` and a face for odd `r`.
+//! stores `Onext`, the next one counter-clockwise around its origin, which is a vertex for even `r` and a face for odd `r`.
 
 use super::{Changes, Stored, each_change, judged};
 use crate::support::erased::validate;
@@ -21,7 +21,7 @@ fn rot(q: usize, by: usize) -> usize {
     q - q % 4 + (q % 4 + by) % 4
 }
 
-/// The half-edge that is this quarter. One of the dual is none.
+/// The half-edge of a primal quarter; dual quarters have none.
 fn half_edge(q: usize) -> usize {
     if q % 2 == 0 { q / 2 } else { usize::MAX }
 }
@@ -50,7 +50,8 @@ fn of_mesh(table: &Table) -> QuadEdge {
         if q % 2 == 0 {
             return (rows[h].prev.map(|p| 2 * (p ^ 1)), rows[h].origin);
         }
-        // A dual quarter has the half-edge that it is turned back from on the right, so its origin is the face of the twin.
+        // To the right of a dual quarter lies the half-edge from which it is turned back, so its origin is the face of the
+        // twin.
         let row = rows[h ^ 1];
         (row.next.map(|n| rot(2 * n, 3)), row.face)
     };
@@ -75,9 +76,9 @@ fn links(quads: &mut QuadEdge) -> Vec<Stored<'_>> {
     quads.onext.iter_mut().map(|link| (link, quarters)).chain(origins).collect()
 }
 
-/// The axioms of the algebra of edges, by Guibas and Stolfi: `Onext` keeps primal and dual apart, and
-/// `e Rot Onext Rot Onext = e`. And the origins of two quarters are one vertex, or one face, if and only if the quarters are
-/// in one orbit of `Onext`; each face is the origin of one.
+/// The axioms of the edge algebra of Guibas and Stolfi: `Onext` keeps primal and dual apart, and `e Rot Onext Rot Onext = e`.
+/// Two quarters share their origin, a vertex or a face, if and only if they are in one orbit of `Onext`; each face is the
+/// origin of one.
 fn keeps_the_axioms(quads: &QuadEdge) -> bool {
     let quarters = || 0..quads.onext.len();
     let onext = |q: usize| quads.onext[q].filter(|to| *to < quads.onext.len() && (to + q) % 2 == 0);
@@ -109,8 +110,8 @@ fn no_fault_of_a_quad_edge_structure_is_hidden() {
     assert_eq!(changes(&tetrahedron()), Changes { all: 24 * 26 + 24 * 6, accepted: 0 });
 }
 
-/// Two vertices, an edge; a loop; and two more vertices that nothing names. An origin that is the only one of its orbit may be
-/// any vertex that is free, and faces cannot be exchanged so, as each needs its cycle.
+/// Two vertices and an edge; a loop; two unused vertices. An origin alone in its orbit may be any free vertex. Faces cannot be
+/// exchanged this way, as each needs its cycle.
 #[test]
 fn origins_of_single_quarters_may_change() {
     let edge = QuadEdge {

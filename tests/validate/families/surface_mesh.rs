@@ -1,5 +1,5 @@
-//! A mesh as `CGAL::Surface_mesh` keeps it: half-edges `2e` and `2e + 1` are twins and know their *target*; border
-//! half-edges have next and prev and no face; a vertex keeps a half-edge that *arrives* at it.
+//! A mesh as in `CGAL::Surface_mesh`: half-edges `2e` and `2e + 1` are twins and store their *target*; border half-edges
+//! have next and prev but no face; a vertex stores a half-edge that *arrives* at it.
 
 use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
 use crate::support::erased::validate;
@@ -85,7 +85,7 @@ fn table(mesh: &SurfaceMesh) -> Table {
     let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
     Table {
         parts: TEXTBOOK,
-        // A half-edge that arrives at a vertex leaves it in the mirror.
+        // An arriving half-edge leaves the vertex in the mirror image.
         vertices: mesh.arriving.iter().map(|h| Some(VertexRow { leaving: *h, isolated: None })).collect(),
         half_edges: mesh.half_edges.iter().enumerate().map(row).collect(),
         faces: mesh.faces.iter().map(face).collect(),
@@ -100,7 +100,7 @@ fn no_fault_of_such_a_mesh_is_hidden() {
     assert_eq!((found.all, found.accepted), (566, 4 * 2 + 3 * 2));
 }
 
-/// L3 alone reports each wrong target, at the half-edge that has it, and a swap of two `next` links that `prev` follows.
+/// L3 alone reports each wrong target, at its half-edge, and a swap of two `next` links together with `prev`.
 #[test]
 fn l3_compares_two_stored_facts() {
     let broken = |mesh: &SurfaceMesh| {
@@ -115,7 +115,7 @@ fn l3_compares_two_stored_facts() {
             if std::mem::replace(&mut mesh.half_edges[h].target, wrong) != wrong {
                 let (rule, at) = broken(&mesh);
                 assert_eq!(rule, Some(Rule::L3));
-                // Compared with the one before it and the one after it around the vertex.
+                // Compared with the previous and the next one around the vertex.
                 let before = mesh.half_edges[h ^ 1].prev;
                 assert!(at == Some(h) || at == before, "{h}: {at:?}");
             }

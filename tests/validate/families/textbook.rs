@@ -47,7 +47,7 @@ impl View for Textbook {
     }
 }
 
-/// A triangle with a triangular hole, in which is a face.
+/// A triangle with a triangular hole that contains a face.
 fn sound() -> Textbook {
     let half_edges = [(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3), (3, 8), (4, 11), (4, 10), (5, 7), (5, 6), (3, 9)];
     let (outside, hole) = ([Start::HalfEdge(1)], [Start::HalfEdge(7)]);
@@ -127,6 +127,7 @@ fn validating_textbook_tables() {
 #[test]
 fn no_fault_of_textbook_tables_is_hidden() {
     let found = each_change(&sound(), links, |map| judged(map, PLANE), |map| holds(&table(map), PLANE));
-    // Another half-edge of the same vertex (6 vertices of degree 2) or of the same cycle (4 of length 3) is as good.
+    // Another half-edge of the same vertex (6 vertices of degree 2) or of the same cycle (4 of length 3) is equally
+    // valid.
     assert_eq!((found.all, found.accepted), (814, 6 + 4 * 2));
 }

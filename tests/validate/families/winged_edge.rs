@@ -1,5 +1,5 @@
-//! The winged-edge structure of Baumgart (1975): an edge keeps its two vertices, its two faces, and its four wings, the
-//! edges before and after it around each face. Vertices and faces keep one edge.
+//! The winged-edge structure of Baumgart (1975): an edge stores its two vertices, its two faces, and its four wings, the
+//! edges before and after it around each face. Vertices and faces store one edge.
 
 use super::{Stored, each_change, holds, judged};
 use crate::support::erased::validate;
@@ -24,7 +24,7 @@ struct WingedEdges {
 }
 
 impl WingedEdges {
-    /// The side of an edge that a link to the edge means. A link to an edge that has no such side dangles.
+    /// The side of an edge that a link to the edge refers to. Without such a side the link dangles.
     fn side(&self, edge: Link, means: impl Fn(&Edge, usize) -> bool) -> Link {
         let edge = edge?;
         let found = self.edges.get(edge).and_then(|row| (0..2).find(|side| means(row, *side)));
@@ -32,7 +32,7 @@ impl WingedEdges {
     }
 }
 
-/// Half-edge `2e + s` is side `s` of edge `e`. A wing is that side of the other edge which starts, or ends, where this one
+/// Half-edge `2e + s` is side `s` of edge `e`. A wing is the side of the other edge that starts, or ends, where this side
 /// ends, or starts.
 impl View for WingedEdges {
     view_answers! { |map|
@@ -93,7 +93,7 @@ fn links(map: &mut WingedEdges) -> Vec<Stored<'_>> {
     links
 }
 
-/// As tables, with wings read the other way: that side of the other edge which bounds the same face.
+/// As tables, reading wings the other way: a wing is the side of the other edge that bounds the same face.
 fn table(map: &WingedEdges) -> Table {
     let row = |(edge, side): (&Edge, usize)| {
         let same_face = |wing: Link| map.side(wing, |other, s| other.faces[s] == edge.faces[side]);
@@ -122,6 +122,6 @@ fn table(map: &WingedEdges) -> Table {
 #[test]
 fn no_fault_of_winged_edges_is_hidden() {
     let found = each_change(&sound(), links, |map| judged(map, EXPECTATION), |map| holds(&table(map), EXPECTATION));
-    // Another edge of the same vertex (4 of degree 3) or face (4 triangles) is as good.
+    // Another edge of the same vertex (4 of degree 3) or face (4 triangles) is equally valid.
     assert_eq!((found.all, found.accepted), (6 * 4 * 6 + 6 * 4 * 8 + 8 * 8, 4 * 2 + 4 * 2));
 }

@@ -1,7 +1,7 @@
 //! `dcel` 0.8.14: the textbook's records in stable vectors.
 //!
-//! Faces keep one half-edge and no lists of holes: the adapter takes every cycle that is labelled with a face and does not
-//! contain the half-edge that the face keeps as one of its inner boundary components.
+//! Faces store one half-edge and no lists of holes: the adapter treats every other cycle labelled with a face as one of
+//! its inner boundary components.
 
 use crate::peer::{self, Applied};
 use crate::program::Operator;
@@ -9,10 +9,10 @@ use dcel::{EdgeId, FaceId, HalfEdgeId, StableDcel, VertexId};
 use twinedge::validate::{Collect, Expectation, Part, Parts, Report, Start, View, validate};
 use twinedge::view_answers;
 
-/// A structure whose vertices are numbered.
+/// A structure with numbered vertices.
 pub type Dcel = StableDcel<u32>;
 
-/// A structure as the validator sees it.
+/// A structure as seen by the validator.
 pub struct DcelView<'a> {
     dcel: &'a Dcel,
     inner: Vec<Vec<usize>>,
@@ -83,7 +83,7 @@ impl View for DcelView<'_> {
     }
 }
 
-/// Random programs on it.
+/// Random programs on the structure.
 pub struct Peer {
     dcel: Dcel,
     vertices: u32,
@@ -114,7 +114,7 @@ impl Peer {
         Some(VertexId::new(vertices[(i as usize).checked_rem(vertices.len())?]))
     }
 
-    /// The cycle of the half-edge. The structure keeps the rules, or the program would have ended.
+    /// The cycle of the half-edge. The structure keeps the rules, or the program would have ended before.
     fn cycle(&self, h: HalfEdgeId) -> Vec<HalfEdgeId> {
         let mut cycle = vec![h];
         let mut next = self.dcel.next(h);
@@ -133,7 +133,7 @@ impl Peer {
         (self.dcel.source(from) != self.dcel.source(to)).then_some((from, to))
     }
 
-    /// Returns true if an edge between the two would lie beside one of the same cycle.
+    /// Returns true if an edge between the two would be parallel to one of the same cycle.
     fn beside(&self, from: HalfEdgeId, to: HalfEdgeId) -> bool {
         self.dcel.next(from) == to || self.dcel.next(to) == from
     }
@@ -160,7 +160,7 @@ impl Peer {
                 let (face, polygon) = (self.face(a), self.fresh(3 + b % 3));
                 self.dcel.insert_polygon_in_face(face, polygon);
             }
-            // Squares side by side, all the same way round.
+            // Adjacent squares with the same orientation.
             "insert_mesh" => {
                 let (columns, rows) = (1 + a % 3, 1 + b % 3);
                 let v = self.fresh((columns + 1) * (rows + 1));

@@ -1,5 +1,5 @@
-//! `halfedge` 0.3.0: half-edges keep their target, all links are keys that may be nil, and `next` and `prev` of a border are
-//! kept after some operators and not after others.
+//! `halfedge` 0.3.0: half-edges store their target, links are keys that may be nil, and only some operators maintain `next` and
+//! `prev` on borders.
 
 use super::rotation::next_on_border;
 use super::shapes::SHAPES;
@@ -10,9 +10,9 @@ use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Report, Table, VertexRow, validate};
 
-/// The mesh as tables: records in the order of iteration. The origin of a half-edge is the target of its
-/// twin, or of its `prev` if it has no twin; a border
-/// without `next` is closed by turning around its vertices, and without `prev` by those `next`s.
+/// The mesh as tables, with records in the order of iteration. The origin of a half-edge is the target of its twin, or of its
+/// `prev` if it has no twin; a border without `next` is closed by turning around its vertices, and missing `prev` links are
+/// derived from these `next` links.
 #[must_use]
 pub fn table(mesh: &MeshStorage) -> Table {
     let vertices = numbers(mesh.vertex_ids());
@@ -64,14 +64,14 @@ pub fn report(mesh: &MeshStorage) -> Report {
     validate(&table(mesh), &Expectation::surface().open(), Collect::All)
 }
 
-/// Random programs on it.
+/// Random programs on the mesh.
 pub struct Peer {
     mesh: MeshStorage,
     vertices: u32,
 }
 
 impl Peer {
-    /// No two alike, no three in line.
+    /// Distinct, and no three collinear.
     fn position(&mut self) -> [f64; 3] {
         let t = f64::from(self.vertices);
         self.vertices += 1;
@@ -88,8 +88,8 @@ impl Peer {
         Some(faces[(i as usize).checked_rem(faces.len())?])
     }
 
-    /// Returns true if the face may be added to an oriented manifold with at most one fan at each vertex: its sides are new, or
-    /// sides of a border; and at each corner that is in use at least one of its sides is.
+    /// Returns true if adding the face keeps an oriented manifold with at most one fan at each vertex: its sides are new or on
+    /// a border, and at each used corner at least one of its sides is on a border.
     fn may_add(&self, face: [VertexId; 3]) -> bool {
         let (mut border, mut taken) = (HashSet::new(), HashSet::new());
         for record in self.mesh.halfedges() {
@@ -114,7 +114,7 @@ impl Peer {
         let [a, b, c] = [0, 1, 2].map(|i| arguments.get(i).copied().unwrap_or(0));
         let mesh = &mut self.mesh;
         Some(match operator {
-            // A mesh that its builder has built, in place of the present one.
+            // Replaces the current mesh by one from the builder.
             "build_shape" => {
                 let (n, faces) = SHAPES[a as usize % SHAPES.len()];
                 let positions = (0..n).map(|_| self.position()).collect::<Vec<_>>();

@@ -1,4 +1,4 @@
-//! The adapters, a file for each crate.
+//! The adapters, one file per crate.
 
 pub mod dcel;
 pub mod halfedge;
@@ -11,7 +11,7 @@ pub mod tri_mesh;
 
 use crate::entry::Entry;
 
-/// The audited crates. `halfedge-soup` is its builder and its own validator on lists of triangles.
+/// The audited crates. `halfedge-soup` is the builder and the validator of `halfedge`, on lists of triangles.
 pub const PEERS: &[Entry] = &[
     Entry::of::<dcel::Peer>("dcel", "0.8.14"),
     Entry::of::<halfedge::Peer>("halfedge", "0.3.0"),

@@ -13,7 +13,7 @@ use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts
 /// A mesh without positions.
 pub type Graph = MeshGraph<Numbered>;
 
-/// Vertices are numbered.
+/// Numbered vertices.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbered;
 
@@ -24,7 +24,7 @@ impl plexus::geometry::Geometry for Numbered {
     type Face = ();
 }
 
-/// The graph as tables: records in the order of iteration.
+/// The graph as tables, with records in the order of iteration.
 #[must_use]
 pub fn table(graph: &Graph) -> Table {
     let vertices = numbers(graph.vertices().map(|vertex| vertex.key()));
@@ -68,7 +68,7 @@ pub fn report(graph: &Graph) -> Report {
     validate(&table(graph), &Expectation::surface().open(), Collect::All)
 }
 
-/// Random programs on it.
+/// Random programs on the graph.
 pub struct Peer(Graph);
 
 impl Peer {
@@ -90,7 +90,7 @@ impl Peer {
     fn try_apply(&mut self, operator: &str, arguments: &[u32]) -> Option<Result<(), GraphError>> {
         let [a, b] = [0, 1].map(|i| arguments.get(i).copied().unwrap_or(0));
         Some(match operator {
-            // In place of the present graph.
+            // Replaces the current graph.
             "from_raw_buffers" => {
                 let (n, faces) = SHAPES[a as usize % SHAPES.len()];
                 let triangles = faces.iter().map(|[a, b, c]| Triangle::new(*a, *b, *c));

@@ -1,7 +1,7 @@
-//! Half-edges of a border for structures that keep no `next` there.
+//! Derives the `next` of border half-edges for structures that store none.
 
-/// The half-edge of the border that follows `border`, found by turning around its target: from its twin, `previous` and
-/// `twin` again and again, up to a half-edge without face. Nil if the turn does not end within `limit` steps.
+/// The border half-edge that follows `border`, found by turning around its target: from its twin by `previous` and
+/// `twin`, up to a half-edge without face. Nil if the turn takes more than `limit` steps.
 pub(super) fn next_on_border<H: Copy>(
     border: H,
     limit: usize,

@@ -1,6 +1,6 @@
 //! Meshes that programs start from.
 
-/// Lists of triangles to start from: a tetrahedron, an octahedron, a square, a strip, a fan, a ring.
+/// Lists of triangles: a tetrahedron, an octahedron, a square, a strip, a fan, a ring.
 pub(super) const SHAPES: [(u32, &[[u32; 3]]); 6] = [
     (4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
     (6, &[[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]),

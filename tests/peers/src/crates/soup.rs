@@ -1,7 +1,7 @@
-//! `halfedge` 0.3.0, its builder and its own validator: lists of triangles of which some cannot be a surface.
+//! `halfedge` 0.3.0, builder and validator: lists of triangles, not all of them surfaces.
 //!
-//! The builder documents no error but an index out of range, and the crate assumes manifolds. What is on trial is the
-//! validator that says whether the outcome is one: a finding is a mesh that it accepts and the rules refuse.
+//! The only error that the builder documents is an index out of range, and the crate assumes manifolds. The audit tests
+//! the crate's validator of the outcome: a finding is a mesh that it accepts although the rules refuse it.
 
 use super::halfedge::report;
 use crate::peer::{self, Applied};
@@ -14,7 +14,7 @@ pub struct Peer {
     faces: Vec<[u32; 3]>,
 }
 
-/// No two alike, no three in line, no four in a plane.
+/// Distinct, no three collinear, and no four coplanar.
 const POSITIONS: [[f64; 3]; 6] =
     [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [2.0, 4.0, 8.0], [3.0, 9.0, 27.0], [4.0, 16.0, 64.0], [5.0, 25.0, 125.0]];
 

@@ -14,7 +14,7 @@ use twinedge_map::{Embedding, validate_embedding};
 /// A triangulation of points without data.
 pub type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// A triangulation as the validator sees it.
+/// A triangulation as seen by the validator.
 pub struct CdtView<'a> {
     cdt: &'a Cdt,
     edges: Vec<FixedDirectedEdgeHandle>,
@@ -22,7 +22,7 @@ pub struct CdtView<'a> {
 }
 
 impl<'a> CdtView<'a> {
-    /// Lists the handles, which can be made from an index for vertices only.
+    /// Lists the handles; only handles of vertices can be made from an index.
     #[must_use]
     pub fn new(cdt: &'a Cdt) -> Self {
         Self { cdt, edges: cdt.fixed_directed_edges().collect(), faces: cdt.fixed_all_faces().collect() }
@@ -41,7 +41,7 @@ impl<'a> CdtView<'a> {
         Some(edge.fix().index())
     }
 
-    /// Returns the report of the validator: first on the links, and then on the coordinates.
+    /// Returns the report of the validator: first on the links, then on the coordinates.
     #[must_use]
     pub fn report(&self) -> Report {
         let expectation = Expectation::plane();
@@ -79,7 +79,7 @@ impl Embedding for CdtView<'_> {
     }
 }
 
-/// Random programs on it.
+/// Random programs on the triangulation.
 pub struct Peer(Cdt);
 
 impl Peer {

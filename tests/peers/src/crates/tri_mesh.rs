@@ -1,4 +1,4 @@
-//! `tri-mesh` 0.6.1: half-edges keep their target, and those of a border have no `next`.
+//! `tri-mesh` 0.6.1: half-edges store their target, and border half-edges have no `next`.
 
 use super::rotation::next_on_border;
 use super::shapes::SHAPES;
@@ -9,8 +9,8 @@ use tri_mesh::{FaceID, HalfEdgeID, Mesh, VertexID, vec3};
 use twinedge::validate::{Collect, Expectation, Part, Parts, Report, View, validate};
 use twinedge::view_answers;
 
-/// A mesh as the validator sees it: the origin of a half-edge is the target of its twin, and the `next` of a half-edge
-/// without face is found by turning around its target.
+/// A mesh as seen by the validator: the origin of a half-edge is the target of its twin, and the `next` of a half-edge without
+/// face is found by turning around its target.
 pub struct MeshView<'a> {
     mesh: &'a Mesh,
     vertices: Vec<Option<VertexID>>,
@@ -41,7 +41,7 @@ impl<'a> MeshView<'a> {
     }
 }
 
-/// The ids by their numbers.
+/// The ids, by number.
 fn slots<I: Copy>(ids: impl Iterator<Item = I>, number: impl Fn(&I) -> u32) -> Vec<Option<I>> {
     let mut slots = Vec::new();
     for id in ids {
@@ -83,7 +83,7 @@ impl View for MeshView<'_> {
     }
 }
 
-/// Random programs on it.
+/// Random programs on the mesh.
 pub struct Peer {
     mesh: Mesh,
     vertices: u32,
@@ -91,7 +91,7 @@ pub struct Peer {
 
 impl Peer {
     fn vertex(&mut self) -> VertexID {
-        // No two alike, no three in line.
+        // Distinct, and no three collinear.
         let t = f64::from(self.vertices);
         self.vertices += 1;
         self.mesh.add_vertex(vec3(t, t * t, t * t * t))
@@ -107,8 +107,8 @@ impl Peer {
         Some(faces[(i as usize).checked_rem(faces.len())?])
     }
 
-    /// Returns true if the face may be added to an oriented manifold with at most one fan at each vertex: its sides are new, or
-    /// sides of a border; and at each corner that is in use at least one of its sides is.
+    /// Returns true if adding the face keeps an oriented manifold with at most one fan at each vertex: its sides are new or on
+    /// a border, and at each used corner at least one of its sides is on a border.
     fn may_add(&self, face: [VertexID; 3]) -> bool {
         let border = self.mesh.halfedge_iter().filter(|h| self.mesh.walker_from_halfedge(*h).face_id().is_none());
         let ends = |h: HalfEdgeID| {
@@ -128,8 +128,8 @@ impl Peer {
             && (0..3).all(|i| !used(face[i]) || old(i) != old(i + 2) || old(i) && old(i + 2))
     }
 
-    /// The ends have no common neighbour but the third corners of the one or two faces at the edge; an edge between two
-    /// vertices of the border is on the border; and the mesh is not a tetrahedron.
+    /// Returns true if the ends share only the third corners of the faces at the edge, an edge between two border vertices is
+    /// on the border, and the mesh is not a tetrahedron.
     fn may_collapse(&self, h: HalfEdgeID) -> bool {
         let (a, b) = self.mesh.edge_vertices(h);
         let around = |v| {

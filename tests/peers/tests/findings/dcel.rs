@@ -17,7 +17,7 @@ fn square() -> Dcel {
     dcel
 }
 
-/// Two squares with a common edge, of half-edges 2 and 3.
+/// Two squares with half-edges 2 and 3 as their common edge.
 fn two_squares() -> Dcel {
     let mut dcel = Dcel::new();
     dcel.insert_mesh([[0, 1, 4, 3], [1, 2, 5, 4]]);
@@ -33,8 +33,8 @@ fn is_live(dcel: &Dcel, h: HalfEdgeId) -> bool {
     dcel.half_edges().has_element_at(h.id())
 }
 
-/// "Insert a polygon": the sides that face outwards are linked the wrong way round. The target of a half-edge is "the same
-/// as the source vertex of the next half-edge", and here it is not the source of its twin.
+/// "Insert a polygon": the outer sides are linked in the wrong direction. The target of a half-edge is "the same as the
+/// source vertex of the next half-edge", but here it is not the source of its twin.
 #[test]
 fn insert_polygon_links_the_outer_sides_backwards() {
     let mut dcel = Dcel::new();
@@ -49,8 +49,8 @@ fn insert_polygon_links_the_outer_sides_backwards() {
     still("D1", dcel.target(h) != dcel.source(dcel.twin(h)));
 }
 
-/// "Remove an edge, merging the faces separated by it." The unbounded face, which "is always the first element of the face
-/// list" and whose "presence is an invariant of the structure", is the one that goes.
+/// "Remove an edge, merging the faces separated by it." This removes the unbounded face, which "is always the first element
+/// of the face list" and whose "presence is an invariant of the structure".
 #[test]
 fn remove_edge_removes_the_unbounded_face() {
     let mut dcel = square();
@@ -59,7 +59,7 @@ fn remove_edge_removes_the_unbounded_face() {
     still("D2", !dcel.faces().has_element_at(dcel.unbounded_face().id()));
 }
 
-/// The same, beside another component: its half-edges go on naming the face that is gone.
+/// With another component, whose half-edges still name the removed face.
 #[test]
 fn remove_edge_leaves_other_components_in_a_face_that_is_gone() {
     let mut dcel = square();
@@ -69,7 +69,7 @@ fn remove_edge_leaves_other_components_in_a_face_that_is_gone() {
     still("D2", !dcel.faces().has_element_at(dcel.incident_face(HalfEdgeId::new(9)).id()));
 }
 
-/// "Remove a face along with its edges and vertices." A face at the outside takes the unbounded face with it.
+/// "Remove a face along with its edges and vertices." Removing a face at the outside also removes the unbounded face.
 #[test]
 fn remove_face_removes_the_unbounded_face() {
     let mut dcel = two_squares();
@@ -94,7 +94,7 @@ fn merge_faces_links_the_perimeter_in_the_order_of_ids() {
     still("D5", dcel.target(h) != dcel.source(dcel.twin(h)));
 }
 
-/// "Remove a degree-2 vertex, merging its incident edges into one": the merged edge goes on starting at the vertex.
+/// "Remove a degree-2 vertex, merging its incident edges into one": the merged edge still starts at the vertex.
 #[test]
 fn smoothen_vertex_leaves_an_edge_at_the_vertex_that_is_gone() {
     let mut dcel = square();
@@ -115,8 +115,7 @@ fn merge_faces_around_vertex_leaves_links_to_the_edges_that_are_gone() {
     still("D7", dcel.half_edges().indices().any(|h| !is_live(&dcel, prev(h))));
 }
 
-/// "Insert an edge between two vertices, splitting a face in two": with an edge between them already, `prev` and `next`
-/// disagree.
+/// "Insert an edge between two vertices, splitting a face in two": if they are already joined, `prev` and `next` disagree.
 #[test]
 fn insert_edge_beside_an_edge_breaks_next_and_prev() {
     let mut dcel = square();
@@ -126,7 +125,7 @@ fn insert_edge_beside_an_edge_breaks_next_and_prev() {
     still("D8", dcel.prev(dcel.next(h)) != h);
 }
 
-/// "Insert an edge chain between two vertices": the same, although no two edges would be parallel.
+/// "Insert an edge chain between two vertices": also broken, although no edges would be parallel.
 #[test]
 fn insert_edge_chain_beside_an_edge_breaks_next_and_prev() {
     let mut dcel = square();
@@ -137,7 +136,7 @@ fn insert_edge_chain_beside_an_edge_breaks_next_and_prev() {
 }
 
 /// "Partition a face into triangles by connecting an existing vertex to all of the face's boundary vertices": the vertex is
-/// connected to itself as well, and not all edges are in its rotation.
+/// also connected to itself, and not all edges are in its rotation.
 #[test]
 fn fan_triangulate_connects_the_apex_to_itself() {
     let mut dcel = square();
@@ -149,7 +148,7 @@ fn fan_triangulate_connects_the_apex_to_itself() {
     still("D9", dcel.vertex_half_spokes(v).count() < leaving);
 }
 
-/// "Split an edge by inserting a new vertex on it": not if one end of the edge is a dead end.
+/// "Split an edge by inserting a new vertex on it": fails if one end of the edge is a dead end.
 #[test]
 fn split_edge_by_vertex_breaks_an_edge_with_a_dead_end() {
     let mut dcel = square();
@@ -162,7 +161,8 @@ fn split_edge_by_vertex_breaks_an_edge_with_a_dead_end() {
     still("D10", dcel.prev(dcel.next(h)) != h);
 }
 
-/// "Split a face by inserting an edge between two of its boundary vertices": not if the boundary passes one of them twice.
+/// "Split a face by inserting an edge between two of its boundary vertices": fails if the boundary passes one of them
+/// twice.
 #[test]
 fn split_face_by_edge_breaks_at_a_vertex_that_the_boundary_passes_twice() {
     let mut dcel = Dcel::new();
@@ -179,8 +179,8 @@ fn split_face_by_edge_breaks_at_a_vertex_that_the_boundary_passes_twice() {
     still("D11", dcel.half_edges().indices().map(HalfEdgeId::new).any(disagree));
 }
 
-/// Outside the documentation, which speaks of a degree-2 vertex (the crate's own tests use one of degree 3): this call does
-/// not return.
+/// Outside the documentation, which requires a degree-2 vertex (the crate's own tests use degree 3): this call does not
+/// return.
 #[test]
 fn merge_faces_around_a_vertex_of_higher_degree_does_not_return() {
     let entry = PEERS.iter().find(|entry| entry.name == "dcel").unwrap();

@@ -7,7 +7,7 @@ use halfedge::{
 };
 use twinedge_peers::crates::halfedge::report;
 
-/// A mesh on points of which no three lie in line.
+/// A mesh on points with no three collinear.
 fn mesh(n: u32, faces: &[[u32; 3]]) -> MeshStorage {
     let points = (0..n).map(f64::from).map(|t| [t, t * t, t * t * t]).collect::<Vec<_>>();
     build_mesh_from_vertices_and_faces(&points, faces).unwrap()
@@ -26,13 +26,13 @@ fn square() -> MeshStorage {
     mesh
 }
 
-/// The target of the twin, which is where a half-edge starts.
+/// The target of the twin: the origin of a half-edge.
 fn origin(mesh: &MeshStorage, h: HalfEdgeId) -> Option<VertexId> {
     Some(mesh.get_halfedge(mesh.get_halfedge(h)?.twin?)?.vertex)
 }
 
-/// "Splits one triangle into three": the new edges are paired within each of the new triangles, not across them. `Ok` is
-/// returned, and the crate's own validator accepts.
+/// "Splits one triangle into three": the new edges are paired within each new triangle, not across them. The call
+/// returns `Ok`, and the crate's own validator accepts.
 #[test]
 fn split_face_pairs_the_wrong_twins() {
     let mut mesh = tetrahedron();
@@ -44,12 +44,12 @@ fn split_face_pairs_the_wrong_twins() {
         origin(&mesh, record.next.unwrap()) != Some(record.vertex)
     };
     still("H1", mesh.halfedge_ids().any(jumps));
-    // Three edges leave the new vertex, and a walk around it finds one.
+    // Three edges leave the new vertex, but a walk around it finds one.
     still("H1", halfedge::traversal::VertexRing::new(&mesh, center).count() == 1);
     still("H1", validate_topology(&mesh).is_empty());
 }
 
-/// The same call removes the half-edges of the face, and vertices go on keeping them.
+/// The call removes the half-edges of the face, but vertices still store them.
 #[test]
 fn split_face_leaves_vertices_with_half_edges_that_are_gone() {
     let mut mesh = tetrahedron();
@@ -60,8 +60,8 @@ fn split_face_leaves_vertices_with_half_edges_that_are_gone() {
     still("H2", mesh.vertex_ids().any(|v| kept(v).is_some_and(|h| !mesh.contains_halfedge(h))));
 }
 
-/// On a mesh whose border the builder has closed, the removed half-edge of the border stays in `next` and `prev` of its
-/// neighbours: an error is returned, as documented if the outcome is not valid, but the triangle may well be added.
+/// On a mesh whose border was closed by the builder, the removed border half-edge stays in `next` and `prev` of its
+/// neighbours. An error is returned, as documented for an invalid outcome, but the triangle could validly be added.
 #[test]
 fn add_triangle_leaves_links_to_the_border_that_is_gone() {
     let mut mesh = square();
@@ -72,7 +72,7 @@ fn add_triangle_leaves_links_to_the_border_that_is_gone() {
     still("H3", result.is_err());
 }
 
-/// "Half-edges of the border get no next and prev": but those that have them keep them.
+/// "Half-edges of the border get no next and prev": but existing links stay.
 #[test]
 fn remove_face_leaves_links_to_the_border_that_is_gone() {
     let mut mesh = square();
@@ -82,8 +82,8 @@ fn remove_face_leaves_links_to_the_border_that_is_gone() {
     still("H4", mesh.halfedges().any(|h| [h.next, h.prev].into_iter().flatten().any(|h| !mesh.contains_halfedge(h))));
 }
 
-/// Two of the four faces at a vertex are removed, across from each other. "The outgoing half-edges of each vertex are a
-/// closed ring, or an open chain": there are two chains, and the validator that promises to check this accepts.
+/// Two opposite faces of four at a vertex are removed. "The outgoing half-edges of each vertex are a closed ring, or an
+/// open chain": there are two chains, and the validator that promises to check this accepts.
 #[test]
 fn remove_face_leaves_two_fans_and_the_validator_accepts() {
     let octahedron = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
@@ -98,7 +98,7 @@ fn remove_face_leaves_two_fans_and_the_validator_accepts() {
     still("H5", validate_topology(&mesh).is_empty());
 }
 
-/// The same for a list of triangles: two that share nothing but a vertex.
+/// Also for a list of two triangles that share only a vertex.
 #[test]
 fn the_validator_accepts_two_triangles_at_one_vertex() {
     let mesh = mesh(5, &[[2, 0, 1], [4, 3, 0]]);

@@ -1,7 +1,7 @@
-//! The findings of `README.md`, one test each, in the crate's own terms. A test asserts what the crate does *today*, and
-//! fails when a later version mends it: then the finding goes out of the table.
+//! The findings of `README.md`, one test each, in the crate's own terms. A test asserts the crate's *current* behaviour,
+//! and fails when a later version fixes it; the finding then leaves the table.
 //!
-//! What is broken is shown twice: by the rules of twinedge, and by the crate's own accessors.
+//! Each fault is shown twice: by the rules of twinedge, and by the crate's own accessors.
 
 mod dcel;
 mod halfedge;
@@ -18,7 +18,7 @@ fn breaks(finding: &str, report: &Report, rule: &str) {
     assert_eq!(broken.as_deref(), Some(rule), "{finding}: {MENDED}\n{report}");
 }
 
-/// Asserts that what was seen is still so.
+/// Asserts that the observed behaviour persists.
 fn still(finding: &str, seen: bool) {
     assert!(seen, "{finding}: {MENDED}");
 }

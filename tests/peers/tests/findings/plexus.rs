@@ -34,7 +34,7 @@ fn next_and_previous_disagree(graph: &Graph) -> bool {
     graph.arcs().any(|arc| arc.next_arc().previous_arc().key() != arc.key())
 }
 
-/// "Splits an edge (and its arcs)": some vertex keeps an arc that is gone, and reading it panics.
+/// "Splits an edge (and its arcs)": some vertex stores a removed arc, and reading it panics.
 #[test]
 fn split_with_leaves_a_vertex_with_an_arc_that_is_gone() {
     let mut graph = tetrahedron();
@@ -62,7 +62,7 @@ fn vertex_remove_is_not_implemented() {
     panics("P3", "src/graph/mutation/vertex.rs", "not implemented", || graph.vertex_mut(key).unwrap().remove());
 }
 
-/// Two neighbouring faces of a tetrahedron are merged, and then two of the three that are left.
+/// Two neighbouring faces of a tetrahedron are merged, and then two of the three remaining ones.
 #[test]
 fn merge_panics_on_the_second_merge() {
     let mut graph = tetrahedron();

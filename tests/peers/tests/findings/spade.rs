@@ -1,5 +1,6 @@
-//! `spade` 2.15.1. All are of `add_constraint_and_split`, whose documentation says that "intersection points may not exactly
-//! lie on the line", but not that the triangulation may break; "robustness" is the first goal of the crate's README.
+//! `spade` 2.15.1. All findings concern `add_constraint_and_split`, whose documentation says that "intersection points may
+//! not exactly lie on the line", but not that the triangulation may break; "robustness" is the first goal of the crate's
+//! README.
 
 use crate::{breaks, panics, still};
 use spade::handles::FixedVertexHandle;
@@ -27,7 +28,7 @@ fn apply(cdt: &mut Cdt, call: &Call) {
     }
 }
 
-/// Makes the calls; after each the triangulation keeps the rules.
+/// Makes the calls, and asserts the rules after each.
 fn sound(calls: &[Call]) -> Cdt {
     let mut cdt = Cdt::new();
     for call in calls {
@@ -37,7 +38,7 @@ fn sound(calls: &[Call]) -> Cdt {
     cdt
 }
 
-/// Twice the signed area of each inner face: positive if it turns counter-clockwise.
+/// Twice the signed area of each inner face, positive if counter-clockwise.
 fn areas(cdt: &Cdt) -> Vec<f64> {
     let area = |[a, b, c]: [Point2<f64>; 3]| (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     cdt.inner_faces().map(|face| area(face.positions())).collect()
@@ -143,7 +144,7 @@ fn add_constraint_and_split_breaks_the_rotation() {
     apply(&mut cdt, &Split(0, 4));
     breaks("S4", &CdtView::new(&cdt).report(), "G2");
     still("S4", areas(&cdt).iter().any(|area| *area < 0.0));
-    // With debug assertions, the removal of a vertex beside the face that is turned over panics.
+    // With debug assertions, removing a vertex of a face next to the inverted one panics.
     panics("S4", "src/delaunay_core/triangulation_ext.rs", "is_ordered_ccw", || apply(&mut cdt, &Remove(2)));
 }
 

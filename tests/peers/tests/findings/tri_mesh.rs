@@ -5,7 +5,7 @@ use three_d_asset::{Indices, Positions, TriMesh};
 use tri_mesh::{HalfEdgeID, Mesh, VertexID, vec3};
 use twinedge_peers::crates::tri_mesh::MeshView;
 
-/// A mesh on points of which no three lie in line.
+/// A mesh on points with no three collinear.
 fn mesh(n: u32, faces: &[[u32; 3]]) -> Mesh {
     let points = (0..n).map(f64::from).map(|t| vec3(t, t * t, t * t * t)).collect();
     let mesh = Mesh::new(&TriMesh {
@@ -22,7 +22,7 @@ fn leaving(mesh: &Mesh, v: VertexID) -> usize {
     mesh.halfedge_iter().filter(starts).count()
 }
 
-/// Two triangles back to back are a closed mesh. "Returns an error if […] the flip will connect two vertices that are
+/// Two triangles back to back form a closed mesh. "Returns an error if […] the flip will connect two vertices that are
 /// already connected": here it connects a vertex with itself, and returns `Ok`. The next split breaks the twins.
 #[test]
 fn flip_edge_makes_a_loop() {
@@ -38,9 +38,9 @@ fn flip_edge_makes_a_loop() {
     still("T1", mesh.halfedge_iter().any(|h| twin(h).and_then(twin) != Some(h)));
 }
 
-/// A face between two others at a vertex is removed. The documentation of `vertex_halfedge_iter` knows of vertices that are
+/// A face between two others at a vertex is removed. The documentation of `vertex_halfedge_iter` mentions vertices that are
 /// "the only connection between two or more separate sets of faces"; `connecting_edge` then misses edges, and `add_face`
-/// would make them again.
+/// would add them again.
 #[test]
 fn remove_face_leaves_two_fans_at_a_vertex() {
     let mut mesh = mesh(5, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
@@ -51,12 +51,12 @@ fn remove_face_leaves_two_fans_at_a_vertex() {
     still("T2", mesh.vertex_halfedge_iter(v).count() < leaving(&mesh, v));
     let neighbours = mesh.vertex_iter().filter(|other| mesh.connecting_edge(v, *other).is_some()).count();
     still("T2", neighbours == 2 && leaving(&mesh, v) == 4);
-    // The crate's own check, which is for development only, refuses.
+    // The crate's own check, for development only, refuses.
     still("T2", mesh.is_valid().is_err());
 }
 
 /// Outside the documentation, which warns that a collapse "might […] produce edges and vertices that are not connected":
-/// the two triangles of a square, collapsed along an edge of the border and then along the next. `split_edge` panics.
+/// the two triangles of a square are collapsed along a border edge and then along the next. `split_edge` panics.
 #[test]
 fn split_edge_panics_after_a_collapse_that_left_an_edge_without_face() {
     let mut mesh = mesh(4, &[[0, 1, 2], [2, 1, 3]]);
