@@ -1,5 +1,5 @@
 //! The claim of the lectures: adding a vertex, adding an edge and removing one changes a fixed number of rows in the three
-//! tables. The tables are printed before and after each step, with the rows that changed.
+//! tables. Prints the tables before and after each step, with the changed rows.
 //!
 //! ```text
 //!   v1 ────e1──── v2      v1 ──e1── v5 ──e5── v2      v1 ──e1── v5 ──e5── v2
@@ -23,7 +23,7 @@ use twinedge_formats::textbook::Textbook;
 use twinedge_geometry::Point;
 use twinedge_map::validate_embedding;
 
-/// A structure and coordinates beside it.
+/// A structure with separate coordinates.
 #[derive(Default)]
 struct Drawing {
     dcel: Dcel,
@@ -38,7 +38,7 @@ impl Drawing {
         })
     }
 
-    /// Prints the tables, and returns the names of the rows that are new, gone or different.
+    /// Prints the tables, and returns the names of the new, removed or changed rows.
     fn show(&self, what: &str, before: &mut String) -> Result<Vec<String>, Box<dyn Error>> {
         let tables = self.tables();
         let report = validate_embedding(&tables, &Expectation::plane(), Collect::All);
@@ -47,7 +47,7 @@ impl Drawing {
         }
         let after = tables.to_string();
         println!("=== {what} ===\n\n{after}");
-        // Rows, whatever the widths of the columns.
+        // Rows, independent of the widths of the columns.
         let rows = |text: &str| -> BTreeSet<Vec<String>> {
             text.lines().map(|line| line.split_whitespace().map(str::to_owned).collect()).collect()
         };
@@ -70,14 +70,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let dcel = &mut drawing.dcel;
     let e1 = dcel.connect(vertices[0], vertices[1], Split::default())?.half_edge;
     let from_v3 = dcel.connect(vertices[2], vertices[3], Split::default())?.half_edge;
-    // From v3 to v1, beside e2. From v3 to v2, between them: that closes the triangle, which lies to the left.
+    // From v3 to v1, next to e2. From v3 to v2, between them: that closes the triangle, which lies to the left.
     dcel.connect(from_v3, e1, Split::default())?;
     let at_v2 = dcel.at(e1).twin().key();
     dcel.connect(from_v3, at_v2, Split { new_face: Side::Left, inner: &[] })?;
     let mut before = String::new();
     drawing.show("the map", &mut before)?;
 
-    // A vertex on e1: an edge and a vertex more, and the rows of those beside them.
+    // A vertex on e1 adds an edge and a vertex, and changes the rows of their neighbours.
     let split = drawing.dcel.split_edge(e1)?;
     drawing.places.push((split.vertex, Point::new(1.0, 2.0)));
     let changed = drawing.show("a vertex on e1", &mut before)?;
@@ -101,10 +101,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The new vertex, the two new half-edges, those beside them, and the vertex whose edge is the new one.
+/// The new vertex, the two new half-edges, their neighbours, and the vertex that keeps the new edge.
 const ADDED_VERTEX: &[&str] = &["e1,1", "e1,2", "e4,1", "e4,2", "e5,1", "e5,2", "v2", "v5"];
-/// The new edge, the new face, the half-edges beside its ends, and those of the shorter of the two new cycles, which have
-/// another face now.
+/// The new edge, the new face, the half-edges next to its ends, and the half-edges of the shorter new cycle, whose face has
+/// changed.
 const ADDED_EDGE: &[&str] = &["e1,2", "e3,2", "e4,1", "e5,2", "e6,1", "e6,2", "f2", "f3"];
-/// The edge that is gone, the half-edges beside it, its ends, and the face, in which one of them is left alone.
+/// The removed edge, the half-edges next to it, its ends, and the face, in which one of them is now isolated.
 const REMOVED_EDGE: &[&str] = &["e2,1", "e2,2", "e3,1", "e4,2", "f1", "v3", "v4"];

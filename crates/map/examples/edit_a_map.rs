@@ -1,6 +1,5 @@
-//! Editing a map: two countries and a lake are drawn, a road is laid across them, a border post is moved, and the border is
-//! removed.
-//! A register of the land is kept beside the map: it follows what each edit reports.
+//! Editing a map: draws two countries and a lake, lays a road across them, moves a border post, and removes the border. A
+//! separate land register follows the reports of each edit.
 //!
 //! ```text
 //! cargo run -p twinedge-map --example edit_a_map
@@ -12,7 +11,7 @@ use twinedge_geometry::noding::Snap;
 use twinedge_map::PlanarMap;
 use twinedge_map::edit::{EditError, Edited};
 
-/// Data kept beside a map: the name of each piece of land.
+/// Data stored alongside a map: the name of each piece of land.
 struct Register {
     lots: Vec<(FaceKey, String)>,
 }
@@ -62,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(map.features_of(face)?.filter_map(|f| map.name(f)).map(str::to_owned).collect())
     };
 
-    // A lake in the east. It is Eastland's, too, as the area was before.
+    // A lake in the east. It also belongs to Eastland, like the area before.
     let lake = map.insert_ring([[8.0, 3.0], [10.0, 3.0], [9.0, 5.0]])?;
     register.follow(&lake);
     let (_, water) = lake.faces_split[0];
@@ -70,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_eq!(register.name(water), "part of Eastland");
     assert_eq!(covered(&map, water)?, ["Eastland"]);
 
-    // A road may not cross the border just so: where it does is no point with coordinates of its own in general.
+    // A road may not cross the border exactly: in general no double is exactly at the crossing.
     let refused = map.insert_segment([1.0, 1.0], [11.0, 2.0]);
     println!(
         "an exact road: {}",
@@ -82,14 +81,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("a rounded road: {} edges, through a new vertex on the border", road.way.len());
     assert_eq!((road.way.len(), road.edges_split.len()), (2, 1));
 
-    // The border post where they meet moves a bit; it may not move into the lake.
+    // The border post at the crossing moves a bit; it may not move into the lake.
     let post = map.dcel().at(road.way[0]).target().key();
     map.move_vertex(post, [6.5, 1.5])?;
     let into_the_lake = map.move_vertex(post, [9.0, 3.5]);
     println!("the post moves to {:?}, and not into the lake", map[post]);
     assert!(matches!(into_the_lake, Err(EditError::EdgeInTheWay(_) | EditError::VertexInTheWay(_))));
 
-    // The border falls, edge by edge. What had one country on each side is covered by none of them all over.
+    // The border is removed, edge by edge. Areas with one country on each side are then covered by neither.
     let (south, north) = road.edges_split[0];
     for h in [south, north] {
         let edited = map.remove_edge(h)?;

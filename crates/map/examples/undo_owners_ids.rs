@@ -1,4 +1,4 @@
-//! An editor in short: changes are undone and redone, owners and taxes follow, and ids stay.
+//! A minimal editor: changes are undone and redone, owners and taxes follow, and ids stay.
 //!
 //! ```text
 //! cargo run -p twinedge-map --example undo_owners_ids
@@ -26,7 +26,7 @@ fn main() -> Result<(), EditError> {
     assert_eq!(editor.get().value(owner, sold), Some(&"Ada"));
     editor.change("sell a part", |map| map.set_value(owner, sold, "Bob"))?;
 
-    // The owners differ, so the policy refuses, and nothing has changed. Once the sale is undone, it does not.
+    // The owners differ, so the policy refuses, and nothing has changed. Once the sale is undone, it accepts.
     assert!(editor.change("merge", |map| map.remove_edge(fence.way[0])).is_err());
     assert_eq!(editor.undo_name(), Some("sell a part"));
     assert!(editor.undo());

@@ -1,7 +1,7 @@
-//! Location of points, and of the borders ahead: points and lines on a map of the world.
+//! Locating points and the borders ahead: points and lines on a map of the world.
 //!
-//! Builds the map of all countries, then an index, and asks which country a point lies in and which borders a flight
-//! crosses. Every answer is exact, and asserted.
+//! Builds the map of all countries and an index, and finds the country of a point and the borders that a flight crosses. Every
+//! answer is exact, and asserted.
 //!
 //! ```text
 //! cargo run -p twinedge-map --example where_am_i
@@ -22,7 +22,7 @@ fn world() -> Result<PlanarMap, Box<dyn Error>> {
     Ok(builder.build()?)
 }
 
-/// The countries that claim a face; "the ocean" for the unbounded face, "a lake" for another that nobody claims.
+/// The countries that claim a face; "the ocean" for the unbounded face, "a lake" for another unclaimed face.
 fn name(map: &PlanarMap, face: FaceKey) -> Result<String, Box<dyn Error>> {
     let names: Vec<&str> = map.features_of(face)?.filter_map(|feature| map.name(feature)).collect();
     Ok(match names[..] {
@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{x}, {y} lies in {found}");
         assert_eq!(found, expected);
     }
-    // A vertex where three borders meet: of Austria, Liechtenstein and Switzerland, say.
+    // A vertex where three borders meet: for example of Austria, Liechtenstein and Switzerland.
     let meet = |f: &str| map.features().find(|feature| map.name(*feature) == Some(f));
     let countries = ["Austria", "Liechtenstein", "Switzerland"].map(meet);
     let corner = map.dcel().vertices().find(|v| {

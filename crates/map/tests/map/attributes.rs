@@ -1,4 +1,4 @@
-//! Values that follow edits, are undone with them, and are as they were where an edit is refused halfway.
+//! Values that follow edits, are undone with them, and are unchanged by an edit refused halfway.
 
 use crate::rewound::change;
 use crate::support::tokens::{Handles, Mint, Mints, Tokens, handles};
@@ -54,7 +54,7 @@ fn no_token_is_lost_or_doubled_by_any_edit_undone_or_not() {
     check(60, 40, law as fn(EditProgram));
 }
 
-/// Adds, merges or removes features now and then, as a change of its own.
+/// Occasionally adds, merges or removes features, as a separate change.
 fn shuffle_features(history: &mut History<PlanarMap>, step: usize) {
     let count = history.get().features().count();
     let feature = |map: &PlanarMap, i: usize| map.feature(i % count.max(1)).unwrap();
@@ -68,7 +68,7 @@ fn shuffle_features(history: &mut History<PlanarMap>, step: usize) {
         3 if count > 4 => history.change("remove", |map| map.remove_feature(feature(map, step / 5)).map(drop)),
         _ => return,
     };
-    // Only a policy refuses, or the feature is gone.
+    // Only a policy refuses, or the feature no longer exists.
     let refused = |error| matches!(error, EditError::Operator(OperatorError::Refused(_)) | EditError::NoSuchFeature(_));
     assert!(outcome.is_ok() || outcome.is_err_and(refused));
 }
@@ -151,7 +151,7 @@ fn a_merged_feature_is_where_both_were_and_a_removed_one_is_nowhere() {
     map.set_value(name, c, false).unwrap();
     assert_eq!(map.remove_feature(c).unwrap().as_deref(), Some("c"));
     assert!(map.features_of(west).unwrap().eq([a]) && map.value(name, c).is_none());
-    // The numbers of the others are as they were.
+    // The numbers of the others are unchanged.
     assert_eq!(map.features().map(|f| map.name(f)).collect::<Vec<_>>(), [Some("a"), None, None]);
 }
 
@@ -212,7 +212,7 @@ fn faces_that_may_not_share_a_feature_leave_everything_as_it_was() {
     assert!(matches!(map.cover_values(of, strict), Err(OperatorError::Refused(_))));
     let mut history = History::new(map);
     assert!(history.get().values(strict).unwrap().iter().eq([(kept, &vec![99])]));
-    // That of another map is no attribute, either.
+    // An attribute of another map is not an attribute, either.
     let (mut other, foreign) = three_features();
     assert_eq!(other.cover_values(of, strict), Err(OperatorError::NoSuchAttribute));
     assert_eq!(other.cover_values(foreign, strict), Err(OperatorError::NoSuchAttribute));
@@ -235,7 +235,7 @@ fn a_map_made_of_another_one_takes_over_every_value() {
         let features: Vec<_> = old.features().map(|f| new.add_feature(old.name(f).map(Into::into))).collect();
         new.carry_values(&old, &keys);
         handles.check(new.dcel(), &mints);
-        // A feature that has a value keeps it.
+        // A feature with a value keeps it.
         if let Some(feature) = new.feature(0) {
             new.set_value(of_feature, feature, 3_u64).unwrap();
             new.carry_values(&old, &keys);
@@ -266,7 +266,7 @@ fn a_map_made_of_another_one_takes_over_every_value() {
     check(60, 60, law as fn(EditProgram));
 }
 
-/// A map, and the values of its faces and features.
+/// A map, with the values of its faces and features.
 type Saved = (PlanarMap, SecondaryMap<FaceKey, Tokens>, SecondaryMap<FeatureId, u64>);
 
 #[test]
@@ -298,7 +298,7 @@ fn an_edit_that_is_refused_halfway_leaves_everything_as_it_was() {
         let (mints, mut map) = (Mints::default(), PlanarMap::new());
         let handles = tokens_of(&mut map, &mints, 13);
         let _ = map.locate(Point::new(0.5, 0.5));
-        // Each edit is validated by what it wrote, those that are taken back, too.
+        // Each edit is validated by its writes, including undone edits.
         let mut runner = EditRunner::audited(map).unwrap();
         let mut refused = 0;
         for op in &program.0 {
@@ -348,7 +348,7 @@ fn an_audited_map_with_attributes_notes_what_one_without_notes() {
     step(&|map| drop(map.remove_vertex(first(map)).unwrap()));
 }
 
-/// A square of four cells, whose middle vertex and whose edges from there are named, and its owners.
+/// A square of four cells with owners, with its middle vertex and the edges from there.
 fn four_cells() -> (PlanarMap, twinedge::dcel::Attribute<twinedge::dcel::Faces, u32>, Vec<HalfEdgeKey>) {
     let mut map = PlanarMap::new();
     let owner = map.add_attribute(Policy::of_faces().split_copy().merge_equal());
@@ -370,7 +370,7 @@ fn a_refused_edit_inside_of_a_change_leaves_the_rest_of_the_change() {
     let sides =
         [map.dcel().half_edge(spokes[0]).unwrap().face().key(), map.dcel().half_edge(spokes[2]).unwrap().face().key()];
     let middle = map.dcel().half_edge(spokes[0]).unwrap().origin().key();
-    // The last of the edges that are erased would merge two owners.
+    // The last of the erased edges would merge two owners.
     map.set_value(owner, sides[1], 2_u32).unwrap();
     let original = map.clone();
     let mut history = History::new(map);
@@ -392,7 +392,7 @@ fn a_refused_edit_inside_of_a_change_leaves_the_rest_of_the_change() {
     assert!(*history.get() == original);
     assert_eq!(history.get().value(owner, sides[1]), Some(&2));
     assert!(history.redo());
-    // Once all are of one owner, the vertex goes.
+    // Once all have one owner, the vertex is removed.
     history.change("sell", |map| map.set_value(owner, sides[1], 1_u32)).unwrap();
     let removed = history.change("erase", |map| map.remove_vertex(middle)).unwrap();
     assert_eq!((removed.faces_merged.len(), history.get().values(owner).unwrap().len()), (3, 1));
@@ -426,7 +426,7 @@ fn shares_are_areas_and_lengths_and_vertices_on_edges_lie_between() {
         let mut points = points.into_iter();
         let mut erased = erased.into_iter();
         loop {
-            // New records, other than parts of those that were there, get their values.
+            // New records, other than parts of existing ones, get their values.
             let measure = |map: &PlanarMap, h: HalfEdgeKey| {
                 let h = map.dcel().half_edge(h).unwrap();
                 let [a, b] = [h.origin(), h.target()].map(|v| map.position(v.key()).unwrap());
@@ -486,7 +486,7 @@ fn of_merged_faces_the_larger_one_may_name_both() {
     }
 }
 
-/// The value of a feature that the map does not have is dropped, and is not kept under a number beyond those of its features.
+/// The value of a feature unknown to the map is dropped, and is not kept under a number beyond its features.
 #[test]
 fn a_feature_of_another_map_gets_no_value() {
     let mut old = PlanarMap::new();

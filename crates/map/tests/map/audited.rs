@@ -1,4 +1,4 @@
-//! Edits that are validated one after the other: the verdict, the notes of what was written, and what is read.
+//! Edits validated one by one: the verdict, the recorded writes, and the reads.
 
 use crate::support::changes::difference;
 use crate::support::edits::EvenEdits;
@@ -20,14 +20,14 @@ use twinedge_map::{Builder, Embedding, Noding, PlanarMap};
 fn an_audited_runner_does_what_another_does() {
     for seed in 0..100 {
         let EvenEdits(program) = EvenEdits::arbitrary(&mut Gen::from_size_and_seed(40, seed));
-        // A clone gives out the keys that the original does.
+        // A clone issues the same keys as the original.
         let empty = PlanarMap::new();
         let mut plain = EditRunner::new(empty.clone());
         let mut audited = EditRunner::audited(empty).unwrap();
         for op in &program.0 {
             assert_eq!(plain.step_checked(op), audited.step_checked(op), "{op} of {program}");
         }
-        // A clone goes on as the original does.
+        // A clone continues like the original.
         let mut clone = audited.clone();
         for op in &program.0 {
             assert_eq!(clone.step_checked(op), audited.step_checked(op), "{op} of {program}");
@@ -43,7 +43,7 @@ fn is_within<T: Ord + Copy>(some: &[T], all: &[T]) -> bool {
     some.iter().all(|one| all.contains(one))
 }
 
-/// Some edit or other.
+/// An arbitrary edit.
 fn edit(map: &mut PlanarMap, g: &mut Gen) -> Result<(), EditError> {
     let mut number = |most: usize| usize::arbitrary(g) % most.max(1);
     let mut place = || Point::new((number(9) * 2) as f64, (number(9) * 2) as f64);
@@ -61,7 +61,7 @@ fn edit(map: &mut PlanarMap, g: &mut Gen) -> Result<(), EditError> {
     }
 }
 
-/// Every record that differs was noted, and every vertex that lies elsewhere.
+/// Every changed record and every moved vertex was recorded.
 #[test]
 fn what_is_written_is_noted() {
     let (mut applied, mut refused) = (0, 0);
@@ -111,7 +111,7 @@ fn another_map_in_its_place_is_validated_in_full() {
     for _ in 0..2 {
         let report = audited.change(|map| *map = crossing()).unwrap_err();
         assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::G4]);
-        // It stays wrong until it is right.
+        // It stays invalid until it is fixed.
         assert_eq!(audited.change(|_| ()), Err(report));
     }
     let mut other = PlanarMap::new();
@@ -121,7 +121,7 @@ fn another_map_in_its_place_is_validated_in_full() {
     assert!(!audited.written().is_empty());
 }
 
-/// Two maps change places, each with the notes of its own edits.
+/// Two maps are swapped, each with the log of its own edits.
 #[test]
 fn audited_maps_that_change_places_are_validated_in_full() {
     let mut one = Audited::new(PlanarMap::new()).unwrap();
@@ -135,7 +135,7 @@ fn audited_maps_that_change_places_are_validated_in_full() {
     }
 }
 
-/// A map, and how often it is asked for anything.
+/// A map that counts its reads.
 struct Asked<'a> {
     map: &'a PlanarMap,
     questions: Cell<usize>,
@@ -176,7 +176,7 @@ fn islands(count: usize) -> PlanarMap {
     builder.build().unwrap()
 }
 
-/// The number of questions to the structure does not grow with the map, nor with the number of islands in the changed face.
+/// The number of reads does not grow with the map, nor with the number of islands in the changed face.
 #[test]
 fn what_is_asked_depends_on_the_edit_only() {
     type Edit = fn(&mut PlanarMap, f64);

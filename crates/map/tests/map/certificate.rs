@@ -1,4 +1,4 @@
-//! Certificates of drawings: what is drawn without crossings has one that passes, and nothing else has.
+//! Certificates of drawings: a drawing without crossings has a certificate that passes, and nothing else has.
 
 use crate::support::embeddings::validate_embedding;
 use std::cell::Cell;
@@ -38,7 +38,7 @@ impl Drawn {
         validate_embedding(self, &PLANE, Collect::First).is_valid()
     }
 
-    /// True if it has a certificate, made for it.
+    /// Returns true if a certificate can be made and passes.
     fn is_certified(&self) -> bool {
         draw(self).is_ok_and(|drawing| self.passes(&drawing))
     }
@@ -48,7 +48,7 @@ impl Drawn {
     }
 }
 
-/// Numbers that look random.
+/// Pseudo-random numbers.
 struct Numbers(u64);
 
 impl Numbers {
@@ -62,7 +62,7 @@ impl Numbers {
     }
 }
 
-/// A plane map of segments, rings and points on a grid of so many lines.
+/// A plane map of segments, rings and points on a grid of `side` lines.
 fn random_map(numbers: &mut Numbers, side: usize, segments: usize) -> PlanarMap {
     let mut builder = Builder::new();
     for _ in 0..segments {
@@ -94,7 +94,7 @@ fn moved_vertices_are_judged_as_by_the_rules() {
                 moved.points[v] = Point::new(f64::from(x), f64::from(y));
                 let is_valid = moved.is_valid();
                 assert_eq!(moved.is_certified(), is_valid, "vertex {v} to {x} {y}: {}", map.table);
-                // The drawing as it was, with the point moved: what passes is right.
+                // The old drawing with the point moved: if it passes, the map is valid.
                 let mut old = drawing.clone();
                 let unit = 1_i64 << (-old.exponent).max(0);
                 old.points[v] = [i64::from(x) * unit, i64::from(y) * unit];
@@ -106,8 +106,7 @@ fn moved_vertices_are_judged_as_by_the_rules() {
     assert!(valid > 4_000 && broken > 4_000, "{valid} {broken}");
 }
 
-/// The faults that break a rule of coordinates and none of topology: a mirror image, an isolated vertex in another face, a component in
-/// another face.
+/// Faults that break only rules of coordinates: a mirror image, an isolated vertex or a component in another face.
 #[test]
 fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
     let (mut valid, mut broken) = (0, 0);
@@ -156,8 +155,8 @@ fn moved_inner(table: &Table, b: usize, to: usize) -> Option<Table> {
     Some(table)
 }
 
-/// Every entry of a drawing set to every other value: found, or as good. No point of a vertex is changed, so nothing wrong can be certified;
-/// what the tests do find is the number of values that say something else.
+/// Sets every entry of a drawing to every other value: the change is detected, or the certificate is still valid. No point of a
+/// vertex changes, so nothing invalid can be certified; the tests must detect the values with another meaning.
 #[test]
 fn a_changed_entry_is_found_or_as_good() {
     let mut builder = Builder::new();
@@ -183,7 +182,8 @@ fn a_changed_entry_is_found_or_as_good() {
         }
         found.push((column.name(), caught, as_good));
     }
-    // Ranks are any numbers that grow. A dart of a vertex may be any that starts there, and what vacant slots hold is not looked at.
+    // Ranks are arbitrary growing numbers. A dart of a vertex may be any dart that starts there, and the contents of vacant slots
+    // are ignored.
     let as_good: Vec<_> = found.iter().filter(|(_, _, as_good)| *as_good > 0).map(|(name, ..)| *name).collect();
     assert_eq!(as_good, ["dart_rank", "half_edge_dart", "vertex_dart", "face_dart"], "{found:?}");
     assert!(found.iter().all(|(_, caught, _)| *caught > 0), "{found:?}");
@@ -249,14 +249,14 @@ fn what_has_no_certificate_is_an_error() {
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
     map.points[1].x = f64::NAN;
     assert_eq!(draw(&map), Err(DrawingError::NoGrid));
-    // Links that lead nowhere.
+    // Dangling links.
     map.points.iter_mut().for_each(|point| *point = Point::default());
     map.table.half_edges.iter_mut().flatten().for_each(|row| *row = HalfEdgeRow::default());
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
     assert_eq!(draw(&Bent), Err(DrawingError::Bends { half_edge: 0 }));
 }
 
-/// Columns of other lengths, points that are not there, and coordinates out of range are unreadable.
+/// Columns of other lengths, missing points, and coordinates out of range are unreadable.
 #[test]
 fn what_is_unreadable_is_not_tested() {
     let map = random_map(&mut Numbers(4), 5, 4);
@@ -281,7 +281,7 @@ fn what_is_unreadable_is_not_tested() {
     }
 }
 
-/// A map that is changed in the structure or in the drawing so that one test finds it.
+/// The tests that fail for a map whose structure or drawing was changed.
 fn failing(map: &Drawn, labels: &Labels, drawing: &Drawing) -> Vec<Test> {
     let failures = check_drawing(&map.table, labels, drawing).err().unwrap_or_default();
     failures.iter().map(|failure| failure.test()).collect()
@@ -333,7 +333,7 @@ fn a_triangle_between_added_edges_is_in_the_face_around_it() {
     assert!(seen > 0);
 }
 
-/// In a face of one triangle the ranks lead down to the next face.
+/// In a face of one triangle, ranks descend towards the next face.
 #[test]
 fn ranks_lead_down_inside_a_face() {
     let (map, labels, mut drawing) = nested();
@@ -348,7 +348,7 @@ fn ranks_lead_down_inside_a_face() {
     assert_eq!(failing(&map, &labels, &drawing), [Test::DartRankOk]);
 }
 
-/// On one side of the big triangle, where no vertex of the map is, a half-edge that lies elsewhere.
+/// A half-edge misplaced on one side of the big triangle, which has no vertex of the map.
 #[test]
 fn a_half_edge_lies_on_one_dart() {
     let (map, labels, drawing) = nested();
@@ -371,7 +371,7 @@ fn a_half_edge_lies_on_one_dart() {
     assert!(found.contains(&vec![Test::DartHalfEdgeOk]), "{found:?}");
 }
 
-/// Two corners of a triangle have each other's names in the structure.
+/// Two corners of a triangle have exchanged their names in the structure.
 #[test]
 fn a_half_edge_starts_where_its_dart_starts() {
     let (mut map, labels, drawing) = nested();
@@ -395,7 +395,7 @@ fn a_half_edge_starts_where_its_dart_starts() {
     assert_eq!(failing(&map, &labels, &drawing), [Test::HalfEdgeDartOk]);
 }
 
-/// At the middle of a path the half-edges lie on each other's darts.
+/// At the middle of a path, the half-edges lie on each other's darts.
 #[test]
 fn a_half_edge_lies_on_the_other_side_of_its_twin() {
     let mut map = PlanarMap::new();
@@ -436,7 +436,7 @@ fn the_outer_triangle_is_not_flat() {
     assert_eq!(failing(&map, &Labels::new(&map.table).unwrap(), &drawing), [Test::TriangleOk]);
 }
 
-/// The half-edge of the other side has no dart then, which is said, too.
+/// The twin then has no dart, which is also reported.
 #[test]
 fn an_edge_is_added_on_both_sides() {
     let (map, labels, drawing) = nested();
@@ -449,7 +449,7 @@ fn an_edge_is_added_on_both_sides() {
     }
 }
 
-/// A triangle of which the last `next` leads past the last slot, and which says that a half-edge is there.
+/// A triangle whose last `next` leads past the last slot, and that claims a half-edge there.
 struct Liar(PlanarMap);
 
 impl View for Liar {
@@ -477,7 +477,7 @@ fn a_structure_that_lies_about_its_slots_is_not_drawn() {
     assert_eq!(draw(&Liar(map)).err(), Some(DrawingError::NotPlane));
 }
 
-/// A drawing whose points go far away after so many questions.
+/// A drawing whose points move far away after a number of reads.
 struct Restless<'a> {
     drawing: &'a Drawing,
     asked: Cell<usize>,
@@ -523,7 +523,7 @@ fn points_that_move_while_they_are_checked_do_not_pass() {
     assert!((points..questions).all(|patience| failed(patience).1 == questions));
 }
 
-/// So many zeros.
+/// A column of zeros of this length.
 #[derive(Clone, Copy)]
 struct Zeros(usize);
 
@@ -536,7 +536,7 @@ impl twinedge_certificate::Numbers for Zeros {
     }
 }
 
-/// A drawing of a map that says that it has so many darts and points.
+/// A drawing of a map that claims this number of darts and points.
 struct Endless {
     map: PlanarMap,
     darts: usize,

@@ -6,7 +6,7 @@ use twinedge::program::choose::Random;
 use twinedge_map::program::*;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// The keys that there are, in order of creation, and those that went, by looking at all after each edit.
+/// The live keys in order of creation, and the removed keys, found by scanning everything after each edit.
 struct Seen<K> {
     live: Vec<K>,
     retired: Vec<K>,

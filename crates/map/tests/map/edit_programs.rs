@@ -1,4 +1,4 @@
-//! Programs of edits: their text, what the interpreter makes of them, every edit on small maps, and shrinking.
+//! Programs of edits: their text, their interpretation, every edit on small maps, and shrinking.
 
 use arbitrary::{Arbitrary, Unstructured};
 use proptest::strategy::{Strategy, ValueTree};
@@ -12,7 +12,7 @@ use twinedge_map::edit::EditError;
 use twinedge_map::program::*;
 use twinedge_map::{Builder, Noding, PlanarMap};
 
-/// Numbers without pattern, always the same.
+/// Deterministic pseudo-random numbers.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
     let mut state = seed;
     let mut step = || {
@@ -125,10 +125,10 @@ fn what_is_no_program_is_refused_with_its_place() {
 
 #[test]
 fn picks_count_in_order_of_creation_and_start_again() {
-    // A triangle, its edges h0 to h5 and corners v0 to v2; the first edge goes, and a point comes in its slot.
+    // A triangle with edges h0 to h5 and corners v0 to v2; the first edge is removed, and a point reuses its slot.
     let (runner, outcomes) = run("insert_ring 0,0 4,0 0,4\nremove_vertex v0\ninsert_segment 9,9 8,8\nremove_vertex v2");
     assert!(outcomes.iter().all(|outcome| matches!(outcome, EditOutcome::Applied(_))));
-    // The third corner that was there after the first was gone is the oldest of the segment.
+    // The third corner after the removal of the first is the oldest end of the segment.
     let left: Vec<[f64; 2]> =
         runner.map().dcel().vertices().map(|v| runner.map().position(v.key()).expect("of this map").into()).collect();
     assert_eq!(left.len(), 3);
@@ -202,15 +202,14 @@ fn a_map_that_is_not_valid_is_found_after_the_first_edit() {
 
 #[test]
 fn a_refusal_that_changes_the_map_would_be_said() {
-    // No edit does so; that it would be seen was tried with one that did.
+    // No edit does so; a deliberately broken edit confirmed that it would be detected.
     let failure =
         EditFailure::Changed { number: 3, op: EditOp::InsertPoint { at: at(1.0, 2.0) }, error: EditError::CellSize };
     let expected = format!("edit 3 (`insert_point 1,2`) was refused ({}), but changed the map", EditError::CellSize);
     assert_eq!(failure.to_string(), expected);
 }
 
-/// All maps that so many edits can make of these points, by what is saved of them and all keys that there were; and how many
-/// edits were tried.
+/// All maps that `depth` edits can make of these points, by their saved form and all their keys, and the number of tried edits.
 fn every(points: &[Spot], depth: usize) -> (usize, BTreeMap<&'static str, u64>) {
     let mut counts = BTreeMap::new();
     let mut level = vec![EditRunner::new(PlanarMap::new())];
@@ -237,7 +236,7 @@ fn every(points: &[Spot], depth: usize) -> (usize, BTreeMap<&'static str, u64>) 
 #[test]
 fn every_edit_of_a_small_grid_keeps_every_rule() {
     let spots = [(0.0, 0.0), (2.0, 0.0), (1.0, 1.0), (0.0, 2.0)].map(|(x, y)| Spot::new(x, y));
-    // The last two of four points lie on a line with the second, and three edits are enough to make a key stale and use it.
+    // The last two of four points are collinear with the second, and three edits are enough to make a key stale and use it.
     let (of_four, met_with_four) = every(&spots, 2);
     let (of_two, met_with_two) = every(&spots[..2], 3);
     assert!(of_four > 300 && of_two > 100, "{of_four}, {of_two} maps");
@@ -278,7 +277,7 @@ fn generators_draw_what_they_are_told() {
             assert!(!drawn.0.iter().any(others));
         }
     }
-    // 100 programs of 50 edits, three of four of them points.
+    // 100 programs of 50 edits, three quarters of them points.
     assert!((3500..4000).contains(&points), "{points}");
     assert_eq!(EditProgram::generator().only(&[]).generate(&mut g).0, []);
 }
@@ -291,7 +290,7 @@ fn makes_hole(program: &EditProgram) -> bool {
     map.dcel().faces().any(|f| !f.is_unbounded() && f.inner_count() > 0)
 }
 
-/// Fails no longer with anything dropped or simplified, and has few edits.
+/// Checks that dropping or simplifying anything removes the failure, and that there are few edits.
 #[track_caller]
 fn assert_smallest(small: &EditProgram) {
     assert!(makes_hole(small));
@@ -330,7 +329,7 @@ fn numbers_come_down_to_the_simplest_that_will_do() {
         (-7.25, -8.0, 8.0, "0,0"),
         (-7.25, -8.0, -3.5, "-4,0"),
         (f64::INFINITY, 1.0, f64::INFINITY, "1,0"),
-        // Too large to be counted down, so only bits are left out: this is 2^996.
+        // Too large to be counted down, so only bits are cleared: this is 2^996.
         (1e300, 1e299, 2e300, "6.696928794914171e299,0"),
     ] {
         assert_eq!(shrunk(number, lowest, highest), expected);
@@ -385,7 +384,7 @@ fn quickcheck_runs_and_shrinks_programs() {
         .quickcheck(keeps_every_rule as fn(EditProgram) -> bool);
 }
 
-/// The same programs every time, and nothing written down.
+/// A deterministic runner that writes nothing to disk.
 fn runner() -> TestRunner {
     let config = Config { max_shrink_iters: 100_000, failure_persistence: None, ..Config::default() };
     let rng = proptest::test_runner::TestRng::deterministic_rng(config.rng_algorithm);

@@ -1,4 +1,4 @@
-//! Queries for areas and borders on maps that random edits made, compared with plain computations.
+//! Queries for areas and borders on maps made by random edits, compared with plain computations.
 
 use crate::support::edits::{EvenEdits, SIDE, edited};
 use crate::support::oracle::{Plain, Whole, whole};
@@ -91,7 +91,7 @@ fn borders_are_as_long_as_their_edges() {
             (a.x - b.x).hypot(a.y - b.y)
         };
         let of = |face: Face<'_>| covers(&map, face.key());
-        // For each pair of features the length of the border of a with b beyond, and of the part where b begins.
+        // For each pair of features, the length of the border of a with b beyond, and of the part where b begins.
         let mut lengths: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();
         for h in map.dcel().half_edges().filter(|h| h.face() != h.twin().face()) {
             let (here, across) = (of(h.face()), of(h.twin().face()));
@@ -130,7 +130,7 @@ fn overlays_lie_where_both_maps_say() {
         let locator = Locator::new(both.map()).expect("it is plane");
         let plain = maps.each_ref().map(Plain::new);
         for p in samples() {
-            // A point that is not on an edge is far from it, as rounding goes.
+            // A point off an edge is far from it, compared with rounding.
             let (Some(in_left), Some(in_right)) = (face_at(&plain[0], p), face_at(&plain[1], p)) else { continue };
             let Ok(Located::Face(face)) = locator.locate(float(p)) else { panic!("{p:?} is on no edge of either map") };
             assert_eq!(both.face_in(Operand::Left, face), Ok(in_left), "{p:?}");

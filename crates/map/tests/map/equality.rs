@@ -1,4 +1,4 @@
-//! Maps compared: equal if and only if their structures are, with the same keys, and points, features and names are the same.
+//! Equality of maps: equal if and only if their structures with keys, points, features and names are equal.
 
 use crate::support::saved::each_change;
 use serde_json::{from_value, to_value};
@@ -7,7 +7,7 @@ use twinedge::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey};
 use twinedge_map::edit::EditError;
 use twinedge_map::{Builder, PlanarMap, Shape};
 
-/// Two parcels side by side, one of them named, with a pond in one, a line between and a point beside them.
+/// Two parcels side by side, one of them named, with a pond in one, and a line and a point nearby.
 fn sample() -> PlanarMap {
     let square = |x: f64| Shape::polygon([[x, 0.0], [x + 4.0, 0.0], [x + 4.0, 4.0], [x, 4.0]]);
     let mut builder = Builder::new();
@@ -20,8 +20,8 @@ fn sample() -> PlanarMap {
     map
 }
 
-/// All of a map is saved. Changed in one place it is refused, or is another map, unless all that is changed is what was found while it
-/// was built, or the generation of a slot that nothing uses.
+/// A map is saved completely. A saved map with one change is refused or loads as another map, unless the change affects only
+/// findings of the builder, or the generation of an unused slot.
 #[test]
 fn another_point_feature_name_or_link_makes_a_difference() {
     let map = sample();
@@ -66,7 +66,7 @@ fn an_edit_makes_a_difference_until_it_is_undone() {
         undoes(&mut map).unwrap();
         assert_eq!(map, sample);
     }
-    // A feature is for good, even if it covers nothing.
+    // A feature is permanent, even if it covers nothing.
     let mut map = sample.clone();
     map.add_feature(None);
     assert_ne!(map, sample);

@@ -1,4 +1,4 @@
-//! Edits that are taken back and done again: links, keys, positions, features, and what is found where.
+//! Undoing and redoing edits: links, keys, positions, features, and located records.
 
 use crate::rewound::{Rewound, change};
 use crate::support::edits::EvenEdits;
@@ -17,7 +17,7 @@ fn check(tests: u64, size: usize, law: impl Testable) {
 fn edits_are_undone_and_redone_in_step_with_copies() {
     fn law(program: EditProgram) {
         let mut rewound = Rewound::new(PlanarMap::new());
-        // The index is there from the start.
+        // The index exists from the start.
         let _ = rewound.map().locate(Point::new(0.5, 0.5));
         for op in &program.0 {
             rewound.step(op, |map| {
@@ -30,7 +30,7 @@ fn edits_are_undone_and_redone_in_step_with_copies() {
     check(80, 50, law as fn(EditProgram));
 }
 
-/// A place, but for the side of an edge.
+/// A location, without the side of an edge.
 fn place(located: Located) -> Option<Located> {
     Some(located).filter(|located| !matches!(located, Located::Edge(_)))
 }
@@ -39,7 +39,7 @@ fn place(located: Located) -> Option<Located> {
 fn a_program_undone_and_redone_gives_the_bytes_of_the_program() {
     fn law(EvenEdits(program): EvenEdits) {
         let empty = PlanarMap::new();
-        // A clone gives out the keys that the original does.
+        // A clone issues the same keys as the original.
         let mut plain = empty.clone();
         let mut history = History::new(empty);
         let (mut applied, mut states) = (0, vec![serde_json::to_string(&plain).unwrap()]);
@@ -115,14 +115,14 @@ fn another_map_begins_another_history() {
     history.change("point", |map| map.insert_point([2.0, 2.0])).unwrap();
     assert!(history.undo() && !history.undo());
     assert_eq!(history.get().dcel().vertex_count(), 1);
-    // A clone goes on by itself.
+    // A clone continues separately.
     assert!(history.redo());
     let mut clone = history.clone();
     clone.change("point", |map| map.insert_point([3.0, 3.0])).unwrap();
     assert!(clone.undo() && clone.undo() && !clone.undo());
     assert!(history.undo() && !history.undo());
     assert_eq!(clone.get(), history.get());
-    // For good, it writes no journal any more.
+    // Taken out of the history, the map keeps no log.
     let mut map = history.into_inner();
     map.insert_point([5.0, 5.0]).unwrap();
     assert!(map.validate().is_valid());

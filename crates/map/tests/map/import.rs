@@ -1,4 +1,4 @@
-//! Structures with coordinates that come in: the same map, its points at the right vertices, and nothing that is not plane.
+//! Importing structures with coordinates: equal maps with points at the correct vertices, and nothing that is not plane.
 
 use crate::support::tables::textbook_map;
 use quickcheck::{Gen, QuickCheck};
@@ -50,7 +50,7 @@ impl View for Triangles {
     }
 }
 
-/// A closed tetrahedron, with faces and half-edges as above.
+/// A closed tetrahedron, with the numbering of `Triangles`.
 struct Tetrahedron;
 
 impl View for Tetrahedron {
@@ -73,7 +73,7 @@ fn points(all: &[[f64; 2]]) -> Vec<Point> {
     all.iter().copied().map(Point::from).collect()
 }
 
-/// A map of what small numbers draw, with islands, lines and isolated vertices.
+/// A map drawn from small numbers, with islands, lines and isolated vertices.
 fn drawn(segments: &[(i8, i8, i8, i8)], alone: &[(i8, i8)]) -> PlanarMap {
     let mut builder = Builder::new();
     for (a, b, c, d) in segments {
@@ -132,7 +132,7 @@ fn an_open_mesh_comes_in_by_its_border() {
     for v in 0..4 {
         assert_eq!(map.position(keys.vertex(v).unwrap()).unwrap(), mesh.point(v));
     }
-    // −0 is 0, as for the builder.
+    // −0 becomes 0, as in the builder.
     assert!(map.position(keys.vertex(3).unwrap()).unwrap().x.is_sign_positive());
 }
 
@@ -149,13 +149,13 @@ fn a_closed_mesh_comes_in_by_the_face_around_it() {
     let (map, keys) = taken.into_iter().next().unwrap().unwrap();
     assert_eq!(keys.face(3), Some(map.dcel().unbounded_face().key()));
     assert!(map.validate().is_valid());
-    // Its rotations turn the wrong way.
+    // Its rotations have the reverse order.
     let error = refused.into_iter().next().unwrap().unwrap_err();
     assert!(matches!(error, MapImportError::NotDrawn(_)), "{error}");
     assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::G2);
 }
 
-// ------------------------------------------------------------------------------------------------- what is refused
+// ------------------------------------------------------------------------------------------------- refusals
 
 fn square() -> PlanarMap {
     drawn(&[(0, 0, 4, 0), (4, 0, 4, 4), (4, 4, 0, 4), (0, 4, 0, 0)], &[(1, 1)])
@@ -206,7 +206,7 @@ fn topology_without_an_outside() {
     assert_eq!((error.report(), error.to_string().as_str()), (None, "there is no face 7 to become the unbounded one"));
 }
 
-/// Faces that keep half-edges, as the textbooks have it, one triangle inside the other.
+/// Faces that keep half-edges, as in textbooks, one triangle inside the other.
 #[test]
 fn a_textbook_table_comes_in() {
     let triangle = [(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3)];

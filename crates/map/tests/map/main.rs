@@ -2,7 +2,6 @@
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
-/// Code that tests share.
 #[allow(dead_code, unused_macros, unused_imports, reason = "each test uses a part of it")]
 mod support {
     #[path = "../../../../../tests/support/changes.rs"]

@@ -45,7 +45,7 @@ fn area(map: &PlanarMap, face: Face<'_>) -> f64 {
     twice / 2.0
 }
 
-/// The bounded faces: the features that cover each, and its area.
+/// The bounded faces, each with its features and its area.
 fn covered(map: &PlanarMap) -> Vec<(Vec<usize>, f64)> {
     let bounded = map.dcel().faces().filter(|face| !face.is_unbounded());
     let mut found: Vec<_> = bounded
@@ -65,7 +65,7 @@ fn points(map: &PlanarMap) -> BTreeSet<[i64; 2]> {
 
 #[test]
 fn exact_noding_cuts_at_points_that_lie_on_segments_and_moves_nothing() {
-    // A second house leans on the long wall of the first, which has no point there.
+    // A second house adjoins the long wall of the first, which has no point there.
     let houses = [polygon(&[(0, 0), (6, 0), (6, 3), (0, 3)]), polygon(&[(2, 3), (4, 3), (4, 5), (2, 5)])];
     let map = gather(&houses).build_with(Noding::Exact).expect("nothing crosses");
     assert_eq!(counts(&map), [8, 9, 3]);
@@ -73,7 +73,7 @@ fn exact_noding_cuts_at_points_that_lie_on_segments_and_moves_nothing() {
     assert_eq!(covered(&map), [(vec![0], 18.0), (vec![1], 4.0)]);
     let noding = map.noding().expect("it was noded");
     assert_eq!((noding.split, noding.duplicates, noding.crossings, noding.largest_move), (1, 1, 0, [0.0, 0.0]));
-    // The wall between is both houses'.
+    // Both houses share the wall between them.
     let shared = map.dcel().half_edges().find(|h| {
         let ends = [h.origin(), h.target()].map(|v| map.position(v.key()).expect("of this map"));
         ends == [at((2, 3)), at((4, 3))]
@@ -125,7 +125,7 @@ fn exact_noding_refuses_crossings_without_a_point() {
 
 #[test]
 fn more_cuts_than_are_allowed_are_an_error() {
-    // Each of the level segments crosses each of the upright ones.
+    // Each horizontal segment crosses each vertical one.
     let level = (0..40).map(|i| ((-1, i), (40, i)));
     let all: Vec<(Whole, Whole)> = level.chain((0..40).map(|i| ((i, -1), (i, 40)))).collect();
     let within = |cuts: usize| {
@@ -134,7 +134,7 @@ fn more_cuts_than_are_allowed_are_an_error() {
         builder.build_with(Noding::Snap(Snap::Size(1.0)))
     };
     assert_eq!(within(3200).expect("each of 1600 crossings cuts two").noding().map(|n| n.crossings), Some(1600));
-    // Far too many are foreseen, a few too many are found.
+    // A large excess is predicted, a small one is found.
     for allowed in [0, 100, 3199] {
         assert_eq!(within(allowed).err(), Some(BuildError::TooManyCuts { allowed }));
     }
@@ -164,7 +164,7 @@ fn snapping_cuts_crossings_and_features_follow() {
     assert!(map.validate().is_valid());
     assert_eq!(covered(&map), [(vec![0], 7.0), (vec![0, 1], 9.0), (vec![1], 7.0)]);
     assert_eq!(map.noding().map(|noding| (noding.crossings, noding.split)), Some((2, 4)));
-    // Without noding the same is built, and said not to be plane.
+    // Without noding the map is built, and reported as not plane.
     let map = gather(&squares).build().expect("built as far as it goes");
     assert_eq!((map.noding(), map.is_plane(), map.validate().is_valid()), (None, false, false));
 }
@@ -206,7 +206,7 @@ fn coordinates_out_of_reach_of_the_grid_are_refused_and_named() {
 
 #[test]
 fn the_crossing_map_of_the_world_snapped_is_the_map_after_its_crossings_were_cut() {
-    // The counts are those that the README of the data gives for the map with both crossings cut.
+    // The counts in the README of the data, for the map with both crossings cut.
     let file: &[u8] = include_bytes!("../../../../tests/data/world-110m-crossing.geojson");
     let mut features = Vec::new();
     geojson::read(file, |feature| {
@@ -238,7 +238,7 @@ fn any_segments_snapped_are_a_valid_map() {
 #[test]
 fn exact_noding_keeps_the_points_or_names_a_crossing() {
     fn law(drawn: Vec<(Whole, Whole)>) -> TestResult {
-        // Few places, so that much touches and overlaps.
+        // Few positions, so that contacts and overlaps are frequent.
         let few = |(x, y): Whole| (x.rem_euclid(5), y.rem_euclid(5));
         let drawn: Vec<_> = drawn.into_iter().take(6).map(|(a, b)| (few(a), few(b))).collect();
         let given: BTreeSet<_> =
@@ -258,7 +258,7 @@ fn exact_noding_keeps_the_points_or_names_a_crossing() {
 
 #[test]
 fn the_faces_of_overlapping_triangles_add_up() {
-    // With a ring that goes there and back again, a polygon covers the same; only it is not simple any more.
+    // With a ring that goes there and back again, a polygon covers the same area; it is only no longer simple.
     #[expect(clippy::needless_pass_by_value, reason = "quickcheck hands values over")]
     fn law(triangles: Vec<(Whole, Whole, Whole)>, there_and_back: bool) -> bool {
         let features: Vec<_> = triangles
@@ -278,6 +278,6 @@ fn the_faces_of_overlapping_triangles_add_up() {
             (exact - found).abs() < 1e-6
         })
     }
-    // A hundred triangles, as the generator has them unless told, cross in thousands of places.
+    // A hundred triangles, the default of the generator, cross in thousands of places.
     QuickCheck::new().rng(Gen::new(40)).tests(300).quickcheck(law as fn(_, _) -> _);
 }

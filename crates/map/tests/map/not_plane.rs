@@ -1,4 +1,4 @@
-//! A map that is not plane: the builder makes it, and everything that refuses it says where and what to do.
+//! A map that is not plane: the builder makes it, and every refusal names the place and a remedy.
 
 use twinedge_algorithm::lattice;
 use twinedge_algorithm::overlay::overlay;
@@ -6,7 +6,6 @@ use twinedge_coverage::{Limits, check};
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, Locator, PlanarMap};
 
-/// The map of segments.
 fn built(segments: &[[[f64; 2]; 2]]) -> PlanarMap {
     let mut builder = Builder::new();
     for [from, to] in segments {

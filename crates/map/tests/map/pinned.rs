@@ -1,11 +1,11 @@
-//! Bytes, text, form and candidates of programs of edits, pinned: corpora and regression tests keep their meaning.
+//! Pinned bytes, text, form and candidates of programs of edits: corpora and regression tests keep their meaning.
 
 use arbitrary::{Arbitrary, Unstructured};
 use twinedge::program::choose::{Choose, Random};
 use twinedge::program::{Program, candidates};
 use twinedge_map::program::{EditKind, EditProgram};
 
-/// Numbers without pattern, always the same.
+/// Deterministic pseudo-random bytes.
 fn noise(count: usize) -> Vec<u8> {
     let mut random = Random::seeded(52);
     (0..count).map(|_| random.choose(256) as u8).collect()
@@ -24,7 +24,7 @@ fn bytes_are_the_programs_that_they_were() {
     pinned(&EditProgram::from_bytes(&bytes).to_string(), 0x9070_4C81_7D47_C48C);
     pinned(&EditProgram::arbitrary(&mut Unstructured::new(&bytes)).unwrap().to_string(), 0x7B8A_3488_6836_25FA);
     pinned(&EditProgram::arbitrary_take_rest(Unstructured::new(&bytes)).unwrap().to_string(), 0x9070_4C81_7D47_C48C);
-    // An edit without arguments takes no byte, and yet there is an end.
+    // An edit without arguments takes no byte, but decoding still ends.
     let features = EditProgram::generator().only(&[EditKind::AddFeature]).decode(&[1, 2, 3]);
     assert_eq!(features.to_string(), "twinedge edits 1\nadd_feature\nadd_feature\nadd_feature\n");
 }

@@ -1,4 +1,4 @@
-//! Building maps: what is merged, dropped and refused, what lies where, and which faces each feature covers.
+//! Building maps: merged, dropped and refused input, nesting, and the faces that each feature covers.
 
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
@@ -7,7 +7,7 @@ use twinedge_formats::io::{ReadError, geojson};
 use twinedge_geometry::Point;
 use twinedge_map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
 
-/// A rectangle with a vertex at every whole number, so that rectangles on whole numbers meet at vertices only.
+/// A rectangle with a vertex at every whole number, so that rectangles on whole numbers meet only at vertices.
 fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {
     let at = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
     let mut ring = Vec::new();
@@ -122,7 +122,7 @@ fn islands_lie_in_the_lake_that_lies_in_the_island() {
         })
         .collect();
     assert_eq!(areas, BTreeSet::from([400 - 256, 256 - 144, 144 - 64, 64]));
-    // Each is covered by itself and by all around it.
+    // Each is covered by itself and by all polygons around it.
     let mut covers: Vec<usize> =
         map.dcel().faces().map(|f| map.features_of(f.key()).expect("of this map").count()).collect();
     covers.sort_unstable();
@@ -131,7 +131,7 @@ fn islands_lie_in_the_lake_that_lies_in_the_island() {
 
 #[test]
 fn a_feature_of_many_polygons_covers_what_any_of_them_covers() {
-    // Side by side, one inside the other, and one twice, which is as good as once.
+    // Side by side, one inside the other, and one repeated, which makes no difference.
     let parts = [([0, 0], [4, 4]), ([4, 0], [8, 4]), ([1, 1], [3, 3]), ([20, 0], [24, 4]), ([20, 0], [24, 4])];
     let shapes = parts.map(|(low, high)| Shape::polygon(rectangle(low, high)));
     let mut builder = Builder::new();
@@ -153,7 +153,7 @@ fn ten_thousand_polygons_inside_each_other_cover_each_other() {
     let map = builder.build().expect("fits");
     for face in map.dcel().faces().step_by(999) {
         let covers: Vec<usize> = map.features_of(face.key()).expect("of this map").map(|f| f.index()).collect();
-        // The corner of its outer cycle that is closest to the origin is that of the smallest polygon around it.
+        // The corner of its outer cycle closest to the origin belongs to the smallest polygon around it.
         let corners = face.outer().into_iter().flat_map(|b| b.half_edges());
         let low = corners.map(|h| map.position(h.origin().key()).expect("of this map").x).fold(f64::NAN, f64::min);
         let around = if low.is_nan() { 0.0 } else { low + 1.0 };
@@ -175,7 +175,7 @@ fn a_hole_that_touches_its_shell_at_a_vertex_is_no_hole_of_the_map() {
     assert!((covered_area(&map, feature) - (16.0 - 1.5)).abs() < 1e-12);
 }
 
-/// Rectangles on a small grid, any way they lie.
+/// Arbitrary rectangles on a small grid.
 fn a_feature_covers_its_rectangles(rectangles: Vec<(u8, u8, u8, u8)>, hole: bool) -> TestResult {
     let mut builder = Builder::new();
     let mut expected = Vec::new();
@@ -210,7 +210,7 @@ fn features_cover_their_area_and_no_more() {
         .quickcheck(a_feature_covers_its_rectangles as fn(Vec<(u8, u8, u8, u8)>, bool) -> TestResult);
 }
 
-/// Returns true if two segments on whole numbers meet otherwise than at shared endpoints.
+/// Returns true if two segments on whole numbers meet other than at shared endpoints.
 fn clash(a: [[i64; 2]; 2], b: [[i64; 2]; 2]) -> bool {
     let turn = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
         ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])).signum()
@@ -226,7 +226,7 @@ fn clash(a: [[i64; 2]; 2], b: [[i64; 2]; 2]) -> bool {
     crosses || a.iter().any(|p| inside(*p, b)) || b.iter().any(|p| inside(*p, a))
 }
 
-/// Any segments on a small grid: built, and found valid if and only if no two of them clash.
+/// Arbitrary segments on a small grid: built, and valid if and only if no two of them clash.
 fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool {
     let whole = |(x, y): (u8, u8)| [i64::from(x % 7), i64::from(y % 7)];
     let mut kept: Vec<[[i64; 2]; 2]> = Vec::new();
@@ -253,7 +253,7 @@ fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool
     let vertices: BTreeSet<[i64; 2]> = kept.iter().flatten().copied().collect();
     let counted = map.dcel().vertex_count() == vertices.len() && map.dcel().edge_count() == kept.len();
     let whole_plane: f64 = map.dcel().faces().map(|f| area(&map, f)).sum();
-    // The unbounded face has minus the area of the bounded ones.
+    // The area of the unbounded face is minus the area of the bounded ones.
     let tiled = clashes || whole_plane.abs() < 1e-9;
     counted && tiled && map.validate().is_valid() != clashes && map.is_plane() != clashes
 }

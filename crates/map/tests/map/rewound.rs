@@ -1,4 +1,4 @@
-//! A map whose edits are undone and redone, in step with copies that were kept at the time.
+//! A map whose edits are undone and redone, in step with copies kept at the time.
 
 use std::collections::VecDeque;
 use std::mem;
@@ -19,7 +19,7 @@ pub(crate) struct Rewound {
     steps: u32,
 }
 
-/// Runs an edit as a change, which is taken back if it is refused.
+/// Runs an edit as a change, which is undone if it is refused.
 pub(crate) fn change(history: &mut History<PlanarMap>, op: &EditOp) -> EditOutcome {
     let outcome = history.change(op.to_string(), |map| {
         let mut runner = EditRunner::new(mem::take(map));
@@ -44,7 +44,7 @@ impl Rewound {
         self.history.get()
     }
 
-    /// Compares the map with a copy, and validates what was written.
+    /// Compares the map with a copy, and validates all writes.
     fn check(&mut self, back: usize, what: &str, look: &mut impl FnMut(&PlanarMap)) {
         let map = self.history.get();
         let copy = &self.copies[self.copies.len() - 1 - back];
@@ -55,7 +55,7 @@ impl Rewound {
         look(map);
     }
 
-    /// Runs an edit, undoes some, and redoes them. After each step `look` may check something of its own.
+    /// Runs an edit, undoes some, and redoes them. Calls `look` after each step.
     pub(crate) fn step(&mut self, op: &EditOp, mut look: impl FnMut(&PlanarMap)) -> EditOutcome {
         let before = self.history.mark();
         let outcome = change(&mut self.history, op);

@@ -1,4 +1,4 @@
-//! Saved maps: loading gives the same map with the same keys, and nothing that is not a plane map.
+//! Saved maps: loading restores the map with its keys, and accepts only plane maps.
 
 use quickcheck::{Gen, QuickCheck};
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{Builder, Feature, Noding, PlanarMap, Shape};
 
-/// Says if all of one map is in the other, the summaries included.
+/// Returns true if the maps are equal, including the summaries.
 fn is_same(map: &PlanarMap, again: &PlanarMap) -> bool {
     map == again && map.summary() == again.summary() && map.noding() == again.noding()
 }
@@ -19,7 +19,7 @@ fn loaded(saved: Value) -> Result<PlanarMap, String> {
     serde_json::from_value(saved).map_err(|error: serde_json::Error| error.to_string())
 }
 
-/// A map with features, edges of none, isolated vertices, and slots that were vacated and used again.
+/// A map with features, edges without features, isolated vertices, and reused slots.
 fn edited(segments: &[(i8, i8, i8, i8)], rings: &[(i8, i8, u8)], edits: &[(i8, i8, bool)]) -> PlanarMap {
     let mut builder = Builder::new();
     for (a, b, c, d) in segments {
@@ -53,7 +53,7 @@ fn what_is_loaded_is_what_was_saved() {
         let text = serde_json::to_string(&map).unwrap();
         let mut again: PlanarMap = serde_json::from_str(&text).unwrap();
         let same = is_same(&map, &again) && serde_json::to_string(&again).unwrap() == text;
-        // Both can be edited further. Which vacant slots come first is not saved, so new keys may differ.
+        // Both can be edited further. The order of vacant slots is not saved, so new keys may differ.
         let [ours, theirs] = [&mut map, &mut again].map(|map| {
             let made = map.insert_ring([[1000.0, 0.0], [1001.0, 0.0], [1000.0, 1.0]]).unwrap();
             (made.way.len(), made.faces_split.len(), map.dcel().face_count())
@@ -114,7 +114,7 @@ fn a_certificate_is_checked_and_not_believed() {
     far["drawing"]["points"][1] = json!([2, -1]);
     far["points"][0] = json!([2.0_f64.powi(501), -2.0_f64.powi(500)]);
     assert!(loaded(far).unwrap_err().ends_with("lies where predicates are not exact"));
-    // A vertex that is moved across an edge, in the map and in its certificate: no triangle allows that.
+    // A vertex moved across an edge, in the map and in its certificate: no triangle allows that.
     let mut both = good.clone();
     both["points"][0] = json!([3.0, 3.0]);
     both["drawing"]["points"][1] = json!([3, 3]);
@@ -142,7 +142,7 @@ fn whatever_number_of_a_certificate_is_changed_no_other_map_is_loaded() {
                     assert!(error.starts_with("the certificate of the map is wrong: "), "{error}");
                     refused += 1;
                 }
-                // Numbers of vacant slots mean nothing.
+                // Numbers of vacant slots have no meaning.
                 Ok(again) => {
                     assert!(is_same(&map, &again));
                     loads += 1;

@@ -1,4 +1,4 @@
-//! Whatever a standard library does with items that tie when it sorts them: the maps are the same.
+//! Maps do not depend on the order in which the standard library sorts items that tie.
 
 use std::sync::atomic::Ordering;
 use twinedge::program::choose::{Choose, Random};
@@ -10,7 +10,7 @@ use twinedge_geometry::noding::Snap;
 use twinedge_geometry::threads::REVERSE_TIES;
 use twinedge_map::{Builder, Feature, Noding, PlanarMap, QueryLine, Shape};
 
-/// Without the versions of keys, which differ from map to map.
+/// Removes the versions of keys, which differ from map to map.
 fn without_versions(text: &str) -> String {
     let part = |part: &str| match part.split_once('v').filter(|(index, _)| index.parse::<u32>().is_ok()) {
         Some((index, rest)) => format!("{index}{}", rest.trim_start_matches(|c: char| c.is_ascii_digit())),
@@ -19,7 +19,7 @@ fn without_versions(text: &str) -> String {
     text.split("Key(").map(part).collect()
 }
 
-/// All there is to say of a map of these rectangles, built as they are, cut and rounded.
+/// Everything reported about a map of these rectangles: as built, cut and rounded.
 fn told(rectangles: &[[f64; 4]]) -> Vec<String> {
     let built = |noding: Noding| {
         let mut builder = Builder::new();
@@ -46,7 +46,7 @@ fn told(rectangles: &[[f64; 4]]) -> Vec<String> {
 
 #[test]
 fn maps_are_the_same_however_items_that_tie_are_sorted() {
-    // Two rectangles that share two sides in part.
+    // Two rectangles that share parts of two sides.
     let mut drawings = vec![vec![[0.0, 0.0, 1.0, 2.0], [0.0, 0.0, 1.0, 1.0]]];
     let mut random = Random::seeded(24);
     for _ in 0..150 {

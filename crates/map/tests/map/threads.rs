@@ -1,4 +1,4 @@
-//! Maps built by several threads, and what several threads say of them, against one thread: the same, bit for bit.
+//! Maps built and queried by several threads, compared bit for bit with one thread.
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge_coverage::{Limits, check};
@@ -11,7 +11,7 @@ fn threads(number: usize) -> ThreadPool {
     ThreadPoolBuilder::new().num_threads(number).build().expect("threads can be had")
 }
 
-/// Says it by one thread and by three, and that both say the same.
+/// Computes a result by one thread and by three, and checks that both agree.
 #[track_caller]
 fn same<T: PartialEq + core::fmt::Debug + Send>(say: impl Fn() -> T + Sync) -> T {
     let (one, three) = (threads(1).install(&say), threads(3).install(&say));
@@ -38,7 +38,7 @@ fn build(features: &[Feature], noding: Noding) -> PlanarMap {
     builder.build_with(noding).expect("it fits")
 }
 
-/// Numbers from 0 to 1 that look random, always the same ones.
+/// Deterministic pseudo-random numbers from 0 to 1.
 fn random() -> impl FnMut() -> f64 {
     let mut state = 12_u64;
     move || {
@@ -60,7 +60,6 @@ fn tangle() -> Vec<[Point; 2]> {
     segments
 }
 
-/// The answers of noding.
 fn told(noded: &Noded, segments: usize) -> String {
     let chains: Vec<Vec<u32>> = (0..segments).map(|s| noded.chain(s).into_iter().flatten().collect()).collect();
     format!("{:?} {:?} {:?} {chains:?}", noded.points, noded.segments, noded.summary)
@@ -73,7 +72,7 @@ fn several_threads_build_the_map_that_one_builds() {
         same(|| {
             let map = build(&features, noding);
             let mut saved = serde_json::to_value(&map).expect("a plane map can be saved");
-            // Those of two maps differ, so that a key of one is not taken for one of the other.
+            // Generations of two maps differ, so that their keys are not confused.
             assert!(saved["dcel"]["generations"].take().is_object());
             (saved.to_string(), format!("{:?}", map.noding()))
         });

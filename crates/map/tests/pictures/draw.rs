@@ -1,5 +1,5 @@
-//! Scenes as SVG that stands in a page of text: no style sheet, the colour of the text for lines, and clear fills, so that it
-//! can be read on light and on dark.
+//! Scenes as SVG for use in a page of text: without a style sheet, with lines in the colour of the text and transparent fills,
+//! readable on light and dark.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -33,12 +33,12 @@ impl Role {
 pub(crate) enum Mark {
     /// A half-edge as an arrow, with its name.
     HalfEdge(HalfEdgeKey, &'static str, Role),
-    /// An edge without direction.
+    /// An edge without a direction.
     Edge(HalfEdgeKey, Role),
     /// The corner of a half-edge.
     Corner(HalfEdgeKey, &'static str),
     Vertex(VertexKey, &'static str, Role),
-    /// The name of a face, and where it goes.
+    /// The name of a face, and its position.
     Face(FaceKey, &'static str, Place),
 }
 
@@ -78,7 +78,7 @@ pub(crate) fn picture(title: &str, rows: &[Row]) -> String {
     out
 }
 
-/// A colour for each bounded face, the same before and after.
+/// A colour for each bounded face, equal before and after.
 #[derive(Default)]
 struct Fills(BTreeMap<FaceKey, &'static str>);
 
@@ -197,7 +197,7 @@ fn line(out: &mut String, points: &[Place], attributes: &str) {
     let _ = writeln!(out, "<path{space}{attributes} d=\"M{:.1} {:.1}L{:.1} {:.1}\"></path>", a[0], a[1], b[0], b[1]);
 }
 
-/// The head of an arrow whose tip is here.
+/// The head of an arrow with this tip.
 fn head(out: &mut String, tip: Place, along: Place, colour: &str) {
     let left = [along[1], -along[0]];
     let back = moved(tip, along, -7.0);

@@ -1,5 +1,5 @@
-//! The pictures in the documentation of the operators: each operator is applied to a small map, and what was there before and
-//! after is drawn from the structure and from what the operator says that it made and dropped.
+//! The pictures in the documentation of the operators: each operator is applied to a small map, and the states before and after
+//! are drawn from the structure and from the records that the operator reports as made and dropped.
 //!
 //! `UPDATE_PICTURES=1 cargo test --test pictures` draws them again.
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
@@ -31,10 +31,10 @@ fn the_pictures_of_the_operators_are_current() {
 #[test]
 fn each_picture_fits_into_a_documentation_comment() {
     for (name, picture) in operators::all() {
-        // Markdown ends a block of HTML at an empty line, and begins it at a line that is one tag.
+        // Markdown ends a block of HTML at an empty line, and begins it at a line with a single tag.
         assert!(picture.lines().all(|line| !line.trim().is_empty()), "{name}");
         assert!(picture.lines().next().is_some_and(|line| line.starts_with("<svg ") && line.ends_with('>')), "{name}");
-        // Styles and names would be those of the whole page.
+        // Styles and names would apply to the whole page.
         assert!(!picture.contains("<style") && !picture.contains(" id="), "{name}");
         assert!(picture.len() < 12_000, "{name}: {} bytes", picture.len());
     }

@@ -5,7 +5,7 @@ use twinedge::dcel::{BoundaryKey, Connection, RemovedEdge, Side, Split, Turn};
 use crate::draw::{Mark, Role, Row, picture};
 use crate::scene::{Place, Scene};
 
-/// The corners of the box that most maps lie in, counter-clockwise.
+/// The corners of the box that contains most maps, counter-clockwise.
 const BOX: [Place; 4] = [[15.0, 12.0], [135.0, 12.0], [135.0, 98.0], [15.0, 98.0]];
 const CLOSED_BOX: [Place; 5] = [BOX[0], BOX[1], BOX[2], BOX[3], BOX[0]];
 const MIDDLE: Place = [75.0, 55.0];

@@ -1,4 +1,4 @@
-//! A structure with the places of its vertices.
+//! A structure with the positions of its vertices.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -8,7 +8,7 @@ use twinedge_map::{Builder, Embedding};
 
 pub(crate) type Place = [f64; 2];
 
-/// A structure, and where each of its vertices is drawn, by index.
+/// A structure, with the position of each of its vertices, by index.
 #[derive(Clone)]
 pub(crate) struct Scene {
     pub dcel: Dcel,

@@ -1,4 +1,4 @@
-//! Two sides that draw in parts of a map that are apart: both fit, whatever the numbers of vertices and the directions of lines.
+//! Two sides that draw in separate parts of a map: both fit, for all numberings of vertices and all directions of lines.
 
 use super::Named;
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,7 +8,7 @@ use twinedge_geometry::Point;
 use twinedge_map::PlanarMap;
 use twinedge_map::diff::{ApplyError, MergeError, Record, merge};
 
-/// Numbers the vertices anew, in an order that the source chooses.
+/// Renumbers the vertices, in an order chosen by the source.
 fn numbered(map: &mut PlanarMap, by: Named, source: &mut impl Choose) {
     let mut left: Vec<u64> = (1..=map.dcel().vertex_count() as u64).collect();
     let vertices: Vec<_> = map.dcel().vertices().map(|v| v.key()).collect();
@@ -20,13 +20,14 @@ fn numbered(map: &mut PlanarMap, by: Named, source: &mut impl Choose) {
     }
 }
 
-/// Draws a segment, in one direction or the other. What cannot be drawn is left out.
+/// Draws a segment, in one direction or the other, if possible.
 fn segment(map: &mut PlanarMap, from: [f64; 2], to: [f64; 2], source: &mut impl Choose) {
     let [from, to] = if source.choose(2) == 0 { [from, to] } else { [to, from] };
     let _ = map.insert_segment(from, to);
 }
 
-/// A square of 8 × 8 with vertices all along it, cut by chords, so that it is connected. Each face has an owner of its own, which its parts take over.
+/// A square of 8 × 8 with vertices all along it, cut by chords, so that it is connected. Each face has its own owner, which its
+/// parts inherit.
 fn base(source: &mut impl Choose) -> (PlanarMap, Named) {
     let mut map = PlanarMap::new();
     let by = Named::of(&mut map);
@@ -56,7 +57,7 @@ fn base(source: &mut impl Choose) -> (PlanarMap, Named) {
     (map, by)
 }
 
-/// Draws to the left, or to the right, of the middle. Edges that reach over it get no vertices, and faces that do are not merged.
+/// Draws to the left or right of the middle. Edges across the middle get no vertices, and faces across it are not merged.
 fn side(base: &PlanarMap, is_left: bool, source: &mut impl Choose) -> PlanarMap {
     let is_here = |x: f64| if is_left { x <= 3.5 } else { x >= 4.5 };
     let mut map = base.clone();
@@ -95,7 +96,7 @@ fn side(base: &PlanarMap, is_left: bool, source: &mut impl Choose) -> PlanarMap 
     map
 }
 
-/// By the places of its ends the owner of the face to the left of each half-edge.
+/// The owner of the face to the left of each half-edge, by the coordinates of its ends.
 fn owners(map: &PlanarMap, by: Named) -> BTreeMap<[[u64; 2]; 2], String> {
     let place = |p: Point| [p.x.to_bits(), p.y.to_bits()];
     let ends = |h: twinedge::dcel::HalfEdge<'_>| [h.origin(), h.target()].map(|v| place(map[v.key()]));
@@ -119,7 +120,7 @@ fn drawings_that_are_apart_fit_whatever_the_numbers_and_directions() {
         assert_eq!(by.told(&one), by.told(&other));
         let count = |map: &PlanarMap| map.dcel().face_count();
         assert_eq!(count(&one) + count(&base), count(&sides[0]) + count(&sides[1]));
-        // If each side keeps the owners of what there was, so do both: the parts of a face are not mistaken for those of others.
+        // If each side keeps the owners of existing areas, so does the merge: parts of different faces are not confused.
         let before = owners(&base, by);
         let other = |map: &PlanarMap| {
             let now = owners(map, by);
@@ -135,7 +136,7 @@ fn drawings_that_are_apart_fit_whatever_the_numbers_and_directions() {
     assert!(cut > 50 && merged_faces > 2 && kept > 200, "{cut} {merged_faces} {kept}");
 }
 
-/// Two lines that cut a square in three, each in one direction or the other, so that one part keeps the id of the square or the other part.
+/// Two lines that cut a square into three, in either direction, so that either part keeps the id of the square.
 fn three(
     keeps: usize,
     number: impl Fn(u64) -> u64,

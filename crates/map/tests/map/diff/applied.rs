@@ -1,4 +1,4 @@
-//! Comparing maps, and applying what differs.
+//! Comparing maps, and applying diffs.
 
 use super::{Named, draw, edited, erase, two_squares};
 use quickcheck::{Gen, QuickCheck, Testable};
@@ -29,7 +29,7 @@ fn a_diff_applied_to_the_first_map_gives_the_second() {
         assert!(history.get().validate().is_valid());
         assert_eq!(by.told(history.get()), by.told(&b), "{found}");
         assert!(diff(history.get(), &b, &by.ids()).unwrap().is_empty());
-        // It is undone and redone as any other change.
+        // It is undone and redone like any other change.
         history.undo();
         assert!(*history.get() == a);
         assert_eq!(by.told(history.get()), by.told(&a));
@@ -61,7 +61,7 @@ fn vertices_that_change_places_are_drawn_anew_and_keep_what_they_have() {
     a.set_features_of(by.f(&a, 2), wood).unwrap();
     a.set_features_along(fence, wood).unwrap();
     let mut b = a.clone();
-    // Corner 5 goes through the place of vertex 7, which then is where the corner was.
+    // Corner 5 moves through the place of vertex 7, which then takes the corner's old place.
     b.move_vertex(w, [20.0, 0.0]).unwrap();
     b.move_vertex(by.v(&b, 5), [10.0, 2.0]).unwrap();
     b.move_vertex(w, [8.0, -1.0]).unwrap();
@@ -142,7 +142,7 @@ fn a_diff_of_another_map_is_refused_and_nothing_changes() {
     assert_eq!(apply(value("height")), Err(refused));
     let far = r#"[[{"Vertex": 9}, {"added": [1e300, 0]}]]"#;
     assert!(matches!(apply(json(far)), Err(ApplyError::Edit(EditError::OutOfRange { .. }))));
-    // Faces that are not as the drawing has them.
+    // Faces that differ from the drawing.
     let drawn = |more: &str| json(&format!(r#"[[{{"Edge": [1, 3]}}, "drawn"]{more}]"#));
     assert!(matches!(apply(drawn("")), Err(ApplyError::Unnamed(Record::Edge(..)))));
     let made = r#", [{"Face": 9}, {"made": [1, 2, 3]}], [{"Face": 1}, {"reshaped": [1, 3, 4]}]"#;
@@ -176,7 +176,7 @@ fn attributes_that_are_not_compared_stay_with_their_records() {
         let key = by.f(&a, face);
         a.set_value(by.note, key, u32::try_from(face).unwrap()).unwrap();
     }
-    // The ids of the two faces change places, so each is drawn where the other one was.
+    // The ids of the two faces are swapped, so each is drawn in the place of the other.
     let mut b = a.clone();
     let faces = [1, 2].map(|face| by.f(&a, face));
     for (face, id) in [(faces[0], 2_u128), (faces[1], 1)] {
@@ -185,7 +185,7 @@ fn attributes_that_are_not_compared_stay_with_their_records() {
     diff(&a, &b, &by.ids()).unwrap().apply(&mut a, &by.ids()).unwrap();
     assert_eq!([by.f(&a, 1), by.f(&a, 2)], [faces[1], faces[0]]);
     assert_eq!([1, 2].map(|face| a.value(by.note, by.f(&a, face))), [Some(&1), Some(&2)]);
-    // A dropped face takes its value along.
+    // A dropped face takes its value with it.
     let mut c = a.clone();
     erase(&mut c, by, 2, 3);
     let found = diff(&a, &c, &by.ids()).unwrap();
@@ -194,7 +194,7 @@ fn attributes_that_are_not_compared_stay_with_their_records() {
     assert_eq!(a.values(by.note).unwrap().len(), 1);
 }
 
-/// Maps that were loaded are other maps than those that were saved: their attributes are added, and then their values.
+/// Loaded maps are distinct from saved ones: their attributes are added, and then their values.
 #[test]
 fn maps_that_were_loaded_apart_are_compared() {
     fn give<K: Attributed, T: Value>(of: Attribute<K, T>, from: &PlanarMap, to: &mut PlanarMap) {

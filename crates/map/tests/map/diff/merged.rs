@@ -1,4 +1,4 @@
-//! Merging what two sides did.
+//! Merging the changes of two sides.
 
 use super::{Named, draw, edited, erase, two_squares};
 use quickcheck::Gen;
@@ -176,7 +176,7 @@ fn an_edge_that_one_side_erases_does_not_come_back_with_the_vertex_that_the_othe
     let text = |ours, theirs| merge(&base, ours, theirs, &by.ids()).unwrap_err().to_string();
     assert_eq!(text(&erased, &divided), "conflicts: ours: edge 5-7 dropped, theirs: edge 5-8 drawn");
     assert_eq!(text(&divided, &erased), "conflicts: ours: edge 5-8 drawn, theirs: edge 5-7 dropped");
-    // Lines that end elsewhere are no way between its ends.
+    // Lines that end elsewhere are no path between its ends.
     erase(&mut both, by, 5, 7);
     let end = both.insert_point([20.0, 4.0]).unwrap().vertices[0];
     both.insert_segment(by.v(&both, 7), end).unwrap();
@@ -251,7 +251,7 @@ fn sides_that_did_the_same_are_merged_to_the_same() {
     assert_eq!(by.told(&merge(&base, &side, &side, &by.ids()).unwrap()), by.told(&side));
 }
 
-/// Else a diff that drops it takes it off what it covers again.
+/// Otherwise a diff that drops the feature would remove the new one from its faces.
 #[test]
 fn the_number_of_a_removed_feature_is_not_used_again() {
     let (base, by) = two_squares();
@@ -270,7 +270,7 @@ fn the_number_of_a_removed_feature_is_not_used_again() {
     assert!(matches!(diff(&map, &base, &by.ids()), Err(DiffError::Features(0))));
     let loaded: PlanarMap = serde_json::from_str(&serde_json::to_string(&map).unwrap()).unwrap();
     assert_eq!((loaded.clone().set_features_of(inside, [wood]), loaded == map), (Err(gone), true));
-    // A feature without name is no removed one.
+    // An unnamed feature is not a removed one.
     let unnamed = map.add_feature(None);
     map.set_features_of(inside, [unnamed]).unwrap();
     assert!(history.undo());
@@ -306,7 +306,7 @@ fn lines_of_both_sides_that_meet_are_named() {
         together(line(1, 3), line(2, 4)),
         ApplyError::Overlap { drawn: Record::Edge(2, 4), with: Record::Edge(1, 3) }
     );
-    // Vertices 7 and 8: one side counts on from the other.
+    // Vertices 7 and 8: the numbers of one side continue after the other's.
     let of_both = |p| together(point(p), point(p));
     assert_eq!(of_both([1.0, 1.0]), ApplyError::Overlap { drawn: Record::Vertex(8), with: Record::Vertex(7) });
     assert_eq!(
@@ -331,7 +331,7 @@ fn faces_that_only_both_sides_together_make_are_named() {
     let error = merge(&base, &side(1), &side(3), &by.ids()).unwrap_err();
     assert!(matches!(error, MergeError::Together(ApplyError::Unnamed(Record::Edge(..)))), "{error}");
 
-    // One side joins the square in the middle to that on the left, the other one to that on the right.
+    // One side joins the middle square to the left one, the other side to the right one.
     let (mut base, by) = two_squares();
     let far = [[12.0, 0.0], [12.0, 4.0]].map(|p| base.insert_point(p).unwrap().vertices[0]);
     for (from, to) in [(by.v(&base, 5), far[0]), (far[0], far[1]), (far[1], by.v(&base, 6))] {

@@ -53,7 +53,7 @@ impl Named {
         map.find(self.parcel, &id).unwrap()
     }
 
-    /// All that a map has, by ids.
+    /// The complete contents of a map, by ids.
     fn told(self, map: &PlanarMap) -> Told {
         let id = |v: VertexKey| *map.value(self.corner, v).unwrap();
         let vertices = map.dcel().vertices().map(|v| {
@@ -89,7 +89,7 @@ struct Told {
     features: usize,
 }
 
-/// Runs a program, and after each edit gives values to records that the number of the edit chooses.
+/// Runs a program, and after each edit assigns values to records chosen by the number of the edit.
 fn edited(map: PlanarMap, by: Named, program: &EditProgram) -> PlanarMap {
     let mut runner = EditRunner::new(map);
     for (i, op) in program.0.iter().enumerate() {
@@ -107,7 +107,7 @@ fn edited(map: PlanarMap, by: Named, program: &EditProgram) -> PlanarMap {
     runner.into_map()
 }
 
-/// Two squares beside each other: vertices 1 2 3 4, 5 6, faces 1 and 2.
+/// Two squares side by side: vertices 1 2 3 4, 5 6, faces 1 and 2.
 ///
 /// ```text
 ///     4 ── 3 ── 6      y = 4

@@ -1,5 +1,4 @@
-//! Embeddings whose answers change: validation ends, without a panic, in linear time, and asks only about slots that there
-//! are.
+//! Embeddings whose answers change: validation ends, without a panic, in linear time, and reads only existing slots.
 
 use crate::support::embeddings::validate_embedding;
 use crate::support::inconsistent::Inconsistent;
@@ -36,7 +35,7 @@ fn answers_may_change_from_call_to_call() {
                     let view = Inconsistent::new(table, consistent_answers, seed);
                     let report = validate_embedding(&view, &expectation, Collect::All);
                     let asked = view.questions.get();
-                    // The fast path may ask nearly everything before it gives up, and then every rule asks for itself.
+                    // The fast path may read nearly everything before it fails, and then every rule reads again.
                     assert!(asked <= 5 * questions, "{asked} questions, {questions} if consistent\n{report}");
                     for violation in report.violations() {
                         assert!(places(&view, violation).len() <= 4);

@@ -1,4 +1,4 @@
-//! Edges with bends: judged as the same map with a vertex at each bend, and named by their bends.
+//! Edges with bends: the verdict equals that on the map with a vertex at each bend, and violations name bends.
 
 use crate::support::embeddings::validate_embedding;
 use crate::support::only_live::OnlyLive;
@@ -52,11 +52,11 @@ impl Drawn {
 struct Twice {
     straight: Drawn,
     bent: Drawn,
-    /// Of each half-edge that is left, those that it is made of.
+    /// The half-edges that each remaining half-edge combines.
     chains: BTreeMap<usize, Vec<usize>>,
 }
 
-/// A small generator, so that every run is the same.
+/// A small deterministic generator.
 struct Random(u64);
 
 impl Random {
@@ -92,7 +92,7 @@ impl Random {
 }
 
 impl Twice {
-    /// Turns some of the vertices with two edges into bends, and leaves one vertex at least in each component.
+    /// Turns some of the vertices with two edges into bends, and keeps at least one vertex in each component.
     fn of(map: &PlanarMap, random: &mut Random) -> Self {
         let table = Table::copy_of(map).expect("a small map fits");
         let points: Vec<Point> = (0..map.vertex_slots()).map(|v| map.point(v)).collect();
@@ -162,7 +162,7 @@ impl Twice {
     fn expect_same(&self, what: &str) {
         let (straight, bent) = (self.straight.report(), self.bent.report());
         let verdicts = |report: &Report| -> Vec<(Rule, bool, Option<Unchecked>)> {
-            // A map may become simple by its new vertices, which changes T4.
+            // New vertices may make a map simple, which changes T4.
             let of_maps = report.outcomes().filter(|(rule, _)| *rule != Rule::T4);
             of_maps.map(|(rule, outcome)| (rule, outcome.violations > 0, outcome.unchecked)).collect()
         };
@@ -176,7 +176,7 @@ impl Twice {
         }
     }
 
-    /// Moves a point of the drawing, vertex or bend, to another place.
+    /// Moves a point of the drawing, vertex or bend.
     fn move_point(&mut self, from: Point, to: Point) {
         let all = self.straight.points.iter_mut().chain(&mut self.bent.points);
         for p in all.chain(self.bent.bends.values_mut().flatten()).filter(|p| **p == from) {
@@ -231,7 +231,7 @@ impl Twice {
         }
     }
 
-    /// Lists a hole in another face, as a right table would.
+    /// Lists a hole in another face, consistently.
     fn move_hole(&mut self, random: &mut Random) {
         let choice = (random.below(64), random.below(64));
         for table in [&mut self.straight.table, &mut self.bent.table] {
@@ -321,7 +321,7 @@ fn two_edges(ends: [[f64; 2]; 4], bends: [&[[f64; 2]]; 2]) -> Drawn {
     drawn
 }
 
-/// The half-edge of each edge that is asked for the bends.
+/// The half-edge of each edge that represents it in calls for bends.
 fn edges(table: &Table) -> [usize; 2] {
     let asked = (0..table.half_edge_slots()).filter(|h| table.is_half_edge(*h) && table.twin(*h) > Some(*h));
     asked.collect::<Vec<_>>().try_into().expect("there are two edges")
@@ -332,7 +332,7 @@ const ENDS: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [0.0, 8.0], [10.0, 8.0]];
 /// The bends of an edge.
 type Line = &'static [[f64; 2]];
 
-/// The only violation, with the points at which it is.
+/// The only violation, with its points.
 fn only(drawn: &Drawn) -> (Violation, Vec<[f64; 2]>) {
     let report = drawn.report();
     let [violation] = report.violations() else { panic!("{report}") };
@@ -375,7 +375,7 @@ fn g4_names_the_segments_and_the_bends() {
         let found = found.unwrap_or_else(|| panic!("{kind}: {report}"));
         assert!(!places(&drawn, found).is_empty());
     }
-    // A vertex of the one inside a segment of the other.
+    // A vertex of one inside a segment of the other.
     let ends = [[0.0, 0.0], [10.0, 0.0], [2.0, 4.0], [9.0, 9.0]];
     let (violation, at) = only(&two_edges(ends, [&[[0.0, 4.0], [10.0, 4.0]], &[]]));
     let Violation::VertexInSegment { half_edge, segment: 1, .. } = violation else { panic!("{violation}") };
@@ -389,7 +389,7 @@ fn g4_numbers_the_bends_of_each_edge_from_its_first() {
     let [first, second] = edges(&drawn.table);
     let same = Violation::BendsAtSamePlace { first, first_bend: 1, second, second_bend: 1 };
     assert_eq!(only(&drawn), (same, vec![[5.0, 4.0]]));
-    // The places of a crossing are the ends of the segments, not those of the edges.
+    // The places of a crossing are the ends of the segments, not of the edges.
     let crossing = Violation::SegmentsCross { first, first_segment: 1, second, second_segment: 0 };
     let at: Vec<[f64; 2]> = places(&drawn, &crossing).into_iter().map(Into::into).collect();
     assert_eq!(at, [[1.0, 1.0], [5.0, 4.0], [0.0, 8.0], [2.0, 7.0]]);
@@ -406,7 +406,7 @@ fn a_drawing_is_the_same_behind_a_reference_in_a_box_and_as_what_it_stores() {
     assert_eq!(judge(&Box::new(drawn)), report);
 }
 
-/// The half-edge with the largest index is asked for bends where it has no twin.
+/// The half-edge with the largest index represents its edge if it has no twin.
 #[test]
 fn bends_of_the_last_half_edge_are_read_at_an_open_boundary() {
     let row =
@@ -424,7 +424,7 @@ fn bends_of_the_last_half_edge_are_read_at_an_open_boundary() {
     assert!(report.broken_rules().eq([Rule::G4]), "{report}");
 }
 
-/// A drawing that panics where it is asked about a slot or a bend that is not there.
+/// A drawing that panics on a read of a missing slot or bend.
 struct Strict(Drawn);
 
 impl View for Strict {
@@ -448,7 +448,7 @@ impl Embedding for Strict {
     }
 }
 
-/// Violations may be of another structure, or of this one before it shrank.
+/// Violations may belong to another structure, or to this one before it shrank.
 #[test]
 fn what_is_not_there_has_no_place() {
     let drawn = Strict(two_edges(ENDS, [&[[5.0, 1.0]], &[]]));
@@ -462,7 +462,7 @@ fn what_is_not_there_has_no_place() {
     assert!(at(Violation::NoOutside { vertex }).is_empty());
     assert!(at(Violation::SegmentZeroLength { half_edge, segment: 0 }).is_empty());
     assert!(at(Violation::BendNotFinite { half_edge, bend: 0 }).is_empty());
-    // Of an edge without such a bend the ends are shown.
+    // For an edge without such a bend, the ends are shown.
     assert_eq!(at(Violation::BendNotFinite { half_edge: first, bend: 0 }), [[5.0, 1.0]]);
     assert_eq!(at(Violation::BendNotFinite { half_edge: first, bend: 1 }), [ENDS[0], ENDS[1]]);
 }
@@ -501,7 +501,7 @@ fn more_bends_than_can_be_numbered_are_not_read() {
     assert!(!report.is_valid());
 }
 
-/// Bends whose number and places change from call to call.
+/// Bends whose number and coordinates change from call to call.
 struct Fickle {
     drawn: Drawn,
     random: std::cell::RefCell<Random>,

@@ -1,4 +1,4 @@
-//! G1 … G5: each broken alone, where it can be, and named rightly.
+//! G1 … G5: each broken alone, if possible, and named correctly.
 
 use crate::support::embeddings::validate_embedding;
 use twinedge::dcel::{Dcel, HalfEdge};
@@ -7,7 +7,7 @@ use twinedge::validate::{Collect, Expectation, Link, Parts, Record, Report, Rule
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, Embedding, PlanarMap, places};
 
-/// A structure drawn elsewhere than its map says.
+/// A structure with other coordinates than its map.
 struct Redrawn {
     dcel: Dcel,
     points: Vec<Point>,
@@ -35,7 +35,7 @@ impl Redrawn {
         validate_embedding(self, &Expectation::plane(), Collect::All)
     }
 
-    /// The rules that are broken, each once.
+    /// The broken rules, each once.
     fn broken(&self) -> Vec<Rule> {
         self.report().outcomes().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule).collect()
     }

@@ -1,5 +1,5 @@
-//! Local validation of a drawing: the verdict is that of a full validation, after every edit, after every operator with every
-//! argument, and after every corruption of one link or one place; and only what has changed is read.
+//! Local validation of a drawing. The verdict equals a full validation after every edit, after every operator with every
+//! argument, and after every corruption of one link or point; and only changes are read.
 
 use crate::support::changes::{difference, note};
 use crate::support::edits::EvenEdits;
@@ -18,11 +18,11 @@ use twinedge_trials::enumerate::for_each_corruption;
 
 const PLANE: Expectation = Expectation::plane();
 
-/// A structure with coordinates, and how often it was asked for one.
+/// A structure with coordinates that counts reads of points.
 struct Scene {
     table: Table,
     points: Vec<Point>,
-    /// The one bend that there is, with the smaller half-edge of its edge.
+    /// The only bend, with the smaller half-edge of its edge.
     bend: Option<(usize, Point)>,
     asked: Cell<usize>,
 }
@@ -60,7 +60,7 @@ impl Scene {
         EmbeddingBaseline::new(self, &PLANE).unwrap()
     }
 
-    /// All records that differ from an earlier scene, and the vertices that lie elsewhere.
+    /// All records that differ from an earlier scene, and the moved vertices.
     fn since(&self, before: &Self) -> WriteSet {
         let mut written = difference(&before.table, &self.table);
         let moved = |v: &usize| {
@@ -72,21 +72,21 @@ impl Scene {
     }
 }
 
-/// The outcome of a judgement.
+/// Counts of verdicts.
 #[derive(Default, Debug)]
 struct Tally {
     judged: usize,
     right: usize,
-    /// For each rule of geometry, and for T1 … T4, how often it was broken.
+    /// The number of violations of each geometric rule and of T1 … T4.
     broken: [usize; 9],
-    /// The number of times that a right structure was validated in full.
+    /// The number of full validations of valid structures.
     in_full: usize,
 }
 
 const COUNTED: [Rule; 9] = [Rule::T1, Rule::T2, Rule::T3, Rule::T4, Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
 impl Tally {
-    /// Asserts that the verdict is that of the full validation. The baseline moves on if it is right.
+    /// Asserts that the verdict equals a full validation. The baseline advances if the scene is valid.
     fn judge(&mut self, baseline: &mut EmbeddingBaseline, scene: &Scene, written: &WriteSet) -> bool {
         scene.asked.set(0);
         let found = validate_embedding_near(baseline, scene, written);
@@ -97,26 +97,26 @@ impl Tally {
             let report = full();
             assert!(report.is_valid(), "{}\n{:?}\n{written:?}\n{report}", scene.table, scene.points);
             self.right += 1;
-            // A full validation asks for all points, and once more to read them.
+            // A full validation reads all points, and once more for the new baseline.
             self.in_full += usize::from(asked > scene.table.vertices.iter().flatten().count());
             return true;
         };
         for (count, rule) in self.broken.iter_mut().zip(COUNTED) {
             *count += usize::from(found.broken_rules().any(|broken| broken == rule));
         }
-        // It is the report of a full validation, which is seldom run a second time.
+        // It must equal the report of a full validation, which is rarely run a second time.
         let is_same = !self.judged.is_multiple_of(16) || *found == full();
         assert!(!found.is_valid() && is_same, "{}\n{:?}\n{written:?}", scene.table, scene.points);
         false
     }
 }
 
-/// A generator that always gives the same.
+/// A deterministic generator.
 fn seeded(seed: u64, size: usize) -> Gen {
     Gen::from_size_and_seed(size, seed)
 }
 
-/// Visits each state of a map that a program leads through, with that before it.
+/// Visits each state of a map during a program, with the state before it.
 fn each_edit(program: &EditProgram, mut visit: impl FnMut(&PlanarMap, &PlanarMap)) {
     each_edit_of(program, |_, before, after| visit(before, after));
 }
@@ -144,7 +144,7 @@ fn one_baseline_follows_whole_programs() {
             let (before, after) = (Scene::of(before), Scene::of(after));
             let in_full = tally.in_full;
             assert!(tally.judge(&mut baseline, &after, &after.since(&before)));
-            // Edges that it reroutes merge faces and split them again.
+            // Rerouted edges merge faces and split them again.
             let reroutes = matches!(op, EditOp::InsertSegmentSnapped { .. });
             assert!(tally.in_full == in_full || reroutes, "{op} of {program}");
         });
@@ -169,11 +169,11 @@ fn one_baseline_follows_many_edits_at_once() {
         }
     }
     assert!(tally.judged > 1_000, "{tally:?}");
-    // The changed records do not always tell what lies in which face.
+    // The changed records do not always determine the nesting.
     assert!(tally.in_full * 20 < tally.judged, "{tally:?}");
 }
 
-/// Places to put a vertex: others, midpoints, a grid, and what is no place.
+/// Places for a vertex: other vertices, midpoints, a grid, and invalid ones.
 fn places(scene: &Scene) -> Vec<Point> {
     let mut places: Vec<Point> = (0..8).map(|i| Point::new(f64::from(i * 5 % 16), f64::from(i * 3 % 16))).collect();
     let live: Vec<usize> = (0..scene.points.len()).filter(|v| scene.table.is_vertex(*v)).collect();
@@ -234,12 +234,12 @@ fn every_edit_with_every_wrong_link() {
     assert!(tally.judged > 40_000 && tally.right * 20 < tally.judged, "{tally:?}");
 }
 
-/// The results of operators of topology, with every argument: most of them are not what is drawn.
+/// The results of topological operators with every argument: most of them do not match the drawing.
 fn each_operator(dcel: &Dcel, visit: impl FnMut(&Dcel)) {
     some_operators(dcel, &mut || true, visit);
 }
 
-/// The same of the operators that are chosen. Those that are not are not applied.
+/// The results of a selection of operators; others are not applied.
 fn some_operators(dcel: &Dcel, choose: &mut dyn FnMut() -> bool, mut visit: impl FnMut(&Dcel)) {
     let mut attempt = |operator: &dyn Fn(&mut Dcel) -> bool| {
         if !choose() {
@@ -320,7 +320,7 @@ fn every_operator_with_every_argument() {
     assert!(tally.in_full * 100 < tally.right, "{tally:?}");
 }
 
-/// True every so many times.
+/// Returns true once in `count` calls.
 fn one_in(count: usize) -> impl FnMut() -> bool {
     let mut number = 0_usize;
     move || {
@@ -329,7 +329,7 @@ fn one_in(count: usize) -> impl FnMut() -> bool {
     }
 }
 
-/// Some pairs of operators, the second of which is applied to what the first has made, judged at once.
+/// Some pairs of operators, the second applied to the result of the first, judged at once.
 #[test]
 fn pairs_of_operators() {
     let mut tally = Tally::default();
@@ -354,7 +354,7 @@ fn pairs_of_operators() {
     assert!(tally.in_full * 20 < tally.right, "{tally:?}");
 }
 
-/// Two boundary components of different faces, or of different kinds, each where the other is listed. All rules from R1 to F2 hold.
+/// Exchanges two boundary components of different faces, or of different kinds, in their lists. All rules from R1 to F2 hold.
 fn exchanged(table: &Table, one: usize, other: usize) -> Option<Table> {
     let mut table = table.clone();
     let [a, b] = [one, other].map(|b| table.boundaries.get(b).copied().flatten());
@@ -371,7 +371,7 @@ fn exchanged(table: &Table, one: usize, other: usize) -> Option<Table> {
     Some(table)
 }
 
-/// The part of topology that geometry proves: T1 and T2 of each component.
+/// The part of topology that geometry proves: T1 and T2 for each component.
 #[test]
 fn boundary_components_in_the_place_of_others() {
     let mut tally = Tally::default();
@@ -393,7 +393,7 @@ fn boundary_components_in_the_place_of_others() {
     assert!(tally.broken[..2].iter().all(|count| *count > 10), "{tally:?}");
 }
 
-/// The table with an inner boundary component in the list of this face, at its end. All rules from R1 to F2 hold.
+/// Moves an inner boundary component to the end of this face's list. All rules from R1 to F2 hold.
 fn listed_in(table: &Table, b: usize, f: usize) -> Option<Table> {
     let mut table = table.clone();
     let row = table.boundaries.get(b).copied().flatten()?;
@@ -410,8 +410,8 @@ fn listed_in(table: &Table, b: usize, f: usize) -> Option<Table> {
     Some(table)
 }
 
-/// A segment splits a face, or goes, so that two faces become one, and two of the islands are listed in any faces: those inside of discs, too, whose
-/// faces the segment does not meet.
+/// A segment splits a face, or is removed, so that two faces merge, and two of the islands are listed in arbitrary faces,
+/// including islands inside discs, whose faces the segment does not meet.
 #[test]
 fn islands_listed_in_any_face_after_one_is_split_or_two_are_merged() {
     let mut tally = Tally::default();
@@ -446,7 +446,7 @@ fn islands_listed_in_any_face_after_one_is_split_or_two_are_merged() {
     assert!(tally.judged > 4_000 && tally.right > 100 && tally.broken[8] > 2_000, "{tally:?}");
 }
 
-/// The table with a bounded face in a slot of its own, behind all others.
+/// Moves a bounded face to a new slot after all others.
 fn renumbered(table: &Table, f: usize) -> Option<Table> {
     let mut table = table.clone();
     let row = table.faces.get_mut(f)?.take_if(|row| row.outer.is_some())?;
@@ -458,7 +458,7 @@ fn renumbered(table: &Table, f: usize) -> Option<Table> {
     Some(table)
 }
 
-/// The table with a boundary component in a slot of its own, behind all others.
+/// Moves a boundary component to a new slot after all others.
 fn relabelled(table: &Table, b: usize) -> Option<Table> {
     let mut table = table.clone();
     let row = table.boundaries.get_mut(b)?.take()?;
@@ -473,8 +473,8 @@ fn relabelled(table: &Table, b: usize) -> Option<Table> {
     Some(table)
 }
 
-/// A ring is drawn around an island, or goes, and the boundary components of a face that is no more went to several. The point on the island is
-/// listed in any face: what the rest of that face goes around is not known where only some of it is looked at.
+/// A ring is drawn around an island, or removed, and the boundary components of a dropped face went to several faces. The point
+/// on the island is listed in an arbitrary face: a partial check cannot determine the winding around the rest of that face.
 #[test]
 fn an_island_listed_in_any_face_after_one_is_no_more() {
     let mut tally = Tally::default();
@@ -504,7 +504,7 @@ fn an_island_listed_in_any_face_after_one_is_no_more() {
     assert!(tally.judged > 100 && tally.right > 5 && tally.broken[8] > 20, "{tally:?}");
 }
 
-/// A map after each of some segments was inserted, and at the end.
+/// A map after the insertion of each segment, and the final map.
 fn grown(segments: &[[[f64; 2]; 2]]) -> (Vec<Scene>, PlanarMap) {
     let mut map = PlanarMap::new();
     let mut scenes = vec![Scene::of(&map)];
@@ -515,7 +515,7 @@ fn grown(segments: &[[[f64; 2]; 2]]) -> (Vec<Scene>, PlanarMap) {
     (scenes, map)
 }
 
-/// With an isolated vertex in the unbounded face, at some place.
+/// Adds an isolated vertex to the unbounded face, and moves it to a place.
 fn with_point(map: &PlanarMap, free: [f64; 2], place: [f64; 2]) -> Scene {
     let mut map = map.clone();
     let v = map.insert_point(free).unwrap().vertices[0];
@@ -524,7 +524,7 @@ fn with_point(map: &PlanarMap, free: [f64; 2], place: [f64; 2]) -> Scene {
     scene
 }
 
-/// After records were not named, and the structure was validated in full, it is followed from there.
+/// After a full validation because of unnamed records, the baseline follows from there.
 #[test]
 fn forgotten_records_are_caught_up_with() {
     let mut tally = Tally::default();
@@ -540,7 +540,7 @@ fn forgotten_records_are_caught_up_with() {
     assert_eq!(tally.in_full, 1);
 }
 
-/// An edge that has got a bend, above another one and across it.
+/// An edge that got a bend, above another one and across it.
 #[test]
 fn edges_with_bends_are_validated_in_full() {
     let mut tally = Tally::default();
@@ -556,14 +556,14 @@ fn edges_with_bends_are_validated_in_full() {
     assert_eq!(tally.in_full, 1);
 }
 
-/// After something wrong was found, the baseline is that of before.
+/// After an invalid state, the baseline still describes the state before.
 #[test]
 fn what_was_wrong_leaves_nothing_behind() {
     let mut tally = Tally::default();
     let (scenes, map) = grown(&[[[0.0, 0.0], [4.0, 0.0]], [[0.0, 2.0], [4.0, 2.0]]]);
     let right = &scenes[2];
     let mut baseline = right.baseline();
-    // Both edges across each other, and then an isolated vertex where they crossed, and where they are.
+    // Both edges crossing, and then an isolated vertex at the old crossing and on both edges.
     let mut wrong = Scene::of(&map);
     wrong.points.swap(1, 3);
     let written = wrong.since(right);

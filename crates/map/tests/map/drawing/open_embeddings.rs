@@ -1,4 +1,4 @@
-//! G1 … G5 where the structure has an open boundary or no unbounded face: what lies outside everything lies in no face.
+//! G1 … G5 in structures with an open boundary or without an unbounded face: components outside everything lie in no face.
 
 use crate::support::embeddings::validate_embedding;
 use crate::support::tables::{TEXTBOOK, Without, half_edge, map, textbook_map};
@@ -35,7 +35,7 @@ impl Drawn {
 const BOUNDED: Parts = TEXTBOOK.without(Part::UnboundedFace);
 
 /// Two triangles, A of vertices 0 1 2 and half-edges 0 to 5, B of 3 4 5 and 6 to 11, the even ones inside. A lies outside
-/// everything. B is listed by the face in A, or lies outside everything, too.
+/// everything. B is listed by the face in A, or also lies outside everything.
 fn two_triangles(by_record: bool, listed: bool, b: [[f64; 2]; 3]) -> Drawn {
     let triangle = [(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3)];
     let mut half_edges = triangle.to_vec();
@@ -87,7 +87,7 @@ fn g5_what_no_face_lists_lies_in_a_face() {
     }
 }
 
-/// The unbounded face may be there although open boundaries have no face: then they lie in it without being listed.
+/// The unbounded face may exist although open boundaries have no face: then they lie in it without being listed.
 #[test]
 fn g5_an_open_outside_in_the_unbounded_face() {
     let mut drawn = two_triangles(false, false, FAR);
@@ -98,7 +98,7 @@ fn g5_an_open_outside_in_the_unbounded_face() {
     assert_eq!(drawn.report().violations(), [Violation::Unlisted { vertex: 3, face: 0 }]);
 }
 
-/// Triangles of half-edges that have no twins: nothing tells what lies beyond them.
+/// Triangles of half-edges without twins: nothing is known beyond them.
 fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
     let mut drawn = Drawn { table: Table { parts: BOUNDED, ..Table::default() }, points: triangles.concat() };
     for f in 0..triangles.len() {
@@ -119,7 +119,7 @@ fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
     drawn
 }
 
-/// The face above an edge is not the one to the left of a half-edge that runs to the left.
+/// A half-edge that runs to the left does not have the face above its edge on its left.
 #[test]
 fn g5_no_face_above_an_open_boundary() {
     let below = [[0.0, 0.0], [10.0, 0.0], [5.0, 5.0]];
@@ -131,8 +131,8 @@ fn g5_no_face_above_an_open_boundary() {
     assert_eq!(report.violations(), [Violation::Unlisted { vertex: 3, face: 0 }], "{report}");
 }
 
-/// Three triangles side by side around vertex 0, with no half-edges on the border. Wherever the numbers start, all angles
-/// are looked at.
+/// Three triangles side by side around vertex 0, without half-edges on the border. All angles are checked, from every starting
+/// number.
 ///
 /// ```text
 ///    3 ─── 2

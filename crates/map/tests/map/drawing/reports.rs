@@ -1,4 +1,4 @@
-//! Reports of maps, written and read again.
+//! Saving and loading reports of maps.
 
 use serde_json::{from_value, to_value};
 use twinedge::validate::{Report, Rule};

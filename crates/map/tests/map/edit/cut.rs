@@ -1,4 +1,4 @@
-//! Faces that are split by a line and merged again, and vertices that are dropped between two edges.
+//! Splitting faces by a line and merging them again, and dropping vertices between two edges.
 
 use quickcheck::{Arbitrary as _, Gen};
 use twinedge::dcel::{FaceKey, Faces, History, OperatorError, Policy, Vertex};
@@ -63,7 +63,7 @@ fn a_line_of_any_slant_splits_a_parcel_and_merging_gives_it_back() {
     }
 }
 
-/// Whatever the map and the line: the result is valid, or nothing has changed. So it is with merging and joining.
+/// For every map and line, the result is valid or nothing has changed; likewise for merging and joining.
 #[test]
 fn cuts_keep_every_rule_or_are_refused() {
     let mut programs = Gen::from_size_and_seed(14, 2026);
@@ -114,7 +114,7 @@ fn every_stretch_of_the_line_in_the_face_is_cut() {
     assert_eq!(map.split_face(hole, [0.0, 9.0], [1.0, 9.0]), Err(EditError::NotThrough(hole)));
 }
 
-/// The line passes through a corner, and along an axis: there the new vertex is on the line to the digit.
+/// The line passes through a corner, and along an axis, where the new vertex is exactly on the line.
 #[test]
 fn corners_and_lines_along_an_axis_are_met_exactly() {
     let mut map = PlanarMap::new();
@@ -139,7 +139,7 @@ fn edits_that_would_pass_over_something_are_refused() {
     let far = map.insert_ring([[9.0, 0.0], [12.0, 0.0], [12.0, 1.0]]).unwrap();
     let before = map.clone();
     assert_eq!(map.join_edges(corner), Err(EditError::VertexInTheWay(stone)));
-    // The third side is there.
+    // The third side exists.
     assert!(matches!(map.join_edges(far.vertices[0]), Err(EditError::EdgeInTheWay(_))));
     assert!(matches!(map.join_edges(stone), Err(EditError::Operator(OperatorError::DegreeNotTwo(_)))));
     let far = far.faces_split[0].1;
@@ -152,7 +152,7 @@ fn edits_that_would_pass_over_something_are_refused() {
     assert_eq!((opened.faces_merged, opened.vertices_dropped.len()), (vec![(outside, square)], 4));
 }
 
-/// Half of the border of two edges that are joined was that of a feature: it is no border any more.
+/// Half of the border of two joined edges belonged to a feature: it is no border afterwards.
 #[test]
 fn a_joined_edge_has_the_features_of_both() {
     let mut map = PlanarMap::new();

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use twinedge::dcel::{Face, HalfEdge, Vertex};
 use twinedge_map::{Builder, PlanarMap, Shape};
 
-/// A closed walk, from its smallest half-edge on; a point alone for an isolated vertex.
+/// A closed walk, starting at its smallest half-edge; a single point for an isolated vertex.
 pub(crate) type Walk = Vec<Grid>;
 
 /// The outer walk of a face, if it has one, and its inner ones.
@@ -54,7 +54,7 @@ pub(crate) fn describe(map: &PlanarMap) -> Description {
     }
 }
 
-/// The same vertices and edges, built all at once.
+/// Builds a map from these vertices and edges at once.
 pub(crate) fn built(vertices: &BTreeSet<Grid>, edges: &BTreeSet<[Grid; 2]>) -> PlanarMap {
     let mut builder = Builder::new();
     for p in vertices {
@@ -67,7 +67,7 @@ pub(crate) fn built(vertices: &BTreeSet<Grid>, edges: &BTreeSet<[Grid; 2]>) -> P
     builder.build().expect("a small map fits")
 }
 
-/// A map to the last key: itself, and what is saved of it, which tells the vacant slots. Only plane maps can be saved.
+/// A map in full: itself, and its saved form, which includes the vacant slots. Only plane maps can be saved.
 pub(crate) fn dump(map: &PlanarMap) -> (PlanarMap, Option<serde_json::Value>) {
     (map.clone(), serde_json::to_value(map).ok())
 }

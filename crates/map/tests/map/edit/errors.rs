@@ -1,4 +1,4 @@
-//! Each refusal, with what it names; and that it changes nothing.
+//! Each refusal names its cause and changes nothing.
 
 use crate::edit::describe::{dump, grid};
 use twinedge::dcel::{HalfEdgeKey, OperatorError, StaleKey, VertexKey};
@@ -14,7 +14,7 @@ fn square() -> (PlanarMap, Vec<HalfEdgeKey>, VertexKey) {
     (map, ring.way, vertex)
 }
 
-/// Checks that an edit is refused so, and leaves the map as it was.
+/// Checks that an edit is refused with this error and leaves the map unchanged.
 #[track_caller]
 fn refused<T: std::fmt::Debug>(
     map: &mut PlanarMap,
@@ -77,7 +77,7 @@ fn coordinates_out_of_range() {
     refused(&mut map, tiny, |map| map.insert_ring([[1.0, 1.0], [2.0, 1.0], [1e-200, 1.0]]));
     refused(&mut map, tiny, |map| map.move_vertex(vertex, [1e-200, 1.0]));
     assert!(matches!(map.insert_point([f64::NAN, 0.0]), Err(EditError::NotFinite { x, .. }) if x.is_nan()));
-    // A grid so wide that the point next to it is beyond the range.
+    // A grid so wide that the nearest point is out of range.
     let far = 2_f64.powi(500);
     let mut empty = PlanarMap::new();
     refused(&mut empty, EditError::OutOfRange { x: 2.0 * far, y: 0.0 }, |map| {
@@ -98,11 +98,11 @@ fn segments_without_length() {
 #[test]
 fn crossing_an_edge() {
     let (mut map, way, _) = square();
-    // From within the edge is met from its left, and from without from its right.
+    // From inside, the edge is met from its left, and from outside, from its right.
     refused(&mut map, EditError::Crosses(way[1]), |map| map.insert_segment([5.0, 5.0], [9.0, 5.0]));
     let twin = map.dcel().half_edge(way[1]).expect("it is there").twin().key();
     refused(&mut map, EditError::Crosses(twin), |map| map.insert_segment([9.0, 5.0], [5.0, 5.0]));
-    // The last segment of the ring does.
+    // The last segment of the ring crosses it.
     refused(&mut map, EditError::Crosses(twin), |map| {
         map.insert_ring([[7.0, 3.0], [7.0, 1.0], [8.0, 0.0], [12.0, 5.0]])
     });
@@ -123,7 +123,7 @@ fn things_in_the_way_of_a_vertex() {
     let (mut map, way, vertex) = square();
     let twin = map.dcel().half_edge(way[1]).expect("it is there").key();
     refused(&mut map, EditError::EdgeInTheWay(twin), |map| map.move_vertex(vertex, [9.0, 4.0]));
-    // To stop on an edge is to run into it, too.
+    // Stopping on an edge also counts as running into it.
     refused(&mut map, EditError::EdgeInTheWay(twin), |map| map.move_vertex(vertex, [8.0, 4.0]));
     let corner = map.dcel().half_edge(way[0]).expect("it is there").origin().key();
     refused(&mut map, EditError::VertexInTheWay(vertex), |map| map.move_vertex(corner, [6.0, 6.0]));
@@ -143,7 +143,7 @@ fn grids_that_do_not_fit() {
     refused(&mut map, EditError::NotOnGrid(corner), |map| {
         map.insert_segment_snapped([9.0, 9.0], [10.0, 10.0], Snap::Size(1.0))
     });
-    // The edges far away are not looked at.
+    // Edges far away are not examined.
     assert!(map.insert_segment_snapped([-20.0, 0.0], [-20.0, 5.0], Snap::Size(1.0)).is_ok());
     refused(&mut map, EditError::CellSize, |map| map.insert_segment_snapped([1.0, 1.0], [2.0, 2.0], Snap::Size(0.0)));
     let mut empty = PlanarMap::new();

@@ -1,4 +1,4 @@
-//! Data kept beside a map, which follows by nothing but what edits say: if they tell the truth, it stays right.
+//! Data stored alongside a map, updated only from the reports of edits: it stays valid if they are true.
 
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
@@ -33,7 +33,7 @@ impl Shadow {
         }
     }
 
-    /// Follows an edit, of which `map` is the outcome.
+    /// Follows an edit that resulted in `map`.
     pub(crate) fn follow(&mut self, map: &PlanarMap, edited: &Edited) {
         for v in &edited.vertices_made {
             assert!(self.vertices.insert(*v), "{v:?} is not new");

@@ -10,14 +10,14 @@ use twinedge_geometry::Point;
 use twinedge_map::edit::{EditError, Edited};
 use twinedge_map::{Builder, PlanarMap, Shape};
 
-/// The number of places in each direction: few, so that much meets.
+/// The number of positions in each direction: few, so that contacts are frequent.
 const SIDE: u8 = 7;
 
-/// Not `twinedge_map::program`: the model knows points and no keys, so an edit must say where and not by the number of a record.
+/// Not `twinedge_map::program`: the model knows points but no keys, so an edit must name points instead of records.
 #[derive(Clone, Debug)]
 enum Edit {
     Point(Grid),
-    /// The flag says whether to give the nearest hint there is: the first vertex or half-edge of the map.
+    /// If true, the edit gets the nearest available hint: the first vertex or half-edge of the map.
     Segment(Grid, Grid, bool),
     Ring(Vec<Grid>),
     RemoveEdge(u8),
@@ -43,7 +43,7 @@ impl Arbitrary for Edit {
     }
 }
 
-/// Some vertex or edge, if there are any.
+/// Chooses a vertex or edge, if there are any.
 fn choose<T>(all: impl Iterator<Item = T>, which: u8) -> Option<T> {
     let mut all: Vec<T> = all.collect();
     let place = usize::from(which).checked_rem(all.len())?;
@@ -58,7 +58,7 @@ fn some_edge(map: &PlanarMap, which: u8) -> Option<(HalfEdgeKey, [Grid; 2])> {
     choose(map.dcel().edges().map(|h| (h.key(), ends(map, h))), which)
 }
 
-/// A map that is edited, and all that must go along with it.
+/// A map that is edited, and all data that must follow.
 struct Run {
     map: PlanarMap,
     model: Model,
@@ -71,7 +71,7 @@ impl Run {
         Self { model: Model { vertices, edges }, shadow: Shadow::of(&map), map }
     }
 
-    /// Does an edit to the map and, if it may be done, to the model. Whether it may be is for the model to say.
+    /// Applies an edit to the map and, if the model permits it, to the model.
     fn step(&mut self, edit: &Edit) {
         let before = dump(&self.map);
         let expected = self.expected(edit);
@@ -97,7 +97,7 @@ impl Run {
         assert_eq!(self.shadow, Shadow::of(&self.map), "{edit:?}");
     }
 
-    /// Returns the refusal that an edit must meet, if any. Changes the model if the edit may be done.
+    /// Returns the refusal that an edit must meet, if any. Changes the model if the edit is permitted.
     fn expected(&mut self, edit: &Edit) -> Result<(), fn(&EditError) -> bool> {
         match edit {
             Edit::Point(p) => self.model.insert_point(*p),
@@ -149,7 +149,7 @@ impl Run {
         Ok(())
     }
 
-    /// Returns the result of an edit; nothing if there was nothing to do it to.
+    /// Returns the result of an edit; `None` if it had no target.
     fn apply(&mut self, edit: &Edit) -> Option<Result<Edited, EditError>> {
         let map = &mut self.map;
         Some(match edit {
@@ -182,7 +182,7 @@ impl Run {
         })
     }
 
-    /// The vertices of an outcome are at the points given, and its way leads from each to the next.
+    /// The vertices of an outcome are at the given points, and its way leads from each to the next.
     fn the_way_is_as_told(&self, edit: &Edit, edited: &Edited) {
         let points = match edit {
             Edit::Point(p) => vec![*p],
@@ -216,7 +216,7 @@ impl Run {
     }
 }
 
-/// The points of a ring without a last one that repeats the first.
+/// The points of a ring without a last point that repeats the first.
 fn open(points: &[Grid]) -> &[Grid] {
     match points {
         [first, rest @ .., last] if first == last => &points[..=rest.len()],
@@ -246,7 +246,7 @@ fn run(map: PlanarMap, edits: &[Edit]) {
     }
 }
 
-/// So many random programs of up to so many edits, always the same.
+/// Runs random programs, deterministically.
 fn check(tests: u64, size: usize, law: fn(Vec<Edit>) -> bool) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
 }
@@ -291,7 +291,7 @@ fn a_ring_may_touch_an_edge_from_both_sides() {
 
 #[test]
 fn the_outside_may_pass_the_leftmost_vertex_several_times() {
-    // A spike below or above two arms, and between these one so long that the way around the outside is the shorter one.
+    // A spike below or above two arms, the inner arm so long that the way around the outside is shorter.
     for (spike, turned) in [((1, -3), false), ((1, -3), true), ((1, 9), false), ((1, 9), true)] {
         let mut run = Run::new(PlanarMap::new());
         let line = [(0, 0), (1, 1), (2, 1), (3, 1), (4, 1), (4, 2)];
@@ -316,7 +316,7 @@ fn segments_in_any_order_and_direction_give_the_same_map() {
         let mut kept: Vec<[Grid; 2]> = Vec::new();
         for (a, b) in segments {
             let [a, b] = sorted(whole(a), whole(b));
-            // A vertex where two cross would be there in one order only.
+            // A vertex at a crossing would exist in only one order.
             if a != b && kept.iter().all(|[c, d]| meets(a, b, *c, *d) != Meets::Cross) {
                 model.insert_segment(a, b);
                 kept.push([a, b]);

@@ -1,4 +1,4 @@
-//! Edits of planar maps, held against maps built in bulk, against plain models, and against what they say they did.
+//! Edits of planar maps, compared with maps built in bulk, with plain models, and with their own reports.
 
 mod cut;
 mod describe;

@@ -1,4 +1,4 @@
-//! Maps as plain sets of points and segments on whole numbers, and edits as one would do them by hand.
+//! Maps as plain sets of points and segments on whole numbers, with naive edits.
 
 use crate::support::exact::{Grid, Meets, area, lies_on, meets};
 use std::collections::BTreeSet;
@@ -34,7 +34,7 @@ impl Model {
     pub(crate) fn insert_segment(&mut self, a: Grid, b: Grid) {
         self.insert_point(a);
         self.insert_point(b);
-        // In order from one end to the other, as the points are.
+        // In order from one end to the other, like the points.
         let on: Vec<Grid> = self.vertices.iter().copied().filter(|p| lies_on(*p, a, b)).collect();
         self.edges.extend(on.windows(2).map(|pair| [pair[0], pair[1]]));
     }

@@ -1,4 +1,4 @@
-//! Segments drawn with rounding, held against noding everything at once, step after step.
+//! Segments drawn with rounding, compared step by step with noding everything at once.
 
 use crate::edit::describe::{Description, built, describe, dump};
 use crate::edit::follow::Shadow;
@@ -13,7 +13,7 @@ use twinedge_map::{Builder, Feature, PlanarMap, Shape};
 
 const GRID: Snap = Snap::Size(1.0);
 
-/// A drawing as lists of points: rings, each of a feature of its own; lines; single points.
+/// A drawing as lists of points: rings, each of its own feature; lines; single points.
 #[derive(Clone, Debug, Default)]
 struct Embedding {
     rings: Vec<Vec<Point>>,
@@ -22,7 +22,7 @@ struct Embedding {
 }
 
 impl Embedding {
-    /// Nodes it all at once.
+    /// Nodes everything at once.
     fn node(&mut self) -> Noded {
         let chains = || self.rings.iter().chain(&self.lines);
         let segments: Vec<[Point; 2]> = chains().flat_map(|c| c.windows(2).map(|p| [p[0], p[1]])).collect();
@@ -41,7 +41,7 @@ impl Embedding {
         noded
     }
 
-    /// Builds it at once, when it has been noded.
+    /// Builds the map at once from the noded drawing.
     fn build(&self) -> PlanarMap {
         let mut builder = Builder::new();
         for ring in &self.rings {
@@ -74,7 +74,7 @@ fn covers(map: &PlanarMap, rings: usize) -> Covers {
     (map.dcel().faces().map(of).collect(), map.dcel().edges().map(along).collect())
 }
 
-/// A place in quarters of a cell.
+/// A position in quarters of a cell.
 #[derive(Clone, Copy, Debug)]
 struct Quarter(u8, u8);
 
@@ -101,7 +101,7 @@ fn law(rings: Vec<Vec<Quarter>>, points: Vec<Quarter>, segments: Vec<(Quarter, Q
     }
     drawing.points.extend(points.iter().take(6).map(|q| q.point(side)));
     drawing.node();
-    // A collapsed ring encloses nothing, and is no ring for the builder.
+    // A collapsed ring encloses nothing, and the builder does not count it as a ring.
     drawing.rings.retain(|ring| ring.len() > 3);
     let rings = drawing.rings.len();
     let mut map = drawing.build();
@@ -174,13 +174,13 @@ fn what_is_crossed_keeps_its_faces_unless_it_comes_to_lie_on_something() {
 #[test]
 fn the_automatic_grid_is_that_of_the_largest_coordinate() {
     let mut map = PlanarMap::new();
-    // A third of a degree is on no grid, and is rounded to the nearest point of one of 2^-42.
+    // A third of a degree is on no grid, and is rounded to the nearest point of a grid of 2^-42.
     let third = 1.0 / 3.0;
     let first = map.insert_segment_snapped([third, 0.0], [170.0, 100.0], Snap::Auto).expect("nothing is there");
     let at = |map: &PlanarMap, v| map.position(v).expect("it is there");
     let rounded = (third * 2_f64.powi(42)).round() / 2_f64.powi(42);
     assert_eq!(at(&map, first.vertices[0]), Point::new(rounded, 0.0));
-    // The same grid for a segment within smaller coordinates: else the crossing would be off it for the next one.
+    // A segment with smaller coordinates uses the same grid: otherwise the crossing would be off it for the next one.
     let second = map.insert_segment_snapped([0.0, third], [1.0, 0.0], Snap::Auto).expect("on the grid");
     assert_eq!(second.edges_split.len(), 1);
     let scaled = at(&map, second.vertices_made[0]).y * 2_f64.powi(42);

@@ -1,4 +1,4 @@
-//! A real map: lines drawn across it and erased again.
+//! A real map: drawing and erasing lines across it.
 
 use std::collections::BTreeMap;
 use twinedge::dcel::{Face, HalfEdge};
@@ -7,7 +7,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::{Snap, node};
 use twinedge_map::{Builder, Feature, PlanarMap, Shape};
 
-/// The world, with its points rounded to the grid of this size.
+/// The world, rounded to a grid of the returned size.
 fn world() -> (PlanarMap, Snap) {
     let mut features = Vec::new();
     geojson::read(include_bytes!("../../../../../cli/data/world-110m.geojson").as_slice(), |feature| {
@@ -100,7 +100,7 @@ fn lines_across_the_world_split_countries_and_are_erased_again() {
         same_areas(&map);
     }
     assert!(map.dcel().face_count() > faces + 50);
-    // Each line cuts those before it: what is their way now is one with what it was, up to the joints.
+    // Each line cuts the earlier ones: their current way equals their old way, up to the joints.
     let is_new = |h: HalfEdge<'_>| {
         let along = map.features_along(h.key()).expect("it is of this map");
         along.count() == 0

@@ -1,4 +1,4 @@
-//! Maps that are edited between questions: every slot of theirs may have been that of something else.
+//! Maps that are edited between queries: every slot may have belonged to another record.
 
 use crate::location::maps::{point, quickcheck};
 use crate::location::points::same_edge;
@@ -8,7 +8,7 @@ use twinedge_geometry::Point;
 use twinedge_map::program::EditRunner;
 use twinedge_map::{Located, Locator, PlanarMap, QueryLine};
 
-/// Asks in every way.
+/// Runs every kind of query.
 fn ask(map: &PlanarMap, from: Point, to: Point) {
     let (plain, locator) = (Plain::new(map), Locator::new(map).unwrap());
     for p in [from, to] {
@@ -47,7 +47,7 @@ fn answers_are_those_of_the_map_as_it_is_after_its_edits() {
 fn a_point_just_beside_an_edge_is_not_placed_by_records_that_lie_behind_it() {
     let mut map = PlanarMap::new();
     map.insert_ring([[0.0, 5.0], [5.0, 0.0], [3.0, 3.0]]).unwrap();
-    // Its distance from (4.5, 4.5) is so small that the point mirrored by it does not lie across.
+    // Its distance from (4.5, 4.5) is so small that the mirrored point does not lie across.
     map.insert_segment([0.0, 6.0], [6.000_000_000_000_001, 4.0]).unwrap();
     assert_eq!(map.locate(Point::new(4.5, 4.5)), Ok(Located::Face(map.dcel().unbounded_face().key())));
 }

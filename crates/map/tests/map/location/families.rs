@@ -1,4 +1,4 @@
-//! Families of maps that are hard on one index or another.
+//! Families of maps that are hard for one index or another.
 
 use crate::location::maps::{Random, build};
 use twinedge_geometry::Point;
@@ -14,7 +14,7 @@ fn map(segments: &Segments) -> PlanarMap {
     map
 }
 
-/// Every end is found, and so is what is right above and below the middle of every segment.
+/// Every end is found, and so are the points directly above and below the middle of every segment.
 fn check(segments: &Segments) {
     let map = map(segments);
     let locator = Locator::new(&map).unwrap();

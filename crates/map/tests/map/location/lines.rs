@@ -5,7 +5,7 @@ use crate::support::oracle::Plain;
 use twinedge_geometry::Point;
 use twinedge_map::{Builder, LocateError, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
 
-/// Returns an end for a query: on the grid of the vertices more often than not.
+/// Returns an end for a query, mostly on the grid of the vertices.
 fn place(x: u8, y: u8) -> Point {
     let on_grid = |c: u8| {
         let c = i32::from(c) % (2 * Drawing::SIDE);
@@ -42,7 +42,7 @@ fn turned(map: &PlanarMap, met: &[ZoneElement]) -> Vec<ZoneElement> {
     met.iter().rev().map(turn).collect()
 }
 
-/// Faces and courses alternate with edges and vertices, and what follows each other touches.
+/// Faces and stretches along edges alternate with edges and vertices, and successive elements touch.
 fn is_a_way(map: &PlanarMap, met: &[ZoneElement]) -> bool {
     let half_edge = |h| map.dcel().half_edge(h).unwrap();
     met.windows(2).all(|pair| match (pair[0], pair[1]) {
@@ -76,7 +76,7 @@ fn across_the_world_and_back() {
         assert_eq!(there[0], ZoneElement::Vertex(v.key()));
         assert_eq!(locator.zone(&QueryLine::Segment(to, from)).unwrap(), turned(&map, &there));
         assert_eq!(map.zone(&QueryLine::Segment(from, to)).unwrap(), there);
-        // The line is what the two rays have in common, and what each of them has alone.
+        // The line is the common part of the two rays, plus the rest of each.
         let line = locator.zone(&QueryLine::Line(from, to)).unwrap();
         let onwards = locator.zone(&QueryLine::Ray(from, to)).unwrap();
         let back = locator.zone(&QueryLine::Ray(to, from)).unwrap();
@@ -109,7 +109,7 @@ fn lines_that_miss_touch_and_end_inside() {
     let locator = Locator::new(&map).unwrap();
     let unbounded = ZoneElement::Face(map.dcel().unbounded_face().key());
     let zone = |stretch| locator.zone(&stretch).unwrap();
-    // Beside the square, and through one of its corners only.
+    // Past the square, and through one of its corners only.
     assert_eq!(zone(QueryLine::Line(point(-9, 50), point(9, 50))), [unbounded]);
     assert_eq!(zone(QueryLine::Segment(point(-9, 50), point(9, 60))), [unbounded]);
     assert_eq!(zone(QueryLine::Ray(point(50, 1), point(51, 1))), [unbounded]);
@@ -122,7 +122,7 @@ fn lines_that_miss_touch_and_end_inside() {
         panic!("it lies in the side")
     };
     assert_eq!(map.position(map.dcel().half_edge(h).unwrap().target().key()), Ok(point(0, 0)));
-    // From the inside of a side to that of another, from side to inside, and inside.
+    // From the inside of one side to the inside of another, from a side to the interior, and inside.
     let inside = map.dcel().faces().find(|f| !f.is_unbounded()).unwrap().key();
     let across = zone(QueryLine::Segment(point(0, 2), point(4, 3)));
     assert!(matches!(across[..], [ZoneElement::Edge(_), ZoneElement::Face(f), ZoneElement::Edge(_)] if f == inside));
@@ -130,7 +130,7 @@ fn lines_that_miss_touch_and_end_inside() {
     assert!(matches!(into[..], [ZoneElement::Edge(h), ZoneElement::Face(f)]
         if f == inside && map.dcel().half_edge(h).unwrap().face().key() == inside));
     assert_eq!(zone(QueryLine::Segment(point(1, 2), point(1, 3))), [ZoneElement::Face(inside)]);
-    // Away from a side: what is ahead is outside.
+    // Away from a side: the outside is ahead.
     let away = zone(QueryLine::Ray(point(0, 2), point(-1, 2)));
     assert!(matches!(away[..], [ZoneElement::Edge(h), a]
         if a == unbounded && map.dcel().half_edge(h).unwrap().twin().face().key() == inside));

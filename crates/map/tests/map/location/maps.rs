@@ -1,4 +1,4 @@
-//! Maps to ask about.
+//! Maps for queries.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use twinedge_formats::io::{ReadError, geojson};
@@ -14,7 +14,7 @@ pub(crate) fn point(x: i32, y: i32) -> Point {
     Point::new(f64::from(x), f64::from(y))
 }
 
-/// Segments and points on a small grid, cut wherever they meet, and stretched: the vertices have coordinates from 0 to
+/// Segments and points on a small grid, cut where they meet, and stretched: the vertices have coordinates from 0 to
 /// [`Drawing::SIDE`] that are multiples of [`Drawing::STEP`].
 #[derive(Clone, Debug)]
 pub(crate) struct Drawing {
@@ -48,7 +48,7 @@ impl Arbitrary for Drawing {
         fn number(g: &mut Gen, below: u32) -> i32 {
             (u32::arbitrary(g) % below).cast_signed()
         }
-        // Few different coordinates make for long lines of vertices.
+        // Few different coordinates lead to long lines of vertices.
         let (width, height) = (1 + number(g, 8), 1 + number(g, 8));
         let place = |g: &mut Gen| (number(g, width.unsigned_abs()), number(g, height.unsigned_abs()));
         let segments = (0..number(g, 14)).map(|_| [place(g), place(g)]).collect();
@@ -69,7 +69,7 @@ impl Arbitrary for Drawing {
     }
 }
 
-/// The map of segments between points, of which the others are isolated.
+/// The map of segments between points; other points are isolated.
 pub(crate) fn build(points: &[Point], segments: &[[u32; 2]]) -> PlanarMap {
     let mut builder = Builder::new();
     for p in points {
@@ -96,11 +96,10 @@ pub(crate) fn world_110m() -> PlanarMap {
     world(include_bytes!("../../../../../cli/data/world-110m.geojson"))
 }
 
-/// Numbers that look random, always the same ones.
+/// Deterministic pseudo-random numbers.
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// From 0 to 1.
     pub(crate) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         f64::from((self.0 >> 33) as u32) / f64::from(1_u32 << 31)

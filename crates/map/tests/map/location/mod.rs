@@ -1,4 +1,4 @@
-//! Location of points and zones of lines: against an oracle that asks everything, on hostile families, and on real maps.
+//! Locating points and zones of lines: compared with an oracle that tries everything, on hostile families, and on real maps.
 
 mod edited;
 mod families;

@@ -1,4 +1,4 @@
-//! Location of points.
+//! Locating points.
 
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::{Plain, whole};
@@ -8,7 +8,7 @@ use twinedge_geometry::predicates::{Orientation, compare_lexicographic, on_segme
 use twinedge_geometry::{MAX_COORDINATE, Point};
 use twinedge_map::{Builder, LocateError, Located, Locator, PlanarMap, Shape};
 
-/// Every point of a grid twice as fine, and a little beyond, is where every edge and every vertex says.
+/// Every point of a grid twice as fine, and slightly beyond, is located consistently with every edge and vertex.
 fn grid_maps(drawing: Drawing) -> bool {
     let map = drawing.map();
     let (plain, locator) = (Plain::new(&map), Locator::new(&map).unwrap());
@@ -26,7 +26,7 @@ fn the_index_agrees_with_the_oracle() {
     quickcheck(1500, grid_maps as fn(Drawing) -> bool);
 }
 
-/// Returns true if both are the same, except for the choice of the half-edge that names an edge.
+/// Returns true if both are equal, up to the half-edge that names an edge.
 pub(crate) fn same_edge(map: &PlanarMap, a: Located, b: Located) -> bool {
     match (a, b) {
         (Located::Edge(h), Located::Edge(g)) => h == g || map.dcel().half_edge(h).unwrap().twin().key() == g,
@@ -53,7 +53,7 @@ fn neither_scale_nor_place_matters() {
             }
             let other = builder.build().unwrap();
             let other_locator = Locator::new(&other).unwrap();
-            // Keys differ; what kind of place it is, and which points share a face, may not.
+            // Keys may differ, but the kind of location and the points sharing a face may not.
             let mut faces: HashMap<FaceKey, FaceKey> = HashMap::new();
             (0..=Drawing::SIDE).all(|x| {
                 (0..=Drawing::SIDE).all(|y| {
@@ -99,7 +99,7 @@ fn a_map_that_is_not_plane_has_no_index() {
     assert_eq!(map.locate(Point::default()), Err(map.not_plane().unwrap().into()));
 }
 
-/// The face whose boundary a ray straight up passes an odd number of times; every half-edge is asked.
+/// The face whose boundary a ray straight up crosses an odd number of times, by trying every half-edge.
 fn by_parity(map: &PlanarMap, p: Point) -> Located {
     let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).unwrap();
     if let Some(v) = map.dcel().vertices().find(|v| at(*v) == p) {
@@ -129,7 +129,7 @@ fn the_world_is_where_every_border_says() {
     for i in 0..240 {
         let p = Point::new(random.between(-181.0, 191.0), random.between(-91.0, 84.0));
         let (v, w) = (places[random.index(places.len())], places[random.index(places.len())]);
-        // Anywhere, at a vertex, level with one, above or below one, and all of that at once.
+        // Anywhere, at a vertex, level with one, above or below one, and combinations.
         let p = [p, v, Point::new(p.x, v.y), Point::new(v.x, p.y), Point::new(v.x, w.y)][i % 5];
         let expected = by_parity(&map, p);
         assert_eq!(locator.locate(p), Ok(expected), "{p:?}");
@@ -147,7 +147,7 @@ fn every_vertex_is_found_and_every_edge_of_the_large_world_has_its_faces_beside_
     for h in map.dcel().edges() {
         let [a, b] = [h.origin(), h.target()].map(|v| map.position(v.key()).unwrap());
         let p = Point::new(f64::midpoint(a.x, b.x), f64::midpoint(a.y, b.y));
-        // Rounded, it lies on the edge or right beside it.
+        // Rounded, it lies on the edge or extremely close to it.
         let (half_edge, face) = match orientation(a, b, p) {
             Orientation::CounterClockwise => (h, h.face()),
             Orientation::Clockwise => (h, h.twin().face()),
@@ -171,7 +171,7 @@ fn countries_and_seas_are_where_they_are() {
     let known: [(f64, f64, &[&str], bool); 4] = [
         (28.25, -29.5, &["Lesotho"], false),
         (24.0, -29.0, &["South Africa"], false),
-        // The Caspian Sea, around which countries are.
+        // The Caspian Sea, surrounded by countries.
         (51.0, 42.0, &[], false),
         (-30.0, 0.0, &[], true),
     ];

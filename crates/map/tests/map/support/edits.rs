@@ -1,4 +1,4 @@
-//! Random programs of edits on whole numbers, for tests that ask about their outcome.
+//! Random programs of edits on whole numbers, for tests of their outcome.
 
 use quickcheck::{Arbitrary, Gen};
 use twinedge::program::candidates;
@@ -9,7 +9,7 @@ use twinedge_map::program::{AtPick, EditKind, EditOp, EditProgram, EditRunner, F
 /// Vertices have even coordinates from 0 to this.
 pub(crate) const SIDE: u8 = 14;
 
-/// A place with whole coordinates.
+/// A position with whole coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place(u8, u8);
 
@@ -73,7 +73,7 @@ impl EvenEdits {
     }
 }
 
-/// The points that an edit is given.
+/// The points given to an edit.
 fn spots(op: &mut EditOp) -> Vec<&mut Spot> {
     let at: Vec<&mut AtPick> = match op {
         EditOp::InsertPoint { at } => vec![at],
@@ -90,7 +90,7 @@ fn spots(op: &mut EditOp) -> Vec<&mut Spot> {
         .collect()
 }
 
-/// The map that a program makes of the empty one, with so many features that nobody has claimed at first.
+/// The map that a program makes from the empty map, with `features` features initially unassigned.
 pub(crate) fn edited(program: &EvenEdits, features: usize) -> PlanarMap {
     let mut map = PlanarMap::new();
     for i in 0..features {

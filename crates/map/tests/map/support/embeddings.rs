@@ -1,4 +1,4 @@
-//! The validator of embeddings through a pointer, which is compiled once then.
+//! The validator of embeddings through a pointer, so that it is compiled once.
 
 use twinedge::validate::{Collect, Expectation, Report};
 use twinedge_map::Embedding;

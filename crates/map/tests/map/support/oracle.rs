@@ -1,4 +1,4 @@
-//! Slow and obvious answers in whole numbers: every vertex, every edge, every face is asked.
+//! Slow and obvious results in whole numbers, by trying every vertex, edge and face.
 
 use std::collections::HashMap;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
@@ -67,8 +67,8 @@ impl Plain {
         }
     }
 
-    /// Returns the location of the point with these coordinates, divided by the scale. Of an edge, the half-edge that runs to the
-    /// right, or straight up.
+    /// Returns the location of the point with these coordinates, divided by the scale. An edge is named by the half-edge that
+    /// runs to the right, or straight up.
     pub(crate) fn locate(&self, p: Whole, scale: i128) -> Located {
         if let Some((key, _)) = self.vertices.iter().find(|(_, at)| times(*at, scale) == p) {
             return Located::Vertex(*key);
@@ -80,7 +80,7 @@ impl Plain {
             if turn == 0 && dot(minus(a, p), minus(b, p)) < 0 && a < b {
                 return Located::Edge(h.key);
             }
-            // A ray straight up passes the edge, ends on its left counting as being to the right of it.
+            // A ray straight up crosses the edge; ends to its left count as right of it.
             if (a[0] < p[0]) != (b[0] < p[0]) && (turn < 0) == (a[0] < b[0]) {
                 *crossed.entry(h.face).or_default() += 1;
             }
@@ -91,7 +91,7 @@ impl Plain {
         Located::Face(face)
     }
 
-    /// Returns the zone of a stretch: cuts it wherever it meets something, and locates the cuts and the middles of the pieces.
+    /// Returns the zone of a stretch: cuts it at every contact, and locates the cuts and the middles of the pieces.
     pub(crate) fn zone(&self, stretch: &QueryLine) -> Vec<ZoneElement> {
         let (QueryLine::Segment(from, to) | QueryLine::Ray(from, to) | QueryLine::Line(from, to)) = *stretch;
         let (from, to) = (whole(from), whole(to));
@@ -145,7 +145,7 @@ impl Plain {
             match locate((n, d)) {
                 Located::Vertex(vertex) => met.push(ZoneElement::Vertex(vertex)),
                 Located::Edge(key) => {
-                    // An end inside an edge along which it goes is no cut.
+                    // An end inside an edge along which it runs is no cut.
                     if cross(way, self.edge(key)) != 0 {
                         met.push(ZoneElement::Edge(self.directed(key, |edge| cross(way, edge) < 0)));
                     }
@@ -166,7 +166,7 @@ impl Plain {
         minus(h.target, h.origin)
     }
 
-    /// Of the two half-edges of an edge, the one with this direction.
+    /// Returns the half-edge of an edge with this direction.
     fn directed(&self, key: HalfEdgeKey, direction: impl Fn(Whole) -> bool) -> HalfEdgeKey {
         let h = self.half_edges.iter().find(|h| h.key == key).expect("of this map");
         let is_it = |other: &&HalfEdge| {
