@@ -159,7 +159,7 @@ Definition complete :=
       count is_at_vertex listed_ones == count is_isolated vertex_ones
     & size face_ones == count has_outer face_ones + 1].
 
-(** ** The components, joined edge by edge (components.rs)
+(** ** The components, joined edge by edge (rotations.rs)
 
 <<
       each vertex to its nearest:           then edge by edge, until as few sets are left as can be:

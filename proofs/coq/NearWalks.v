@@ -1,4 +1,4 @@
-(** * NearWalks: walks in step find whether all members are on one orbit (near/orbits.rs)
+(** * NearWalks: walks in step find whether all members are on one orbit (near/check.rs)
 
     From each member a walk leads along the orbit, all of them one step at a time; each ends at the first member that it meets, and
     one need not end. If no two meet the same member, and those that are met form one chain, all members are on one orbit; and if

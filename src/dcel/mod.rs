@@ -98,8 +98,39 @@ mod bulk {
 }
 mod elements;
 mod history;
-mod import;
-mod operators;
+/// Imports existing structures.
+mod import {
+    mod faces;
+    mod from_view;
+    pub(super) mod gather;
+    mod rotations;
+    #[cfg(feature = "serde")]
+    mod saved;
+
+    pub use faces::FacesError;
+    pub use from_view::{ImportError, Keys, Outside};
+    pub use rotations::{Placement, RotationsError};
+}
+/// The operators. Each completes all its checks before it changes anything.
+mod operators {
+    mod connect;
+    mod corner;
+    mod flip;
+    mod following;
+    mod inner;
+    mod remove;
+    mod split_edge;
+    mod split_vertex;
+    mod walk;
+
+    pub use connect::{Connected, Connection, Side, Split};
+    pub use corner::Corner;
+    pub use flip::Turn;
+    pub use inner::{AddedVertex, RemovedVertex};
+    pub use remove::RemovedEdge;
+    pub use split_edge::{JoinedEdges, SplitEdge};
+    pub use split_vertex::{ContractedEdge, SplitVertex};
+}
 mod recorder;
 mod structure;
 mod view;

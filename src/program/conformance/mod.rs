@@ -80,11 +80,11 @@
 mod compare;
 mod difference;
 mod in_step;
-mod summary;
 
-pub use difference::{Answer, Counterexample, Difference, Failure, Question};
+pub use difference::{
+    Answer, ConformanceSummary, Counterexample, Difference, Failure, NotCompared, OperatorCounts, Question,
+};
 pub use in_step::InStep;
-pub use summary::{ConformanceSummary, NotCompared, OperatorCounts};
 
 use crate::program::operators::Program;
 use crate::program::subject::Subject;

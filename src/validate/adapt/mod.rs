@@ -41,15 +41,14 @@
 //! Like all views, adapters never make the validator panic or loop, and they take linear time and memory. They read the structure
 //! once: after a change, create a new adapter.
 
-mod backward;
-mod borders;
 mod cycles;
 mod index;
 mod labels;
 mod targets;
+mod without_next;
 
-pub use backward::Backward;
-pub use borders::Borders;
 pub use index::{Ids, Index};
 pub use labels::FaceLabels;
 pub use targets::Targets;
+pub use without_next::Backward;
+pub use without_next::Borders;

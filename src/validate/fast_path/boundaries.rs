@@ -2,7 +2,7 @@
 
 use super::cycles::Marks;
 use super::cycles::along;
-use super::starts::Starts;
+use super::rotations::Starts;
 use crate::validate::structure::{BoundaryPlace, Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;

@@ -49,7 +49,6 @@
 mod boundaries;
 mod cycles;
 mod rotations;
-mod starts;
 
 use super::findings::Halt;
 use super::rules::whole::each_nested_in_itself;
@@ -82,7 +81,7 @@ pub(crate) struct Accepted {
 /// Accepts a structure that keeps R1 … T3, or returns `None`.
 pub(crate) fn accept<V: View + ?Sized>(subject: Subject<'_, V>) -> Option<Accepted> {
     let Subject { view, extent } = subject;
-    let mut starts = starts::find(view, extent)?;
+    let mut starts = rotations::find_starts(view, extent)?;
     let around = rotations::walk(view, extent, &starts)?;
     let has_faces = extent.has(Part::Faces);
     let lists = if has_faces { boundaries::read(view, extent, &starts)? } else { Boundaries::default() };

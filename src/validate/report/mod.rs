@@ -1,21 +1,18 @@
 //! The result of a validation: rule outcomes, violations, counts, and on success the figures of the structure.
 
 mod counts;
-mod kept;
 mod names;
-mod record;
 #[cfg(feature = "serde")]
 mod saved;
 mod text;
 mod violation;
 
 pub use counts::{Bounds, Counts};
-pub(super) use kept::keep_some_of_each;
-pub use names::Named;
-pub use record::{Field, Record};
+pub use names::{Field, Named, Record};
 #[cfg(feature = "serde")]
 pub use saved::{Described, REPORT_SCHEMA};
 pub use violation::Violation;
+pub(super) use violation::keep_some_of_each;
 
 use super::rule::Rule;
 use super::structure::Part;

@@ -1,7 +1,7 @@
 //! Reports as documents. Reading refuses reports that no validation could produce.
 
 use super::counts::{Bounds, Counts};
-use super::record::Record;
+use super::names::Record;
 use super::violation::Violation;
 use super::{Report, RuleOutcome, Unchecked};
 use crate::validate::rule::Rule;

@@ -3,8 +3,8 @@
 //! The cause of a hint is more often an incorrect answer of `View::parts`, or a missing method of the view, than broken records.
 
 use super::counts::Counts;
+use super::names::{Field, Record};
 use super::names::{Names, Number};
-use super::record::{Field, Record};
 use super::violation::{Sentence, Violation};
 use super::{Report, Unchecked};
 use crate::validate::rule::Rule;
