@@ -6,7 +6,7 @@
 //! refused contract_edge h0 ; V 1 0 - H 2 … ; V 1 0 - H 2 …
 //! ```
 //!
-//! A corner is `h3` (that of half-edge 3) or `v3` (that of the isolated vertex 3), and so are the inner boundary components that
+//! A corner is `h3` (of half-edge 3) or `v3` (of the isolated vertex 3), and so are the inner boundary components that
 //! move to a new face. After `=` comes the new half-edge, if there is one.
 #![allow(clippy::print_stderr, reason = "it is a program")]
 

@@ -59,8 +59,8 @@ pub trait TableCells {
     /// this kind. O(1).
     fn set(&mut self, cell: Cell, value: Value) -> Option<Value>;
 
-    /// Derives the origin of each half-edge from the links, as the origin of the next of its twin, and gives each rotation a
-    /// vertex of its own. The vertices are new and keep no half-edge. O(n²).
+    /// Derives the origin of each half-edge from the links, as the origin of the next of its twin, and adds a vertex for each
+    /// rotation. The new vertices keep no half-edge. O(n²).
     ///
     /// ```
     /// use twinedge::validate::Table;

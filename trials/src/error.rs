@@ -20,7 +20,7 @@ that of the structure",
     InvalidStart(Violation),
 }
 
-/// The same as `Display`: `unwrap` shows this.
+/// Equal to `Display`, since `unwrap` shows it.
 impl fmt::Debug for StructureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
@@ -47,7 +47,7 @@ impl fmt::Display for Failed {
     }
 }
 
-/// The same as `Display`: `unwrap` shows this.
+/// Equal to `Display`, since `unwrap` shows it.
 impl fmt::Debug for Failed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

@@ -39,7 +39,7 @@ pub(super) enum Exchange {
     AddedFace(usize),
     /// The next half-edges of two half-edges are exchanged. `prev` is updated.
     Nexts(usize, usize),
-    /// The same for three that end at one vertex, cyclically; with the labels, each resulting cycle is one boundary component.
+    /// The next half-edges of three that end at one vertex are permuted cyclically; with the labels, each resulting cycle is one boundary component.
     Turned { half_edges: [usize; 3], with_labels: bool },
     /// The second of two cycles gets the label of the first, and its own list entry is removed.
     Joined([usize; 2]),
@@ -47,7 +47,7 @@ pub(super) enum Exchange {
     MadeInner { entry: usize, of: usize },
     /// An inner boundary component becomes the outer one of a new face.
     MadeOuter { entry: usize },
-    /// The same, and a vertex on its cycle becomes the inner one in its place, as if it were isolated.
+    /// Like `MadeOuter`, and a vertex on its cycle becomes the inner one in its place, as if it were isolated.
     MadeVertex { entry: usize },
     /// A face lists an inner boundary component several times: once more, or until R1 stops reading the list.
     Repeated { entry: usize, often: bool },
@@ -391,7 +391,7 @@ fn turn(table: &mut Table, parts: Parts, half_edges: &[usize]) -> Option<()> {
 }
 
 /// Leaves every cycle one of the boundary components that start on it, an inner one if possible. The others are removed, with the
-/// faces of which they are the outer ones. `None` for a cycle without any, or if a face with holes would be removed.
+/// faces that they enclose. `None` for a cycle without any, or if a face with holes would be removed.
 fn label_cycles(table: &mut Table, parts: Parts) -> Option<()> {
     let mut all = entries(table, parts);
     all.sort_by_key(|entry| entry.place == BoundaryPlace::Outer);

@@ -21,7 +21,7 @@ impl LazyWork {
     /// Random branches of the tree of all runs are followed, all in step. Of the branches that are one choice longer, 4,096
     /// random ones are kept, and each stands for an equal share of all. A run that ends there counts with the same weight. The
     /// mean of the counts is the number of all runs; as long as there are no more branches of a length, it is exact. It varies
-    /// less than that of single random ways (D. Knuth, *Estimating the efficiency of backtrack programs*, 1975), since short runs
+    /// less than for single random paths (D. Knuth, *Estimating the efficiency of backtrack programs*, 1975), since short runs
     /// are counted and not drawn: R. Vaisman and D. Kroese, *Stochastic enumeration method for counting trees*, 2017.
     ///
     /// It takes some seconds. In all cases so far, the estimated and the actual number of runs differ by less than a factor of

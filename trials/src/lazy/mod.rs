@@ -10,7 +10,7 @@
 //! in an order that reads little. Each table that one of them accepts is judged by the other, and both must accept the same
 //! number. Both then accept exactly the same tables: no invalid one is accepted, and no valid one is rejected.
 //!
-//! The sentences of the reference do not depend on the numbers of slots. If it reads a link to slots that it has not
+//! The sentences of the reference are independent of the numbers of slots. If it reads a link to slots that it has not
 //! distinguished yet, one of them stands for all, and the accepted tables are counted with this multiplicity. The validator reads
 //! every table unchanged. A rule of the reference that holds is not checked again while the cells that it read keep their values.
 //!

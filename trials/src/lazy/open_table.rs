@@ -9,8 +9,8 @@ use twinedge_certificate::Column;
 
 /// A table of a size, in which the cells that were read have values.
 ///
-/// The first read of a cell gives it its first value. [`runs`](Self::runs) then gives the last cell its next value, and opens it
-/// again after the last one. The runs of a reader thus go through all tables, and one run covers all tables that agree with it in
+/// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and opens
+/// it again after the last one. The runs of a reader thus go through all tables, and one run covers all tables that agree with it in
 /// the cells read.
 pub(super) struct OpenTable {
     parts: Parts,
@@ -29,7 +29,7 @@ pub(super) struct OpenTable {
     held: RefCell<Vec<usize>>,
     /// The number of tables that agree with the choices.
     agreeing: Cell<u128>,
-    /// The slots with a cell that was read, and those that a link leads to. The others of their kind are interchangeable. `None`
+    /// The slots with a cell that was read, and the targets of links. The others of their kind are interchangeable. `None`
     /// where no slots are.
     told_apart: Option<Cell<Slots>>,
 }

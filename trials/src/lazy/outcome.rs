@@ -25,7 +25,7 @@ pub struct LazyOutcome {
     pub accepted: u64,
     /// The tables that one judge accepts and the other one rejects.
     pub differences: u64,
-    /// The same for each judge.
+    /// The results of each judge.
     pub judges: Vec<JudgeRow>,
     /// The first differences. All are counted in the rows.
     pub findings: Vec<String>,

@@ -44,7 +44,7 @@ impl<K: Subject> MeshStructure<K> {
         Self { name: structure.name(), make: Make::Operators(structure), asked, is_open: true }
     }
 
-    /// The same for a structure that reuses the handle of a removed record.
+    /// Allows the structure to reuse the handle of a removed record.
     #[must_use]
     pub fn without_stale_handles(mut self) -> Self {
         self.asked = self.asked.without_stale_handles();

@@ -26,8 +26,8 @@ use twinedge::program::{Program, candidates};
 /// Each step takes O(n²) for n half-edges and vertices, and n grows with the steps. A panic of a structure is caught and
 /// reported; meanwhile the panic hook of the process is replaced by a silent one.
 ///
-/// The first failing program is the same on any number of threads, and the first of all parts of the work is also that of the
-/// whole. The counts are exact if no program fails. Without structures nothing is compared, and the outcome is not ok.
+/// The first failing program is the same on any number of threads, and the first of all parts of the work is also the first of
+/// the whole. The counts are exact if no program fails. Without structures nothing is compared, and the outcome is not ok.
 ///
 /// # Examples
 /// A structure with a bug:

@@ -154,7 +154,7 @@ fn every_link() -> Job {
     job("origin, twin, next, prev, leaving; nil", 2, MAP, vec![all], right)
 }
 
-/// The same with links to the slot past the end.
+/// [`every_link`] with links to the slot past the end.
 fn every_link_and_dangling() -> Job {
     let all = Assignments::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrPastTheEnd));
     let right = formulas::maps_with_leaving(1, 2);
@@ -193,14 +193,14 @@ fn open_borders() -> Job {
     twins_or_nil("twin or nil, next; open borders", OPEN, (1 + 6 + 3) * 24)
 }
 
-/// The same for a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If two adjacent
+/// [`open_borders`] claimed to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If two adjacent
 /// sides were one edge, the other two would join the same vertices.
 fn one_disc() -> Job {
     let asked = OPEN.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
     twins_or_nil("twin or nil, next; asked for: a square", asked, 6)
 }
 
-/// The same for a torus without border: the one rooted map of genus 1 with two edges (OEIS A006300), on labels.
+/// [`open_borders`] claimed to be a torus without border: the one rooted map of genus 1 with two edges (OEIS A006300), on labels.
 fn one_torus() -> Job {
     let asked = OPEN.no_unused_vertices().sides(4).closed().components(1).borders(0).genus(1);
     twins_or_nil("twin or nil, next; asked for: a torus", asked, 6)
