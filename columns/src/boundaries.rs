@@ -5,26 +5,26 @@ use crate::column::{Column, Links};
 use crate::error::ColumnsError;
 use twinedge::validate::{Link, Start};
 
-/// Records of boundary components (CGAL's CCBs) and the lists of the faces, as columns: one entry for each half-edge (`h` of them),
-/// vertex (`v`), boundary component (`b`) or face (`f`).
+/// Records of boundary components (CGAL's CCBs) and the lists of the faces, as columns: one entry for each half-edge (`h` of
+/// them), vertex (`v`), boundary component (`b`) or face (`f`).
 ///
 /// [`Columns::with_boundaries`](crate::Columns::with_boundaries) has an example.
 #[derive(Debug)]
 pub struct Boundaries<'a, T> {
     /// `h`: the boundary component of each half-edge.
     pub boundary: Column<'a, T>,
-    /// `v`: the boundary component that each vertex is, if it is isolated; nil if not. `None`: no vertex is.
+    /// `v`: the boundary component of each isolated vertex; nil for the others. `None`: no vertex is isolated.
     pub isolated: Option<Column<'a, T>>,
     /// `b`: the face that each boundary component bounds.
     pub face: Column<'a, T>,
-    /// `b`: a half-edge of each boundary component; nil if it is an isolated vertex.
+    /// `b`: a half-edge of each boundary component; nil for an isolated vertex.
     pub half_edge: Column<'a, T>,
-    /// `b`: the isolated vertex that the boundary component is; read where it has no half-edge. `None`: none is a vertex.
+    /// `b`: the isolated vertex of the boundary component; read if it has no half-edge. `None`: there are no isolated vertices.
     pub vertex: Option<Column<'a, T>>,
     /// `f`: the outer boundary component of each face; nil for the unbounded one.
     pub outer: Column<'a, T>,
     /// `f + 1`: face `i` lists the inner boundary components at the positions from `inner_first[i]` up to, but without,
-    /// `inner_first[i + 1]` of `inner`. A list that would go on past the end of `inner` has nil there.
+    /// `inner_first[i + 1]` of `inner`. Positions past the end of `inner` are nil.
     pub inner_first: Column<'a, T>,
     /// The inner boundary components of all faces, one list after the other.
     pub inner: Column<'a, T>,
@@ -39,7 +39,7 @@ impl<T> Clone for Boundaries<'_, T> {
 impl<T> Copy for Boundaries<'_, T> {}
 
 impl<'a, T: Cell> Boundaries<'a, T> {
-    /// Nothing, if every column has its length.
+    /// Returns an error for a column of the wrong length.
     pub(crate) fn fit(&self, vertices: usize, half_edges: usize, faces: usize) -> Result<(), ColumnsError> {
         let boundaries = self.face.len();
         let optional = |column: Option<Column<'_, T>>, name, expected| match column {
@@ -62,11 +62,11 @@ impl<'a, T: Cell> Boundaries<'a, T> {
     }
 }
 
-/// The same, in columns of any kind.
+/// [`Boundaries`] in columns of any kind.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lists<C> {
     pub(crate) boundary: C,
-    /// This and `vertex` may be without links.
+    /// This and `vertex` may be empty.
     pub(crate) isolated: C,
     pub(crate) face: C,
     half_edge: C,
@@ -77,7 +77,7 @@ pub(crate) struct Lists<C> {
 }
 
 impl<C: Links> Lists<C> {
-    /// The same, in columns of another kind, if every column can be one.
+    /// Converts every column to another kind, if possible.
     pub(crate) fn map<D>(&self, to: impl Fn(C) -> Option<D>) -> Option<Lists<D>> {
         Some(Lists {
             boundary: to(self.boundary)?,
@@ -111,7 +111,7 @@ impl<C: Links> Lists<C> {
 
     pub(crate) fn inner(&self, face: usize, position: usize) -> Link {
         let position = self.inner_first.at(face)?.checked_add(position)?;
-        // A list may go on past the end of them all.
+        // A list may continue past the end of `inner`.
         if position < self.inner.len() { self.inner.at(position) } else { None }
     }
 }

@@ -13,10 +13,10 @@ mod sealed {
 
 /// An integer that holds a link: `i32`, `i64`, `u32` or `u64`, or an atomic one of these.
 ///
-/// Nil is −1 where the type has a sign, and the largest value where it has none. Any other negative number dangles.
+/// Nil is −1 for signed types, and the largest value for unsigned ones. Any other negative number dangles.
 ///
-/// Atomic integers are read with `Relaxed`, once for each question. They are for memory that others may write during the
-/// validation: its answers may then be of any moment, and there is nothing undefined in it.
+/// Atomic integers are read with `Relaxed`, once per query. They are for memory that others may write during the validation: each
+/// answer may then reflect a different moment, but nothing is undefined.
 ///
 /// ```
 /// use twinedge_columns::Cell;
@@ -24,7 +24,7 @@ mod sealed {
 /// assert_eq!((7_u64.link(), u32::MAX.link(), u64::MAX.link()), (Some(7), None, None));
 /// ```
 pub trait Cell: sealed::Sealed {
-    /// The link.
+    /// Returns the link.
     fn link(&self) -> Link;
 }
 

@@ -1,4 +1,4 @@
-//! One column of links: every so many cells of a slice.
+//! One column of links: cells of a slice at a fixed stride.
 
 use crate::cell::Cell;
 use crate::error::ColumnsError;
@@ -7,7 +7,7 @@ use twinedge::validate::Link;
 /// Links by position.
 pub(crate) trait Links: Copy {
     fn len(&self) -> usize;
-    /// The link at this position, which is not past the end.
+    /// Returns the link at this position, which must not be past the end.
     fn at(&self, position: usize) -> Link;
     /// The links as a slice, if they lie in memory as a view lends them.
     fn numbers(&self) -> Option<&[u32]> {
@@ -27,10 +27,10 @@ pub(crate) trait Links: Copy {
 /// ```
 #[derive(Debug)]
 pub struct Column<'a, T> {
-    /// From the first cell of the column in memory to its last.
+    /// From the first cell of the column in memory to the last.
     cells: &'a [T],
     first: usize,
-    /// A step of the stride, modulo the number of all positions: a negative one is added like a positive one.
+    /// A step of the stride, modulo the size of all positions: a negative step is added like a positive one.
     step: usize,
     len: usize,
 }
@@ -44,13 +44,14 @@ impl<T> Clone for Column<'_, T> {
 impl<T> Copy for Column<'_, T> {}
 
 impl<'a, T: Cell> Column<'a, T> {
-    /// The column of all cells.
+    /// Returns the column of all cells.
     #[must_use]
     pub const fn new(cells: &'a [T]) -> Self {
         Self { cells, first: 0, step: 1, len: cells.len() }
     }
 
-    /// The column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` and so on. A stride may be negative.
+    /// Returns the column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` and so on. A stride may be
+    /// negative.
     ///
     /// # Errors
     /// [`ColumnsError::OutOfSlice`] if one of these is not in the slice.
@@ -70,41 +71,41 @@ impl<'a, T: Cell> Column<'a, T> {
         Ok(Self { cells, first, step, len })
     }
 
-    /// The number of links.
+    /// Returns the number of links.
     #[must_use]
     pub const fn len(&self) -> usize {
         self.len
     }
 
-    /// True if there is no link.
+    /// Returns true if there are no links.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// The cells, if they lie one after the other.
     pub(crate) const fn cells(&self) -> Option<&'a [T]> {
         if self.step == 1 || self.len == 0 { Some(self.cells) } else { None }
     }
 
-    /// The same column, if it goes forward in memory.
+    /// Returns the same column, if it goes forward in memory.
     pub(crate) const fn forward(&self) -> Option<Forward<'a, T>> {
         if self.first == 0 { Some(Forward { cells: self.cells, step: self.step, len: self.len }) } else { None }
     }
 
-    /// Nothing, if the column of this name has the length that is expected.
+    /// Returns an error if the column of this name has an unexpected length.
     pub(crate) const fn expect_len(&self, column: &'static str, expected: usize) -> Result<(), ColumnsError> {
         if self.len == expected { Ok(()) } else { Err(ColumnsError::Length { column, found: self.len, expected }) }
     }
 
-    /// The link at this position; nil past the end.
+    /// Returns the link at this position; nil past the end.
     #[inline]
     #[must_use]
     pub fn link(&self, position: usize) -> Link {
         if position < self.len { self.at(position) } else { None }
     }
 
-    /// One more than the largest link, and 0 if there is none: how many records the links lead to, if none dangles. O(n).
+    /// Returns one more than the largest link, and 0 without links: the number of records that the links lead to, if none
+    /// dangles. O(n).
     #[must_use]
     pub fn slots(&self) -> usize {
         (0..self.len).filter_map(|i| self.link(i)).max().map_or(0, |largest| largest.saturating_add(1))
@@ -118,7 +119,7 @@ impl<T: Cell> Links for Column<'_, T> {
 
     #[inline]
     fn at(&self, position: usize) -> Link {
-        // Within the column nothing wraps: `strided` has looked at both ends.
+        // Within the column nothing wraps: `strided` has checked both ends.
         self.cells.get(self.first.wrapping_add(position.wrapping_mul(self.step)))?.link()
     }
 

@@ -1,4 +1,4 @@
-//! A structure whose links are columns.
+//! A structure of columns of links.
 
 use crate::boundaries::Boundaries;
 use crate::cell::Cell;
@@ -10,22 +10,22 @@ use twinedge::delegate_view;
 use twinedge::validate::adapt::{FaceLabels, Targets};
 use twinedge::validate::{Collect, Expectation, HalfEdgeColumns, Part, Parts, Report, View, validate};
 
-/// A computation generic over views: [`Columns::with_view`] takes it, and has an example.
+/// A computation generic over views, for [`Columns::with_view`], which has an example.
 pub trait OnView {
-    /// Its result.
+    /// The result.
     type Output;
-    /// Computes it.
+    /// Computes the result.
     fn on<V: View>(self, view: V) -> Self::Output;
 }
 
-/// A half-edge structure whose links are columns of integers, read where they lie.
+/// A half-edge structure with links in columns of integers, read in place.
 ///
-/// [`Columns::validate`] judges it. It is a [`View`] of its columns, too: where half-edges keep their target
-/// ([`by_target`](Self::by_target)), that needs [`adapt::Targets`](twinedge::validate::adapt::Targets), and where faces keep nothing,
-/// [`adapt::FaceLabels`](twinedge::validate::adapt::FaceLabels).
+/// [`Columns::validate`] judges it. It is also a [`View`] of its columns: if half-edges keep their target
+/// ([`by_target`](Self::by_target)), that needs [`adapt::Targets`](twinedge::validate::adapt::Targets), and if faces keep
+/// nothing, [`adapt::FaceLabels`](twinedge::validate::adapt::FaceLabels).
 ///
-/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. A link is read at each question, with
-/// one check of a bound.
+/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. Each query reads a link, with one
+/// bounds check.
 ///
 /// ```
 /// use twinedge_columns::{Column, Columns};
@@ -53,10 +53,10 @@ impl<T> Clone for Columns<'_, T> {
 impl<T> Copy for Columns<'_, T> {}
 
 impl<'a, T: Cell> Columns<'a, T> {
-    /// A structure of so many vertices, and of as many half-edges as `next` is long.
+    /// Returns a structure with this number of vertices, and with one half-edge for each entry of `next`.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if another column has another length.
+    /// [`ColumnsError::Length`] if another column has a different length.
     pub fn new(
         vertices: usize,
         origin: Column<'a, T>,
@@ -69,10 +69,10 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(columns)
     }
 
-    /// The same, where the twin of half-edge `h` is `h ^ 1`, as in `OpenMesh` and `Surface_mesh`.
+    /// Like [`new`](Self::new), with `h ^ 1` as the twin of half-edge `h`, as in `OpenMesh` and `Surface_mesh`.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if `origin` has another length than `next`.
+    /// [`ColumnsError::Length`] if the lengths of `origin` and `next` differ.
     pub fn paired(vertices: usize, origin: Column<'a, T>, next: Column<'a, T>) -> Result<Self, ColumnsError> {
         let half_edges = next.len();
         origin.expect_len("origin", half_edges)?;
@@ -96,7 +96,7 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(Self { form })
     }
 
-    /// The same structure, the first column of which held targets.
+    /// Takes the first column as targets instead of origins.
     #[must_use]
     pub const fn by_target(mut self) -> Self {
         self.form.target = self.form.origin;
@@ -104,10 +104,10 @@ impl<'a, T: Cell> Columns<'a, T> {
         self
     }
 
-    /// The same, with `prev`.
+    /// Adds `prev`.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if the column has another length than there are half-edges.
+    /// [`ColumnsError::Length`] if the length is not the number of half-edges.
     pub fn with_prev(mut self, prev: Column<'a, T>) -> Result<Self, ColumnsError> {
         prev.expect_len("prev", self.form.half_edges)?;
         self.form.prev = prev;
@@ -115,10 +115,10 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(self)
     }
 
-    /// The same, with so many faces, and with the face of each half-edge.
+    /// Adds this number of faces, and the face of each half-edge.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if the column has another length than there are half-edges.
+    /// [`ColumnsError::Length`] if the length is not the number of half-edges.
     pub fn with_faces(mut self, faces: usize, face: Column<'a, T>) -> Result<Self, ColumnsError> {
         face.expect_len("face", self.form.half_edges)?;
         (self.form.face, self.form.faces) = (face, faces);
@@ -126,10 +126,10 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(self)
     }
 
-    /// The same, with a half-edge that each vertex keeps and that leaves it.
+    /// Adds a half-edge that leaves each vertex.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if the column has another length than there are vertices.
+    /// [`ColumnsError::Length`] if the length is not the number of vertices.
     pub fn with_leaving(mut self, leaving: Column<'a, T>) -> Result<Self, ColumnsError> {
         leaving.expect_len("leaving", self.form.vertices)?;
         self.form.leaving = leaving;
@@ -137,21 +137,21 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(self)
     }
 
-    /// The same, with a half-edge that each face keeps.
+    /// Adds a half-edge of each face.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if the column has another length than there are [faces](Self::with_faces).
+    /// [`ColumnsError::Length`] if the length is not the number of [faces](Self::with_faces).
     pub fn with_outer_half_edge(mut self, outer_half_edge: Column<'a, T>) -> Result<Self, ColumnsError> {
         outer_half_edge.expect_len("outer_half_edge", self.form.faces)?;
         self.form.outer_half_edge = outer_half_edge;
         Ok(self)
     }
 
-    /// The same, with so many faces, and with records of boundary components: as in CGAL's `Arrangement_2`, half-edges name theirs
-    /// and faces list theirs. The column `face` of half-edges is not read then.
+    /// Adds this number of faces, and records of boundary components: as in CGAL's `Arrangement_2`, half-edges name theirs and
+    /// faces list theirs. The column `face` of half-edges is then not read.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if a column has another length than [`Boundaries`] says.
+    /// [`ColumnsError::Length`] if a column differs from the length in [`Boundaries`].
     ///
     /// ```
     /// use twinedge_columns::{Boundaries, Column, Columns};
@@ -180,37 +180,37 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(self)
     }
 
-    /// The same, of which some vertices are not live: a slot is vacant where there is `false`.
+    /// Marks vertices as live or vacant: a slot is vacant at `false`.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if there are more or fewer than vertices.
+    /// [`ColumnsError::Length`] if the length is not the number of vertices.
     pub fn with_live_vertices(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
         let slots = self.form.vertices;
         self.with_live(0, "live_vertices", slots, live)
     }
 
-    /// The same for half-edges.
+    /// Marks half-edges.
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if there are more or fewer than half-edges.
+    /// [`ColumnsError::Length`] if the length is not the number of half-edges.
     pub fn with_live_half_edges(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
         let slots = self.form.half_edges;
         self.with_live(1, "live_half_edges", slots, live)
     }
 
-    /// The same for boundary components, after [`with_boundaries`](Self::with_boundaries).
+    /// Marks boundary components, after [`with_boundaries`](Self::with_boundaries).
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if there are more or fewer than boundary components.
+    /// [`ColumnsError::Length`] if the length is not the number of boundary components.
     pub fn with_live_boundaries(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
         let slots = self.boundary_slots();
         self.with_live(2, "live_boundaries", slots, live)
     }
 
-    /// The same for faces, after [`with_faces`](Self::with_faces) or [`with_boundaries`](Self::with_boundaries).
+    /// Marks faces, after [`with_faces`](Self::with_faces) or [`with_boundaries`](Self::with_boundaries).
     ///
     /// # Errors
-    /// [`ColumnsError::Length`] if there are more or fewer than faces.
+    /// [`ColumnsError::Length`] if the length is not the number of faces.
     pub fn with_live_faces(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
         let slots = self.form.faces;
         self.with_live(3, "live_faces", slots, live)
@@ -226,17 +226,17 @@ impl<'a, T: Cell> Columns<'a, T> {
         if live.len() != expected {
             return Err(ColumnsError::Length { column, found: live.len(), expected });
         }
-        // Keep no column if all are live.
+        // Without vacant slots, no column is kept.
         self.form.live[kind] = if live.iter().all(|live| *live) { None } else { Some(live) };
         Ok(self)
     }
 
-    /// The report of the structure. Where half-edges keep targets, or faces keep nothing, [`adapt::Targets`](twinedge::validate::adapt::Targets) and
-    /// [`adapt::FaceLabels`](twinedge::validate::adapt::FaceLabels) answer. `None` if there is no memory for these, or more than
-    /// `u32::MAX - 1` records of one kind.
+    /// Returns the report of the structure. If half-edges keep targets, or faces keep nothing,
+    /// [`adapt::Targets`](twinedge::validate::adapt::Targets) and [`adapt::FaceLabels`](twinedge::validate::adapt::FaceLabels)
+    /// answer. `None` without enough memory for these, or for more than `u32::MAX - 1` records of one kind.
     ///
-    /// It is the report of [`validate`](validate()), sooner: the columns are looked at first, and read with fewer checks where they
-    /// are whole slices, or go forward in memory, and all records are live. O(n).
+    /// It equals the report of [`validate`](validate()), and is faster: the columns are examined first, and read with fewer
+    /// checks if they are whole slices, or go forward in memory, and all records are live. O(n).
     ///
     /// ```
     /// use twinedge_columns::{Column, Columns};
@@ -259,8 +259,8 @@ impl<'a, T: Cell> Columns<'a, T> {
         self.with_view(Validate(expectation, collect))
     }
 
-    /// Computes something of the view that [`validate`](Self::validate) judges: validates it in a wrapper of one's own, say.
-    /// `None` as there. O(n), and the cost of the computation.
+    /// Computes something of the view that [`validate`](Self::validate) judges, for example by validating it in a custom wrapper.
+    /// `None` in the same cases. O(n), plus the cost of the computation.
     ///
     /// ```
     /// use twinedge::delegate_view;
@@ -301,7 +301,8 @@ impl<'a, T: Cell> Columns<'a, T> {
             return Some(self.fastest(on));
         }
         let target = |h| self.form.target(h);
-        // The usual ones. All others answer through one indirect call for each link, so that few forms are compiled with adapters.
+        // The usual forms. All others answer through one indirect call for each link, so that few forms are compiled with
+        // adapters.
         let plain = self.form.map::<_, true>(|column| column.cells());
         let adapted: Box<dyn View + '_> = match (plain, by_target) {
             (Some(form), false) => return Some(on.on(FaceLabels::one_cycle(form)?)),

@@ -1,21 +1,21 @@
-//! The reasons for which columns make no structure.
+//! The errors of columns that form no structure.
 
 use core::fmt;
 
-/// A reason for which columns make no structure.
+/// The error of columns that form no structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ColumnsError {
-    /// A column has another length than there are records.
+    /// The length of a column differs from the number of records.
     Length {
-        /// The link that the column holds.
+        /// The link in the column.
         column: &'static str,
         /// The number of links in it.
         found: usize,
         /// The number of records.
         expected: usize,
     },
-    /// A column that would leave its slice.
+    /// A column exceeds its slice.
     OutOfSlice {
         /// The position of its first cell.
         first: usize,

@@ -1,11 +1,11 @@
-//! The links of columns, in a form that is fast for the columns that there are.
+//! The links of columns, in a form that is fast for the given columns.
 
 use crate::boundaries::Lists;
 use crate::column::Links;
 use twinedge::validate::{HalfEdgeColumns, Link, Parts, Start, View};
 
-/// The answers of a structure of columns. `C` is the way in which a column is read. If it is `PLAIN`, all records are live, and there are
-/// no records of boundary components: neither is looked for.
+/// The answers of a structure of columns. `C` is the way to read a column. If it is `PLAIN`, all records are live, and there are
+/// no records of boundary components: neither is checked.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Form<'a, C, const PLAIN: bool> {
     pub(crate) vertices: usize,
@@ -14,9 +14,8 @@ pub(crate) struct Form<'a, C, const PLAIN: bool> {
     pub(crate) next: C,
     /// `None`: twins are paired.
     pub(crate) twin: Option<C>,
-    /// The parts that the columns hold.
     pub(crate) parts: Parts,
-    /// These may be without links.
+    /// These may be empty.
     pub(crate) origin: C,
     pub(crate) target: C,
     pub(crate) prev: C,
@@ -24,12 +23,12 @@ pub(crate) struct Form<'a, C, const PLAIN: bool> {
     pub(crate) leaving: C,
     pub(crate) outer_half_edge: C,
     pub(crate) lists: Option<Lists<C>>,
-    /// Marks of the vertices, half-edges, boundary components and faces that are live, unless all are.
+    /// Marks of the live vertices, half-edges, boundary components and faces; `None` if all are live.
     pub(crate) live: [Option<&'a [bool]>; 4],
 }
 
 impl<'a, C: Links, const PLAIN: bool> Form<'a, C, PLAIN> {
-    /// The same with columns of another kind, if every column can be one, and plain if that is asked for and true.
+    /// Converts every column to another kind, if possible, and to a plain form if requested and true.
     pub(crate) fn map<D, const TO_PLAIN: bool>(&self, to: impl Fn(C) -> Option<D>) -> Option<Form<'a, D, TO_PLAIN>> {
         if TO_PLAIN && (self.lists.is_some() || self.live.iter().any(Option::is_some)) {
             return None;
@@ -58,7 +57,6 @@ impl<'a, C: Links, const PLAIN: bool> Form<'a, C, PLAIN> {
         })
     }
 
-    /// The target of a half-edge.
     pub(crate) fn target(&self, half_edge: usize) -> Link {
         self.target.at(half_edge)
     }
@@ -67,7 +65,7 @@ impl<'a, C: Links, const PLAIN: bool> Form<'a, C, PLAIN> {
         if PLAIN { None } else { self.lists.as_ref() }
     }
 
-    /// True if the slot is live: all below `slots` are, unless there are marks.
+    /// Returns true for a live slot: all below `slots` are live, unless there are marks.
     fn is_live(&self, kind: usize, slot: usize, slots: usize) -> bool {
         match self.live[kind] {
             Some(live) if !PLAIN => live.get(slot).is_some_and(|live| *live),

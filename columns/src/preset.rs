@@ -4,8 +4,8 @@ use twinedge::validate::Expectation;
 
 macro_rules! presets {
     ($($(#[doc = $doc:literal])* $variant:ident $name:literal from $source:literal $expectation:expr;)*) => {
-        /// The expectation for the structures of a library, as its documentation describes them. What a single structure is to be
-        /// beyond that (closed, of some genus) is asked for in addition.
+        /// The expectation for the structures of a library, according to its documentation. Add any further properties of a
+        /// single structure (closed, of some genus).
         ///
         /// ```
         /// use twinedge::validate::Rule;
@@ -24,19 +24,19 @@ macro_rules! presets {
             /// All presets.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
-            /// The name, in snake case.
+            /// Returns the name, in snake case.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name,)* }
             }
 
-            /// The documentation that says so.
+            /// Returns the documentation behind it.
             #[must_use]
             pub const fn source(self) -> &'static str {
                 match self { $(Self::$variant => $source,)* }
             }
 
-            /// The expectation.
+            /// Returns the expectation.
             #[must_use]
             pub const fn expectation(self) -> Expectation {
                 match self { $(Self::$variant => $expectation,)* }
@@ -50,22 +50,21 @@ const MESH: Expectation = Expectation::surface().open();
 
 presets! {
     /// `CGAL::Surface_mesh`. The manual: each edge is two half-edges; a half-edge keeps a face, a vertex, the next and the
-    /// previous one; a vertex and a face keep one; a half-edge without face is on the border. `next` and `prev` go along the
-    /// border there.
+    /// previous one; a vertex and a face keep one; a half-edge without face is on the border. `next` and `prev` follow the border
+    /// there.
     ///
     /// A half-edge keeps its target, and a vertex one that *arrives*: answer `leaving` with its next, which is on the border if
-    /// it is. Whether that of a border vertex is on the border, the documentation says in two ways: `halfedge(v)` "will be a
-    /// border halfedge", and "the user is in charge" of that (section Borders). So [`border_kept`](Expectation::border_kept) must
-    /// be asked for in addition.
+    /// the vertex's half-edge is. The documentation is ambiguous about the half-edge of a border vertex: `halfedge(v)`
+    /// "will be a border halfedge", and "the user is in charge" of that (section Borders). Add
+    /// [`border_kept`](Expectation::border_kept) to check it.
     SurfaceMesh "surface_mesh"
         from "CGAL, user manual of Surface_mesh, sections Connectivity and Borders, and CGAL/Surface_mesh/Surface_mesh.h, halfedge(Vertex_index)"
         MESH;
     /// `OpenMesh`, `PolyMesh` and `TriMesh`. The manual: a vertex keeps a half-edge that leaves it, a face one of those that
-    /// bound it, and a half-edge its target, face, next, opposite and, as an option, its previous one.
+    /// bound it, and a half-edge its target, face, next, opposite and, optionally, its previous one.
     ///
     /// "The outgoing halfedge" of a boundary vertex "must be a boundary halfedge" (M8): `is_boundary` of a vertex relies on it,
-    /// and `adjust_outgoing_halfedge` restores it. For a mesh of triangles, ask for [`triangles`](Expectation::triangles) in
-    /// addition.
+    /// and `adjust_outgoing_halfedge` restores it. For a mesh of triangles, add [`triangles`](Expectation::triangles).
     OpenMesh "openmesh"
         from "OpenMesh, The Halfedge Data Structure, and OpenMesh/Core/Mesh/PolyConnectivity.hh, is_boundary and adjust_outgoing_halfedge"
         MESH.border_kept();
@@ -75,17 +74,17 @@ presets! {
     ///
     /// A half-edge keeps its target, and a vertex one that arrives: answer `leaving` with its twin. The records of CCBs and
     /// isolated vertices keep an iterator into the list of their face, which is no position, so there are no
-    /// [`places`](twinedge::validate::Part::Places). Curves that are not bounded have several unbounded faces, and a fictitious one: they are not
-    /// meant here.
+    /// [`places`](twinedge::validate::Part::Places). Unbounded curves, which have several unbounded faces and a fictitious one,
+    /// are excluded.
     Arrangement2 "arrangement_2"
         from "CGAL, user manual of 2D Arrangements, section Representation of Arrangements: The Dcel, and CGAL/Arr_dcel_base.h"
         Expectation::plane();
     /// `trimesh.Trimesh`. It promises that faces are triples of vertices, and keeps no half-edges: its corners are half-edges
-    /// here, and an edge that one triangle has is a border.
+    /// here, and an edge of only one triangle is a border.
     ///
-    /// The rest are questions: this preset asks what `is_winding_consistent` does ("each shared edge going in an opposite
-    /// direction from the other in the pair"), that no edge has three triangles, and that no two fans share a vertex;
-    /// [`closed`](Expectation::closed) asks what `is_watertight` does beyond that ("every edge is included in two faces").
+    /// The rest are queries: this preset checks the same as `is_winding_consistent` ("each shared edge going in an opposite
+    /// direction from the other in the pair"), and that no edge has three triangles, and that no two fans share a vertex;
+    /// [`closed`](Expectation::closed) adds the check of `is_watertight` ("every edge is included in two faces").
     Trimesh "trimesh"
         from "trimesh, reference of Trimesh, faces, is_winding_consistent and is_watertight"
         MESH.triangles();
@@ -93,9 +92,9 @@ presets! {
     /// `None` along a border, so there are no parallel edges; `add_face` drops a vertex that follows itself, so there are no
     /// loops.
     ///
-    /// This is what `is_valid` asks (half-edges have their faces and vertices, faces their half-edges, no edge has none) and what
-    /// `is_manifold` asks ("the faces incident to a vertex form a closed or an open fan"), which is also false where a vertex has
-    /// no face: ask for [`no_unused_vertices`](Expectation::no_unused_vertices) in addition.
+    /// This equals `is_valid` (half-edges have their faces and vertices, faces their half-edges, no edge has none) and
+    /// `is_manifold` ("the faces incident to a vertex form a closed or an open fan"), except that the latter is also false for a
+    /// vertex without face: add [`no_unused_vertices`](Expectation::no_unused_vertices) for that.
     Compas "compas"
         from "compas, reference of datastructures.Mesh, is_valid, is_manifold and add_face"
         MESH.simple();
@@ -111,7 +110,7 @@ presets! {
 }
 
 impl Preset {
-    /// The preset of this name.
+    /// Returns the preset of this name.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|preset| preset.name() == name)

@@ -11,7 +11,7 @@ use twinedge_trials::enumerate::for_each_corruption;
 
 const SURFACE: Expectation = Expectation::surface();
 
-/// The validator through a pointer: it is compiled once, and not for each type of view.
+/// Calls the validator through a pointer: it is compiled once, and not for each type of view.
 fn validate(view: &dyn View, expectation: &Expectation, collect: Collect) -> Report {
     twinedge::validate::validate(view, expectation, collect)
 }
@@ -47,7 +47,7 @@ fn columns(records: &Records) -> Columns<'_, i64> {
         .unwrap()
 }
 
-/// The links of the columns, each in an array of its own.
+/// Returns the links of the columns, each in an array of its own.
 fn slices(columns: &Columns<'_, i64>, table: &Table) -> [Vec<i64>; 7] {
     let half_edges = |of: &dyn Fn(usize) -> Option<usize>| (0..table.half_edge_slots()).map(|h| link(of(h))).collect();
     [
@@ -71,7 +71,7 @@ fn whole(slices: &[Vec<i64>; 7]) -> Columns<'_, i64> {
         .unwrap()
 }
 
-/// The name of the type of the view that is judged.
+/// Returns the name of the type of the judged view.
 struct NameOfView;
 
 impl OnView for NameOfView {
@@ -101,7 +101,7 @@ fn columns_are_judged_in_the_fastest_form_that_they_have() {
     assert_eq!(form(whole.with_prev(backward).unwrap()), ("Column<", false));
     assert_eq!(form(whole.by_target()), ("&[i64]", false));
     assert_eq!(form(columns(&records).by_target()).0, "dyn");
-    // Twins are paired where there is no column of them.
+    // Twins are paired if there is no column of them.
     let paired = Columns::paired(3, Column::new(&slices[0]), Column::new(&slices[2])).unwrap();
     assert_eq!(
         ((0..6).map(|h| paired.twin(h)).collect::<Vec<_>>(), paired.prev(0)),
@@ -116,7 +116,8 @@ fn pillow() -> Table {
         .unwrap()
 }
 
-/// Two triangles, one in the other, and an isolated vertex between them, with records of boundary components but without places.
+/// Two triangles, one inside the other, and an isolated vertex between them, with records of boundary components but without
+/// places.
 ///
 /// ```text
 ///   face 0                 vertices 0 1 2, half-edges 0 2 4 inside and 1 3 5 outside
@@ -251,7 +252,7 @@ fn boundary_components_in_columns_have_the_verdict_of_their_table() {
         let of_table = validate(changed, &expectation, Collect::All);
         let of_columns = validate(&columns, &expectation, Collect::All);
         assert_eq!(Some(&of_columns), columns.validate(expectation, Collect::All).as_ref());
-        // A link beyond may be another number, but the rules that it breaks are the same.
+        // A dangling link may be another number, but the broken rules are the same.
         assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
         broken.extend(of_columns.broken_rules().next());
     });
@@ -359,7 +360,7 @@ fn every_type_of_integer_holds_the_same_links() {
         origin.map(|i| AtomicU64::new(i64::from(i).cast_unsigned())).iter().map(Cell::link).collect(),
     ];
     assert_eq!((&a, &b), (&links, &links));
-    // Without a sign, −2 is a large number, which dangles, too.
+    // Without a sign, −2 is a large number, which also dangles.
     for unsigned in [c, d] {
         assert_eq!((&unsigned[..7], unsigned[8]), (&links[..7], links[8]));
         assert!(unsigned[7] > Some(1 << 31));
@@ -471,7 +472,7 @@ fn presets_have_names_sources_and_claims() {
         Preset::ALL.iter().map(|p| asks(*p)).collect::<Vec<_>>(),
         [vec![], vec![Rule::M8], vec![], vec![Rule::M3], vec![Rule::M2], vec![Rule::M2]]
     );
-    // The nested triangles have holes: an arrangement or a graph in the plane, and none of the meshes.
+    // The nested triangles have holes: they fit an arrangement or a graph in the plane, and no mesh.
     let table = nested();
     for preset in Preset::ALL {
         assert_eq!(

@@ -17,17 +17,18 @@
 //! …
 //! ```
 //!
-//! [`Textbook::of`] makes them from any structure, `Display` writes them, and `FromStr` reads them, so that a table can be
-//! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated with [`Expectation::plane`](twinedge::validate::Expectation::plane). If
-//! every vertex has coordinates, [`validate_embedding`](twinedge_map::validate_embedding) checks these, too.
+//! [`Textbook::of`] makes them from any structure, `Display` writes them, and `FromStr` reads them. A table can therefore be
+//! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated with
+//! [`Expectation::plane`](twinedge::validate::Expectation::plane). If every vertex has coordinates,
+//! [`validate_embedding`](twinedge_map::validate_embedding) also checks these.
 //!
 //! # What is read
 //!
-//! A line for each record, in any order; columns are separated by white space or `|`. The first letter of the name says
-//! which table a line belongs to: `v`, `f` or `e`, in either case. Lines that start with `Vertex`, `Face`, `Edge` or
-//! `Half-edge` are headings, lines of dashes are rules, and `#` starts a comment. A vertex may go without coordinates. `nil`
-//! or `-` is no link, and `?` a link to a record that is not there. An isolated vertex has the incident edge `nil`, and
-//! stands by its name among the inner components of its face.
+//! There is a line for each record, in any order; columns are separated by white space or `|`. The first letter of the name, `v`,
+//! `f` or `e` in either case, decides the table of the line. Lines that start with `Vertex`, `Face`, `Edge` or `Half-edge` are
+//! headings, lines of dashes are rules, and `#` starts a comment. Coordinates of a vertex are optional. `nil` or `-` is no link,
+//! and `?` a link to a record that does not exist. An isolated vertex has the incident edge `nil`, and its name is listed among
+//! the inner components of its face.
 //!
 //! Source: M. de Berg et al., "Computational Geometry", 3rd edition, section 2.2.
 
@@ -48,7 +49,7 @@ pub enum TablesError {
     UnknownRow {
         /// The line.
         line: usize,
-        /// The first word of it.
+        /// The first word of the line.
         word: String,
     },
     /// A line has too few or too many columns.
@@ -56,12 +57,12 @@ pub enum TablesError {
     Columns {
         /// The line.
         line: usize,
-        /// The columns that belong there.
+        /// The expected columns.
         expected: &'static str,
         /// The number of columns found.
         found: usize,
     },
-    /// Two lines are of the same record.
+    /// Two lines describe the same record.
     #[error("line {line}: there is a line for {name} already")]
     Repeated {
         /// The later line.
@@ -69,12 +70,12 @@ pub enum TablesError {
         /// The name.
         name: String,
     },
-    /// A column names a record for which there is no line.
+    /// A column names a record without a line.
     #[error("line {line}: there is no {kind} `{name}`")]
     UnknownName {
         /// The line.
         line: usize,
-        /// The kind of record that belongs there.
+        /// The expected kind of record.
         kind: &'static str,
         /// The name.
         name: String,
@@ -89,7 +90,7 @@ pub enum TablesError {
     },
 }
 
-/// A structure as the three tables of the textbooks, with names and, as far as they are known, coordinates.
+/// A structure as the three tables of the textbooks, with names and, as far as known, coordinates.
 ///
 /// ```
 /// use twinedge_formats::textbook::Textbook;
@@ -115,11 +116,11 @@ pub struct Textbook {
 }
 
 impl Textbook {
-    /// The tables of a structure that has faces, with `point` for the coordinates of a vertex, where there are any.
+    /// Makes the tables of a structure with faces, with `point` for the coordinates of a vertex, if any.
     ///
-    /// Records are named by their indices, counted from 1: the first vertex is `v1`, the half-edges of the first edge are
-    /// `e1,1` and `e1,2`. Slots that are vacant are left out. In a [`Dcel`](twinedge::dcel::Dcel), where index 0 is not used and
-    /// twins are neighbours, vertex 7 is always `v7`, and half-edges 14 and 15 are `e7,1` and `e7,2`. O(n).
+    /// Records are named by their indices, counted from 1: the first vertex is `v1`, the half-edges of the first edge are `e1,1`
+    /// and `e1,2`. Vacant slots are left out. In a [`Dcel`](twinedge::dcel::Dcel), where index 0 is not used and twins are
+    /// neighbours, vertex 7 is always `v7`, and half-edges 14 and 15 are `e7,1` and `e7,2`. O(n).
     #[must_use]
     pub fn of<V: View + ?Sized>(view: &V, point: impl Fn(usize) -> Option<Point>) -> Self {
         let vertices = Column::new("v", view.vertex_slots(), |v| view.is_vertex(v));
@@ -168,7 +169,7 @@ impl Textbook {
         Self { table, points, vertices: vertices.names, half_edges: half_edges.names, faces: faces.names }
     }
 
-    /// The tables of a structure with coordinates. O(n).
+    /// Makes the tables of a structure with coordinates. O(n).
     ///
     /// ```
     /// use twinedge_formats::textbook::Textbook;
@@ -186,7 +187,7 @@ impl Textbook {
         Self::of(embedding, |v| Some(embedding.point(v)))
     }
 
-    /// The links, as plain tables.
+    /// Returns the links, as plain tables.
     #[must_use]
     pub const fn table(&self) -> &Table {
         &self.table
@@ -198,7 +199,7 @@ impl Textbook {
         self.points.iter().all(Option::is_some)
     }
 
-    /// The name of a record; none for a boundary component, and for a record that is not there. O(1).
+    /// Returns the name of a record; none for a boundary component, and for a record that does not exist. O(1).
     #[must_use]
     pub fn name(&self, record: Record) -> Option<&str> {
         let (names, index) = match record {
@@ -211,7 +212,7 @@ impl Textbook {
     }
 }
 
-/// The live records of a kind, with their names, and their places among them by index.
+/// The live records of a kind, with their names, and their positions among them by index.
 struct Column {
     live: Vec<usize>,
     names: Vec<String>,
@@ -226,8 +227,8 @@ impl Column {
         Self { places: live.iter().copied().zip(0..).collect(), live, names }
     }
 
-    /// Twins have the number of their edge in common: half the index of the even one, if it is that of every edge, or their
-    /// order if not.
+    /// Twins share the number of their edge: half the index of the even one, if every edge is numbered this way, or else their
+    /// order.
     fn of_half_edges<V: View + ?Sized>(view: &V) -> Self {
         let mut column = Self::new("e", view.half_edge_slots(), |h| view.is_half_edge(h));
         if column.live.iter().all(|h| view.twin(*h) == Some(*h ^ 1)) {
@@ -251,7 +252,7 @@ impl Column {
         column
     }
 
-    /// The place of a record among the live ones; past the end, if it is none.
+    /// Returns the position of a record among the live ones; past the end, if it is not live.
     fn place(&self, index: usize) -> usize {
         self.places.get(&index).copied().unwrap_or(usize::MAX)
     }
@@ -261,7 +262,7 @@ impl Column {
     }
 }
 
-/// Lines as wide as their widest entry, in columns.
+/// Writes lines in columns as wide as their widest entry.
 fn columns(f: &mut fmt::Formatter<'_>, heading: &[&str], rows: Vec<Vec<String>>) -> fmt::Result {
     let heading: Vec<String> = heading.iter().map(|word| (*word).to_owned()).collect();
     let rows: Vec<Vec<String>> = core::iter::once(heading).chain(rows).collect();
@@ -313,7 +314,7 @@ impl fmt::Display for Textbook {
     }
 }
 
-/// The words of a line, coordinates in parentheses as one.
+/// Returns the words of a line, with coordinates in parentheses as one word.
 fn words(line: &str) -> Vec<String> {
     let line = line.split('#').next().unwrap_or_default();
     let mut words = Vec::new();
@@ -343,7 +344,6 @@ fn coordinates(line: usize, text: &str) -> Result<Point, TablesError> {
     }
 }
 
-/// The rows of a kind, by name.
 #[derive(Default)]
 struct Rows {
     kind: &'static str,
@@ -382,7 +382,7 @@ impl Rows {
 /// Reads the three tables. O(length of the text), expected.
 ///
 /// # Errors
-/// [`TablesError`], with the line. Whether the links are right is for [`validate`](twinedge::validate::validate) to say.
+/// [`TablesError`], with the line. The links are not checked; for that, see [`validate`](twinedge::validate::validate).
 impl FromStr for Textbook {
     type Err = TablesError;
 
@@ -467,7 +467,7 @@ macro_rules! delegate {
     )*};
 }
 
-/// Indices are the places of the records in their tables, counted from 0.
+/// Indices are the positions of the records in their tables, counted from 0.
 impl View for Textbook {
     fn parts(&self) -> Parts {
         Parts::ALL.without(Part::BoundaryComponents)
@@ -489,7 +489,7 @@ impl View for Textbook {
     }
 }
 
-/// A vertex without coordinates is nowhere: not a number, which G1 reports.
+/// A vertex without coordinates is at NaN, which G1 reports.
 impl Embedding for Textbook {
     fn point(&self, vertex: usize) -> Point {
         self.points.get(vertex).copied().flatten().unwrap_or(Point::new(f64::NAN, f64::NAN))

@@ -25,7 +25,7 @@ pub struct TopologyAudit {
     pub(crate) violations: Vec<Diagnosis>,
 }
 
-/// The numbers of everything.
+/// The counts of a topology.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TopologyCounts {
@@ -46,7 +46,7 @@ pub struct TopologyCounts {
 }
 
 impl TopologyAudit {
-    /// Puts the violations in the order of the rules, and keeps so many.
+    /// Sorts the violations by rule, and keeps up to a limit.
     pub(crate) fn new(
         counts: TopologyCounts,
         rules: Vec<RuleLine>,
@@ -64,31 +64,31 @@ impl TopologyAudit {
         self.violation_count() == 0 && self.unchecked_count() == 0
     }
 
-    /// The numbers of everything.
+    /// Returns the counts.
     #[must_use]
     pub const fn counts(&self) -> &TopologyCounts {
         &self.counts
     }
 
-    /// The outcome of each rule: those of the format, then those of the validator.
+    /// Returns the outcome of each rule: first for the format, then for the validator.
     #[must_use]
     pub fn rules(&self) -> &[RuleLine] {
         &self.rules
     }
 
-    /// The violations that were kept, in the order of the rules, with the names of the database or file.
+    /// Returns the kept violations, in the order of the rules, with the names of the database or file.
     #[must_use]
     pub fn violations(&self) -> &[Diagnosis] {
         &self.violations
     }
 
-    /// The number of rules that apply and were not checked, or not on everything.
+    /// Returns the number of rules that apply and were not checked, or not on all records.
     #[must_use]
     pub fn unchecked_count(&self) -> usize {
         self.rules.iter().filter(|rule| rule.is_open()).count()
     }
 
-    /// The number of violations, kept or not.
+    /// Returns the number of violations, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.rules.iter().map(|rule| rule.violations).sum()
@@ -98,7 +98,7 @@ impl TopologyAudit {
 #[cfg(feature = "serde")]
 impl serde::Serialize for TopologyAudit {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        /// The counts under the names that all audits have, too.
+        /// The counts, also under the names that all audits share.
         #[derive(serde::Serialize)]
         struct Counts<'a> {
             vertices: usize,

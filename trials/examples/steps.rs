@@ -1,13 +1,13 @@
-//! Prints what the operators of `Dcel` do, a line for each that is called: the operator with its arguments, the table before and the
-//! table after. `proofs/coq/compare --operators` reads this, and holds it against the operators that are proved.
+//! Prints the effect of the operators of `Dcel`, a line per call: the operator with its arguments, the table before and the table
+//! after. `proofs/coq/compare --operators` reads this and compares it with the proved operators.
 //!
 //! ```text
 //! connect v0 v1 left = h0 ; V 2 - 0 - 1 H 0 B 2 … ; V 2 0 - 1 - H 2 …
 //! refused contract_edge h0 ; V 1 0 - H 2 … ; V 1 0 - H 2 …
 //! ```
 //!
-//! A corner is `h3` (that of half-edge 3) or `v3` (that of the isolated vertex 3), as the inner boundary components are that go to a
-//! new face. After `=` stands the half-edge that is new, if there is one.
+//! A corner is `h3` (of half-edge 3) or `v3` (of the isolated vertex 3), and so are the inner boundary components that
+//! move to a new face. After `=` comes the new half-edge, if there is one.
 #![allow(clippy::print_stderr, reason = "it is a program")]
 
 use std::collections::{HashSet, VecDeque};
@@ -25,7 +25,7 @@ const USAGE: &str =
     "usage: steps small EDGES VERTICES     every operator with every argument on every small subdivision
        steps random PROGRAMS STEPS SEED  the operators of random programs";
 
-/// A `Dcel` that writes down its last operator.
+/// A `Dcel` that records its last operator.
 #[derive(Clone, Default)]
 struct Recorder {
     dcel: Dcel,
@@ -49,7 +49,6 @@ impl Recorder {
         self.dcel.face(key).map_or_else(|_| "stale".to_owned(), |f| format!("f{}", f.index()))
     }
 
-    /// The arguments of an operator, in words.
     fn arguments(&self, call: &CallOf<Self>) -> String {
         let word = |corner| match corner {
             Corner::At(h) => h,
@@ -88,7 +87,6 @@ impl View for Recorder {
 impl Subject for Recorder {
     delegate_subject!(Dcel, |this| &this.dcel);
 
-    /// Applies an operator, and writes it down.
     fn apply(&mut self, call: CallOf<Self>) -> Result<Option<HandleOf<Self>>, Refusal> {
         let before = self.table();
         let words = format!("{} {}", call.kind().name(), self.arguments(&call));
@@ -103,12 +101,13 @@ impl Subject for Recorder {
     }
 }
 
-/// Says if the proved operator, which knows no keys, can be held against what was recorded: an operator was called, with no stale key.
+/// Returns true if the record can be compared with the proved operator, which knows no keys: an operator was called, without
+/// stale keys.
 fn comparable(outcome: StepOutcome, recorder: &Recorder) -> bool {
     outcome != StepOutcome::Skipped && !recorder.line.contains("stale")
 }
 
-/// Tries every operator with every argument on every subdivision up to a size, from the empty one on.
+/// Tries every operator with every argument on every subdivision up to a size, starting with the empty one.
 fn small(edges: usize, vertices: usize, out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let mut canonizer = Canonizer::new();
     let first = Runner::new(Recorder::default());
@@ -133,7 +132,7 @@ fn small(edges: usize, vertices: usize, out: &mut impl Write) -> Result<(), Box<
     Ok(written?)
 }
 
-/// Runs random programs, those of `soak`.
+/// Runs the random programs of `soak`.
 fn random(work: SoakWork, out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     for number in 0..work.programs {
         let mut map = Runner::new(Recorder::default());

@@ -12,13 +12,13 @@
 //!
 //! # How
 //!
-//! From the smallest map on, [every operator](every_op) that makes something is applied to every map found, and what comes of
-//! it is a new one if its [canonical form](twinedge::program::canonical) has not been met. What is missing, if anything, can be counted:
-//! the numbers of maps are published.
+//! Starting with the smallest map, [every operator](every_op) that makes something is applied to every map found, and the result
+//! is new if its [canonical form](twinedge::program::canonical) is unknown. Missing maps would show in the counts, since the
+//! numbers of maps are published.
 //!
-//! All maps are reached. An edge of a connected map can be removed if it separates two faces, or contracted if it does not,
-//! so by [`split_vertex`](Op::SplitVertex) and [`connect`](Op::Connect), their inverses, each comes of one with an edge less;
-//! and any subdivision comes of isolated vertices by [`connect`](Op::Connect) alone.
+//! All maps are reached. An edge of a connected map can be removed if it separates two faces, or contracted if it does not; the
+//! inverses [`split_vertex`](Op::SplitVertex) and [`connect`](Op::Connect) therefore make each map from one with an edge less.
+//! Any subdivision results from isolated vertices by [`connect`](Op::Connect) alone.
 
 use std::collections::{BTreeSet, VecDeque};
 use twinedge::dcel::{Corner, Dcel, Side};
@@ -27,26 +27,26 @@ use twinedge::program::{
     FacePick, HalfEdgePick, InnerPick, Op, Program, Runner, SecondPick, StepOutcome, VertexPick, every_op,
 };
 
-/// The maps that a census takes in.
+/// The maps of a census.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scope {
-    /// Connected maps, from one vertex on.
+    /// Connected maps, starting with one vertex.
     Connected {
-        /// The number of edges they have at most.
+        /// The largest number of edges.
         edges: usize,
     },
-    /// All planar subdivisions: of several components or none, nested or side by side, and with isolated vertices.
+    /// All planar subdivisions: with several components or none, nested or side by side, and with isolated vertices.
     Subdivisions {
-        /// The number of edges they have at most.
+        /// The largest number of edges.
         edges: usize,
-        /// The number of vertices they have at most.
+        /// The largest number of vertices.
         vertices: usize,
     },
 }
 
 impl Scope {
-    /// A program that makes the smallest map. It makes and removes some more before, so that there are handles of
-    /// half-edges, vertices and faces that were removed.
+    /// Returns a program that makes the smallest map. It makes and removes some more records first, so that there are handles of
+    /// removed half-edges, vertices and faces.
     #[must_use]
     pub fn start(&self) -> Program {
         let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
@@ -68,11 +68,11 @@ impl Scope {
         Program(ops)
     }
 
-    /// Tells whether the census takes in this map. O(1).
+    /// Returns true if the census includes this map. O(1).
     #[must_use]
     pub fn takes_in(&self, map: &Dcel) -> bool {
         match *self {
-            // Of a valid map: V − E + F = 1 + C.
+            // In a valid map, V − E + F = 1 + C.
             Self::Connected { edges } => {
                 let (v, e, f) = (map.vertex_count(), map.edge_count(), map.face_count());
                 e <= edges && v + f == e + 2
@@ -93,7 +93,7 @@ pub struct Discovery {
 
 /// The maps of a census, one after the other; the connected ones of [`Scope::Connected`] in order of their edges.
 ///
-/// Time and memory go with the number of maps, which grows about ninefold with each edge.
+/// Time and memory are proportional to the number of maps, which grows about ninefold with each edge.
 #[derive(Debug)]
 pub struct Census {
     scope: Scope,

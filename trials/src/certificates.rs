@@ -7,11 +7,11 @@ use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Parts, Rule, Surface, Table};
 use twinedge_certificate::{Certificate, Column, Labels, check, check_surface};
 
-/// A validator that knows certificates only: a table is right if its own labels pass, or random ranks, or labels in which something was
-/// changed; with the table, and in a plane as a certificate that stands for itself. It differs from the reference if and only if one of these
-/// does: then what it finds is the first broken rule, or R1.
+/// A validator that uses certificates only: a table is valid if its own labels pass, or random ranks, or modified labels; with
+/// the table, and in a plane as a self-contained certificate. It differs from the reference if and only if one of these does: its
+/// result is then the first broken rule, or R1.
 ///
-/// Open structures, and meshes that are held to more than surfaces are, have no labels: these are left to [`Validator`].
+/// Open structures, and meshes with further expectations, have no labels: these are left to [`Validator`].
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Certificates;
 
@@ -20,7 +20,7 @@ impl Checker for Certificates {
         let Some((labels, genus)) = labels(table, expectation) else { return Validator.check(table, expectation) };
         let passes = |labels: &Labels| match genus {
             None => check(table, labels).is_ok(),
-            // A surface passes with its genus, and with no other.
+            // A surface passes with its own genus, and with no other.
             Some(genus) => (0..=genus + 1).filter(|genus| check_surface(table, labels, *genus).is_ok()).count() == 1,
         };
         let mut random = random_of(table);
@@ -38,8 +38,8 @@ impl Checker for Certificates {
     }
 }
 
-/// Certificates of a table of a plane subdivision: that with its own labels, that with random ranks, and two in which one number was changed. None if the
-/// table lacks a part.
+/// Returns certificates of a table of a plane subdivision: with its own labels, with random ranks, and two with one changed
+/// number. `None` for a table that lacks a part.
 #[must_use]
 pub fn certificates_of(table: &Table) -> Option<[Certificate; 4]> {
     if table.parts != Parts::ALL {
@@ -57,7 +57,7 @@ pub fn certificates_of(table: &Table) -> Option<[Certificate; 4]> {
     Some([changed()?, changed()?, ranked, own])
 }
 
-/// The labels of a table that is held to this expectation, and the genus on surfaces. None if there are no labels for it.
+/// Returns the labels of a table for this expectation, and the genus on surfaces. `None` where the expectation has no labels.
 fn labels(table: &Table, expectation: &Expectation) -> Option<(Labels, Option<usize>)> {
     let asks = Rule::ALL.iter().any(|rule| rule.is_optional() && expectation.asks_for(*rule));
     match expectation.surface_kind() {
@@ -67,7 +67,7 @@ fn labels(table: &Table, expectation: &Expectation) -> Option<(Labels, Option<us
     }
 }
 
-/// Numbers that are always the same for the same table.
+/// Returns the same random numbers every time for the same table.
 fn random_of(table: &Table) -> Random {
     let mut hasher = DefaultHasher::new();
     table.to_string().hash(&mut hasher);
@@ -81,7 +81,7 @@ fn random_ranks(labels: &Labels, random: &mut Random) -> Labels {
     labels
 }
 
-/// Sets one number, if there is one, to another one that could be there, to nil, or to what a vacant slot holds.
+/// Sets one number, if there is one, to another possible number, to nil, or to the content of a vacant slot.
 fn change(labels: &mut Labels, random: &mut Random) {
     let filled: Vec<Column> = Column::ALL.into_iter().filter(|column| !labels.column(*column).is_empty()).collect();
     let Some(column) = filled.get(random.below(filled.len())) else { return };

@@ -1,6 +1,6 @@
-//! Tables enumerated: the cells of a [`Table`], and the values that each of them can be set to.
+//! Enumerated tables: the cells of a [`Table`], and the possible values of each.
 //!
-//! [`for_each_corruption`] sets one cell at a time to each of its other values: all that one wrong link can do.
+//! [`for_each_corruption`] sets one cell at a time to each of its other values, which covers every effect of one wrong link.
 //! [`for_each_assignment`] sets many cells to all combinations of values: all tables of a size, valid or not.
 
 use twinedge::validate::{BoundaryPlace, HalfEdgeRow, Link, Part, Parts, Start, Table, VertexRow};
@@ -37,7 +37,7 @@ pub enum Value {
     BoundaryPlace(Option<BoundaryPlace>),
 }
 
-/// The same, where it is stored.
+/// A reference to the stored value.
 enum Stored<'a> {
     Link(&'a mut Link),
     Start(&'a mut Option<Start>),
@@ -46,21 +46,21 @@ enum Stored<'a> {
 
 /// The cells of a [`Table`].
 pub trait TableCells {
-    /// The cells that matter to a structure with these parts, row by row. O(n).
+    /// Returns the relevant cells of a structure with these parts, row by row. O(n).
     #[must_use]
     fn cells(&self, parts: Parts) -> Vec<Cell>;
 
-    /// Every value that the cell can be set to: nil, the index of every slot of the kind that it leads to, the one past the
-    /// end, and `usize::MAX`. O(n).
+    /// Returns every possible value of the cell: nil, the index of every slot of the target kind, the one past the end, and
+    /// `usize::MAX`. O(n).
     #[must_use]
     fn values(&self, cell: Cell) -> Vec<Value>;
 
-    /// Sets a cell and returns what it held. `None`, and nothing changes, if there is no such cell or it cannot hold a
-    /// value of this kind. O(1).
+    /// Sets a cell and returns its old value. `None`, without any change, if there is no such cell or it cannot hold a value of
+    /// this kind. O(1).
     fn set(&mut self, cell: Cell, value: Value) -> Option<Value>;
 
-    /// Sets the origin of each half-edge to what its links imply, that of the next of its twin, and gives each rotation a
-    /// vertex of its own. The vertices are new: they keep no half-edge. O(n²).
+    /// Derives the origin of each half-edge from the links, as the origin of the next of its twin, and adds a vertex for each
+    /// rotation. The new vertices keep no half-edge. O(n²).
     ///
     /// ```
     /// use twinedge::validate::Table;
@@ -193,7 +193,7 @@ fn stored(table: &mut Table, cell: Cell) -> Option<Stored<'_>> {
     })
 }
 
-/// Every way to pair off so many half-edges as twins: for each way the twin of each half-edge. None if the number is odd.
+/// Returns every way to pair off this many half-edges as twins: for each way the twin of each half-edge. Empty for an odd number.
 ///
 /// There are (n − 1)!! = 1 · 3 · 5 · … · (n − 1) of them.
 ///
@@ -231,8 +231,9 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
     rows.get_mut(i)?.as_mut()
 }
 
-/// Calls `visit` with the table as it is after each change of one cell to another of its [values](TableCells::values), and
-/// with that cell and value. Cells of parts that are not stored are left alone. The table is the same again in the end. O(n) changes for each of the O(n) cells.
+/// Calls `visit` with the table after each change of one cell to another of its [values](TableCells::values), and with that cell
+/// and value. Cells of parts that are not stored are left alone. At the end the table is unchanged. O(n) changes for each of the
+/// O(n) cells.
 ///
 /// ```
 /// use twinedge_trials::enumerate::for_each_corruption;
@@ -258,8 +259,8 @@ pub fn for_each_corruption(table: &mut Table, parts: Parts, mut visit: impl FnMu
     }
 }
 
-/// Calls `visit` with every table that results from setting each of these cells to each of its values, and returns how
-/// many these were. The last cell changes fastest, and all keep their last values.
+/// Calls `visit` with every table that results from setting each of these cells to each of its values, and returns the number of
+/// tables. The last cell changes fastest, and all keep their last values.
 ///
 /// The number is the product of the numbers of values; between two visits O(1) cells change on average.
 pub fn for_each_assignment(table: &mut Table, cells: &[(Cell, Vec<Value>)], mut visit: impl FnMut(&Table)) -> u64 {
@@ -274,7 +275,7 @@ pub fn for_each_assignment(table: &mut Table, cells: &[(Cell, Vec<Value>)], mut 
     loop {
         visit(table);
         count += 1;
-        // Like an odometer: the last position advances; where it wraps around, the one before it advances, too.
+        // Like an odometer: the last position advances; if it wraps around, the one before it also advances.
         let mut digits = positions.iter_mut().zip(cells).rev();
         let moved = digits.find_map(|(position, (cell, values))| {
             *position = (*position + 1) % values.len();

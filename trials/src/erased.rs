@@ -7,9 +7,10 @@ use twinedge::program::{CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
-/// A structure of any type whose handles are keys: a [`Dcel`](twinedge::dcel::Dcel) over any store, or one that hands its calls on to a `Dcel`.
+/// A structure of any type whose handles are keys: a [`Dcel`](twinedge::dcel::Dcel) over any store, or one that passes its calls
+/// on to a `Dcel`.
 ///
-/// An engine that tries several of them is compiled once, not for each. Each question is a call through a pointer.
+/// An engine that tries several of them is compiled once, not for each. Each query is a call through a pointer.
 ///
 /// ```
 /// use twinedge::dcel::Dcel;
@@ -24,7 +25,6 @@ use twinedge::{delegate_subject, delegate_view};
 /// ```
 pub struct Erased(Box<dyn Keyed>);
 
-/// A structure whose handles are keys.
 trait Keyed: Indexed<Vertex = VertexKey, HalfEdge = HalfEdgeKey, Face = FaceKey> {
     fn boxed_clone(&self) -> Box<dyn Keyed>;
 }
@@ -39,7 +39,7 @@ where
 }
 
 impl Erased {
-    /// This structure, whatever its type.
+    /// Wraps this structure, whatever its type.
     #[must_use]
     pub fn new<K>(structure: K) -> Self
     where

@@ -4,11 +4,11 @@ use std::fmt;
 use thiserror::Error;
 use twinedge::validate::{Part, Violation};
 
-/// A structure cannot be given to an engine.
+/// A structure is unsuitable for an engine.
 #[derive(Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum StructureError {
-    /// The structure does not store a part without which two maps cannot be told apart.
+    /// The structure does not store a part that is needed to tell two maps apart.
     #[error("the structure stores no {}; without it two maps cannot be told apart", .0.name())]
     Lacks(Part),
     /// The empty map breaks a rule, so every other map would.
@@ -20,14 +20,14 @@ that of the structure",
     InvalidStart(Violation),
 }
 
-/// The same as `Display`: this is what `unwrap` shows.
+/// Equal to `Display`, since `unwrap` shows it.
 impl fmt::Debug for StructureError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
     }
 }
 
-/// A run found something wrong, or was not finished.
+/// A run found faults, or was not finished.
 #[derive(Clone, PartialEq, Eq, Error)]
 pub struct Failed {
     /// The reasons, one each.
@@ -35,7 +35,7 @@ pub struct Failed {
 }
 
 impl Failed {
-    /// `Ok` if there is no reason.
+    /// Returns `Ok` if there is no reason.
     pub(crate) fn unless_empty(reasons: Vec<String>) -> Result<(), Self> {
         if reasons.is_empty() { Ok(()) } else { Err(Self { reasons }) }
     }
@@ -47,7 +47,7 @@ impl fmt::Display for Failed {
     }
 }
 
-/// The same as `Display`: this is what `unwrap` shows.
+/// Equal to `Display`, since `unwrap` shows it.
 impl fmt::Debug for Failed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

@@ -1,22 +1,22 @@
 //! Every form in which a structure can keep a map, and a map brought into each.
 //!
-//! There are 112 distinct forms: two surfaces, with or without open boundaries, and the parts that a structure stores,
-//! some of which depend on others. A map that is right in one form breaks rules in another, for example because it lists holes
-//! where faces have none. [`projections`] rewrites a planar subdivision with every part so that it is right in any of them.
+//! There are 112 distinct forms: two surfaces, with or without open boundaries, and the stored parts, which may depend on
+//! others. A map that is valid in one form breaks rules in another, for example because it lists holes although faces have none.
+//! [`projections`] rewrites a planar subdivision with every part so that it is valid in any of them.
 
 use twinedge::validate::{BoundaryPlace, Expectation, FaceRow, Link, Part, Parts, Start, Surface, Table, View};
 
-/// One form: what is claimed of a structure, and what it stores.
+/// One form: the claims about a structure, and its stored parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Form {
     /// The claims.
     pub expectation: Expectation,
-    /// The parts stored: those that are [looked at](Expectation::looks_at).
+    /// The stored parts that the expectation [examines](Expectation::looks_at).
     pub parts: Parts,
 }
 
 impl Form {
-    /// The form of a structure that stores these parts and is held to this expectation.
+    /// Returns the form of a structure with these parts and this expectation.
     #[must_use]
     pub const fn new(expectation: Expectation, parts: Parts) -> Self {
         Self { expectation, parts: expectation.looks_at(parts) }
@@ -26,14 +26,14 @@ impl Form {
         self.parts.has(part)
     }
 
-    /// True if containment (T1, T2) is checked.
+    /// Returns true if containment (T1, T2) is checked.
     #[must_use]
     pub fn has_containment(&self) -> bool {
         self.has(Part::Holes) && self.expectation.surface_kind() == Surface::Plane
     }
 }
 
-/// Every distinct form, each once: plane or surface, closed or open, with and without each part.
+/// Returns every distinct form once: plane or surface, closed or open, with and without each part.
 ///
 /// ```
 /// use twinedge::validate::{Expectation, Parts};
@@ -61,9 +61,10 @@ pub fn forms() -> Vec<Form> {
     all
 }
 
-/// The same planar subdivision as a structure of this form keeps it. O(n) for n rows and list entries.
+/// Returns the same planar subdivision as a structure of this form keeps it. O(n) for n rows and list entries.
 ///
-/// The table given has every part, and boundary components that name their faces. What the form does not store is nil or vacant.
+/// The given table has every part, and boundary components that name their faces. Parts that the form does not store are nil or
+/// vacant.
 ///
 /// - Without boundary components, half-edges name their face, and faces the half-edges and isolated vertices where their
 ///   boundary components start.
@@ -116,11 +117,11 @@ pub fn projected(table: &Table, form: &Form) -> Table {
     table
 }
 
-/// The map [`projected`], and, if open boundaries are legal, each map that results if one of its faces, or the
-/// half-edges of one of its cycles, is taken out first. O(n) tables, O(n²) in all.
+/// Returns the map [`projected`], and, if open boundaries are legal, each map that results from first taking out one of its
+/// faces, or the half-edges of one of its cycles. O(n) tables, O(n²) in all.
 ///
-/// A face or cycle is taken out where the rest is right: a bounded face without isolated vertices in it, or the unbounded face
-/// if that is not stored; a cycle that passes no vertex twice, and is not the outer one of a face with holes.
+/// A face or cycle is taken out if the rest is valid: a bounded face without isolated vertices in it, or the unbounded face if
+/// that is not stored; a cycle that passes no vertex twice, and is not the outer one of a face with holes.
 #[must_use]
 pub fn projections(table: &Table, form: &Form) -> Vec<Table> {
     let mut all = vec![projected(table, form)];
@@ -135,7 +136,7 @@ pub fn projections(table: &Table, form: &Form) -> Vec<Table> {
     all
 }
 
-/// The inner boundary components of a face bound a face of their own each, as outer ones. Isolated vertices bound none.
+/// Gives each inner boundary component of a face a face of its own, as the outer one. Isolated vertices bound none.
 fn unlist_inner(table: &mut Table, f: usize) {
     let Some(row) = table.faces.get_mut(f).and_then(Option::as_mut) else { return };
     for b in std::mem::take(&mut row.inner).into_iter().flatten() {
@@ -153,8 +154,8 @@ fn unlist_inner(table: &mut Table, f: usize) {
     }
 }
 
-/// Takes the records for boundary components away: half-edges name their face instead, and faces where their boundary
-/// components start.
+/// Removes the records for boundary components: half-edges name their face instead, and faces the starts of their boundary
+/// components.
 fn drop_boundaries(table: &mut Table) {
     let boundaries = std::mem::take(&mut table.boundaries);
     let record = |b: Link| boundaries.get(b?).copied().flatten();
@@ -173,7 +174,7 @@ fn drop_boundaries(table: &mut Table) {
     }
 }
 
-/// The table without a face: its half-edges bound none.
+/// Returns the table without a face: its half-edges bound none.
 fn without_face(table: &Table, parts: Parts, f: usize) -> Option<Table> {
     let row = table.faces.get(f)?.as_ref()?;
     let listed = || row.outer.iter().chain(row.inner.iter().flatten());
@@ -191,7 +192,8 @@ fn without_face(table: &Table, parts: Parts, f: usize) -> Option<Table> {
     Some(open)
 }
 
-/// The table without the half-edges of one cycle, and without the face of which it is the outer one: their twins have none.
+/// Returns the table without the half-edges of one cycle, and without the face that it encloses: the twins of these
+/// half-edges then have no twin.
 fn without_cycle(table: &Table, b: usize) -> Option<Table> {
     let boundary = table.boundaries.get(b)?.as_ref()?;
     let of_it = |h: usize| table.half_edges[h].as_ref().is_some_and(|row| row.boundary == Some(b));

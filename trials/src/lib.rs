@@ -1,7 +1,7 @@
 //! Exhaustive and random tests for half-edge structures.
 //!
-//! Each engine takes a [`Structure`]: how an empty map is made, and what the validator can hold it to. It works on every type
-//! that implements [`Subject`](twinedge::program::Subject) and [`View`](twinedge::validate::View).
+//! Each engine takes a [`Structure`]: a function that makes an empty map, and an expectation for the validator. It works on every
+//! type that implements [`Subject`](twinedge::program::Subject) and [`View`](twinedge::validate::View).
 //!
 //! ```
 //! use twinedge::dcel::Dcel; // in place of a structure of your own
@@ -19,16 +19,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! | engine | what it does | what it finds |
+//! | engine | method | faults found |
 //! | --- | --- | --- |
 //! | [`prove()`] | grows every small map and tries every operator with every argument on each | operators that break a rule, panic, change something when they refuse, or miss a map |
-//! | [`soak()`] | runs random programs in step with a reference | operators that keep every rule but do the wrong thing; the program is made small |
-//! | [`meshes()`] | tries every operator with every argument on every small triangulation | operators of meshes, or others, that do the wrong thing on them |
-//! | [`corrupt()`] | sets every field of every small map to every other value | wrong tables that a validator misses, false alarms, hangs, panics |
-//! | [`tables()`] | judges every small table, right or wrong | the same, and counts that differ from the published ones |
-//! | [`lazy()`] | judges all tables of a size, every cell free, a run for all that agree in the cells that were read | the same in 10^20 tables and more; certificates that pass although the table is wrong, and right tables without any |
+//! | [`soak()`] | runs random programs in step with a reference | operators that keep every rule but have the wrong effect; the program is made small |
+//! | [`meshes()`] | tries every operator with every argument on every small triangulation | operators of meshes, or others, with the wrong effect on them |
+//! | [`corrupt()`] | sets every field of every small map to every other value | invalid tables that a validator misses, false alarms, hangs, panics |
+//! | [`tables()`] | judges every small table, valid or invalid | the same, and counts that differ from the published ones |
+//! | [`lazy()`] | judges all tables of a size, every cell free, with one run for all that agree in the cells read | the same in 10^20 tables and more; certificates that pass for an invalid table, and valid tables without certificate |
 //! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
-//! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
+//! | [`replay()`] | runs one program and keeps the table after each operator | the step at which a failing program goes wrong |
 //!
 //! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, its
 //! [`FastPath`] or its checker of [`Certificates`], or any other [`Checker`].
@@ -39,15 +39,15 @@
 //! | [`enumerate`] | every small table, and every change of one cell of a larger one |
 //! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
 //! | [`RawPointers`] | a second model of the operators, simple and slow |
-//! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
+//! | [`ReportAudit`] | a `Dcel` that checks the reports of its operators |
 //! | [`Rewound`] | a `Dcel` with a history, whose changes are undone and redone after each operator |
 //! | [`Erased`] | structures of several types as one: the engines are compiled once for them |
 //!
 //! # Long runs
 //!
-//! [`Run`] says how many threads work, which part of the work they do, and to whom progress is reported. A [`Progress`] can stop
-//! a run; what was covered by then is returned, marked as interrupted. A [`Shard`] is one of N parts of the same work, for
-//! machines that share it; [`sum`] adds the parts up to exactly what one run would have found.
+//! [`Run`] has the number of threads, the part of the work, and the receiver of progress. A [`Progress`] can stop a run; the
+//! results up to that point are returned, marked as interrupted. A [`Shard`] is one of N parts of the same work, for machines
+//! that share it; [`sum`] adds the parts up to exactly the result of a single run.
 //!
 //! Each kind of work estimates itself, for example [`ProveWork::estimate`](prove::ProveWork::estimate).
 //!

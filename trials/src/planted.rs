@@ -1,4 +1,4 @@
-//! Structures with a planted bug, to see that the engines find it.
+//! Structures with a planted bug, to test that the engines find it.
 
 use crate::replay::Indexed;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, VertexKey};

@@ -15,18 +15,18 @@
 /// # assert!(!Until(Instant::now() + Duration::from_secs(60)).is_stopped());
 /// ```
 pub trait Progress: Sync {
-    /// A stage of the work begins. `pieces` is how many pieces it has, if that is known.
+    /// A stage of the work begins, with this number of pieces, if it is known.
     fn begin(&self, stage: &str, pieces: Option<usize>) {
         let _ = (stage, pieces);
     }
 
-    /// One piece of the present stage is done. Called by all threads.
+    /// One piece of the current stage is done. Called by all threads.
     fn advance(&self) {}
 
-    /// The present stage is over.
+    /// The current stage is over.
     fn end(&self) {}
 
-    /// Tells whether the run is to stop. Asked often, by all threads, so it should be fast.
+    /// Returns true to stop the run. Called often, by all threads, so it should be fast.
     fn is_stopped(&self) -> bool {
         false
     }

@@ -1,4 +1,4 @@
-//! The published numbers of maps, by their formulas. A number that 128 bits cannot hold is given as the greatest one.
+//! The published numbers of maps, by their formulas. A number that exceeds 128 bits is replaced by the largest one.
 
 pub(crate) fn factorial(n: u128) -> u128 {
     (1..=n).product()
@@ -8,7 +8,6 @@ pub(crate) fn binomial(n: u128, k: u128) -> u128 {
     if k > n { 0 } else { (0..k).fold(1, |product, i| product * (n - i) / (i + 1)) }
 }
 
-/// Euler's function.
 fn totient(n: u128) -> u128 {
     let coprime = |k: &u128| {
         let (mut a, mut b) = (n, *k);
@@ -24,10 +23,10 @@ fn power_of_three(n: u128) -> u128 {
     (0..n).fold(1, |power, _| 3 * power)
 }
 
-/// Up to here every step of the formulas below fits into 128 bits.
+/// Up to this number, every step of the formulas below fits into 128 bits.
 const MOST_EDGES: usize = 32;
 
-/// Rooted planar maps with n edges (Tutte, *A census of planar maps*, 1963; OEIS A000168).
+/// Returns the number of rooted planar maps with n edges (Tutte, *A census of planar maps*, 1963; OEIS A000168).
 pub(crate) fn rooted(n: usize) -> u128 {
     if n > MOST_EDGES {
         return u128::MAX;
@@ -36,7 +35,7 @@ pub(crate) fn rooted(n: usize) -> u128 {
     2 * power_of_three(n) * binomial(2 * n, n) / ((n + 1) * (n + 2))
 }
 
-/// Planar maps with n edges without root, mirror images told apart (Liskovets; Wormald; OEIS A006384).
+/// Returns the number of planar maps with n edges without root, with mirror images told apart (Liskovets; Wormald; OEIS A006384).
 pub(crate) fn sensed(n: usize) -> u128 {
     match n {
         0 => return 1,
@@ -44,14 +43,14 @@ pub(crate) fn sensed(n: usize) -> u128 {
         _ => return u128::MAX,
     }
     let symmetric = |k: usize| totient((n / k) as u128) * binomial(k as u128 + 2, 2) * rooted(k);
-    // In quarters, for what is left over is one.
+    // In quarters, since the last term is a number of quarters.
     let n_wide = n as u128;
     let turned = if n % 2 == 1 { (n_wide + 3) * rooted(n / 2) } else { (n_wide - 1) * rooted(n / 2 - 1) };
     let others: u128 = (1..n).filter(|k| n.is_multiple_of(*k)).map(symmetric).sum();
     (2 * (rooted(n) + others) / n_wide + turned) / 4
 }
 
-/// The same with one face distinguished as the outside (Liskovets and Walsh, *Counting unrooted maps on the plane*, 2006;
+/// Returns the same with one face distinguished as the outside (Liskovets and Walsh, *Counting unrooted maps on the plane*, 2006;
 /// OEIS A103937).
 pub(crate) fn plane(n: usize) -> u128 {
     match n {
@@ -72,22 +71,24 @@ pub(crate) fn plane(n: usize) -> u128 {
     (all + others + turned) / (2 * n_wide)
 }
 
-/// Rooted maps with n edges by genus, as far as the histogram goes (Walsh and Lehman, *Counting rooted maps by genus*, 1972;
+/// Rooted maps with n edges by genus, for the sizes of the histogram (Walsh and Lehman, *Counting rooted maps by genus*, 1972;
 /// OEIS A000168, A006300, A006298).
 pub(crate) const BY_GENUS: [&[u64]; 6] = [&[1], &[2], &[9, 1], &[54, 20], &[378, 307, 21], &[2916, 4280, 966]];
 
-/// Simple triangulations of the sphere with this number of vertices, mirror images taken together (OEIS A000109).
+/// Returns the number of simple triangulations of the sphere with this number of vertices, mirror images taken together (OEIS
+/// A000109).
 pub(crate) fn spheres(vertices: usize) -> Option<u64> {
     [1, 1, 1, 2, 5, 14, 50, 233].get(vertices.checked_sub(3)?).copied()
 }
 
-/// The same with a root (Tutte, *A census of planar triangulations*, 1962; OEIS A000260).
+/// Returns the same with a root (Tutte, *A census of planar triangulations*, 1962; OEIS A000260).
 pub(crate) fn tutte(vertices: usize) -> Option<u64> {
     [1, 1, 3, 13, 68, 399, 2530].get(vertices.checked_sub(3)?).copied()
 }
 
-/// Simple triangulations of a disc, rooted at its border (Brown, *Enumeration of triangulations of the disk*, 1964): with n inner and
-/// m + 3 outer vertices, 2 (2m + 3)! (4n + 2m + 1)! / ((m + 2)! m! n! (3n + 2m + 3)!). None if it does not fit.
+/// Returns the number of simple triangulations of a disc, rooted at its border (Brown, *Enumeration of triangulations of the
+/// disk*, 1964): with n inner and m + 3 outer vertices, 2 (2m + 3)! (4n + 2m + 1)! / ((m + 2)! m! n! (3n + 2m + 3)!). `None` for
+/// numbers that do not fit.
 pub(crate) fn brown(outer: usize, inner: usize) -> Option<u64> {
     let (m, n) = (outer.checked_sub(3)? as u128, inner as u128);
     if m + n > 6 {

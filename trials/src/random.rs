@@ -5,7 +5,6 @@
 pub(crate) struct Random(u64);
 
 impl Random {
-    /// The stream of a seed that has this number.
     pub(crate) fn new(seed: u64, stream: u64) -> Self {
         let mut random = Self(seed);
         let mixed = random.next();
@@ -20,7 +19,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number below `count`; 0 if there is none.
+    /// Returns a number below `count`; 0 if there is none.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         let wide = u128::from(self.next()) * count as u128;
         (wide >> 64) as usize

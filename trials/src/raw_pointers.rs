@@ -1,18 +1,19 @@
-//! A second, independent model: records in boxes, joined by raw pointers, as the literature draws them.
+//! A second, independent model: boxed records joined by raw pointers, as in the literature.
 //!
-//! It has nothing in common with [`Dcel`](twinedge::dcel::Dcel) but the meaning of the operators. No boundary component has a record:
-//! a half-edge says for itself which face is to its left and whether it is on the outer cycle of that face, and an isolated vertex says
-//! in which face it lies. Handles are numbers that are never used again. Operators search where another structure would keep
-//! records, so that most are O(n).
+//! It shares only the meaning of the operators with [`Dcel`](twinedge::dcel::Dcel). No boundary component has a record: a
+//! half-edge stores the face to its left and whether it is on the outer cycle of that face, and an isolated vertex stores its
+//! face. Handles are numbers that are never used again. Operators search where another structure would keep records, so that most
+//! are O(n).
 //!
 //! # Why the unsafe here is sound
 //!
-//! 1. *A link is followed only while its record lives.* The tables of the model own all records. An operator frees a record as its last
-//!    step, when no other record leads to it, and keeps no link after its end. A handle is a number that is looked up in a table.
+//! 1. *A link is followed only while its record lives.* The tables of the model own all records. An operator frees a record as
+//!    its last step, when no other record leads to it, and keeps no link after its end. A handle is a number that is looked up in
+//!    a table.
 //! 2. *There is never a `&mut` to a record*: all fields are cells, and all access goes through shared references.
 //! 3. *A record is freed once*: by [`Table::remove`], which takes it off the table, or by the drop of the table.
 //!
-//! The first is a claim about operators, which a fault would break: valgrind and `AddressSanitizer` run the tests of this file.
+//! The first claim is about operators and a fault would break it: valgrind and `AddressSanitizer` run the tests of this file.
 
 #![allow(unsafe_code, reason = "this is the file to which the raw pointers are confined")]
 
@@ -25,7 +26,6 @@ use twinedge::dcel::{Corner, Side, Turn};
 use twinedge::program::{Call, CallOf, Handle, HandleOf, Refusal, Subject, mesh};
 use twinedge::validate::{Link as ViewLink, Part, Parts, Start, View};
 
-/// A link to a record.
 struct Link<T>(NonNull<T>);
 
 impl<T> Clone for Link<T> {
@@ -51,11 +51,11 @@ impl<T> Deref for Link<T> {
     }
 }
 
-/// The records of one kind by their numbers. It owns them.
+/// The records of one kind by their numbers, owned by the table.
 struct Table<T>(Vec<Option<Link<T>>>);
 
 impl<T> Table<T> {
-    /// Adds the record that is made of its number.
+    /// Adds the record that `make` returns for its number.
     fn add(&mut self, make: impl FnOnce(usize) -> T) -> Link<T> {
         let record = Link(NonNull::from(Box::leak(Box::new(make(self.0.len())))));
         self.0.push(Some(record));
@@ -70,7 +70,7 @@ impl<T> Table<T> {
         self.0.iter().copied().flatten()
     }
 
-    /// The record of this number, which is there.
+    /// Returns the record of this number, which must exist.
     fn same(&self, number: usize) -> Link<T> {
         self.find(number).expect("a record that is linked is in its table")
     }
@@ -82,7 +82,7 @@ impl<T> Table<T> {
         }
     }
 
-    /// Frees a record, to which nothing leads any more.
+    /// Frees a record that nothing leads to any more.
     fn remove(&mut self, number: usize) {
         if let Some(record) = self.0.get_mut(number).and_then(Option::take) {
             // SAFETY: it was leaked by `add`, and is off the table now.
@@ -99,19 +99,18 @@ impl<T> Drop for Table<T> {
 
 struct Vertex {
     number: usize,
-    /// The face in which it lies, if it is isolated.
+    /// The face in which an isolated vertex lies.
     face: Cell<Option<Link<Face>>>,
 }
 
 struct HalfEdge {
     number: usize,
     origin: Cell<Link<Vertex>>,
-    /// It and the two that follow are set once both half-edges of an edge are there.
+    /// This link and the next two are set after both half-edges of an edge exist.
     twin: Cell<Option<Link<HalfEdge>>>,
     next: Cell<Option<Link<HalfEdge>>>,
     prev: Cell<Option<Link<HalfEdge>>>,
     face: Cell<Link<Face>>,
-    /// True if it is on the outer cycle of its face.
     is_outer: Cell<bool>,
 }
 
@@ -122,7 +121,7 @@ struct Face {
 type Half = Link<HalfEdge>;
 
 impl Half {
-    /// The half-edge to which one of the links leads; itself while the link is not set.
+    /// Returns the half-edge at one of the links; itself while the link is not set.
     fn to(self, link: &Cell<Option<Self>>) -> Self {
         link.get().unwrap_or(self)
     }
@@ -151,7 +150,7 @@ impl Half {
         self.is_outer.get()
     }
 
-    /// The half-edge that leaves the same vertex and comes next counter-clockwise.
+    /// Returns the next half-edge counter-clockwise around the same vertex.
     fn counter_clockwise(self) -> Self {
         self.prev().twin()
     }
@@ -162,12 +161,12 @@ impl Half {
         n.prev.set(Some(self));
     }
 
-    /// Takes the end where it leaves out of the rotation of its vertex. What is left there closes up.
+    /// Removes its origin end from the rotation of the vertex, and closes the gap.
     fn take_out(self) {
         self.prev().join(self.twin().next());
     }
 
-    /// Puts the end where it leaves, which is in no rotation, into the one of `a`: next counter-clockwise of it.
+    /// Inserts its origin end, which is in no rotation, into the rotation of `a`: next counter-clockwise of it.
     fn put_in(self, a: Self) {
         a.prev().join(self);
         self.twin().join(a);
@@ -184,7 +183,6 @@ impl Half {
         cycle
     }
 
-    /// All half-edges of its component.
     fn component(self) -> Vec<Self> {
         let mut found = BTreeMap::from([(self.number, self)]);
         let mut rest = vec![self];
@@ -208,7 +206,7 @@ impl Half {
     }
 }
 
-/// A corner whose handle has been found.
+/// A corner with its handle resolved.
 type Spot = Corner<Half, Link<Vertex>>;
 
 fn vertex_of(spot: Spot) -> Link<Vertex> {
@@ -218,7 +216,7 @@ fn vertex_of(spot: Spot) -> Link<Vertex> {
     }
 }
 
-/// The face in which a corner lies, and whether its boundary component is the outer one.
+/// Returns the face in which a corner lies, and true if its boundary component is the outer one.
 fn side_of(spot: Spot) -> Result<(Link<Face>, bool), Refusal> {
     match spot {
         Corner::At(h) => Ok((h.face(), h.is_outer())),
@@ -234,7 +232,7 @@ fn share_boundary(a: Spot, b: Spot) -> bool {
     }
 }
 
-/// Gives the inner boundary component of a corner to a face.
+/// Moves the inner boundary component of a corner to a face.
 fn give(spot: Spot, face: Link<Face>) {
     match spot {
         Corner::At(h) => h.label_cycle(face, false),
@@ -261,7 +259,6 @@ pub struct RawPointers {
 
 const UNBOUNDED: usize = 0;
 
-/// Prints the numbers of records.
 impl fmt::Debug for RawPointers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("RawPointers")
@@ -279,7 +276,7 @@ impl Default for RawPointers {
 }
 
 impl RawPointers {
-    /// The empty map.
+    /// Returns the empty map.
     #[must_use]
     pub fn new() -> Self {
         let mut faces = Table(Vec::new());
@@ -299,7 +296,7 @@ impl RawPointers {
         self.vertices.add(|number| Vertex { number, face: Cell::new(face) })
     }
 
-    /// Makes an edge of a component of its own. Its face is set by the caller.
+    /// Makes an edge as a component of its own. The caller sets its face.
     fn make_edge(&mut self, from: Link<Vertex>, to: Link<Vertex>, face: Link<Face>) -> (Half, Half) {
         let [n, t] = [from, to].map(|origin| {
             self.half_edges.add(|number| HalfEdge {
@@ -329,7 +326,7 @@ impl RawPointers {
         self.half_edges.all().filter(|h| h.origin() == v).count()
     }
 
-    /// The faces of the component of `h`, and those inside it.
+    /// Returns the faces of the component of `h`, and those inside it.
     fn faces_inside(&self, h: Half) -> Vec<Link<Face>> {
         let mut faces: Vec<Link<Face>> = Vec::new();
         let mut rest = vec![h];
@@ -364,7 +361,7 @@ impl RawPointers {
         }
         match to {
             Corner::At(b) => t.put_in(b),
-            // By now there is a half-edge at the vertex that was isolated.
+            // The formerly isolated vertex has a half-edge by now.
             Corner::Isolated(_) if splits => t.put_in(n),
             Corner::Isolated(_) => {}
         }
@@ -392,13 +389,13 @@ impl RawPointers {
         let is_outer = n.is_outer() && t.is_outer();
         // The rest of the boundary at either end; the same cycle, if two cycles become one.
         let rests: Vec<Half> = [n.next(), t.next()].into_iter().filter(|h| *h != n && *h != t).collect();
-        // The face around the other stays, and of two that lie side by side the left one.
+        // If one face surrounds the other, it stays; of two side by side, the left one stays.
         let (kept, dropped) = if n.is_outer() && !t.is_outer() { (right, left) } else { (left, right) };
         n.take_out();
         t.take_out();
         self.drop_edge(n, t);
         for rest in rests {
-            // Of two parts of an outer cycle, that of the component which has its outside elsewhere stays outer.
+            // When an outer cycle falls into two parts, the part whose component has its outside elsewhere stays outer.
             let stays_outer = is_outer && (!parts || rest.component().iter().any(|h| !h.is_outer()));
             rest.label_cycle(kept, stays_outer);
         }
@@ -421,7 +418,7 @@ impl RawPointers {
         let t = h.twin();
         let w = self.make_vertex(None);
         let (n, m) = self.make_edge(w, t.origin(), h.face());
-        // The new edge takes the place of the old one, which ends at the new vertex instead.
+        // The new edge takes the place of the old one, which then ends at the new vertex.
         m.put_in(t);
         t.take_out();
         t.put_in(n);
@@ -440,7 +437,7 @@ impl RawPointers {
             return Err(Refusal::Loop);
         }
         let (n, m) = (h.next(), h.next().twin());
-        // The old edge takes the place of the one that follows.
+        // The old edge takes the place of the next one.
         t.take_out();
         t.put_in(m);
         m.take_out();
@@ -525,7 +522,7 @@ impl RawPointers {
             Turn::CounterClockwise => (y.next(), x.next()),
             Turn::Clockwise => (x, y),
         };
-        // Of the two ends of a loop, the one that is put in last has nothing to its left.
+        // The end of a loop that is put in last has nothing to its left.
         let ends = if n_alone { [(t, for_t), (n, for_n)] } else { [(n, for_n), (t, for_t)] };
         for (end, at) in ends {
             end.put_in(at);
@@ -547,7 +544,7 @@ impl RawPointers {
         Ok(())
     }
 
-    /// The starts of the inner boundary components of a face.
+    /// Returns the starts of the inner boundary components of a face.
     fn inner_starts(&self, face: usize) -> Vec<Start> {
         let (mut starts, mut seen) = (Vec::new(), BTreeSet::new());
         for h in self.half_edges.all().filter(|h| h.face().number == face && !h.is_outer()) {

@@ -1,4 +1,4 @@
-//! A failing program as a regression test: a file of Rust that compiles as it stands.
+//! A failing program as a regression test: a complete file of Rust that compiles.
 
 use twinedge::program::Program;
 
@@ -9,14 +9,14 @@ pub struct TestSource {
     pub imports: &'static [&'static str],
     /// An expression for the empty structure.
     pub make: &'static str,
-    /// An expression for what it is held to: an `Expectation`.
+    /// An expression for its `Expectation`.
     pub expectation: &'static str,
-    /// A comment in front of the run, without `//`; none if empty.
+    /// A comment in front of the run, without `//`; omitted if empty.
     pub remark: &'static str,
 }
 
 impl TestSource {
-    /// The test. `message` says in one line how the structure fails.
+    /// Returns the test. `message` describes the failure in one line.
     ///
     /// ```
     /// use twinedge::program::Program;

@@ -7,16 +7,16 @@ use twinedge::program::{Call, CallOf, Handle, HandleOf, Refusal, Subject, mesh};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
-/// A [`Dcel`] as a subject that checks what its operators report: which records they made, kept and dropped.
+/// A [`Dcel`] as a subject that checks the reports of its operators: the records that they made, kept and dropped.
 ///
-/// [`Subject`] asks for no more than programs need, and so do the models that a subject runs in step with: none of them has keys of
-/// boundary components. This one compares the keys before and after each operator with the report, down to which of two records is
-/// kept. It also keeps the keys of all boundary components that were dropped, and finds them stale after each operator.
+/// [`Subject`] needs only the operations of programs, and so do the models that a subject runs in step with: none of them has
+/// keys of boundary components. This one compares the keys before and after each operator with the report, including which of two
+/// records is kept. It also keeps the keys of all dropped boundary components, and tests that they are stale after each operator.
 ///
-/// Beside the operator each step costs O(n log n) for n records and dropped boundary components.
+/// In addition to the operator, each step costs O(n log n) for n records and dropped boundary components.
 ///
 /// # Panics
-/// Its operators panic if a report is wrong, or a key of a dropped boundary component is taken for a live one.
+/// The operators panic at a wrong report, or if the key of a dropped boundary component is accepted.
 ///
 /// ```
 /// use twinedge::dcel::Dcel;
@@ -33,7 +33,7 @@ pub struct ReportAudit {
     dropped: Vec<BoundaryKey>,
 }
 
-/// The boundary component on which a corner lies.
+/// Returns the boundary component on which a corner lies.
 fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
@@ -41,7 +41,7 @@ fn boundary_of(dcel: &Dcel, corner: Corner) -> Result<Boundary<'_>, OperatorErro
     }
 }
 
-/// All keys, and of each boundary component its face and how many half-edges it has.
+/// All keys, and for each boundary component its face and its number of half-edges.
 struct Records {
     vertices: BTreeSet<VertexKey>,
     half_edges: BTreeSet<HalfEdgeKey>,
@@ -70,7 +70,7 @@ impl Records {
     }
 }
 
-/// The records that are there after an operator and were not before, or the other way round.
+/// The records that exist after an operator and not before, or vice versa.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Changes {
     vertices: Vec<VertexKey>,
@@ -80,7 +80,7 @@ struct Changes {
 }
 
 impl Changes {
-    /// The records that the one has and the other has not.
+    /// Returns the records that only the first one has.
     fn between(one: &Records, other: &Records) -> Self {
         let has_not = |b: &&BoundaryKey| !other.boundaries.contains_key(*b);
         Self {
@@ -92,7 +92,6 @@ impl Changes {
     }
 }
 
-/// The changes that an operator made.
 struct Change {
     before: Records,
     after: Records,
@@ -101,7 +100,7 @@ struct Change {
 }
 
 impl Change {
-    /// Compares the numbers of records that were made and dropped: vertices, half-edges, boundary components, faces.
+    /// Compares the numbers of made and dropped records: vertices, half-edges, boundary components, faces.
     fn counts(&self, operator: &str, made: [usize; 4], gone: [usize; 4]) {
         let count = |c: &Changes| [c.vertices.len(), c.half_edges.len(), c.boundaries.len(), c.faces.len()];
         let found = [count(&self.made), count(&self.gone)];
@@ -109,7 +108,7 @@ impl Change {
     }
 }
 
-/// Asserts that an operator reported what it did.
+/// Asserts that a report is true.
 #[track_caller]
 fn reports<T: Copy + PartialEq + std::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");
@@ -122,19 +121,19 @@ impl Default for ReportAudit {
 }
 
 impl ReportAudit {
-    /// The same map, whose reports are checked from here on.
+    /// Wraps a map; its reports are checked from here on.
     #[must_use]
     pub const fn new(dcel: Dcel) -> Self {
         Self { dcel, dropped: Vec::new() }
     }
 
-    /// The map.
+    /// Returns the map.
     #[must_use]
     pub const fn dcel(&self) -> &Dcel {
         &self.dcel
     }
 
-    /// Runs an operator, and tells what it changed if it was applied. One that refuses changes nothing.
+    /// Runs an operator, and returns its changes if it was applied. A refused one must change nothing.
     fn run<T>(
         &mut self,
         operator: impl FnOnce(&mut Dcel) -> Result<T, OperatorError>,
@@ -160,7 +159,7 @@ impl ReportAudit {
         Ok((result?, Change { before, after, made, gone }))
     }
 
-    /// The boundary component to the left of a half-edge, and whether it is an outer one.
+    /// Returns the boundary component to the left of a half-edge, and true if it is an outer one.
     fn left_of(&self, h: HalfEdgeKey) -> Option<(BoundaryKey, bool)> {
         let b = self.dcel.half_edge(h).ok()?.boundary();
         Some((b.key(), b.is_outer()))
@@ -197,7 +196,7 @@ impl Subject for ReportAudit {
     }
 }
 
-/// The operators, with what they report.
+/// The operators, with checks of their reports.
 impl ReportAudit {
     fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
         let (added, changed) = self.run(|dcel| dcel.add_isolated_vertex(face))?;

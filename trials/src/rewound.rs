@@ -1,4 +1,4 @@
-//! A `Dcel` with a history as a subject, whose changes are taken back and done again.
+//! A `Dcel` with a history as a subject, whose changes are undone and redone.
 
 use crate::replay::Indexed;
 use std::collections::VecDeque;
@@ -8,19 +8,19 @@ use twinedge::validate::near::{Baseline, validate_near};
 use twinedge::validate::{Expectation, View};
 use twinedge::{delegate_subject, delegate_view};
 
-/// The longest way back.
+/// The largest number of changes to undo.
 const LONGEST: usize = 12;
 
-/// A [`History`] as a subject: after each operator, some changes are undone and redone, and compared with copies of the structure
-/// that were kept at the time.
+/// A [`History`] as a subject: after each operator, some changes are undone and redone, and compared with earlier copies of the
+/// structure.
 ///
-/// After each of these steps what was written is validated. Where the way back ends, a change is made that fails: nothing of it stays, what
-/// was undone can be redone, and the keys that it gave out never name anything.
+/// After each of these steps the written records are validated. At the end of each way back, a change fails on purpose: nothing
+/// of it remains, undone changes can be redone, and its keys never name anything.
 ///
-/// Beside the operator each step costs O(n) for n records, several times.
+/// In addition to the operator, each step costs O(n) for n records, several times.
 ///
 /// # Panics
-/// Its operators panic if the structure differs from the copy, a rule is broken, or a key names something else.
+/// The operators panic if the structure differs from the copy, a rule is broken, or a key names something else.
 ///
 /// ```
 /// use twinedge::program::{Program, conformance};
@@ -38,7 +38,7 @@ pub struct Rewound {
     /// The structure after each of the last changes, the latest last.
     copies: VecDeque<Dcel>,
     steps: u32,
-    /// The keys that failed changes gave out.
+    /// The keys from failed changes.
     lost: VecDeque<(VertexKey, HalfEdgeKey, FaceKey)>,
 }
 
@@ -52,7 +52,7 @@ impl Rewound {
     /// Starts with a structure. O(n).
     ///
     /// # Panics
-    /// Panics if it is not valid.
+    /// Panics for an invalid structure.
     #[must_use]
     pub fn new(dcel: Dcel) -> Self {
         let baseline = Baseline::new(&dcel, &Expectation::plane()).unwrap_or_else(|error| panic!("{error}"));
@@ -64,7 +64,7 @@ impl Rewound {
         self.history.get()
     }
 
-    /// Compares the structure with a copy, and validates what was written.
+    /// Compares the structure with a copy, and validates the written records.
     fn check(&mut self, back: usize, what: &str) {
         let dcel = self.history.get();
         let copy = &self.copies[self.copies.len() - 1 - back];
@@ -79,7 +79,6 @@ impl Rewound {
         }
     }
 
-    /// Makes a change that fails.
     fn fail(&mut self, back: usize) {
         let mut keys = None;
         let refused = self.history.change("fail", |dcel| {

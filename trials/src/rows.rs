@@ -1,21 +1,20 @@
-//! Rows of counts, which outcomes consist of: each column is declared once.
+//! Rows of counts, as parts of outcomes: each column is declared once.
 //!
-//! From the declaration follow the field and its JSON, how the rows of parts add up, and how a row is printed and compared with what
-//! is expected.
+//! The declaration defines the field and its JSON, the addition of the rows of parts, and the printing and comparison of a row.
 
 /// A row of an outcome.
 pub trait Row {
     /// The columns, in the order of [`cells`](Self::cells).
     const COLUMNS: &'static [Column];
 
-    /// The cells of this row.
+    /// Returns the cells of this row.
     fn cells(&self) -> Vec<Cell>;
 
     /// Adds the counts of the same row of another part.
     #[doc(hidden)]
     fn add(&mut self, other: &Self);
 
-    /// The counts that are not as expected: the name of the column, the count, and the expected one.
+    /// Returns the unexpected counts: the name of the column, the count, and the expected one.
     fn differences(&self) -> impl Iterator<Item = (&'static str, u64, u64)> {
         Self::COLUMNS.iter().zip(self.cells()).filter_map(|(column, cell)| match cell {
             Cell::Count { found, expected: Some(expected) } if found != expected => {
@@ -32,9 +31,9 @@ pub trait Row {
 pub struct Column {
     /// The name in the head.
     pub name: &'static str,
-    /// The width in characters. 0: it is compared, and not printed.
+    /// The width in characters. With 0 it is compared and not printed.
     pub width: usize,
-    /// True if it names the row, and is aligned to the left.
+    /// True for a name of the row, which is aligned to the left.
     pub is_label: bool,
 }
 
@@ -51,7 +50,7 @@ pub enum Cell {
         /// The expected one.
         expected: Option<u64>,
     },
-    /// A count that is to be 0.
+    /// A count with the expected value 0.
     Zero(u64),
 }
 
@@ -62,10 +61,10 @@ pub enum Cell {
 /// | `key`, `label` | to the same | text, aligned to the right or left |
 /// | `given` | to the same | a count |
 /// | `count` | to the sum | a count |
-/// | `zero` | to the sum | a count that is to be 0 |
-/// | `slowest` | to the greatest | a time |
+/// | `zero` | to the sum | a count that should be 0 |
+/// | `slowest` | to the largest | a time |
 ///
-/// Then follow the field and, if it has a column, the name and width of that, and the field with which it `is` equal.
+/// The field follows, with the name and width of its column, if it has one, and the field with which it `is` equal.
 macro_rules! rows {
     ($(
         $(#[$doc:meta])*
@@ -152,19 +151,18 @@ pub(crate) fn add_rows<R: Row>(sum: &mut [R], rows: &[R]) {
     sum.iter_mut().zip(rows).for_each(|(sum, row)| sum.add(row));
 }
 
-/// The greatest number of findings that an outcome keeps; all are counted.
+/// The largest number of findings that an outcome keeps; all are counted.
 pub(crate) const MOST_FINDINGS: usize = 10;
 
-/// Appends findings as far as they are kept.
+/// Appends findings up to the limit.
 pub(crate) fn add_findings<T: Clone>(findings: &mut Vec<T>, others: &[T]) {
     findings.extend_from_slice(others);
     findings.truncate(MOST_FINDINGS);
 }
 
-/// A count that is published, as far as outcomes can hold it.
+/// Returns a published count, limited to 64 bits.
 pub(crate) fn narrow(count: u128) -> u64 {
     u64::try_from(count).unwrap_or(u64::MAX)
 }
 
-/// The reason that an interrupted run gives.
 pub(crate) const INTERRUPTED: &str = "interrupted before the end";

@@ -33,28 +33,27 @@ impl fmt::Debug for Run<'_> {
 }
 
 impl<'a> Run<'a> {
-    /// The same on this many threads; 0 counts as 1.
+    /// Sets the number of threads; 0 counts as 1.
     #[must_use]
     pub const fn threads(mut self, threads: usize) -> Self {
         self.threads = if threads == 0 { 1 } else { threads };
         self
     }
 
-    /// The same for one part of the work.
+    /// Selects one part of the work.
     #[must_use]
     pub const fn shard(mut self, shard: Shard) -> Self {
         self.shard = shard;
         self
     }
 
-    /// The same with progress reported here.
+    /// Sets the receiver of progress.
     #[must_use]
     pub const fn progress(mut self, progress: &'a dyn Progress) -> Self {
         self.progress = progress;
         self
     }
 
-    /// The part of the work that is done.
     pub(crate) const fn part(&self) -> Shard {
         self.shard
     }
@@ -67,8 +66,7 @@ impl<'a> Run<'a> {
         self.progress.is_stopped()
     }
 
-    /// Does `each` for every number below `count`, on all threads, until stopped. Each thread has a state of its own; returns
-    /// these.
+    /// Does `each` for every number below `count`, on all threads, until stopped. Returns the states of the threads.
     pub(crate) fn each<L: Send>(
         &self,
         stage: &str,
@@ -106,24 +104,24 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The number of threads the machine runs at once.
+/// Returns the number of threads the machine runs at once.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }
 
-/// About how much work there is.
+/// The approximate amount of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Estimate {
     /// The number of units.
     pub amount: u128,
     /// The unit, in the plural.
     pub unit: &'static str,
-    /// The number of them that one thread does in a second: on a machine of 2024, or on this one where the work measures it.
+    /// The number of units per second and thread: on a machine of 2024, or on this one if the work measures it.
     pub per_second: u64,
 }
 
 impl Estimate {
-    /// About how many seconds one part takes on this many cores.
+    /// Returns the approximate number of seconds for one part on this many cores.
     ///
     /// ```
     /// use twinedge_trials::{Estimate, Shard};

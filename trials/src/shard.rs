@@ -6,8 +6,8 @@ use thiserror::Error;
 
 /// One of N parts of the same work, counted from 0. The parts are disjoint, and together they are the whole work.
 ///
-/// Which part a piece of work belongs to depends on the piece alone, not on threads or machines. If there are more parts than
-/// pieces, some parts are empty.
+/// The part of a piece of work depends on the piece alone, not on threads or machines. If there are more parts than pieces, some
+/// parts are empty.
 ///
 /// ```
 /// use twinedge_trials::Shard;
@@ -31,7 +31,7 @@ pub struct Shard {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ShardError {
-    /// No part of none.
+    /// The number of parts is 0.
     #[error("there must be at least 1 part")]
     NoParts,
     /// Parts are counted from 0.
@@ -39,12 +39,12 @@ pub enum ShardError {
     OutOfRange {
         /// The part.
         index: u32,
-        /// The number of all.
+        /// The number of all parts.
         count: u32,
     },
 }
 
-/// A text is no part.
+/// The error of a text that is not a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ParseShardError {
@@ -60,7 +60,7 @@ impl Shard {
     /// All of the work: part 0 of 1.
     pub const WHOLE: Self = Self { index: 0, count: 1 };
 
-    /// Part `index` of `count`.
+    /// Returns part `index` of `count`.
     ///
     /// # Errors
     /// [`ShardError::NoParts`] if `count` is 0, [`ShardError::OutOfRange`] if `index` is not below it.
@@ -72,39 +72,39 @@ impl Shard {
         }
     }
 
-    /// The part, from 0.
+    /// Returns the part, from 0.
     #[must_use]
     pub const fn index(self) -> u32 {
         self.index
     }
 
-    /// The number of parts.
+    /// Returns the number of parts.
     #[must_use]
     pub const fn count(self) -> u32 {
         self.count
     }
 
-    /// Tells whether it is all of the work.
+    /// Returns true if it is all of the work.
     #[must_use]
     pub const fn is_whole(self) -> bool {
         self.count == 1
     }
 
-    /// Tells whether the piece with this number is in this part.
+    /// Returns true if the piece with this number is in this part.
     pub(crate) const fn has(self, number: u64) -> bool {
         number % self.count as u64 == self.index as u64
     }
 
-    /// Tells whether the piece that these bytes name is in this part. Always the same for the same bytes (FNV-1a).
+    /// Returns true if the piece that these bytes name is in this part. Always the same for the same bytes (FNV-1a).
     pub(crate) fn has_name(self, name: &[u8]) -> bool {
         let hash = name.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
             (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01B3)
         });
-        // The low bits of names that differ in the last byte only are not spread enough.
+        // For names that differ only in the last byte, the low bits are not spread enough.
         self.has(hash ^ hash >> 32)
     }
 
-    /// The numbers below `count` that are in this part.
+    /// Returns the numbers below `count` that are in this part.
     pub(crate) fn numbers(self, count: usize) -> impl ExactSizeIterator<Item = usize> {
         (self.index as usize..count.max(self.index as usize)).step_by(self.count as usize)
     }

@@ -8,7 +8,7 @@ use twinedge::program::Subject;
 use twinedge::program::panics::catch;
 use twinedge::validate::{Expectation, Part, Parts};
 
-/// A structure under test: its name, how an empty one is made, and what the validator can hold it to.
+/// A structure under test: its name, a function that makes an empty one, and an expectation for the validator.
 ///
 /// ```
 /// use twinedge_trials::RawPointers;
@@ -39,32 +39,32 @@ impl<K> fmt::Debug for Structure<K> {
 }
 
 impl<K: Subject> Structure<K> {
-    /// A structure of this name. `make` makes the empty map.
+    /// Returns a structure of this name. `make` makes the empty map.
     #[must_use]
     pub const fn new(name: &'static str, make: fn() -> K, expectation: Expectation) -> Self {
         Self { name, make, expectation, source: None }
     }
 
-    /// The same, with the Rust source that names it, for the regression tests that [`soak()`](crate::soak()) prints.
+    /// Adds the Rust source that names it, for the regression tests that [`soak()`](crate::soak()) prints.
     #[must_use]
     pub const fn source(mut self, source: TestSource) -> Self {
         self.source = Some(source);
         self
     }
 
-    /// Its name, as it stands in outcomes.
+    /// Returns its name, as shown in outcomes.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         self.name
     }
 
-    /// The expectation to which it is held.
+    /// Returns its expectation.
     #[must_use]
     pub const fn expectation(&self) -> Expectation {
         self.expectation
     }
 
-    /// An empty map.
+    /// Makes an empty map.
     #[must_use]
     pub fn make(&self) -> K {
         (self.make)()
@@ -74,16 +74,16 @@ impl<K: Subject> Structure<K> {
         self.source.as_ref()
     }
 
-    /// Maps are told apart by faces, the lists of their boundary components, and the unbounded face.
+    /// Checks that maps can be told apart by faces, the lists of their boundary components, and the unbounded face.
     pub(crate) fn can_be_told_apart(&self) -> Result<(), StructureError> {
-        // One that panics passes here: engines report that.
+        // A structure that panics passes here: engines report that.
         let stored = catch(|| self.make().parts()).unwrap_or(Parts::ALL);
         let needed = [Part::Faces, Part::Holes, Part::UnboundedFace];
         let lacks = needed.into_iter().find(|part| !self.expectation.looks_at(stored).has(*part));
         lacks.map_or(Ok(()), |part| Err(StructureError::Lacks(part)))
     }
 
-    /// The empty map keeps the rules. One that panics passes: engines report that with the program that does it.
+    /// Checks that the empty map keeps the rules. A structure that panics passes: engines report that with the program at fault.
     pub(crate) fn starts_valid(&self) -> Result<(), StructureError> {
         let Ok(report) = catch(|| judge(&self.make(), &self.expectation)) else { return Ok(()) };
         report.first().map_or(Ok(()), |violation| Err(StructureError::InvalidStart(*violation)))

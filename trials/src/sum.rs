@@ -4,25 +4,25 @@ use crate::error::Failed;
 use crate::shard::Shard;
 use thiserror::Error;
 
-/// The findings of an engine in the part of the work that it did.
+/// The findings of an engine in its part of the work.
 pub trait Outcome: Clone {
     /// The identity of the work: the outcomes of other work cannot be added.
     type Work: PartialEq + std::fmt::Debug;
 
-    /// The work of which this is a part.
+    /// Returns the work to which this part belongs.
     fn work(&self) -> Self::Work;
 
-    /// The part.
+    /// Returns the part.
     fn shard(&self) -> Shard;
 
-    /// Tells whether the part was not finished.
+    /// Returns true if the part was not finished.
     fn is_interrupted(&self) -> bool;
 
-    /// The reasons for which something is wrong; none if all is well. Counts are compared with the published ones only if this is the
+    /// Returns the reasons for a failure; empty for a success. Counts are compared with the published ones only if this is the
     /// whole work.
     fn reasons(&self) -> Vec<String>;
 
-    /// Adds what another part found.
+    /// Adds the findings of another part.
     #[doc(hidden)]
     fn absorb(&mut self, other: &Self);
 
@@ -30,12 +30,12 @@ pub trait Outcome: Clone {
     #[doc(hidden)]
     fn complete(&mut self);
 
-    /// Tells whether nothing is wrong and the part was finished.
+    /// Returns true if there are no faults and the part was finished.
     fn is_ok(&self) -> bool {
         self.reasons().is_empty()
     }
 
-    /// The outcome if nothing is wrong and the part was finished.
+    /// Returns the outcome if there are no faults and the part was finished.
     ///
     /// # Errors
     /// [`Failed`], with all reasons.
@@ -44,14 +44,14 @@ pub trait Outcome: Clone {
     }
 }
 
-/// Outcomes do not add up to one whole work. Positions count the outcomes from 0.
+/// The error of outcomes that do not add up to one whole work. Positions count the outcomes from 0.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SumError {
-    /// There is none.
+    /// There are no outcomes.
     #[error("there is nothing to add up")]
     Empty,
-    /// One is of other work.
+    /// An outcome belongs to other work.
     #[error("this is a part of other work: {other}, and not {first}")]
     OtherWork {
         /// The outcome.
@@ -61,7 +61,7 @@ pub enum SumError {
         /// Its work.
         other: String,
     },
-    /// One is of another number of parts.
+    /// An outcome belongs to another number of parts.
     #[error("this is part {other}, but the first is part {first}")]
     OtherCount {
         /// The outcome.
@@ -71,7 +71,7 @@ pub enum SumError {
         /// Its part.
         other: Shard,
     },
-    /// One was not finished.
+    /// An outcome was not finished.
     #[error("part {shard} was interrupted")]
     Interrupted {
         /// The outcome.
@@ -79,7 +79,7 @@ pub enum SumError {
         /// Its part.
         shard: Shard,
     },
-    /// One is there twice.
+    /// A part occurs twice.
     #[error("part {shard} is there twice")]
     Repeated {
         /// The second of the two outcomes.
@@ -87,10 +87,10 @@ pub enum SumError {
         /// The part.
         shard: Shard,
     },
-    /// Some are not there.
+    /// Parts are missing.
     #[error("{} missing: {}", missing_words(*.count), list(.first))]
     Missing {
-        /// The number.
+        /// The number of missing parts.
         count: u32,
         /// The first of them.
         first: Vec<Shard>,
@@ -106,7 +106,7 @@ fn list(shards: &[Shard]) -> String {
 }
 
 impl SumError {
-    /// The outcome that does not fit, if it is one; counted from 0.
+    /// Returns the faulty outcome, if there is one; counted from 0.
     #[must_use]
     pub const fn position(&self) -> Option<usize> {
         match self {
@@ -122,8 +122,8 @@ impl SumError {
 /// The number of missing parts that are named.
 const NAMED: usize = 10;
 
-/// The outcome of the whole work from those of all its parts, in any order. All counts are those of one run that does the
-/// whole work.
+/// Returns the outcome of the whole work from the outcomes of all its parts, in any order. All counts equal those of a single run
+/// of the whole work.
 ///
 /// ```
 /// use twinedge_trials::tables::TablesWork;

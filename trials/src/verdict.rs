@@ -1,24 +1,24 @@
-//! The verdict of a validator on a table, in the form in which the reference answers.
+//! The verdict of a validator on a table, in the form of the reference.
 
 use twinedge::validate::{Collect, Expectation, Report, Rule, Table, View, accepts, validate};
 
 /// The verdict of a validator on a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Verdict {
-    /// True if it takes the table for valid.
+    /// True if it accepts the table.
     pub valid: bool,
-    /// The first rule that it finds broken.
+    /// The first broken rule, by the validator.
     pub broken: Option<Rule>,
 }
 
 impl Verdict {
-    /// Tells whether it says the same as a reference that finds this rule broken first, or none.
+    /// Returns true if it agrees with a reference that finds this rule broken first, or none.
     #[must_use]
     pub fn agrees(self, reference: Option<Rule>) -> bool {
         self.valid == reference.is_none() && self.broken == reference
     }
 
-    /// Tells whether it says that something is wrong.
+    /// Returns true if it reports a fault.
     pub(crate) const fn is_alarm(self) -> bool {
         !self.valid || self.broken.is_some()
     }
@@ -35,8 +35,8 @@ impl std::fmt::Display for Verdict {
     }
 }
 
-/// A validator under test: [`corrupt()`](crate::corrupt()), [`tables()`](crate::tables()) and [`sample()`](crate::sample()) compare it with the reference
-/// [`first_broken_rule`](twinedge::validate::reference::first_broken_rule).
+/// A validator under test: [`corrupt()`](crate::corrupt()), [`tables()`](crate::tables()) and [`sample()`](crate::sample())
+/// compare it with the reference [`first_broken_rule`](twinedge::validate::reference::first_broken_rule).
 ///
 /// ```
 /// use twinedge::validate::{Expectation, Rule, Table};
@@ -52,10 +52,10 @@ impl std::fmt::Display for Verdict {
 /// assert!(!tables(TablesWork { half_edges: 0 }, &Blind, &Run::default()).is_ok());
 /// ```
 pub trait Checker: Sync {
-    /// Judges a table that is held to this expectation.
+    /// Judges a table by this expectation.
     fn check(&self, table: &Table, expectation: &Expectation) -> Verdict;
 
-    /// Called after each table, with what [`Checker::check`] said. The time that this takes is not counted.
+    /// Called after each table, with the result of [`Checker::check`]. The time for this is not counted.
     fn checked(&self, table: &Table, expectation: &Expectation, verdict: Verdict) {
         let _ = (table, expectation, verdict);
     }
@@ -67,15 +67,15 @@ pub struct Validator;
 
 impl Checker for Validator {
     fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
-        // To stop at the first violation would not do: of rules that are run together it need not be the first one's.
+        // Stopping at the first violation is not enough: rules that run together may find a later rule's violation first.
         let report = validate(table, expectation, Collect::AtMost(0));
         let broken = report.outcomes().find(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule);
         Verdict { valid: report.is_valid(), broken }
     }
 }
 
-/// The fast path of the library's validator, which accepts whatever is right: [`accepts`]. It differs from the reference if it
-/// leaves a right table to the rules, too.
+/// The fast path of the library's validator, which accepts all valid structures: [`accepts`]. It also differs from the reference
+/// if it leaves a valid table to the rules.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FastPath;
 
@@ -87,12 +87,13 @@ impl Checker for FastPath {
     }
 }
 
-/// The report of the library's validator on a structure. Through a pointer: it is compiled once then, and not for every structure.
+/// Returns the report of the library's validator on a structure. The pointer lets it be compiled once, and not for every
+/// structure.
 pub(crate) fn judge(structure: &dyn View, expectation: &Expectation) -> Report {
     validate(structure, expectation, Collect::First)
 }
 
-/// A first broken rule in words.
+/// Returns a first broken rule in words.
 pub(crate) fn in_words(broken: Option<Rule>) -> String {
     broken.map_or_else(|| "right".to_owned(), |rule| format!("wrong by {rule}"))
 }

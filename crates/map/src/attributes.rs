@@ -47,7 +47,7 @@ use twinedge_geometry::Point;
 /// # Ok::<(), twinedge_map::edit::EditError>(())
 /// ```
 ///
-/// All edits carry values. Overlays carry the values of faces and features, and so does convex decomposition. See
+/// All edits carry values. So do overlays and convex decomposition for faces and features. See
 /// [`Dcel`](twinedge::dcel::Dcel#attributes) for the general rules. On a [built](super::Builder) map, features have values first,
 /// and faces [get](Self::cover_values) theirs from these. A map made [from another structure](Self::from_view) [takes
 /// over](Self::carry_values) its values.
@@ -56,8 +56,7 @@ use twinedge_geometry::Point;
 /// [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) splits, drops and redraws edges that rounding moves. Values
 /// follow these steps, also when an edge comes to lie on existing vertices.
 ///
-/// A map with attributes keeps a log of overwritten links, as a [`History`](twinedge::dcel::History) does: it may have to undo an
-/// edit that is refused halfway.
+/// A map with attributes keeps a log of overwritten links, like a [`History`](twinedge::dcel::History), to undo half-done edits.
 impl PlanarMap {
     /// Adds an attribute. Records get values by [`set_value`](Self::set_value), and from then on by the policy. O(1), amortised.
     /// If the policy assigns [ids](Policy::ids), the n existing records get theirs at once, except the unbounded face, in O(n).
@@ -116,8 +115,7 @@ impl PlanarMap {
         self.dcel.find(of, value)
     }
 
-    /// Returns the number that [`Policy::ids`] assigns to the next record, or `None` if the attribute assigns no ids.
-    /// O(attributes).
+    /// Returns the number that [`Policy::ids`] assigns to the next record, or `None` without such ids. O(attributes).
     #[must_use]
     pub fn next_id<K: Attributed>(&self, of: Attribute<K, u64>) -> Option<u64> {
         self.dcel.next_id(of)
@@ -181,18 +179,16 @@ impl PlanarMap {
 
     /// Adds the attributes of another map, with their identities and policies but without values. O(attributes).
     ///
-    /// Use it to give values to a map that was [loaded](#impl-Serialize-for-PlanarMap), or to [compare](mod@super::diff) two maps
-    /// that were loaded separately.
+    /// Gives values to a [loaded](#impl-Serialize-for-PlanarMap) map, or serves to [compare](mod@super::diff) loaded maps.
     pub fn add_attributes_of(&mut self, other: &Self) {
         self.dcel.add_attributes_of(&other.dcel);
     }
 
     /// Gives each face the values of the features that cover it, as on a [built](super::Builder) map whose features have values.
     ///
-    /// If a feature covers several faces, the policy for faces splits its value: the largest face inherits, and the others are
-    /// split off it. If several features cover a face, their values are merged in the order of the features, together with the
-    /// face's own value. By the default policy, the largest face of a feature gets the value, and the first of several values
-    /// stays.
+    /// If a feature covers several faces, the policy for faces splits its value: the largest face inherits, the others are split
+    /// off it. If several features cover a face, their values are merged in the order of the features, together with the face's
+    /// own value. By the default policy, the largest face of a feature gets the value, and the first of several values stays.
     ///
     /// O(faces · features of each · log n).
     ///
@@ -244,8 +240,7 @@ impl PlanarMap {
     }
 
     /// Takes over the attributes, with values, of the map from which this one was [made](Self::from_view). `keys` are the keys
-    /// returned then. Features keep their values if both maps have the same number of features. Existing values of the same
-    /// attribute stay.
+    /// returned then. Features keep their values if both maps have equally many. Existing values of the same attribute stay.
     ///
     /// O(values). [`Dcel::carry_values`](twinedge::dcel::Dcel::carry_values) has an example.
     pub fn carry_values(&mut self, other: &Self, keys: &Keys) {
@@ -329,8 +324,7 @@ impl PlanarMap {
         }
     }
 
-    /// Runs several edits as one. If an attribute's policy refuses one of them, the earlier ones are undone. A map without
-    /// attributes undoes nothing.
+    /// Runs several edits as one. If a policy refuses one, the earlier ones are undone. A map without attributes undoes nothing.
     ///
     /// # Errors
     /// Returns the error of the closure.

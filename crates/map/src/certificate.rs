@@ -15,8 +15,7 @@ use twinedge_certificate::{Column, Drawing, Labels};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// No grid contains all coordinates: as multiples of a power of two they are too large, or they are not finite. Snapping to a
-    /// grid helps.
+    /// No grid contains all coordinates: they are not finite, or too large as multiples of a power of two. Snap them.
     #[error("the coordinates are on no grid on which they are at most 2^51 steps")]
     NoGrid,
     /// An edge has bends.
@@ -75,8 +74,7 @@ pub fn draw<E: Embedding + ?Sized>(map: &E) -> Result<Drawing, DrawingError> {
     Ok(Drawing { columns: darts.into_columns(), points, exponent })
 }
 
-/// Returns the points of all vertex slots and the corners of a big triangle around them, as multiples of a power of two, with its
-/// exponent.
+/// Returns the points of all vertex slots and a triangle around them, as multiples of a power of two, with its exponent.
 fn points<E: Embedding + ?Sized>(map: &E) -> Result<(Vec<[i64; 2]>, i32), DrawingError> {
     let live = (0..map.vertex_slots()).filter(|v| map.is_vertex(*v));
     let coordinates = |v: usize| [map.point(v).x, map.point(v).y].map(Binary::of);
@@ -167,8 +165,7 @@ impl Darts {
         if count >= NIL as usize {
             return Err(DrawingError::TooLarge);
         }
-        // In the order of the vertices: neighbours in the map are mostly neighbours here, so a checker of the drawing finds them
-        // in the cache.
+        // In the order of the vertices: neighbours in the map are mostly neighbours here, so a checker finds them in the cache.
         let mut is_numbered = vec![false; cdt.num_all_faces()];
         let mut of_edge = vec![NIL; count];
         let mut sides = Vec::with_capacity(count);
@@ -206,8 +203,7 @@ impl Darts {
         if let Some(half_edge) = half_edges(map).find(|h| map.bends(*h) > 0) {
             return Err(DrawingError::Bends { half_edge });
         }
-        // Each vertex is passed once to find its first half-edge and once to place them all, and each half-edge is placed once.
-        // An invalid rotation can take longer.
+        // Passes each vertex twice, to find its first half-edge and to place them all. An invalid rotation can take longer.
         let mut steps = 3 * self.twin.len();
         let mut step = || -> Result<(), DrawingError> {
             steps = steps.checked_sub(1).ok_or(DrawingError::NotPlane)?;
@@ -243,8 +239,8 @@ impl Darts {
         self.half_edge[self.of_half_edge[h] as usize] as usize == h
     }
 
-    /// Finds the faces of the darts, and ranks: across the unbounded face from the outer triangle, and across each other face
-    /// from one of its half-edges.
+    /// Finds the faces of the darts, and ranks: from the outer triangle across the unbounded face, and from a half-edge across
+    /// others.
     fn find_faces<E: Embedding + ?Sized>(&mut self, map: &E) {
         let by_record = map.parts().has(Part::BoundaryComponents);
         let is_unbounded =

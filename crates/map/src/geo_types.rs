@@ -45,8 +45,7 @@ impl From<&Shape> for geo::Geometry<f64> {
     }
 }
 
-/// Takes all shapes of the geometry, including nested collections; empty lines and polygons draw nothing. O(coordinates), even
-/// for deeply nested collections.
+/// Takes all shapes of the geometry, including nested collections of any depth; empty shapes draw nothing. O(coordinates).
 impl From<&geo::Geometry<f64>> for Feature {
     fn from(geometry: &geo::Geometry<f64>) -> Self {
         let mut shapes = Vec::new();

@@ -18,8 +18,7 @@ pub enum MapImportError {
     /// The structure is valid, but its topology is not a planar subdivision with this outside.
     #[error(transparent)]
     Topology(#[from] ImportError),
-    /// The topology is a planar subdivision, but the coordinates do not draw it with this outside. The report names records by
-    /// their indices in the refused map.
+    /// The topology is planar, but the coordinates do not draw it with this outside. The report has indices of the refused map.
     #[error("with that outside, the coordinates do not draw the structure:\n{0}")]
     NotDrawn(Box<Report>),
 }
@@ -92,8 +91,7 @@ impl PlanarMap {
     ///
     /// # Errors
     /// [`MapImportError::Invalid`] if the structure breaks a rule; [`MapImportError::Topology`] for the errors of
-    /// [`Dcel::from_view`]; [`MapImportError::NotDrawn`] if its coordinates do not draw the map with that outside, or change
-    /// while they are read.
+    /// [`Dcel::from_view`]; [`MapImportError::NotDrawn`] if its coordinates do not draw the map, or change meanwhile.
     pub fn from_view<V: Embedding + ?Sized>(
         view: &V,
         expectation: &Expectation,

@@ -16,9 +16,8 @@ use twinedge_geometry::noding::NodingSummary;
 
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its faces.
 ///
-/// [`Builder`](super::Builder) makes one all at once, [edits](super::edit) change one step by step from [`PlanarMap::new`], and
-/// [`PlanarMap::from_view`] converts an existing structure. [`PlanarMap::dcel`] returns the topology; coordinates and features
-/// are read by key.
+/// [`Builder`](super::Builder) makes one at once, [edits](super::edit) change [`PlanarMap::new`], and [`PlanarMap::from_view`]
+/// converts an existing structure. [`PlanarMap::dcel`] returns the topology; coordinates and features are read by key.
 ///
 /// ```text
 ///   ┌──────────┐ ┌──────┐    dcel      vertices, half-edges, faces and what lies in what
@@ -199,8 +198,7 @@ impl PlanarMap {
         Ok(self.features.set(set))
     }
 
-    /// Returns the features whose rings or lines run along an edge, in order. O(log features) for the first, O(1) on average for
-    /// each other.
+    /// Returns the features whose rings or lines run along an edge, in order. O(log features) for the first, O(1) for others.
     ///
     /// ```
     /// use twinedge_map::Builder;
@@ -263,8 +261,7 @@ impl PlanarMap {
 
     /// Returns true if edges meet only at shared endpoints. O(1).
     ///
-    /// The builder determines this, and edits preserve it: they refuse a map that is not plane. The links of such a map are
-    /// valid, but locations on it are undefined.
+    /// The builder determines this, and edits refuse a map that is not plane. Its links are valid, its locations undefined.
     ///
     /// ```
     /// use twinedge_map::{Builder, Noding};
@@ -310,11 +307,9 @@ impl PlanarMap {
         self.not_plane.map_or(Ok(()), Err)
     }
 
-    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; otherwise plus the number of pairs of edges whose
-    /// boxes meet.
+    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; plus the pairs of edges whose boxes meet.
     ///
-    /// Edits never break a rule. This is useful in tests, and for maps built from crossing segments
-    /// ([`is_plane`](Self::is_plane)).
+    /// Useful in tests, and for maps of crossing segments ([`is_plane`](Self::is_plane)): edits break no rule.
     ///
     /// ```
     /// use twinedge_map::PlanarMap;

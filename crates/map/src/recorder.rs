@@ -138,8 +138,7 @@ impl PlanarMap {
     }
 }
 
-/// Records drawn differently before and after a change: edges by their even half-edges, and vertices that may be isolated, by
-/// index.
+/// Records drawn differently after a change: edges by their even half-edges, and vertices that may be isolated, by index.
 struct Redrawn {
     edges: Vec<usize>,
     vertices: Vec<usize>,

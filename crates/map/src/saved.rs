@@ -133,8 +133,7 @@ impl Serialize for Certified<'_> {
 
 impl PlanarMap {
     /// Adds a certificate of the drawing, to be saved with the map. Loading then checks the certificate in O(n) instead of
-    /// validating the map in O(n log n). The saved form loads like a map without a certificate, and an invalid map is still an
-    /// error.
+    /// validating in O(n log n). The saved form loads like a map without a certificate, and an invalid map is still an error.
     ///
     /// Checking takes half the time of validating, but reads two and a half times the bytes: it pays off in binary formats.
     ///

@@ -4,7 +4,7 @@ use super::{Diagnosis, Reason, RuleLine};
 use serde::Serialize;
 use twinedge::validate::{Bounds, REPORT_SCHEMA};
 
-/// An audit in the form of `docs/report.md`. The counts are those of the audit.
+/// An audit in the form of `docs/report.md`. `counts` are the counts of the audit.
 ///
 /// ```
 /// use twinedge::validate::Violation;
@@ -31,7 +31,6 @@ pub struct Document<'a, C> {
     violations: &'a [Diagnosis],
 }
 
-/// The outcome of a rule.
 #[derive(Clone, Debug, Serialize)]
 struct Line {
     id: &'static str,
@@ -47,7 +46,7 @@ struct Line {
 }
 
 impl<'a, C> Document<'a, C> {
-    /// An audit that found nothing.
+    /// Creates an audit without findings.
     #[must_use]
     pub fn new(valid: bool, counts: C, rules: &[RuleLine]) -> Self {
         let line = |&RuleLine { id, checked, violations, unchecked, left_out, .. }: &RuleLine| Line {
@@ -72,7 +71,7 @@ impl<'a, C> Document<'a, C> {
         }
     }
 
-    /// The same with the names and units of the rules.
+    /// Adds the names and units of the rules.
     #[must_use]
     pub fn named(mut self, rules: &[RuleLine]) -> Self {
         for (line, rule) in self.rules.iter_mut().zip(rules) {
@@ -81,19 +80,19 @@ impl<'a, C> Document<'a, C> {
         self
     }
 
-    /// The same with the violations that are listed, and how many there are.
+    /// Adds the listed violations, and their total number.
     #[must_use]
     pub fn violations(self, listed: &'a [Diagnosis], count: u64) -> Self {
         Self { violations: listed, violation_count: count, ..self }
     }
 
-    /// The same with the findings that are listed, and how many there are.
+    /// Adds the listed findings, and their total number.
     #[must_use]
     pub fn findings(self, listed: &'a [Diagnosis], count: u64) -> Self {
         Self { findings: Some(listed), finding_count: Some(count), ..self }
     }
 
-    /// The same with the bounds of rule T4, if they are known.
+    /// Adds the bounds of rule T4, if they are known.
     #[must_use]
     pub fn bounds(self, bounds: Option<Bounds>) -> Self {
         Self { bounds, ..self }

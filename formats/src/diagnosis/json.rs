@@ -55,7 +55,7 @@ struct Entry<'a> {
     sql: Option<&'a Sql>,
 }
 
-/// A violation has the names of the features, a finding of a coverage has their numbers and ids, too.
+/// A violation has the names of the features; a finding of a coverage also has their numbers and ids.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Features<'a> {
@@ -63,7 +63,7 @@ enum Features<'a> {
     Numbered(&'a [FeatureName]),
 }
 
-/// A violation has all places of its records, a finding of a coverage has the one to look at.
+/// A violation has all places of its records; a finding of a coverage has the place to look at.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Places {
@@ -71,7 +71,7 @@ enum Places {
     One(Position),
 }
 
-/// The same number, and 0 without a sign.
+/// Turns −0 into 0.
 fn unsigned_zero(x: f64) -> f64 {
     x + 0.0
 }

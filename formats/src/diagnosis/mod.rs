@@ -1,4 +1,4 @@
-//! The findings of audits, in the one form that all writers take.
+//! The findings of audits, in one form for all writers.
 //!
 //! ```text
 //!   Violation ───────────┐
@@ -8,7 +8,7 @@
 //!   coverage::Finding ───┘
 //! ```
 //!
-//! Each audit keeps its typed findings, and makes a [`Diagnosis`] of each to have it written. [`RuleLine`] is the outcome of a rule,
+//! Each audit keeps its typed findings, and converts each to a [`Diagnosis`] for writing. [`RuleLine`] is the outcome of a rule,
 //! [`Document`] an audit as JSON.
 
 #[cfg(feature = "serde")]
@@ -29,7 +29,7 @@ use twinedge::validate::{Record, Violation};
 /// A point of the plane.
 pub type Position = [f64; 2];
 
-/// One thing that an audit found. `Display` prints the rule, or else the kind, and the message.
+/// A finding of an audit. `Display` prints the rule, or else the kind, and the message.
 ///
 /// ```
 /// use twinedge::validate::Violation;
@@ -40,12 +40,12 @@ pub type Position = [f64; 2];
 /// assert_eq!(found.kind.name(), "twin_is_self");
 /// ```
 ///
-/// More fields may come. One of your own is made from a [`Violation`] or by `..Diagnosis::default()`, so that it compiles then, too.
+/// More fields may be added. To stay compatible, make your own from a [`Violation`] or by `..Diagnosis::default()`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Diagnosis {
-    /// An id that is the same from run to run, if it was given one.
+    /// An id that is stable from run to run, if one was assigned.
     pub id: Option<String>,
-    /// The line of the file, where each line is a structure of its own.
+    /// The line of the file, if each line is a separate structure.
     pub line: Option<u64>,
     /// The id of the rule, except for findings of meshes.
     pub rule: Option<&'static str>,
@@ -57,39 +57,39 @@ pub struct Diagnosis {
     pub cause: Option<&'static str>,
     /// The remedy.
     pub remedy: Option<&'static str>,
-    /// The statements for the database that has the records.
+    /// The statements for the database that contains the records.
     pub sql: Option<Sql>,
     /// The records involved.
     pub records: Records,
-    /// The features involved, where there are features.
+    /// The features involved, if there are features.
     pub features: Option<Vec<FeatureName>>,
-    /// The features of another layer that are involved, of a finding between two layers.
+    /// The features of the other layer involved, for a finding between two layers.
     pub others: Option<Vec<FeatureName>>,
-    /// The places involved, where there are places: vertices, ends of edges, bends.
+    /// The places involved, if there are places: vertices, ends of edges, bends.
     pub places: Option<Vec<Position>>,
     /// The place to look at.
     pub look: Option<Position>,
-    /// The shape of what is involved.
+    /// The shape of the finding.
     pub trace: Trace,
-    /// The size, of findings of a coverage.
+    /// The size, for findings of a coverage.
     pub measures: Measures,
-    /// The defects of a feature that is not valid by the rules of the OGC.
+    /// The defects of a feature that is invalid by the rules of the OGC.
     pub defects: Vec<Flaw>,
-    /// The vertices that a mismatch of borders is about.
+    /// The missing vertices of a mismatch of borders.
     pub missing: Vec<MissingVertex>,
-    /// `removed` by snapping, or `made` by it.
+    /// `removed` or `made`, by snapping.
     pub snapping: Option<&'static str>,
-    /// The number of the measure of ISO 19157 that counts it.
+    /// The number of the ISO 19157 measure that counts it.
     pub iso: Option<u32>,
-    /// The id of the rule of the finding from which this one follows.
+    /// The id of the rule whose finding implies this one.
     pub follows_from: Option<&'static str>,
     /// The id of that finding, if it is known.
     pub follows_from_id: Option<String>,
-    /// The message in words about features, where there are features.
+    /// The message in terms of features, if there are features.
     pub sentence: Option<String>,
-    /// The reason for which it was accepted, if it was.
+    /// The reason why it was accepted, if it was.
     pub accepted: Option<String>,
-    /// It makes the input invalid.
+    /// True if it makes the input invalid.
     pub is_violation: bool,
 }
 
@@ -108,7 +108,7 @@ pub enum Kind {
     Counted {
         /// The name.
         kind: &'static str,
-        /// The numbers of what the component has.
+        /// The counts of the component.
         fields: Figures,
     },
 }
@@ -117,9 +117,9 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Figures {
-    /// V.
+    /// The number of vertices, V.
     pub vertices: u64,
-    /// E.
+    /// The number of edges, E.
     pub edges: u64,
     /// The number of cycles.
     pub cycles: u64,
@@ -128,7 +128,7 @@ pub struct Figures {
 }
 
 impl Kind {
-    /// The name, which does not change between versions.
+    /// Returns the name, which is stable between versions.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -144,7 +144,7 @@ impl Default for Kind {
     }
 }
 
-/// The records that a [`Diagnosis`] names, the one at fault first.
+/// The records that a [`Diagnosis`] names, the faulty one first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(untagged))]
 pub enum Records {
@@ -153,7 +153,7 @@ pub enum Records {
         /// At most two.
         records: Vec<Record>,
     },
-    /// By their indices, which is how JSON has them, and by the names of a textbook's tables.
+    /// By their indices, as in JSON, and by the names in a textbook's tables.
     Both {
         /// At most two.
         records: Vec<Record>,
@@ -161,7 +161,7 @@ pub enum Records {
         #[cfg_attr(feature = "serde", serde(skip))]
         names: Vec<String>,
     },
-    /// By the names that a database or file has for them, as in `edge +17`.
+    /// By their names in a database or file, as in `edge +17`.
     Names {
         /// The names.
         records: Vec<String>,
@@ -173,7 +173,7 @@ pub enum Records {
         /// The vertices.
         vertices: Vec<usize>,
     },
-    /// A finding of a coverage: it has features instead.
+    /// No records: a finding of a coverage has features instead.
     None {},
 }
 
@@ -184,7 +184,7 @@ impl Default for Records {
 }
 
 impl Records {
-    /// The records in words.
+    /// Returns the records in words.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         match self {
@@ -195,17 +195,17 @@ impl Records {
     }
 }
 
-/// Statements for the database in which something was found.
+/// Statements for the database of a finding.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sql {
-    /// Queries of the rows that are involved.
+    /// Queries for the rows involved.
     pub show: String,
-    /// The statements that mend it; none where that takes a choice.
+    /// The statements that fix it; empty if fixing requires a choice.
     pub mend: Vec<String>,
 }
 
-/// The shape of what was found.
+/// The shape of a finding.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Trace {
@@ -213,7 +213,7 @@ pub struct Trace {
     pub points: Vec<Position>,
     /// Lines.
     pub lines: Vec<Vec<Position>>,
-    /// The outer ring of each, counter-clockwise, and then its holes; all closed.
+    /// The outer ring of each polygon, counter-clockwise, followed by its holes; all closed.
     pub polygons: Vec<Vec<Vec<Position>>>,
 }
 
@@ -222,7 +222,7 @@ pub struct Trace {
 pub struct Measures {
     /// The area.
     pub area: Option<f64>,
-    /// The mean width, twice the area by the length.
+    /// The mean width: twice the area divided by the length.
     pub width: Option<f64>,
     /// The length of the borders.
     pub length: Option<f64>,
@@ -238,7 +238,7 @@ pub struct MissingVertex {
     pub feature: usize,
 }
 
-/// A feature as it is named.
+/// The names of a feature.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FeatureName {
@@ -249,13 +249,13 @@ pub struct FeatureName {
     pub id: Option<String>,
     /// Its name.
     pub name: Option<String>,
-    /// Name and id, fit for a terminal.
+    /// Name and id, suitable for a terminal.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub label: String,
 }
 
 impl FeatureName {
-    /// The name, without control characters, or else `feature` and the number.
+    /// Returns the name, without control characters, or else `feature` and the number.
     #[must_use]
     pub fn title(&self) -> String {
         let plain =
@@ -263,7 +263,7 @@ impl FeatureName {
         self.name.as_deref().map_or_else(|| format!("feature {}", self.number), plain)
     }
 
-    /// The id, or else the name, or else the number after a `#`.
+    /// Returns the id, or else the name, or else the number after a `#`.
     #[must_use]
     pub fn key(&self) -> String {
         let key = self.id.clone().or_else(|| self.name.clone());
@@ -271,7 +271,7 @@ impl FeatureName {
     }
 }
 
-/// A defect of a polygon, in the words of the OGC.
+/// A defect of a polygon, in the terms of the OGC.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Flaw {
@@ -293,7 +293,7 @@ impl Diagnosis {
     }
 }
 
-/// A violation, with its records named by their indices.
+/// Converts a violation, naming its records by their indices.
 impl From<&Violation> for Diagnosis {
     fn from(violation: &Violation) -> Self {
         Self {
@@ -315,7 +315,7 @@ impl fmt::Display for Diagnosis {
     }
 }
 
-/// A line for each, and one that says how many more there are.
+/// Writes a line for each, and one for the number of omitted ones.
 pub(crate) fn write_list<'a>(
     f: &mut fmt::Formatter<'_>,
     listed: impl IntoIterator<Item = &'a Diagnosis>,

@@ -2,7 +2,7 @@
 
 use super::Position;
 
-/// The place where two segments cross, if these are their four ends, or else the middle of the points.
+/// Returns the crossing of two segments, given their four ends, or else the middle of the points.
 ///
 /// ```
 /// use twinedge_formats::diagnosis::middle;
@@ -24,7 +24,7 @@ pub fn middle(points: &[Position]) -> Option<Position> {
     (!points.is_empty()).then_some(sum)
 }
 
-/// About where two segments cross.
+/// Returns the approximate crossing of two segments.
 fn crossing([a, b]: [Position; 2], [c, d]: [Position; 2]) -> Option<Position> {
     let [u, v, w] = [(a, b), (c, d), (a, c)].map(|(p, q)| [q[0] - p[0], q[1] - p[1]]);
     let cross = |p: Position, q: Position| p[0] * q[1] - p[1] * q[0];

@@ -3,38 +3,38 @@
 use std::fmt;
 use twinedge::validate::{Report, Rule, RuleOutcome, Unchecked};
 
-/// The outcome of a rule. `Display` prints it in a line.
+/// The outcome of a rule. `Display` prints it in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RuleLine {
     /// The id: `R1` and so on; `P0` … `P4` of PostGIS, `A0` … `A3` of TopoJSON, `O1` … `O5` of `OpenStreetMap`, `X1` … `X6` between layers, `M9` … `M11` of meshes.
     pub id: &'static str,
-    /// Its name.
+    /// The name.
     pub name: &'static str,
     /// The rule in one sentence.
     pub statement: &'static str,
-    /// The number of its unit that were checked.
+    /// The number of checked units.
     pub checked: u64,
     /// The unit: links, vertices and so on.
     pub unit: &'static str,
     /// The number of violations, kept or not.
     pub violations: u64,
-    /// Why it was not checked, or not on everything.
+    /// The reason why it was not checked, or not everywhere.
     pub unchecked: Option<Reason>,
-    /// The number of its unit on which it was not checked, where that is known.
+    /// The number of unchecked units, if known.
     pub left_out: Option<u64>,
 }
 
-/// Why a rule was not checked, or not on everything. `Display` says it.
+/// The reason why a rule was not checked, or not everywhere, as printed by `Display`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Reason {
     /// The reason of the validator.
     Validator(Unchecked),
-    /// It relies on a rule of the format, which is broken.
+    /// It relies on a broken rule of the format.
     Broken(&'static str),
-    /// The boxes around some faces cannot be judged: the lines that name these do not close.
+    /// The boxes of some faces cannot be judged: the lines that name these faces do not close.
     NotClosed,
-    /// It is not known in which faces some isolated nodes lie.
+    /// The faces of some isolated nodes are unknown.
     NotLocated,
     /// Some faces of a mesh have more than three sides and are not convex.
     NotConvex,
@@ -47,7 +47,7 @@ impl Reason {
         matches!(self, Self::Validator(why) if why.is_by_design())
     }
 
-    /// Returns the rule of the validator that it relies on and that is broken, if that is the reason.
+    /// Returns the broken rule of the validator on which it relies, if that is the reason.
     #[must_use]
     pub const fn broken(self) -> Option<Rule> {
         match self {
@@ -72,7 +72,7 @@ impl fmt::Display for Reason {
 }
 
 impl RuleLine {
-    /// A rule of the validator.
+    /// Converts a rule of the validator.
     #[must_use]
     pub fn new(rule: Rule, outcome: RuleOutcome) -> Self {
         Self {
@@ -87,25 +87,25 @@ impl RuleLine {
         }
     }
 
-    /// The rules of a report.
+    /// Converts the rules of a report.
     #[must_use]
     pub fn of(report: &Report) -> Vec<Self> {
         report.outcomes().map(|(rule, outcome)| Self::new(rule, outcome)).collect()
     }
 
-    /// Returns false if it is a rule of the plane, and the structure is held to a surface: text leaves it out.
+    /// Returns false for a rule of the plane if the structure is a surface: text leaves it out.
     #[must_use]
     pub fn applies(&self) -> bool {
         self.unchecked != Some(Reason::Validator(Unchecked::PlaneOnly))
     }
 
-    /// Returns true if it was checked on some records, and it is known on how many it was not.
+    /// Returns true if it was checked on some records, and the number of unchecked ones is known.
     #[must_use]
     pub fn is_in_part(&self) -> bool {
         self.checked > 0 && self.left_out.is_some()
     }
 
-    /// A clause that says on how many records it was not checked, and why.
+    /// Returns a clause with the number of unchecked records and the reason.
     #[must_use]
     pub fn not_checked(&self) -> Option<String> {
         let why = self.unchecked?;
@@ -116,7 +116,7 @@ impl RuleLine {
         })
     }
 
-    /// Returns true if it applies and was not checked, or not on everything.
+    /// Returns true if it applies and was not checked, or not everywhere.
     #[must_use]
     pub fn is_open(&self) -> bool {
         self.unchecked.is_some_and(|why| !why.is_by_design())

@@ -1,4 +1,4 @@
-//! Errors of readers: the place in the file, and what is wrong there.
+//! Errors of readers: the place in the file, and the fault.
 
 use super::foreign::ForeignFormat;
 use super::format::Format;
@@ -6,31 +6,29 @@ use core::fmt;
 use std::io;
 use thiserror::Error;
 
-/// The greatest number of geometry collections that a reader accepts around one geometry. RFC 7946 advises against nesting them
-/// at all; the bound keeps the stack small.
+/// The greatest number of geometry collections that a reader accepts around a geometry. RFC 7946 advises against nesting them at
+/// all; the bound limits the stack.
 pub const MAX_NESTED_COLLECTIONS: usize = 32;
 
 /// A place in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TextPlace {
-    /// The line, the first being 1.
+    /// The line, counted from 1.
     pub line: usize,
-    /// The byte of the line, the first being 1; 0 stands for the line break before it. A byte order mark is not counted.
-    /// None, if the reader knows the line only.
+    /// The byte of the line, counted from 1; 0 stands for the line break before it. A byte order mark is not counted. `None` if
+    /// the reader knows only the line.
     pub column: Option<usize>,
 }
 
 impl TextPlace {
-    /// The place before the first byte.
     pub(super) const START: Self = Self { line: 1, column: Some(0) };
 
-    /// A line as a whole.
+    /// Creates the place of a whole line.
     #[must_use]
     pub const fn line(line: usize) -> Self {
         Self { line, column: None }
     }
 
-    /// The place after these bytes as well.
     pub(super) fn after(self, bytes: &[u8]) -> Self {
         bytes.iter().fold(self, |at, byte| match byte {
             b'\n' => Self { line: at.line + 1, column: Some(0) },
@@ -48,12 +46,12 @@ impl fmt::Display for TextPlace {
     }
 }
 
-/// One feature among those of a file.
+/// A feature of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct FeatureLabel {
-    /// Its place among the others, the first being 0.
+    /// The index among the features, counted from 0.
     pub index: usize,
-    /// Its name, if it has one and could be read as a whole.
+    /// The name, if it has one that could be read completely.
     pub name: Option<String>,
 }
 
@@ -67,12 +65,12 @@ impl fmt::Display for FeatureLabel {
     }
 }
 
-/// The error of all readers of [`io`](crate::io): the place in the file, and what is wrong there.
+/// The error of all readers of [`io`](crate::io): the place in the file, and the fault.
 ///
-/// For GeoJSON the place is the byte that `serde_json` had reached when the fault showed. For a value of the wrong type,
-/// this is its last byte, its opening bracket or the byte behind that. What shows only when an object is complete, such as
-/// a missing member or a short position, has the place of the closing brace of the feature or the outermost object; what a
-/// geometry inside a feature lacks, that of its own closing brace or of what follows it.
+/// For GeoJSON the place is the byte that `serde_json` had reached when the fault appeared. For a value of an invalid type, this
+/// is its last byte, its opening bracket or the following byte. A fault that appears only when an object is complete, such as a
+/// missing member or a short position, has the place of the closing brace of the feature or the outermost object; a fault in a
+/// geometry inside a feature has the place of the geometry's closing brace or of the following byte.
 ///
 /// ```
 /// use twinedge_formats::io;
@@ -87,20 +85,20 @@ impl fmt::Display for FeatureLabel {
 pub struct ReadError {
     /// The place in the file.
     pub place: TextPlace,
-    /// The feature at fault, if the fault is inside one.
+    /// The faulty feature, if the fault is inside one.
     pub feature: Option<FeatureLabel>,
     /// The error at that place.
     pub cause: ReadCause,
 }
 
 impl ReadError {
-    /// An error that concerns no feature.
+    /// Creates an error without a feature.
     #[must_use]
     pub const fn new(place: TextPlace, cause: ReadCause) -> Self {
         Self { place, feature: None, cause }
     }
 
-    /// The error with the feature that it concerns.
+    /// Adds the feature of the error.
     #[must_use]
     pub fn in_feature(self, feature: FeatureLabel) -> Self {
         Self { feature: Some(feature), ..self }
@@ -130,65 +128,64 @@ impl std::error::Error for ReadError {
     }
 }
 
-/// An error in a file.
+/// A fault in a file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReadCause {
-    /// The reader underneath failed. The place is that of the last byte, or the line, that could be read.
+    /// The underlying reader failed. The place is the last byte, or the last line, that could be read.
     #[error("{0}")]
     Io(io::Error),
-    /// There is nothing but white space.
+    /// The file contains only white space.
     #[error("the input is empty")]
     Empty,
-    /// The input ends before its outermost object does.
+    /// The input ends inside its outermost object.
     #[error("the input ends too early")]
     Truncated,
     /// The text is not UTF-8.
     #[error("not UTF-8")]
     NotUtf8,
-    /// The text breaks the grammar of its format. In GeoJSON, a `"type"` that is not a string counts as such, too:
-    /// `serde_json` makes no difference.
+    /// The text breaks the grammar of its format. In GeoJSON, this includes a `"type"` that is not a string, which `serde_json`
+    /// does not distinguish.
     #[error("syntax error: {message}")]
     Syntax {
-        /// A description of the error, and of what was expected.
+        /// A description of the error and the expected input.
         message: String,
     },
-    /// A type of geometries that is not read.
+    /// An unsupported type of geometries.
     #[error("{message}")]
     Unread {
-        /// The type, why it is not read, and what to do.
+        /// The type, the reason, and a remedy.
         message: String,
     },
-    /// Something follows the end of the outermost object, or of the geometry of a line.
+    /// The outermost object, or the geometry of a line, is followed by more text.
     #[error("text after the end of the {what}")]
     Trailing {
-        /// The text that has ended.
+        /// The completed object.
         what: &'static str,
     },
-    /// This is JSON, but an object is not of the form that its type asks for.
+    /// The text is JSON, but an object does not have the form required by its type.
     #[error("{message}")]
     Malformed {
         /// The message of the `geojson` crate, cut after 200 characters.
         message: String,
     },
-    /// A number that is none, or infinite, or that no 64-bit float comes near to.
+    /// A number is NaN, infinite, or beyond the range of 64-bit floats.
     #[error("a number out of range")]
     OutOfRange,
-    /// A position with one number, or none. That of a GeoJSON `Point` is [`ReadCause::Malformed`], since the crate
-    /// notices it.
+    /// A position has fewer than two numbers. In a GeoJSON `Point` this is [`ReadCause::Malformed`], since the crate detects it.
     #[error("a position needs two numbers, this one has {numbers}")]
     ShortPosition {
         /// The number of numbers in it.
         numbers: usize,
     },
-    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also arrays and objects inside
-    /// each other more than about 128 deep.
+    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also arrays and objects nested more
+    /// than about 128 deep.
     #[error("nested too deep")]
     TooDeep,
-    /// The content is of a format that is known by its first bytes, but not read here.
+    /// The first bytes belong to a known format that is not supported.
     #[error("this looks like {0}, which is not read here: {advice}", advice = .0.advice())]
     Foreign(ForeignFormat),
-    /// The content, or the format that was given, is one that `twinedge-formats` reads.
+    /// The content, or the given format, is one that `twinedge-formats` reads.
     #[error(
         "this looks like {0}, which is read by twinedge-formats and the program; \
              or convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`"

@@ -6,11 +6,11 @@ use twinedge_algorithm::contour::ContourError;
 use twinedge_algorithm::neighbours::chains;
 use twinedge_map::{Feature, FeatureId, PlanarMap, Shape};
 
-/// The features of a map, in order, for a writer: the [contour](contour::of_feature) of each as polygons, and as lines all its
-/// edges that are not on that contour. The id is the [number](FeatureId::index). O(n log n).
+/// Returns the features of a map, in order, for a writer: the [contour](contour::of_feature) of each as polygons, and all its
+/// edges off that contour as lines. The id is the [number](FeatureId::index). O(n log n).
 ///
-/// A map built from these has the same features on the same faces, and the same edges and vertices, except isolated vertices
-/// and edges that belong to no feature, which [edits](twinedge_map::edit#features) may have made.
+/// A map built from these has the same features on the same faces, and the same edges and vertices, except isolated vertices and
+/// edges without features, which [edits](twinedge_map::edit#features) may have made.
 ///
 /// ```
 /// use twinedge_formats::io;
@@ -34,7 +34,7 @@ use twinedge_map::{Feature, FeatureId, PlanarMap, Shape};
 /// ```
 ///
 /// # Errors
-/// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
+/// [`ContourError`], if the map is not plane or a feature covers the unbounded face.
 pub fn features(map: &PlanarMap) -> Result<Vec<Feature>, ContourError> {
     let mut features: Vec<Feature> = contour::of_features(map)?.into_iter().map(Feature::from).collect();
     let mut lines = vec![Vec::new(); features.len()];
@@ -57,8 +57,8 @@ fn covers(map: &PlanarMap, face: Face<'_>, feature: FeatureId) -> bool {
     map.features_of(face.key()).into_iter().flatten().any(|f| f == feature)
 }
 
-/// The bounded faces of a map, in order of their indices, for a writer: a polygon each. The id is the index, the name those of
-/// the features that cover it, with slashes between. O(n), expected.
+/// Returns the bounded faces of a map, in order of their indices, for a writer: one polygon each. The id is the index; the name
+/// joins the names of the covering features with slashes. O(n), expected.
 ///
 /// ```
 /// use twinedge_formats::io;

@@ -1,11 +1,11 @@
-//! Formats that are recognised, but read nowhere here: to say what a file looks like, and what to do with it.
+//! Formats that are recognised but not supported, so that messages can name them and suggest a remedy.
 
 use super::format::{is_geopackage, is_sqlite};
 use super::json_head::JsonHead;
 use core::fmt;
 use std::path::Path;
 
-/// A format that is recognised by its first bytes, and is none of [`Format`](super::Format).
+/// A format recognised by its first bytes that is not one of [`Format`](super::Format).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ForeignFormat {
@@ -48,8 +48,8 @@ pub enum ForeignFormat {
 }
 
 impl ForeignFormat {
-    /// The format of a file that starts with these bytes, if it is one of these. O(bytes); a few hundred suffice for all but
-    /// XML and JSON, whose first elements must be among them.
+    /// Returns the format of a file that starts with these bytes, if it is one of these. O(bytes); a few hundred suffice except
+    /// for XML and JSON, whose first elements must be included.
     ///
     /// ```
     /// use twinedge_formats::io::ForeignFormat;
@@ -89,7 +89,7 @@ impl ForeignFormat {
         }
     }
 
-    /// The format of a folder, by its name.
+    /// Returns the format of a folder, by its name.
     ///
     /// ```
     /// use twinedge_formats::io::ForeignFormat;
@@ -129,7 +129,7 @@ impl ForeignFormat {
         is_gltf.then_some(Self::Gltf)
     }
 
-    /// Returns advice on how to convert such a file.
+    /// Returns advice on converting such a file.
     #[must_use]
     pub const fn advice(self) -> &'static str {
         match self {

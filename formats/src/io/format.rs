@@ -1,23 +1,24 @@
-//! The formats of maps and layers, and how to tell which one a file has.
+//! The formats of maps and layers, and their detection.
 
 use super::json_head::JsonHead;
 use core::fmt;
 use std::path::Path;
 
-/// A format of maps and layers. [`read`](super::read()) takes the texts; `twinedge-formats` reads all of them, with attributes.
+/// A format of maps and layers. [`read`](super::read()) reads the text formats; `twinedge-formats` reads all of them, with
+/// attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(clippy::exhaustive_enums, reason = "the compiler names what a new format needs, in other crates, too")]
 pub enum Format {
     /// GeoJSON ([RFC 7946](https://www.rfc-editor.org/rfc/rfc7946)): one object, with the feature `geojson`.
     GeoJson,
-    /// GeoJSON objects one after the other, usually one per line: newline-delimited GeoJSON, or text sequences
-    /// ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), with the feature `geojson`.
+    /// Successive GeoJSON objects, usually one per line: newline-delimited GeoJSON, or text sequences ([RFC
+    /// 8142](https://www.rfc-editor.org/rfc/rfc8142)), with the feature `geojson`.
     GeoJsonSeq,
     /// Well-known text, a geometry per line, with the feature `wkt`.
     Wkt,
-    /// Well-known binary: a geometry per line in hexadecimal digits, or geometries one after the other as bytes.
+    /// Well-known binary: one geometry per line in hexadecimal digits, or successive geometries as bytes.
     Wkb,
-    /// Esri Shapefile: several files of one name.
+    /// Esri Shapefile: several files with one name.
     Shapefile,
     /// OGC `GeoPackage`.
     GeoPackage,
@@ -25,11 +26,10 @@ pub enum Format {
     TopoJson,
     /// `FlatGeobuf`.
     FlatGeobuf,
-    /// `GeoParquet`, and Parquet with its own type of geometries.
+    /// `GeoParquet`, and Parquet with its own geometry type.
     GeoParquet,
 }
 
-/// A row of the registry.
 struct Row {
     format: Format,
     name: &'static str,
@@ -78,7 +78,7 @@ impl Format {
         &ROWS[self as usize]
     }
 
-    /// The format that the extension of a file name stands for; none, if the content must tell, as for `.json`.
+    /// Returns the format for the extension of a file name; `None` if the content must decide, as for `.json`.
     ///
     /// ```
     /// use twinedge_formats::io::Format;
@@ -94,8 +94,8 @@ impl Format {
         ROWS.iter().find(|row| row.extensions.contains(&&*extension)).map(|row| row.format)
     }
 
-    /// The format of data that begins with these bytes. They must include the end of the first object to
-    /// tell a sequence of objects from a single one. O(bytes).
+    /// Returns the format of data that begins with these bytes. They must include the end of the first object to distinguish a
+    /// sequence of objects from a single one. O(bytes).
     ///
     /// ```
     /// use twinedge_formats::io::Format;
@@ -129,7 +129,7 @@ impl Format {
         match text.first()? {
             b'{' if json().member("type") == Some("Topology") => Some(Self::TopoJson),
             b'{' if json().goes_on() => Some(Self::GeoJsonSeq),
-            // An array is no map, but the reader says what is expected.
+            // An array is no map, but the reader reports the expected input.
             b'{' | b'[' => Some(Self::GeoJson),
             0x1E => Some(Self::GeoJsonSeq),
             b'#' => Some(Self::Wkt),
@@ -137,8 +137,8 @@ impl Format {
         }
     }
 
-    /// The format of a file, by its content and its name. Content of several objects of GeoJSON is newline-delimited, even if the name
-    /// says `.geojson`.
+    /// Returns the format of a file, by its content and its name. Content of several GeoJSON objects is newline-delimited, even
+    /// with the extension `.geojson`.
     ///
     /// ```
     /// use twinedge_formats::io::Format;
@@ -157,21 +157,21 @@ impl Format {
         }
     }
 
-    /// Returns true if the content tells the format for certain, whatever the name of the file.
+    /// Returns true if the content determines the format with certainty, independent of the file name.
     #[must_use]
     pub const fn is_certain(self) -> bool {
         !matches!(self, Self::GeoJson | Self::GeoJsonSeq | Self::Wkt)
     }
 
-    /// Returns true if it is read from and written to files only, as it is made of several or is no stream.
+    /// Returns true if the format needs real files: it consists of several, or cannot be streamed.
     #[must_use]
     pub const fn needs_file(self) -> bool {
         matches!(self, Self::Shapefile | Self::GeoPackage | Self::GeoParquet)
     }
 
-    /// Returns true if it says which way rings turn. RFC 7946 does, and so does Esri's description of Shapefiles, whose rings are
-    /// turned when they are read. "Simple feature access" (OGC 06-103r4 and 06-104r4), on which well-known text, well-known binary
-    /// and `GeoPackage` rest, leaves it open, and so do `FlatGeobuf`, `GeoParquet` and `TopoJSON`.
+    /// Returns true if the format defines the direction of rings. RFC 7946 does, and so does Esri's description of Shapefiles,
+    /// whose rings are turned on reading. "Simple feature access" (OGC 06-103r4 and 06-104r4), the basis of well-known text,
+    /// well-known binary and `GeoPackage`, leaves it open, and so do `FlatGeobuf`, `GeoParquet` and `TopoJSON`.
     ///
     /// ```
     /// use twinedge_formats::io::Format;
@@ -183,26 +183,25 @@ impl Format {
         matches!(self, Self::GeoJson | Self::GeoJsonSeq | Self::Shapefile)
     }
 
-    /// The feature of the crate that reads it.
+    /// Returns the feature of the crate that reads it.
     #[must_use]
     pub const fn feature(self) -> &'static str {
         self.row().feature
     }
 }
 
-/// Returns true if this is the start of a database of `SQLite`.
 pub(super) fn is_sqlite(head: &[u8]) -> bool {
     head.starts_with(b"SQLite format 3\0")
 }
 
-/// Returns true if a database has the id of an application that `GeoPackage` gave it (since version 1.2, in 1.0 and in 1.1), or defines the table
+/// Returns true if a database has an application id of `GeoPackage` (since version 1.2, in 1.0 and in 1.1), or defines the table
 /// that every `GeoPackage` has.
 pub(super) fn is_geopackage(head: &[u8]) -> bool {
     const TABLE: &[u8] = b"gpkg_contents";
     matches!(head.get(68..72), Some(b"GPKG" | b"GP10" | b"GP11")) || head.windows(TABLE.len()).any(|word| word == TABLE)
 }
 
-/// Returns true if a text starts with the name of a type of geometry, as well-known text does, perhaps after an `SRID`.
+/// Returns true if a text starts with the name of a geometry type, as well-known text does, perhaps after an `SRID`.
 fn starts_with_geometry(text: &[u8]) -> bool {
     const TYPES: [&str; 14] = [
         "POINT",
@@ -214,7 +213,7 @@ fn starts_with_geometry(text: &[u8]) -> bool {
         "MULTIPOLYGON",
         "GEOMETRYCOLLECTION",
         "SRID",
-        // The reader says which of these it is.
+        // The reader names the type in its error.
         "CIRCULARSTRING",
         "COMPOUNDCURVE",
         "CURVEPOLYGON",

@@ -1,7 +1,7 @@
 //! The beginning of a JSON text, scanned without a parser: the members of its outermost object, and whether another object
 //! follows.
 
-/// The beginning of a JSON text, parsed. The text may be cut anywhere.
+/// The parsed beginning of a JSON text, which may be cut anywhere.
 #[derive(Debug, Default)]
 pub(super) struct JsonHead<'t> {
     /// The members of the outermost object whose value is a string without escapes.
@@ -15,7 +15,7 @@ impl<'t> JsonHead<'t> {
     pub(super) fn scan(text: &'t [u8]) -> Self {
         let mut head = Self::default();
         let mut depth = 0_usize;
-        // The last string at depth 1, and whether a colon has followed it.
+        // The last string at depth 1, and true once a colon has followed it.
         let mut key: Option<(&str, bool)> = None;
         let mut at = 0;
         while let Some(byte) = text.get(at) {
@@ -51,7 +51,7 @@ impl<'t> JsonHead<'t> {
         head
     }
 
-    /// The value of a member of the outermost object, if it is a string.
+    /// Returns the value of a member of the outermost object, if it is a string.
     pub(super) fn member(&self, name: &str) -> Option<&'t str> {
         self.members.iter().find(|(key, _)| *key == name).map(|(_, value)| *value)
     }

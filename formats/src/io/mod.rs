@@ -1,14 +1,14 @@
 //! Reading and writing maps.
 //!
-//! | module | what | reads | writes |
+//! | module | format | reads | writes |
 //! | --- | --- | --- | --- |
 //! | `geojson` | GeoJSON (RFC 7946), and sequences of it (RFC 8142, newline-delimited) | yes | yes |
 //! | `wkt` | well-known text, a geometry per line | yes | yes |
 //!
-//! Readers hand over [`Feature`](twinedge_map::Feature)s for a [`Builder`](twinedge_map::Builder) to take. `read` takes any of the
-//! text formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count
-//! what they dropped in the same `ReadSummary`. Writers take features, and [`features`] and [`faces`] make features of a
-//! map. Pictures are drawn by `svg` of the package `twinedge-formats`.
+//! Readers pass [`Feature`](twinedge_map::Feature)s to a [`Builder`](twinedge_map::Builder). `read` takes any of the text
+//! formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count dropped parts in
+//! the same `ReadSummary`. Writers take features; [`features`] and [`faces`] make features from a map. `svg` of the package
+//! `twinedge-formats` draws pictures.
 
 mod export;
 pub mod geojson;

@@ -1,8 +1,8 @@
 //! The properties of a feature, while it is read.
 
-/// The properties of a feature, its attributes in other words: values by name of column. Only formats that have them fill them.
+/// The properties (attributes) of a feature: values by name of column. Empty for formats without attributes.
 ///
-/// They are at hand while a feature is read ([`read_with_properties`](super::read_with_properties)) and are not kept.
+/// They are available while a feature is read ([`read_with_properties`](super::read_with_properties)) and are not kept.
 ///
 /// ```
 /// use twinedge_formats::io;
@@ -24,8 +24,8 @@ pub struct Properties {
 }
 
 impl Properties {
-    /// The value in a column, as text: a text as it is, a number or a truth value as the file writes it, a list or an object as
-    /// JSON. None for null, and if there is no such column. O(log columns + text).
+    /// Returns the value in a column, as text: a string as it is, a number or a boolean as in the file, a list or an object as
+    /// JSON. `None` for null and for missing columns. O(log columns + text).
     #[must_use]
     pub fn get(&self, column: &str) -> Option<String> {
         match self.object.get(column)? {
@@ -35,7 +35,7 @@ impl Properties {
         }
     }
 
-    /// The names of the columns.
+    /// Returns the names of the columns.
     pub fn columns(&self) -> impl Iterator<Item = &str> {
         self.object.keys().map(String::as_str)
     }

@@ -1,4 +1,4 @@
-//! Reading a map in any of the formats.
+//! Reading a map in any text format.
 
 use super::error::{ReadCause, ReadError, TextPlace};
 use super::foreign::ForeignFormat;
@@ -8,17 +8,17 @@ use super::summary::ReadSummary;
 use std::io::{Cursor, Read};
 use twinedge_map::Feature;
 
-/// The number of bytes that are looked at to tell the format.
+/// The number of bytes examined to detect the format.
 const HEAD: u64 = 1 << 16;
 
-/// Reads a map, handing its features to `each` in the order of the file.
+/// Reads a map, passing its features to `each` in the order of the file.
 ///
-/// Without a format, the content tells ([`Format::of_content`]). Content of a format that is known but not read here is an
-/// error that says what it looks like and how to convert it, whatever format is given.
+/// Without a given format, the content decides ([`Format::of_content`]). Content of a known but unsupported format is an error
+/// that names the format and explains how to convert it, even if a format is given.
 ///
-/// The reader is buffered inside. Faults may show only after some features have been handed over; `each` can stop the
-/// reading by an error of its own, which is then returned. Time O(bytes); memory O(largest feature), for well-known text
-/// O(longest line), and 64 KiB.
+/// The reader is buffered inside. Faults may appear only after some features have been passed on; `each` can stop reading with an
+/// error of its own, which is then returned. Time O(bytes); memory O(largest feature), for well-known text O(longest line), plus
+/// 64 KiB.
 ///
 /// ```
 /// use twinedge_formats::io;
@@ -36,7 +36,7 @@ const HEAD: u64 = 1 << 16;
 /// ```
 ///
 /// # Errors
-/// [`ReadError`], turned into `E`, and whatever `each` returns.
+/// [`ReadError`], converted to `E`, and the errors of `each`.
 pub fn read<R, E>(
     reader: R,
     format: Option<Format>,
@@ -49,7 +49,7 @@ where
     read_with_properties(reader, format, |feature, _| each(feature))
 }
 
-/// Reads a map as [`read`] does, and hands over the properties of each feature with it. For an example see [`Properties`].
+/// Reads a map like [`read`], and passes on the properties of each feature. [`Properties`] has an example.
 ///
 /// # Errors
 /// As for [`read`].

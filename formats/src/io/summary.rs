@@ -1,36 +1,36 @@
-//! A summary of a file that was read, and of what was dropped.
+//! A summary of a file and of its dropped parts.
 
 use twinedge_map::{Feature, Shape};
 
-/// The contents of a file, and the parts of it that were dropped, counted while it was read.
+/// The contents of a file and its dropped parts, counted while it was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ReadSummary {
-    /// Features handed over; a geometry without a feature around it counts as one.
+    /// Features passed on; a geometry without a feature around it counts as one.
     pub features: usize,
     /// Features without any shape: their geometry was null, absent or empty.
     pub without_geometry: usize,
-    /// Polygons, those of multi-polygons counted one by one.
+    /// Polygons, with multi-polygons counted as several.
     pub polygons: usize,
-    /// Lines, those of multi-lines counted one by one.
+    /// Lines, with multi-lines counted as several.
     pub lines: usize,
-    /// Single points, those of multi-points counted one by one.
+    /// Single points, with multi-points counted as several.
     pub points: usize,
-    /// Positions in all these shapes, the repeated end of a closed ring included.
+    /// Positions in all these shapes, including the repeated end of a closed ring.
     pub positions: usize,
-    /// Positions with more than two numbers, of which those beyond x and y were dropped.
+    /// Positions with more than two numbers; the numbers beyond x and y were dropped.
     pub with_extra_dimensions: usize,
-    /// Properties of features other than the name, which were dropped.
+    /// Dropped properties of features, other than the name.
     pub dropped_properties: usize,
-    /// Empty points, lines and polygons, which were dropped.
+    /// Dropped empty points, lines and polygons.
     pub dropped_empty: usize,
     /// Objects that name a coordinate reference system (`crs`, or `SRID` before a geometry) other than longitude and latitude on
-    /// WGS 84. It was ignored, as RFC 7946 asks for.
+    /// WGS 84. It was ignored, as RFC 7946 requires.
     pub other_crs: usize,
 }
 
 impl ReadSummary {
-    /// Counts one more feature, of which so many positions had further dimensions and so many shapes were empty. O(shapes).
+    /// Counts a feature, with its numbers of positions with further dimensions and of empty shapes. O(shapes).
     pub fn add(&mut self, feature: &Feature, with_extra_dimensions: usize, empty: usize) {
         self.features += 1;
         self.without_geometry += usize::from(feature.shapes.is_empty());

@@ -1,6 +1,6 @@
-//! Types of geometries that are not read, by name and number.
+//! Unsupported geometry types, by name and number.
 
-/// By number in well-known binary, which is that of `FlatGeobuf`, too.
+/// By number in well-known binary, also used by `FlatGeobuf`.
 const UNREAD: [(u32, &str); 8] = [
     (8, "CircularString"),
     (9, "CompoundCurve"),
@@ -15,7 +15,7 @@ const UNREAD: [(u32, &str); 8] = [
 /// The greatest number of a type with curves.
 const LAST_CURVE: u32 = 12;
 
-/// Says of a type of geometries, by its number in well-known binary or `FlatGeobuf`, why it is not read, and what to do.
+/// Returns the reason why a geometry type is not supported, and a remedy, by its number in well-known binary or `FlatGeobuf`.
 ///
 /// ```
 /// use twinedge_formats::io::unread_geometry;
@@ -38,7 +38,7 @@ pub fn unread_geometry(kind: u32) -> String {
     }
 }
 
-/// The number of the first type in a text that is not read. O(bytes).
+/// Returns the number of the first unsupported type in a text. O(bytes).
 #[cfg(feature = "wkt")]
 pub(super) fn unread_in(text: &str) -> Option<u32> {
     let of_word = |word: &str| {

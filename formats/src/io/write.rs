@@ -1,4 +1,4 @@
-//! Code and errors that the writers share.
+//! Common code and errors of the writers.
 
 use std::io;
 use thiserror::Error;
@@ -9,10 +9,10 @@ use twinedge_map::{Feature, Shape};
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// The writer underneath failed.
+    /// The underlying writer failed.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// A coordinate is NaN or infinite, for which the format has no number.
+    /// A coordinate is NaN or infinite, which the format cannot represent.
     #[error("feature {feature}: the coordinates ({x}, {y}) are not finite")]
     NotFinite {
         /// The feature, counted from 0.
@@ -44,15 +44,15 @@ pub(super) fn check(features: &[Feature]) -> Result<(), WriteError> {
     Ok(())
 }
 
-/// One geometry of a format, at least one point in each part.
+/// One geometry of a format, with at least one point in each part.
 pub(super) enum GeometryPiece {
     Points(Vec<Point>),
     Lines(Vec<Vec<Point>>),
     Polygons(Vec<Vec<Vec<Point>>>),
 }
 
-/// The shapes of a feature in order, neighbours of one kind together. Rings, lines and polygons without points are left out:
-/// the formats cannot express them everywhere.
+/// Groups the shapes of a feature in order, joining neighbours of one kind. Rings, lines and polygons without points are left
+/// out: not all formats can express them.
 pub(super) fn pieces(feature: &Feature) -> Vec<GeometryPiece> {
     let mut pieces = Vec::new();
     for shape in feature.shapes.iter().filter(|shape| points_of(shape).next().is_some()) {

@@ -1,4 +1,4 @@
-//! Layers in zip archives and in gzip data, unpacked to a folder for temporary files or in memory.
+//! Layers in zip archives and in gzip data, unpacked to a temporary folder or in memory.
 
 use super::error::{ArchiveError, ReadError};
 use super::files::Files;
@@ -13,10 +13,10 @@ use zip::result::ZipError;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-/// Bytes to which any archive may expand.
+/// The size in bytes to which any archive may expand.
 const SMALL: u64 = 64 << 20;
 
-/// By how much an archive may expand beyond that. Zeros shrink by a factor of 1,000, layers by one of 5 to 50.
+/// The factor by which an archive may expand beyond that. Zeros shrink by a factor of 1,000, layers by 5 to 50.
 const RATIO: u64 = 200;
 
 impl From<ZipError> for ReadError {
@@ -28,18 +28,18 @@ impl From<ZipError> for ReadError {
     }
 }
 
-/// A layer that was unpacked. The folder goes when this is dropped.
+/// An unpacked layer. The folder is removed when this is dropped.
 #[derive(Debug)]
 pub struct Unpacked {
     /// The path of the layer.
     pub path: PathBuf,
-    /// The layer that is to be read of the file, if that still is to be chosen.
+    /// The layer to read from the file, if one must still be chosen.
     pub layer: Option<String>,
     _folder: TempDir,
 }
 
-/// Unpacks the layer of a zip archive or of gzip data, which begins with these bytes; none, if it is neither, and then nothing was read.
-/// Of a zip archive with several layers, the wanted one is that of the file with this name, with or without extension.
+/// Unpacks the layer of a zip archive or of gzip data, which begins with these bytes. Returns `None` for other data, without
+/// reading anything. In a zip archive with several layers, `wanted` selects the file with this name, with or without extension.
 ///
 /// Archives that expand to more than 64 MiB and 200 times their size are refused.
 ///
@@ -61,18 +61,18 @@ pub fn unpack(
     Ok(Some(Unpacked { path: folder.path().join(name), layer, _folder: folder }))
 }
 
-/// A layer that was unpacked in memory.
+/// A layer unpacked in memory.
 #[derive(Clone, Debug)]
 pub struct UnpackedFiles {
     /// The files of the layer, without folders.
     pub files: Files,
-    /// The main one.
+    /// The main file.
     pub path: PathBuf,
-    /// The layer that is to be read of the file, if that still is to be chosen.
+    /// The layer to read from the file, if one must still be chosen.
     pub layer: Option<String>,
 }
 
-/// Unpacks as [`unpack`] does, from memory to memory.
+/// Unpacks like [`unpack`], from memory to memory.
 ///
 /// # Errors
 /// [`ReadError::Archive`] and [`ReadError::Layers`].
@@ -88,10 +88,10 @@ pub fn unpack_bytes(
     Ok(Some(UnpackedFiles { files: files.into_inner(), path, layer }))
 }
 
-/// A zip archive of files.
+/// Packs files into a zip archive.
 ///
 /// # Errors
-/// Those of [`zip::ZipWriter`], if there are too many files or bytes.
+/// The errors of [`zip::ZipWriter`], for too many files or bytes.
 pub fn zip(files: &Files) -> io::Result<Vec<u8>> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
@@ -102,7 +102,6 @@ pub fn zip(files: &Files) -> io::Result<Vec<u8>> {
     Ok(archive.finish()?.into_inner())
 }
 
-/// The way in which an archive is packed.
 #[derive(Clone, Copy)]
 enum Packing {
     Zip,
@@ -132,18 +131,17 @@ impl Packing {
     }
 }
 
-/// The name of the main file, and the layer that is still to be chosen in it.
+/// The name of the main file, and the layer in it that must still be chosen.
 type Main = (PathBuf, Option<String>);
 
-/// The bytes to which an archive of this size may expand.
+/// Returns the size in bytes to which an archive of this size may expand.
 const fn room(size: u64) -> u64 {
     SMALL + RATIO.saturating_mul(size)
 }
 
-/// The place to which files are unpacked.
 struct Target<'a> {
     place: Place<'a>,
-    /// The number of bytes that there is room for.
+    /// The remaining number of bytes.
     room: Cell<u64>,
 }
 
@@ -188,7 +186,7 @@ fn unpack_gzip(
     wanted: Option<&str>,
     target: &Target<'_>,
 ) -> Result<Main, ReadError> {
-    // The content tells the format of a stream.
+    // The content determines the format of a stream.
     let name: PathBuf = path.and_then(Path::file_stem).unwrap_or("layer".as_ref()).into();
     target.put(&name, MultiGzDecoder::new(packed))?;
     Ok((name, wanted.map(str::to_owned)))
@@ -199,7 +197,7 @@ fn unpack_zip(packed: impl Read + Seek, wanted: Option<&str>, target: &Target<'_
     let mut files: Vec<(usize, PathBuf)> = Vec::new();
     for number in 0..archive.len() {
         let entry = archive.by_index(number)?;
-        // Finder of macOS adds files of its own.
+        // The macOS Finder adds files of its own.
         let path = entry.enclosed_name().filter(|path| entry.is_file() && !path.starts_with("__MACOSX"));
         files.extend(path.map(|path| (number, path)));
     }
@@ -224,7 +222,7 @@ fn unpack_zip(packed: impl Read + Seek, wanted: Option<&str>, target: &Target<'_
     Ok((main.file_name().map(PathBuf::from).unwrap_or_default(), layer.map(str::to_owned)))
 }
 
-/// Returns true if the name is that of a layer, and not of a part of one.
+/// Returns true if the name belongs to a layer, and not to a part of one.
 fn is_main(path: &Path) -> bool {
     let has = |extension: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
     match Format::of_path(path) {

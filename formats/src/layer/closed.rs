@@ -1,9 +1,10 @@
-//! Closing open rings, which no format has.
+//! Closing open rings, which no format permits.
 
 use super::model::{Geometry, Layer, Line, Shape};
 use std::borrow::Cow;
 
-/// The layer with all rings closed: the first position of an open ring is repeated as its last. O(positions), and a copy if a ring is open.
+/// Returns the layer with all rings closed, by repeating the first position of an open ring as its last. O(positions), with a
+/// copy if a ring is open.
 pub(super) fn closed(layer: &Layer) -> Cow<'_, Layer> {
     let mut layer = Cow::Borrowed(layer);
     if open_rings(&layer) > 0 {
@@ -13,7 +14,7 @@ pub(super) fn closed(layer: &Layer) -> Cow<'_, Layer> {
     layer
 }
 
-/// The number of open rings. O(rings).
+/// Returns the number of open rings. O(rings).
 pub(super) fn open_rings(layer: &Layer) -> usize {
     layer.features.iter().filter_map(|feature| feature.geometry.as_ref()).map(count).sum()
 }

@@ -6,33 +6,33 @@ use serde_json::Value as Json;
 /// A coordinate reference system, as far as the file names it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Crs {
-    /// Who numbers it, usually `EPSG`, and its number.
+    /// The authority, usually `EPSG`, and its number.
     pub code: Option<(String, i64)>,
-    /// Its definition in well-known text.
+    /// The definition in well-known text.
     pub wkt: Option<String>,
     /// The member `crs` of a GeoJSON object.
     pub member: Option<Json>,
-    /// Its definition in PROJJSON, if its number does not lead to one.
+    /// The definition in PROJJSON, if its number does not lead to one.
     pub projjson: Option<Json>,
 }
 
-/// The name under which Esri writes longitude and latitude on WGS 84.
+/// Esri's name of longitude and latitude on WGS 84.
 const ESRI_WGS_84: &str = "GCS_WGS_1984";
 
 /// The number of longitude and latitude on WGS 84.
 const WGS_84: i64 = 4326;
 
-/// The first words of the older form of well-known text (OGC 01-009), in which Esri and `GeoPackage` have definitions.
+/// The first words of the older form of well-known text (OGC 01-009), used by Esri and `GeoPackage`.
 const WKT1: [&str; 7] = ["GEOGCS", "PROJCS", "COMPD_CS", "GEOCCS", "VERT_CS", "LOCAL_CS", "FITTED_CS"];
 
 impl Crs {
-    /// The system that the EPSG numbers so.
+    /// Creates the system with this EPSG number.
     #[must_use]
     pub fn epsg(code: i64) -> Self {
         Self { code: Some(("EPSG".to_owned(), code)), ..Self::default() }
     }
 
-    /// The system of the member `crs` of a GeoJSON object, with its number if the name has one of the EPSG.
+    /// Creates the system of the member `crs` of a GeoJSON object, with its number if the name contains an EPSG number.
     ///
     /// ```
     /// use twinedge_formats::layer::Crs;
@@ -56,14 +56,15 @@ impl Crs {
         Self { member: Some(member), ..code.map_or_else(Self::default, Self::epsg) }
     }
 
-    /// The system of a definition in well-known text, with its number if the text is that which Esri has for one of the EPSG.
+    /// Creates the system of a definition in well-known text, with its number if the text equals Esri's definition of an EPSG
+    /// system.
     #[must_use]
     pub fn of_wkt(wkt: String) -> Self {
         let code = epsg::code(&wkt);
         Self { wkt: Some(wkt), ..code.map_or_else(Self::default, Self::epsg) }
     }
 
-    /// Returns true if it means something else than longitudes and latitudes on WGS 84.
+    /// Returns true if it does not mean longitudes and latitudes on WGS 84.
     #[must_use]
     pub fn is_other(&self) -> bool {
         if let Some(member) = &self.member {
@@ -79,7 +80,7 @@ impl Crs {
         }
     }
 
-    /// Its definition in the older form of well-known text: its own, or that of Esri for its number.
+    /// Returns the definition in the older form of well-known text: its own, or Esri's for its number.
     #[must_use]
     pub fn wkt1(&self) -> Option<String> {
         let is_wkt1 = |wkt: &&String| {
@@ -94,7 +95,8 @@ impl Crs {
         epsg::wkt(code.or((!self.is_other()).then_some(WGS_84))?)
     }
 
-    /// The unit of lengths of a projected system, in the plural, if its definition names metres or feet. O(length of the definition).
+    /// Returns the unit of lengths of a projected system, in the plural, if its definition names metres or feet. O(length of the
+    /// definition).
     ///
     /// ```
     /// use twinedge_formats::layer::Crs;
@@ -109,7 +111,7 @@ impl Crs {
         if !wkt.trim_start().starts_with("PROJ") {
             return None;
         }
-        // The last one is that of the projected coordinates.
+        // The last unit applies to the projected coordinates.
         let (_, last) = wkt.rsplit_once("UNIT[\"")?;
         match last.split('"').next()?.to_lowercase().as_str() {
             "metre" | "meter" | "metres" | "meters" | "m" => Some("metres"),
@@ -118,7 +120,7 @@ impl Crs {
         }
     }
 
-    /// The name of it in a message.
+    /// Returns the name for messages.
     #[must_use]
     pub fn name(&self) -> String {
         if let Some((authority, code)) = &self.code {

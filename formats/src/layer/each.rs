@@ -1,9 +1,9 @@
-//! The takers of what a reader hands over.
+//! Callbacks of readers.
 
 use super::error::ReadError;
 use super::model::{Feature, Geometry};
 
-/// Takes the features of a layer, one by one, and ends the reading by an error.
+/// Takes the features of a layer one by one, and can stop reading with an error.
 pub type Each<'a> = dyn FnMut(Feature) -> Result<(), ReadError> + 'a;
 
 /// Takes the geometries of features in a window, each with the number of its feature.

@@ -1,4 +1,4 @@
-//! Reference systems of the EPSG, as Esri defines them in `.prj`, and in PROJJSON.
+//! Reference systems of the EPSG, in Esri's definitions for `.prj`, and in PROJJSON.
 //!
 //! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), written by PROJ; see `data/esri_wkt.py` and
 //! `data/projjson.py`.
@@ -8,29 +8,28 @@ use flate2::read::GzDecoder;
 #[cfg(feature = "epsg")]
 use std::io::{BufRead, BufReader};
 
-/// A line for each system: its number, a tabulator, its definition.
+/// One line per system: its number, a tab, its definition.
 #[cfg(feature = "epsg")]
 const TABLE: &[u8] = include_bytes!("../../data/esri-wkt.tsv.gz");
 
-/// The same with definitions in PROJJSON.
+/// One line per system: its number, a tab, its definition in PROJJSON.
 #[cfg(feature = "geoparquet")]
 const PROJJSON: &[u8] = include_bytes!("../../data/projjson.tsv.gz");
 
-/// The one system that is known without the table.
+/// The only system known without the table.
 #[cfg(not(feature = "epsg"))]
 const WGS_84: (i64, &str) = (
     4326,
     "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]",
 );
 
-/// The first row of a table for which `found` returns something. O(rows).
+/// Returns the first result of `found` on the rows of a table. O(rows).
 #[cfg(feature = "epsg")]
 fn find<T>(table: &[u8], mut found: impl FnMut(&str, &str) -> Option<T>) -> Option<T> {
     let lines = BufReader::new(GzDecoder::new(table)).lines().map_while(Result::ok);
     lines.into_iter().find_map(|line| line.split_once('\t').and_then(|(code, wkt)| found(code, wkt)))
 }
 
-/// The definition of a system.
 pub(super) fn wkt(code: i64) -> Option<String> {
     #[cfg(feature = "epsg")]
     return of_code(TABLE, code);
@@ -38,7 +37,6 @@ pub(super) fn wkt(code: i64) -> Option<String> {
     return (code == WGS_84.0).then(|| WGS_84.1.to_owned());
 }
 
-/// The definition of a system in PROJJSON.
 #[cfg(feature = "geoparquet")]
 pub(super) fn projjson(code: i64) -> Option<String> {
     of_code(PROJJSON, code)
@@ -50,7 +48,8 @@ fn of_code(table: &[u8], wanted: i64) -> Option<String> {
     find(table, |code, definition| (code == wanted).then(|| definition.to_owned()))
 }
 
-/// The number of the system with this definition, whose numbers may be written with other digits: older programs wrote more or fewer of them.
+/// Returns the number of the system with this definition, up to the last digits of numbers: older programs wrote more or fewer of
+/// them.
 pub(super) fn code(wanted: &str) -> Option<i64> {
     #[cfg(not(feature = "epsg"))]
     return is_like(wanted.trim(), WGS_84.1).then_some(WGS_84.0);
@@ -63,9 +62,9 @@ pub(super) fn code(wanted: &str) -> Option<i64> {
     }
 }
 
-/// Returns true if two definitions are the same, but for the last digits of numbers.
+/// Returns true if two definitions are equal up to the last digits of numbers.
 fn is_like(one: &str, other: &str) -> bool {
-    /// The part of a number by which it may differ.
+    /// The relative tolerance of numbers.
     const DIGITS: f64 = 1e-9;
     const ENDS: [char; 3] = [',', '[', ']'];
     let is_same = |(a, b): (&str, &str)| {

@@ -1,20 +1,20 @@
-//! Why a layer could not be read or written.
+//! The reasons why a layer could not be read or written.
 
 use super::loss::Loss;
 use crate::io::{ForeignFormat, Format, TextPlace};
 use std::{fmt, io};
 
-/// Why a layer could not be read.
+/// The reason why a layer could not be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The file or stream itself could not be read.
     #[error("{0}")]
     Io(#[from] io::Error),
-    /// The text is not what GeoJSON or well-known text demands.
+    /// The text is not valid GeoJSON or well-known text.
     #[error(transparent)]
     Text(#[from] crate::io::ReadError),
-    /// The content is not what the format demands.
+    /// The content is not valid in its format.
     #[error("{format}: {place}: {cause}")]
     Content {
         /// The format.
@@ -24,27 +24,27 @@ pub enum ReadError {
         /// The error.
         cause: Cause,
     },
-    /// `SQLite` refuses the file.
+    /// `SQLite` refused the file.
     #[error("GeoPackage: {message}")]
     Database {
         /// The message.
         message: String,
     },
-    /// The file has several layers, and none was asked for; or none of the name that was asked for.
+    /// The file has several layers and none was selected, or has no layer of the selected name.
     #[error("{}", choose_layer(wanted.as_deref(), layers))]
     Layers {
-        /// The name that was asked for.
+        /// The selected name.
         wanted: Option<String>,
-        /// The layers that there are.
+        /// The existing layers.
         layers: Vec<String>,
     },
-    /// The format is made of several files, or needs to be read in any order, and this is a stream.
+    /// The format consists of several files, or needs random access, but this is a stream.
     #[error("{0} is read from a file, not from a stream")]
     NeedsFile(Format),
-    /// There is nothing but white space.
+    /// The file contains only white space.
     #[error("the input is empty")]
     Empty,
-    /// The content is of a format that is known by its first bytes, but not read here.
+    /// The first bytes belong to a known format that is not supported.
     #[error("this looks like {0}, which is not read here: {advice}", advice = .0.advice())]
     Foreign(ForeignFormat),
     /// The content is of no known format.
@@ -56,37 +56,37 @@ pub enum ReadError {
     /// The layer is in an archive that could not be unpacked.
     #[error(transparent)]
     Archive(#[from] ArchiveError),
-    /// Whoever takes the features refused one.
+    /// The callback for features refused one.
     #[error("{0}")]
     Refused(Box<dyn std::error::Error + Send + Sync>),
 }
 
 impl ReadError {
-    /// The error by which a taker of features ends the reading.
+    /// Creates the error by which a callback stops reading.
     pub fn refused(error: impl std::error::Error + Send + Sync + 'static) -> Self {
         Self::Refused(Box::new(error))
     }
 }
 
-/// Why an archive could not be unpacked.
+/// The reason why an archive could not be unpacked.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ArchiveError {
-    /// The archive is truncated, changed or encrypted, or packed by a method that is not known here.
+    /// The archive is truncated, changed or encrypted, or packed by an unknown method.
     #[error("the archive cannot be unpacked: {0}")]
     Damaged(String),
-    /// It would fill the disk.
+    /// The archive would fill the disk.
     #[error("the archive expands to more than {times} times its size: unpack it first")]
     Expands {
-        /// The factor that is allowed.
+        /// The allowed factor.
         times: u64,
     },
-    /// It has no file whose name says that it is a layer.
+    /// No file in the archive has the name of a layer.
     #[error("the archive has no layer of a format that is read here")]
     NoLayer,
 }
 
-/// The formats that this build reads, and the command that makes one of them.
+/// Lists the formats that this build reads, and the command that converts to one of them.
 fn what_is_read() -> String {
     let all = [
         (cfg!(feature = "geojson"), "GeoJSON"),
@@ -119,7 +119,7 @@ fn choose_layer(wanted: Option<&str>, layers: &[String]) -> String {
     }
 }
 
-/// A place in a file that is not text.
+/// A place in a non-text file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Place {
@@ -147,22 +147,22 @@ impl fmt::Display for Place {
     }
 }
 
-/// An error in a file that is not text.
+/// A fault in a non-text file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
-    /// The data ends where this should follow.
+    /// The data ends where this part should follow.
     #[error("the data ends within {0}")]
     Truncated(&'static str),
-    /// Something that the format does not allow, or that is not read here.
+    /// Content that the format does not allow, or that is not supported.
     #[error("{0}")]
     Invalid(String),
-    /// A count that the data cannot hold.
+    /// A count exceeds the data.
     #[error("{count} {what} are more than the data can hold")]
     TooMany {
-        /// The noun for them.
+        /// The noun for the counted items.
         what: &'static str,
-        /// The number that there should be.
+        /// The stated number.
         count: u64,
     },
     /// Bytes follow the end of a geometry.
@@ -171,7 +171,7 @@ pub enum Cause {
     /// Collections are nested too deep.
     #[error("nested too deep")]
     TooDeep,
-    /// The index of an arc of TopoJSON leads nowhere.
+    /// The index of an arc of TopoJSON is out of range.
     #[error("the index {index} is none of an arc: there are {arcs} arcs")]
     NoSuchArc {
         /// The index: for a negative one, its complement is the number of the arc.
@@ -182,24 +182,24 @@ pub enum Cause {
     /// Arcs of TopoJSON are repeated so often that features would have more positions than this.
     #[error("arcs are repeated so often that there are more than {limit} positions")]
     Expanded {
-        /// 2²⁰, and 16 times the positions of all arcs.
+        /// 2²⁰ plus 16 times the positions of all arcs.
         limit: u64,
     },
-    /// A text is not of the character set of the file.
+    /// A text is not valid in the character set of the file.
     #[error("a text is not {0}")]
     Charset(String),
-    /// A text has letters beyond ASCII, and the character set that the file names is not known here.
+    /// A text has letters beyond ASCII, and the character set named by the file is unknown.
     #[error("the character set {0:?} is not known here: name another in the file .cpg, such as UTF-8 or 1252")]
     UnknownCharset(String),
-    /// A geometry, or a box of an index, reaches out of the box that the file has around it: it would be missed where a window is read by boxes.
+    /// A geometry, or a box of an index, reaches out of the enclosing box in the file: reading a window by boxes would miss it.
     #[error("it reaches out of the box that the file has around it, so windows cannot be read by boxes")]
     OutOfBox,
-    /// A file that belongs to it is not there.
+    /// A file that belongs to it is missing.
     #[error("the file {0} is missing")]
     Missing(String),
 }
 
-/// Why a layer could not be written.
+/// The reason why a layer could not be written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum WriteError {
@@ -212,7 +212,7 @@ pub enum WriteError {
         /// The message.
         message: String,
     },
-    /// The format cannot hold all of the layer, and losses are not allowed.
+    /// The format cannot hold the whole layer, and losses are not allowed.
     #[error("{format} cannot hold all of it: {}", list(losses))]
     Loss {
         /// The format.
@@ -220,7 +220,7 @@ pub enum WriteError {
         /// The losses.
         losses: Vec<Loss>,
     },
-    /// The format cannot hold this at all.
+    /// The format cannot hold this content at all.
     #[error("{format} cannot hold {what}")]
     Impossible {
         /// The format.
@@ -231,10 +231,10 @@ pub enum WriteError {
     /// The crate was built without the feature that writes this format.
     #[error("{0} is written with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
     FeatureOff(Format),
-    /// The format is read, and not written.
+    /// The format can be read but not written.
     #[error("{0} is read here, but not written")]
     ReadOnly(Format),
-    /// The format is made of several files, or must be written in any order, and this is a stream.
+    /// The format consists of several files, or needs random access, but this is a stream.
     #[error("{0} is written to a file, not to a stream")]
     NeedsFile(Format),
 }

@@ -1,11 +1,11 @@
-//! Boxes that a file has around what is in it.
+//! Bounding boxes stored in files.
 
 use super::error::Cause;
 use super::model::Geometry;
 use twinedge_geometry::Point;
 
-/// A box that a file has around one geometry, or around many. The place of what is in it is unknown if the corners are not in order: boxes of nothing
-/// are written so, and boxes across the antimeridian.
+/// A stored box around one geometry, or around many. The location of its contents is unknown if the corners are not in order:
+/// boxes of nothing and boxes across the antimeridian are written so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
     pub(super) low: Point,
@@ -23,12 +23,11 @@ impl Extent {
         Self { low: Point { x: x0, y: y0 }, high: Point { x: x1, y: y1 } }
     }
 
-    /// Returns true if it says where something is.
     pub(super) fn is_known(&self) -> bool {
         self.low.x <= self.high.x && self.low.y <= self.high.y
     }
 
-    /// Returns true if what lies in it may meet a window.
+    /// Returns true if its contents may meet a window.
     pub(super) fn may_meet(&self, window: &Self) -> bool {
         let is_apart = self.high.x < window.low.x
             || window.high.x < self.low.x
@@ -41,25 +40,25 @@ impl Extent {
         self.low.x <= x && x <= self.high.x && self.low.y <= y && y <= self.high.y
     }
 
-    /// Refuses a box in it that reaches out of it.
+    /// Refuses an inner box that reaches out of it.
     pub(super) fn check(&self, inner: &Self) -> Result<(), Cause> {
         let is_inside = self.holds(inner.low.x, inner.low.y) && self.holds(inner.high.x, inner.high.y);
         if self.is_known() && inner.is_known() && !is_inside { Err(Cause::OutOfBox) } else { Ok(()) }
     }
 
-    /// Refuses a geometry in it that reaches out of it.
+    /// Refuses an inner geometry that reaches out of it.
     pub(super) fn check_geometry(&self, geometry: &Geometry) -> Result<(), Cause> {
         let mut is_inside = true;
         geometry.shape.visit(&mut |p| is_inside &= self.holds(p.x, p.y));
         if self.is_known() && !is_inside { Err(Cause::OutOfBox) } else { Ok(()) }
     }
 
-    /// The box that says where something is: this one, or else the one around it.
+    /// Returns this box if it states a location, or else the one around it.
     pub(super) fn or(self, around: Self) -> Self {
         if self.is_known() { self } else { around }
     }
 
-    /// The box around both; what is not known of one is that of the other.
+    /// Returns the box around both; if one is unknown, the other.
     pub(super) fn with(self, other: Self) -> Self {
         match (self.is_known(), other.is_known()) {
             (_, false) => self,

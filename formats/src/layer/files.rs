@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Files in memory, by their names: the parts of a Shapefile, say. A copy shares their bytes.
+/// Files in memory, by their names, for example the parts of a Shapefile. Clones share their bytes.
 ///
 /// ```
 /// use std::path::Path;
@@ -18,24 +18,24 @@ use std::sync::Arc;
 pub struct Files(BTreeMap<PathBuf, Arc<[u8]>>);
 
 impl Files {
-    /// Adds a file, or replaces it.
+    /// Adds or replaces a file.
     pub fn insert(&mut self, name: impl Into<PathBuf>, bytes: Vec<u8>) {
         self.0.insert(name.into(), bytes.into());
     }
 
-    /// The bytes of a file.
+    /// Returns the bytes of a file.
     #[must_use]
     pub fn get(&self, name: &Path) -> Option<&[u8]> {
         self.0.get(name).map(|bytes| &**bytes)
     }
 
-    /// The bytes of a file, for somebody who keeps them.
+    /// Returns the bytes of a file, shared.
     #[must_use]
     pub fn share(&self, name: &Path) -> Option<Arc<[u8]>> {
         self.0.get(name).map(Arc::clone)
     }
 
-    /// All files, by name.
+    /// Returns all files, by name.
     pub fn iter(&self) -> impl Iterator<Item = (&Path, &[u8])> {
         self.0.iter().map(|(name, bytes)| (name.as_path(), &**bytes))
     }

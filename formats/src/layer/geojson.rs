@@ -1,4 +1,4 @@
-//! GeoJSON (RFC 7946) and newline-delimited GeoJSON. The library's reader does the reading, and drops nothing here.
+//! GeoJSON (RFC 7946) and newline-delimited GeoJSON. The library's reader is used, without dropping anything.
 
 use super::crs::Crs;
 use super::each::Each;
@@ -12,12 +12,12 @@ use super::names::Names;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
 use std::io::{self, Read, Write};
-// A module for browsers is to be small.
+// Keeps the WebAssembly module small.
 #[cfg(target_family = "wasm")]
 use crate::io::geojson::read_parts;
 use crate::io::geojson::{Documents, Part};
 
-/// Reads features, each handed to `each`.
+/// Reads features, passing each to `each`.
 pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut header = Header::default();
     let mut names = Names::default();
@@ -88,13 +88,13 @@ fn converted(ParsedGeometry { bbox, value, foreign_members }: ParsedGeometry) ->
     json::geometry(shape, members(bbox, foreign_members))
 }
 
-/// The members that mean nothing here, with the box.
+/// Returns the foreign members, with the box.
 fn members(bbox: Option<Vec<f64>>, foreign: Option<Members>) -> Members {
     let bbox = bbox.map(|bbox| ("bbox".to_owned(), bbox.into_iter().map(json_number).collect()));
     bbox.into_iter().chain(foreign.into_iter().flatten()).collect()
 }
 
-/// Writes one object, a feature per line.
+/// Writes one object, with one feature per line.
 pub(super) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError> {
     out.write_all(b"{\"type\":\"FeatureCollection\",\n")?;
     if let Some(name) = &layer.header.name {
@@ -115,7 +115,7 @@ pub(super) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError
     Ok(())
 }
 
-/// Writes a feature per line.
+/// Writes one feature per line.
 pub(super) fn write_sequence(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError> {
     for feature in &layer.features {
         write_feature(feature, out)?;
@@ -124,7 +124,7 @@ pub(super) fn write_sequence(layer: &Layer, out: &mut dyn Write) -> Result<(), W
     Ok(())
 }
 
-/// The member `crs` of a layer that is not in longitude and latitude on WGS 84, if its number is known.
+/// Returns the member `crs` of a layer in another system than longitude and latitude on WGS 84, if its number is known.
 fn written_crs(crs: &Crs) -> Option<Json> {
     let of_code = || {
         let (authority, code) = crs.code.as_ref().filter(|_| crs.is_other())?;
@@ -203,7 +203,7 @@ fn write_position(position: &Position, out: &mut dyn Write) -> io::Result<()> {
     out.write_all(b"]")
 }
 
-/// The shortest text that is read as the same number.
+/// Writes the shortest text that parses to this number.
 fn write_number(number: f64, out: &mut dyn Write) -> io::Result<()> {
     write!(out, "{}", json_number(number))
 }

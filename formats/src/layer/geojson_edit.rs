@@ -1,4 +1,4 @@
-//! GeoJSON in which some features changed, with all other bytes as they were.
+//! Editing GeoJSON: changing some features and keeping all other bytes.
 
 use super::geojson::{write_feature, write_geometry};
 use super::model::{Feature, Layer};
@@ -8,18 +8,18 @@ use serde_json::value::RawValue;
 use std::io;
 use std::ops::Range;
 
-/// A stretch of a text, and the text in its place.
+/// A range of a text, and its replacement.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// The number of the feature that it belongs to; none for a member of the whole.
+    /// The number of its feature; `None` for a member of the whole.
     pub feature: Option<usize>,
-    /// The stretch, in bytes of the text before.
+    /// The range, in bytes of the old text.
     pub place: Range<usize>,
-    /// The text in its place.
+    /// The replacement.
     pub after: String,
 }
 
-/// The members of an object that can change. They borrow from the text, and so tell their places in it.
+/// The members of an object that can change. They borrow from the text, which determines their ranges.
 #[derive(Default, Deserialize)]
 struct Members<'a> {
     #[serde(borrow, default, deserialize_with = "present")]
@@ -30,17 +30,17 @@ struct Members<'a> {
     features: Option<Vec<&'a RawValue>>,
 }
 
-/// A member that is there, be it null.
+/// Deserializes a member, even if it is null.
 fn present<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<&'de RawValue>, D::Error> {
     <&RawValue>::deserialize(deserializer).map(Some)
 }
 
-/// The changes by which a text of GeoJSON becomes that of a layer some of whose features have another geometry, in order, without
-/// overlaps. Features beyond those of the text, which has so many, are new. What lies between the changes stays as it is: white space, digits of numbers,
+/// Returns the edits that turn a GeoJSON text with `count` features into a layer in which some features have another geometry, in
+/// order, without overlaps. Features beyond `count` are new. Everything between the edits stays: white space, digits of numbers,
 /// the order of members.
 ///
-/// None if the text has no place for a change, as for a second feature of an object that is a feature, or if it is not one of GeoJSON with
-/// as many features; then the layer can only be written anew.
+/// Returns `None` if the text has no place for an edit, such as a second feature in an object that is a feature, or if it is not
+/// GeoJSON with this number of features; then the layer must be rewritten.
 ///
 /// O(bytes).
 ///
@@ -95,7 +95,7 @@ pub fn edits(text: &str, format: Format, count: usize, after: &Layer, changed: &
                     put(text_of(raw), bbox.to_string());
                 }
             }
-            // The box goes, with the comma before it or behind it.
+            // The box is removed, with the comma before or after it.
             _ => put(text_of(raw), written(|out| write_feature(feature, out))?),
         }
     }
@@ -108,7 +108,7 @@ pub fn edits(text: &str, format: Format, count: usize, after: &Layer, changed: &
     Some(edits)
 }
 
-/// The text of one feature with another geometry; all of it is new, if it has no place for the change. O(bytes).
+/// Returns the text of one feature with another geometry; completely rewritten if it has no place for the edit. O(bytes).
 pub(super) fn edited_feature(text: &str, after: &Layer) -> Option<String> {
     match edits(text, Format::GeoJson, 1, after, &[0]) {
         Some(edits) => Some(edited(text, &edits)),
@@ -116,7 +116,7 @@ pub(super) fn edited_feature(text: &str, after: &Layer) -> Option<String> {
     }
 }
 
-/// Returns true if a text says the same box, whatever the digits.
+/// Returns true if a text states the same box, ignoring notation of numbers.
 pub(super) fn is_box(text: &str, bbox: &serde_json::Value) -> bool {
     let numbers = Vec::<f64>::deserialize(bbox);
     numbers.is_ok_and(|numbers| serde_json::from_str::<Vec<f64>>(text).is_ok_and(|before| before == numbers))
@@ -125,7 +125,6 @@ pub(super) fn is_box(text: &str, bbox: &serde_json::Value) -> bool {
 /// The character before each text of a sequence of RFC 8142.
 const SEPARATOR: char = '\u{1e}';
 
-/// The texts of JSON in a text.
 fn documents(text: &str, format: Format) -> Option<Vec<&RawValue>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let separated = text.split(SEPARATOR).filter(|_| format == Format::GeoJsonSeq);
@@ -150,10 +149,10 @@ fn written(write: impl FnOnce(&mut dyn io::Write) -> io::Result<()>) -> Option<S
     String::from_utf8(bytes).ok()
 }
 
-/// The text with changes made, which are in order and do not overlap. O(bytes).
+/// Applies edits, which must be in order and not overlap. O(bytes).
 ///
 /// # Panics
-/// If the changes overlap or are not of this text.
+/// If the edits overlap or do not fit the text.
 #[must_use]
 pub fn edited(text: &str, edits: &[Edit]) -> String {
     let mut done = String::with_capacity(text.len());

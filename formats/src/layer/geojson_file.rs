@@ -1,4 +1,4 @@
-//! A file of GeoJSON on disk, in which features are read when they are needed, and replaced.
+//! A GeoJSON file on disk whose features are read on demand and replaced.
 
 use super::clean::{Bounds, CleanError, Extent, Source};
 use super::error::ReadError;
@@ -15,10 +15,10 @@ use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-/// A file of GeoJSON or newline-delimited GeoJSON whose features are read when they are needed. Those that were replaced are in another file.
+/// A file of GeoJSON or newline-delimited GeoJSON whose features are read on demand. Replacements are kept in another file.
 ///
-/// The text that is written is that of the file, to the byte, but for the geometries that changed, the boxes of their features, and the box of the collection, where there is
-/// one. Memory is 64 bytes for each feature, and the feature in hand.
+/// The written text equals the file byte by byte, except for changed geometries, the boxes of their features, and the box of the
+/// collection, if there is one. Memory is 64 bytes for each feature, plus the current feature.
 ///
 /// ```
 /// use std::io::Write;
@@ -44,28 +44,28 @@ pub struct GeoJsonFile {
     header: Header,
     places: Places,
     extents: Vec<Extent>,
-    /// The texts of features that were replaced, and the place of the one that is in force, by number.
+    /// The texts of replaced features, and the range of the current text of each, by number.
     replaced: File,
     end: u64,
     in_force: BTreeMap<usize, Range<u64>>,
-    /// The places of texts that count as those before.
+    /// The ranges of texts that count as the original ones.
     settled: BTreeMap<usize, Range<u64>>,
 }
 
-/// A stretch of the file, and what takes its place.
+/// A range of the file, and its replacement.
 type Replacement = (Range<u64>, Vec<u8>);
 
-/// Why a file of GeoJSON could not be cleaned by its neighbourhoods.
+/// The reason why a file of GeoJSON could not be cleaned by its neighbourhoods.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
-    /// It could not be read or written.
+    /// The file could not be read or written.
     #[error(transparent)]
     Io(#[from] io::Error),
-    /// It is no GeoJSON.
+    /// The file is not GeoJSON.
     #[error(transparent)]
     Read(#[from] ReadError),
-    /// It is in another format.
+    /// The file is in another format.
     #[error(
         "this is {0}, and only files of GeoJSON and newline-delimited GeoJSON are read feature by feature, and written so"
     )]
@@ -73,16 +73,17 @@ pub enum FileError {
     /// A feature is not where it was: the file has changed, or the name of its member `features` is written with escapes.
     #[error("feature {0} is not found where it should be: did the file change?")]
     Moved(usize),
-    /// It could not be cleaned.
+    /// The layer could not be cleaned.
     #[error(transparent)]
     Clean(#[from] CleanError),
 }
 
 impl GeoJsonFile {
-    /// Opens a file and reads all of it twice, once to hand over its features. `scratch` is an empty file that can be read and written. O(bytes).
+    /// Opens a file and reads all of it twice, once to pass on its features. `scratch` is an empty file that can be read and
+    /// written. O(bytes).
     ///
     /// # Errors
-    /// [`FileError`], and whatever `each` returns.
+    /// [`FileError`], and the errors of `each`.
     pub fn open(
         path: &Path,
         scratch: File,
@@ -120,22 +121,22 @@ impl GeoJsonFile {
         })
     }
 
-    /// The format.
+    /// Returns the format.
     #[must_use]
     pub const fn format(&self) -> Format {
         self.format
     }
 
-    /// The members beside the features.
+    /// Returns all members except the features.
     #[must_use]
     pub const fn header(&self) -> &Header {
         &self.header
     }
 
-    /// Hands over all features as they are now, in order. O(bytes).
+    /// Passes on all features in their current state, in order. O(bytes).
     ///
     /// # Errors
-    /// [`FileError`], and whatever `each` returns.
+    /// [`FileError`], and the errors of `each`.
     pub fn each<E: From<FileError>>(&mut self, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<(), E> {
         for number in 0..self.extents.len() {
             each(self.now(number)?)?;
@@ -143,10 +144,10 @@ impl GeoJsonFile {
         Ok(())
     }
 
-    /// Writes the text with the features as they are now. O(bytes).
+    /// Writes the text with the current features. O(bytes).
     ///
     /// # Errors
-    /// [`FileError`]; then a part is written.
+    /// [`FileError`]; a part may have been written.
     pub fn write(&mut self, out: &mut dyn Write) -> Result<(), FileError> {
         let mut of_box = self.edit_of_box()?;
         let numbers: Vec<usize> = self.in_force.keys().copied().collect();
@@ -172,7 +173,7 @@ impl GeoJsonFile {
         self.copy(from..end, out)
     }
 
-    /// The box of the collection, if another one is to take its place.
+    /// Returns the replacement of the box of the collection, if it changes.
     fn edit_of_box(&mut self) -> Result<Option<Replacement>, FileError> {
         let place = self.places.bbox.clone().filter(|_| self.format == Format::GeoJson && !self.in_force.is_empty());
         let Some(place) = place else { return Ok(None) };
@@ -195,7 +196,7 @@ impl GeoJsonFile {
         Ok(())
     }
 
-    /// From now on, the features as they are now are those before. O(bytes of the features that were replaced).
+    /// Makes the current features the original ones. O(bytes of the replaced features).
     ///
     /// # Errors
     /// [`FileError`].
@@ -223,7 +224,7 @@ impl GeoJsonFile {
         }
     }
 
-    /// Reads a feature as it is now.
+    /// Reads a feature in its current state.
     fn now(&mut self, number: usize) -> Result<Feature, FileError> {
         let text = self.text_now(number)?;
         one(&text).ok_or(FileError::Moved(number))
@@ -270,7 +271,7 @@ fn text(file: &mut File, place: &Range<u64>) -> Result<String, FileError> {
     Ok(String::from_utf8(bytes).map_err(io::Error::other)?)
 }
 
-/// The feature that a text is, if it is one.
+/// Parses a text as a single feature.
 fn one(text: &str) -> Option<Feature> {
     let mut found = Vec::new();
     let read = geojson::read(&mut text.as_bytes(), Documents::One, &mut |feature| {

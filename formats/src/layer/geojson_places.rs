@@ -1,23 +1,23 @@
-//! The places of features in a text of GeoJSON, without reading what they hold.
+//! The ranges of features in a GeoJSON text, without parsing their contents.
 //!
-//! The text is one that the reader has taken; nothing is checked here. Memory is that of the places.
+//! The reader must have accepted the text; nothing is checked here. Memory holds only the ranges.
 
 use super::geojson_scan::{Array, Scan, Turn};
 use std::io::{self, BufRead};
 use std::ops::Range;
 
-/// The places of features and of the box around all, in bytes.
+/// The ranges of features and of the collection's box, in bytes.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Places {
     pub(super) features: Vec<Range<u64>>,
-    /// The member `bbox` of the collection, if there is one collection that has it.
+    /// The member `bbox` of the collection, if there is exactly one collection with it.
     pub(super) bbox: Option<Range<u64>>,
 }
 
-/// The places in a text of one object, or of several one after the other. O(bytes).
+/// Finds the ranges in a text of one object, or of several successive ones. O(bytes).
 pub(super) fn places(mut text: impl BufRead) -> io::Result<Places> {
     let (mut scan, mut found, mut at) = (Scan::default(), Places::default(), 0);
-    // The start of the outermost object, of the member of it, and of the element of `features`.
+    // The starts of the outermost object, of its current member, and of the current element of `features`.
     let mut starts = [0; 3];
     loop {
         let bytes = text.fill_buf()?;
@@ -45,14 +45,14 @@ pub(super) fn places(mut text: impl BufRead) -> io::Result<Places> {
 }
 
 impl Places {
-    /// Takes the place of something that closed.
+    /// Records the range of a closed value.
     fn close(&mut self, scan: &Scan, place: Option<Range<u64>>) {
         match (scan.depth, place) {
             (2, Some(place)) if scan.features == Array::Inside => self.features.push(place),
             (1, place) if scan.name == b"bbox" => self.bbox = place,
             (0, Some(place)) if scan.features == Array::Before => {
                 self.features.push(place);
-                // A feature has a box of its own.
+                // A feature has its own box.
                 self.bbox = None;
             }
             _ => {}

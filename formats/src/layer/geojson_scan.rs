@@ -1,21 +1,20 @@
-//! The structure of a text of GeoJSON, byte by byte, without reading what it holds.
+//! The structure of a GeoJSON text, byte by byte, without parsing contents.
 //!
-//! Nothing is checked here: of a text that is no JSON, any structure may be told.
+//! Nothing is checked here: for text that is not JSON, the result is arbitrary.
 
-/// The longest name that is looked for.
+/// The length of the longest searched name.
 const LONGEST: usize = b"features".len();
 
-/// The place with respect to texts.
+/// The position relative to strings.
 #[derive(Clone, Copy, Default, PartialEq)]
 enum Text {
     #[default]
     Outside,
     Inside,
-    /// Behind a backslash.
     Escaped,
 }
 
-/// The place with respect to the array `features` of the outermost object.
+/// The position relative to the array `features` of the outermost object.
 #[derive(Clone, Copy, Default, PartialEq)]
 pub(super) enum Array {
     #[default]
@@ -27,9 +26,7 @@ pub(super) enum Array {
 /// The effect of a byte.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Turn {
-    /// It opens an object or an array.
     Opens,
-    /// It closes one.
     Closes,
     Neither,
 }
@@ -37,18 +34,17 @@ pub(super) enum Turn {
 /// The state between two bytes.
 #[derive(Default)]
 pub(super) struct Scan {
-    /// The number of objects and arrays that are open.
+    /// The number of open objects and arrays.
     pub(super) depth: usize,
     pub(super) features: Array,
-    /// The name of the member of the outermost object, as far as it is looked for.
+    /// The name of the current member of the outermost object, up to the longest searched name.
     pub(super) name: Vec<u8>,
     text: Text,
-    /// True if the next text is a name of the outermost object, and not in a value of it.
+    /// True if the next string is a name of the outermost object, and not in a value of it.
     is_name: bool,
 }
 
 impl Scan {
-    /// Takes the next byte.
     #[inline]
     pub(super) fn take(&mut self, byte: u8) -> Turn {
         if self.text != Text::Outside {

@@ -1,4 +1,4 @@
-//! Reading the features in a window, by the boxes that a file has.
+//! Reading the features in a window, by the boxes stored in a file.
 
 use super::each::EachGeometry;
 use super::error::ReadError;
@@ -10,12 +10,12 @@ use std::fs::File;
 use std::path::Path;
 use twinedge_geometry::Point;
 
-/// A file that says by boxes where its features are, so that those in a window are read without the others: `FlatGeobuf` with an index, and `GeoParquet` with
-/// statistics of its column of boxes or of Parquet's own geometries.
+/// A file with boxes that locate its features, so that the features in a window are read without the others: `FlatGeobuf` with an
+/// index, and `GeoParquet` with statistics of its column of boxes or of Parquet's own geometries.
 ///
-/// Boxes are not believed: what is read is compared with the boxes around it. A window cannot tell what lies in it that the boxes hide; but
-/// each feature has a place where its boxes show it, and there it is an error. So if windows that together cover the plane are read without an error, nothing
-/// was missed in any of them.
+/// Boxes are not trusted: geometries are compared with the boxes around them. A window cannot reveal features hidden by incorrect
+/// boxes; but the boxes place each feature somewhere, and reading that place is an error. So if windows that together cover the
+/// plane are read without an error, none of them missed anything.
 ///
 /// ```
 /// use twinedge_geometry::Point;
@@ -51,22 +51,22 @@ enum Inner {
     GeoParquet(Box<super::geoparquet::IndexedFile>),
 }
 
-/// The numbers of features and bytes of a file, those that were read and all there are.
+/// The numbers of features and bytes of a file, as read and in total.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Amount {
-    /// The number of features that were read. One that was read twice counts twice.
+    /// The number of features read. Repeated reads count repeatedly.
     pub features: u64,
     /// The number of features in the file.
     pub of_features: u64,
-    /// The number of bytes that were read, each time; of `GeoParquet`, those of columns.
+    /// The number of bytes read, counting repetitions; for `GeoParquet`, only bytes of columns.
     pub bytes: u64,
     /// The number of bytes of the file.
     pub of_bytes: u64,
 }
 
 impl Indexed {
-    /// Opens a file; none, if it has no boxes by which windows can be read. O(row groups).
+    /// Opens a file; `None` if it has no boxes for reading windows. O(row groups).
     ///
     /// # Errors
     /// [`ReadError`].
@@ -82,7 +82,7 @@ impl Indexed {
             Ok(Format::GeoParquet) => {
                 super::geoparquet::IndexedFile::open(path)?.map(|file| Inner::GeoParquet(Box::new(file)))
             }
-            // The faults of other files are found when they are read as a whole.
+            // Faults of other files are found when they are read as a whole.
             _ => None,
         };
         Ok(file.map(|file| Self { file, features: 0 }))
@@ -97,14 +97,15 @@ impl Indexed {
         }
     }
 
-    /// The corners of the box around all features, as the file says; none, if there is nothing, or the file does not say.
+    /// Returns the corners of the box around all features, as stated by the file; `None` if there are none, or the file does not
+    /// state it.
     #[must_use]
     pub fn corners(&self) -> Option<[Point; 2]> {
         let Extent { low, high } = Some(self.extent()).filter(Extent::is_known)?;
         Some([low, high])
     }
 
-    /// All that the file says beside its features, without columns. O(1).
+    /// Returns everything in the file except features and columns. O(1).
     ///
     /// # Errors
     /// [`ReadError`].
@@ -117,7 +118,7 @@ impl Indexed {
         }
     }
 
-    /// Returns true if the file says that all geometries are points.
+    /// Returns true if the file declares that all geometries are points.
     ///
     /// # Errors
     /// [`ReadError`].
@@ -130,8 +131,8 @@ impl Indexed {
         }
     }
 
-    /// The number of features whose boxes are looked at one by one to [read](Self::read) a window: of `GeoParquet` those of the row groups that meet it, and of
-    /// `FlatGeobuf` none, as its index says of each where it is. O(row groups).
+    /// Returns the number of features whose boxes are examined one by one to [read](Self::read) a window: for `GeoParquet` all
+    /// features of the row groups that meet it; for `FlatGeobuf` none, as its index locates each feature. O(row groups).
     #[must_use]
     #[cfg_attr(not(feature = "geoparquet"), expect(unused_variables, reason = "nothing else is looked through"))]
     pub fn passed(&self, [low, high]: [Point; 2]) -> u64 {
@@ -143,11 +144,11 @@ impl Indexed {
         }
     }
 
-    /// Hands over the geometries of all features that may meet the closed box between two corners, and that are wanted, with their numbers in the file, in order. Attributes
-    /// are not read. Memory O(largest feature), or O(pages of a row group).
+    /// Passes on the geometries of all wanted features that may meet the closed box between two corners, with their numbers in
+    /// the file, in order. Attributes are not read. Memory O(largest feature), or O(pages of a row group).
     ///
     /// # Errors
-    /// [`ReadError`], with [`Cause::OutOfBox`](super::Cause::OutOfBox) if something is not where its box says.
+    /// [`ReadError`], with [`Cause::OutOfBox`](super::Cause::OutOfBox) if something is outside its box.
     pub fn read(
         &mut self,
         [low, high]: [Point; 2],
@@ -168,7 +169,7 @@ impl Indexed {
         }
     }
 
-    /// The numbers of features and bytes that were read until now.
+    /// Returns the numbers of features and bytes read so far.
     #[must_use]
     pub fn amount(&self) -> Amount {
         let (of_features, [bytes, of_bytes]) = match &self.file {

@@ -1,10 +1,10 @@
-//! The parts that GeoJSON and TopoJSON share.
+//! Common parts of GeoJSON and TopoJSON.
 
 use super::crs::Crs;
 use super::model::{Dimensions, Geometry, Members, Position, Shape};
 
-/// A geometry whose positions say themselves how many numbers they have. A third number is a height; where positions differ in
-/// how many they have, there is no such name for them.
+/// Creates a geometry, deriving its dimensions from the positions. A third number is a height; if positions differ in their
+/// number of numbers, the dimensions have no such name.
 pub(super) fn geometry(shape: Shape, members: Members) -> Geometry {
     let mut count: Option<usize> = None;
     let mut is_uniform = true;
@@ -23,7 +23,7 @@ impl InDegrees {
         geometry.shape.visit(&mut |p| self.0 = Some(self.0 != Some(false) && in_range(p)));
     }
 
-    /// The reference system of a file that names none: WGS 84, if there are coordinates and they can be in it.
+    /// Returns the reference system of a file that names none: WGS 84, if there are coordinates and they are in its range.
     pub(super) fn crs(&self) -> Option<Crs> {
         (self.0 == Some(true)).then(|| Crs::epsg(4326))
     }

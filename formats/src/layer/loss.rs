@@ -3,7 +3,7 @@
 use super::model::{FieldKind, Layer};
 use std::fmt;
 
-/// Something that a format cannot hold.
+/// A part of a layer that a format cannot hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Loss {
@@ -11,17 +11,17 @@ pub enum Loss {
     Ids(usize),
     /// Attributes: the columns.
     Attributes(Vec<String>),
-    /// Members of objects that mean nothing to GeoJSON, by name.
+    /// Foreign members of GeoJSON objects, by name.
     Members(Vec<String>),
     /// The name of the layer.
     Name(String),
     /// The coordinate reference system.
     Crs(String),
-    /// Features without geometry, which come back with an empty one.
+    /// Features without geometry, which are read back with an empty one.
     NullGeometries(usize),
-    /// Geometries without positions, which come back without geometry.
+    /// Geometries without positions, which are read back without geometry.
     EmptyGeometries(usize),
-    /// Measures of positions, which come back as heights or not at all.
+    /// Measures of positions, which are read back as heights or not at all.
     Measures(usize),
     /// Empty points, lines and rings among others in a geometry.
     EmptyParts(usize),
@@ -29,9 +29,9 @@ pub enum Loss {
     OpenRings(usize),
     /// Geometries with positions of several dimensions: some lose numbers, or gain zeros.
     MixedDimensions(usize),
-    /// Names of columns that are cut or changed: the old and the new one.
+    /// Names of columns that are cut or changed: the old and the new name.
     Renamed(Vec<(String, String)>),
-    /// Values of a column that come back as another type.
+    /// Values of a column that are read back as another type.
     Type {
         /// The column.
         column: String,
@@ -46,22 +46,22 @@ pub enum Loss {
         column: String,
         /// The number of values.
         count: usize,
-        /// To how many bytes.
+        /// The maximum number of bytes.
         bytes: usize,
     },
-    /// Numbers of a column that are no number, infinite, or have more digits than there is room for.
+    /// Numbers of a column that are NaN, infinite, or have too many digits.
     Numbers {
         /// The column.
         column: String,
         /// The number of values.
         count: usize,
     },
-    /// Attributes that some features do not have at all, which come back as null.
+    /// Attributes that some features don't have, which are read back as null.
     Absent(usize),
 }
 
 impl Loss {
-    /// Returns true if it is only of form: a value that comes back as another type, an absent one as null, the name of the layer, an open
+    /// Returns true if only the form is lost: another type of a value, null for an absent one, the name of the layer, an open
     /// ring that is closed.
     #[must_use]
     pub const fn is_minor(&self) -> bool {
@@ -121,7 +121,6 @@ const fn kind(kind: FieldKind) -> &'static str {
     }
 }
 
-/// The first names.
 fn some(names: &[String]) -> String {
     const SHOWN: usize = 8;
     let shown = names.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
@@ -131,7 +130,7 @@ fn some(names: &[String]) -> String {
     }
 }
 
-/// The number of attributes that features lack of so many columns.
+/// Returns the number of attributes that features lack, among this number of columns.
 pub(super) fn absent(layer: &Layer, columns: usize) -> usize {
     layer.features.iter().map(|feature| columns.saturating_sub(feature.attributes.len())).sum()
 }

@@ -1,4 +1,4 @@
-//! Finding what a format cannot hold of a layer.
+//! Finding the parts of a layer that a format cannot hold.
 
 use super::closed::open_rings;
 use super::loss::{Loss, absent};
@@ -6,10 +6,11 @@ use super::model::{Dimensions, EDGES, FieldKind, Geometry, Layer, Line, Shape, V
 use crate::io::Format;
 use std::collections::BTreeSet;
 
-/// Returns the losses if the layer were written in this format. O(size of the layer).
+/// Returns the losses of writing the layer in this format. O(size of the layer).
 ///
-/// It is no loss if a format holds something in another form: the order of the rings of a Shapefile, a multi-polygon of one polygon that
-/// becomes a polygon there, a polygon with heights among multi-polygons that becomes one of these in `FlatGeobuf`, or how many digits a number is written with.
+/// A change of form is no loss: the order of the rings of a Shapefile, a multi-polygon of one polygon that becomes a polygon
+/// there, a polygon with heights among multi-polygons that becomes one of these in `FlatGeobuf`, or the number of digits of a
+/// number.
 ///
 /// ```
 /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Loss, losses};
@@ -27,7 +28,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson);
 
     let holds_ids = match format {
-        // It says itself which ids it loses.
+        // It reports lost ids itself.
         Format::FlatGeobuf => true,
         #[cfg(feature = "geopackage")]
         Format::GeoPackage => super::geopackage::holds_ids(layer),
@@ -123,7 +124,7 @@ fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
         feature.geometry.iter().for_each(|geometry| of_geometry(geometry, is_json, &mut of_features));
     }
     let of_layer: Vec<&String> = match format {
-        // FlatGeobuf holds some, and says which it does not.
+        // FlatGeobuf holds some, and reports the others itself.
         Format::GeoJson | Format::TopoJson | Format::FlatGeobuf => Vec::new(),
         _ => layer.header.members.keys().collect(),
     };
@@ -136,7 +137,7 @@ fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
     }
 }
 
-/// The members of a geometry and its parts that are lost. The recursion is as deep as collections are nested.
+/// Collects the lost members of a geometry and its parts. The recursion is as deep as collections are nested.
 fn of_geometry<'a>(geometry: &'a Geometry, is_json: bool, names: &mut BTreeSet<&'a String>) {
     names.extend(geometry.members.keys().filter(|name| !is_json || is_reserved_in_json(name)));
     if let Shape::Collection(parts) = &geometry.shape {
@@ -146,7 +147,7 @@ fn of_geometry<'a>(geometry: &'a Geometry, is_json: bool, names: &mut BTreeSet<&
     }
 }
 
-/// Returns true if a member of a geometry means something in GeoJSON, or is forbidden there (RFC 7946, section 7.1).
+/// Returns true if a member of a geometry is reserved in GeoJSON (RFC 7946, section 7.1).
 pub(super) fn is_reserved_in_json(name: &str) -> bool {
     matches!(name, "type" | "coordinates" | "geometries" | "geometry" | "properties" | "features")
 }
@@ -188,8 +189,8 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
     }
 }
 
-/// The number of empty points in multi-points, and if asked for of empty lines, rings and polygons, of a geometry that is not empty itself. The
-/// recursion is as deep as collections are nested.
+/// Returns the number of empty points in multi-points and, on request, of empty lines, rings and polygons, in a non-empty
+/// geometry. The recursion is as deep as collections are nested.
 fn empty_parts(geometry: &Geometry, of_lines: bool) -> usize {
     let lines = |lines: &Vec<Line>| lines.iter().filter(|line| line.is_empty()).count();
     match &geometry.shape {
@@ -204,7 +205,7 @@ fn empty_parts(geometry: &Geometry, of_lines: bool) -> usize {
     }
 }
 
-/// Returns true if positions have another number of dimensions than the geometry says.
+/// Returns true if positions have another number of dimensions than the geometry states.
 fn is_mixed(geometry: &Geometry) -> bool {
     if let Shape::Collection(parts) = &geometry.shape {
         return parts.iter().any(|part| part.dimensions != geometry.dimensions || is_mixed(part));

@@ -5,27 +5,27 @@
 //!                      └─► to_map ─► twinedge_map::Builder
 //! ```
 //!
-//! | format | reads | writes | what it cannot hold |
+//! | format | reads | writes | cannot hold |
 //! | --- | --- | --- | --- |
-//! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes |
-//! | GeoJSON, newline-delimited | one feature after the other | yes | the same, and name, CRS and foreign members of the layer |
+//! | GeoJSON, one object | one feature at a time | yes | measures; types of dates and bytes |
+//! | GeoJSON, newline-delimited | one feature at a time | yes | measures; types of dates and bytes; name, CRS and foreign members of the layer |
 //! | `TopoJSON` | as a whole | no | |
 //! | well-known text | line by line | yes | ids, attributes, features without geometry |
-//! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
+//! | well-known binary, including extended | line by line (hexadecimal digits), or bytes | lines of digits | ids, attributes, features without geometry |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
-//! | `FlatGeobuf` | feature by feature | yes | ids that are not the numbers of features, other types of values in a column |
+//! | `FlatGeobuf` | feature by feature | yes | ids other than feature numbers, several types of values in a column |
 //! | `GeoParquet` | row by row | yes | ids, names of layers, definitions of reference systems in well-known text |
-//! | `GeoPackage` | row by row | yes | ids that are not whole numbers, lists, names that differ by case |
+//! | `GeoPackage` | row by row | yes | ids that are not integers, lists, names that differ by case |
 //!
-//! [`losses`] says what a format cannot hold of a layer. Numbers are those of 64 bits. A GeoJSON file without `crs` whose coordinates can be longitudes and latitudes is
-//! in these, on WGS 84, as RFC 7946 has it.
+//! [`losses`] lists the parts of a layer that a format cannot hold. Numbers have 64 bits. A GeoJSON file without `crs` whose
+//! coordinates can be longitudes and latitudes is in these, on WGS 84, as in RFC 7946.
 //!
 //! A zip archive or gzip data with one layer is read as that layer, with the feature `archive`.
 //!
 //! [`Indexed`] reads the features in a window of `FlatGeobuf` and `GeoParquet`, without the others.
 //!
-//! [`read`] tells the format by its content and by the extension of the file. Files that are truncated or contradict themselves,
-//! and counts that exceed the data, are errors ([`ReadError`]).
+//! [`read`] detects the format by the content and the extension of the file. Files that are truncated or inconsistent, and counts
+//! that exceed the data, are errors ([`ReadError`]).
 
 #[cfg(feature = "archive")]
 mod archive;

@@ -1,32 +1,32 @@
-//! Layers: features with geometries and attributes, and what a file says beside them.
+//! Layers: features with geometries and attributes, and further data of a file.
 
 use super::crs::Crs;
 use std::sync::Arc;
 
-/// A position: x, y, and the further dimensions that the file has.
+/// A position: x, y, and the further dimensions of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Position {
     /// The first coordinate.
     pub x: f64,
     /// The second coordinate.
     pub y: f64,
-    /// The others, as [`Geometry::dimensions`] says. GeoJSON may have any number of them.
+    /// The other coordinates, described by [`Geometry::dimensions`]. GeoJSON may have any number of them.
     pub more: Box<[f64]>,
 }
 
 impl Position {
-    /// A position with two dimensions.
+    /// Creates a position with two dimensions.
     #[must_use]
     pub fn new(x: f64, y: f64) -> Self {
         Self { x, y, more: Box::default() }
     }
 }
 
-/// The meaning of the numbers of the positions of a geometry.
+/// The meaning of the numbers of a geometry's positions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Dimensions {
-    /// x and y, and in GeoJSON whatever follows, usually z.
+    /// x and y, and in GeoJSON any further numbers, usually z.
     #[default]
     Xy,
     /// x, y and height.
@@ -38,7 +38,7 @@ pub enum Dimensions {
 }
 
 impl Dimensions {
-    /// The number of coordinates that follow x and y, and in [`Xy`](Self::Xy) may.
+    /// Returns the number of coordinates after x and y; [`Xy`](Self::Xy) may have others.
     #[must_use]
     pub const fn more(self) -> usize {
         match self {
@@ -48,7 +48,7 @@ impl Dimensions {
         }
     }
 
-    /// Those with a height, a measure, or both.
+    /// Returns the dimensions with a height, a measure, or both.
     #[must_use]
     pub const fn with(height: bool, measure: bool) -> Self {
         match (height, measure) {
@@ -63,17 +63,17 @@ impl Dimensions {
 /// A geometry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry {
-    /// The meaning of the numbers of the positions.
+    /// The meaning of the positions' numbers.
     pub dimensions: Dimensions,
     /// The positions.
     pub shape: Shape,
-    /// Further members of its object in GeoJSON, `bbox` among them. Those of the outermost geometry of a feature in TopoJSON are
+    /// Further members of its object in GeoJSON, including `bbox`. Those of the outermost geometry of a feature in TopoJSON are
     /// members of the feature.
     pub members: Members,
 }
 
 impl Geometry {
-    /// A geometry without further members.
+    /// Creates a geometry without further members.
     #[must_use]
     pub fn new(dimensions: Dimensions, shape: Shape) -> Self {
         Self { dimensions, shape, members: Members::new() }
@@ -83,19 +83,19 @@ impl Geometry {
 /// A chain of positions. A ring is closed if its last position repeats the first.
 pub type Line = Vec<Position>;
 
-/// The positions of a geometry. Nothing is repaired or refused: rings may be open, wind either way, or be empty.
+/// The positions of a geometry. Shapes are neither repaired nor refused: rings may be open, wind either way, or be empty.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Shape {
-    /// A point; none is an empty one.
+    /// A point; `None` for an empty one.
     Point(Option<Position>),
-    /// Points; none is an empty one.
+    /// Points; `None` for an empty one.
     MultiPoint(Vec<Option<Position>>),
     /// A line.
     Line(Line),
     /// Lines.
     MultiLine(Vec<Line>),
-    /// A polygon: the outer ring and those of the holes.
+    /// A polygon: the outer ring followed by the holes.
     Polygon(Vec<Line>),
     /// Polygons.
     MultiPolygon(Vec<Vec<Line>>),
@@ -104,7 +104,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The name of its kind, as the OGC has it.
+    /// Returns the OGC name of its kind.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -118,7 +118,7 @@ impl Shape {
         }
     }
 
-    /// Returns true if there is no position in it.
+    /// Returns true if it has no positions.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let mut any = false;
@@ -143,12 +143,12 @@ impl Shape {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Value {
-    /// There is none.
+    /// No value.
     #[default]
     Null,
-    /// A truth value.
+    /// A boolean.
     Bool(bool),
-    /// A whole number.
+    /// An integer.
     Integer(i64),
     /// Another number.
     Real(f64),
@@ -156,17 +156,17 @@ pub enum Value {
     Text(String),
     /// A day, as `2026-01-31`.
     Date(String),
-    /// A day and a time, as the file writes it, usually `2026-01-31T12:00:00Z`.
+    /// A day and a time, as in the file, usually `2026-01-31T12:00:00Z`.
     DateTime(String),
     /// Bytes.
     Bytes(Vec<u8>),
-    /// A list or an object, or a whole number beyond 64 bits with sign.
+    /// A list or an object, or an integer beyond signed 64 bits.
     Json(serde_json::Value),
 }
 
 impl Value {
-    /// The value as text: a text as it is, a number or a truth value as JSON writes it, a list or an object as JSON, bytes in
-    /// hexadecimal digits; none for null.
+    /// Returns the value as text: a string as it is, a number or a boolean in JSON notation, a list or an object as JSON, bytes
+    /// in hexadecimal digits; `None` for null.
     #[must_use]
     pub fn text(&self) -> Option<String> {
         Some(match self {
@@ -179,7 +179,7 @@ impl Value {
         })
     }
 
-    /// The value as JSON has it. Bytes become hexadecimal digits, and numbers that are not finite null.
+    /// Converts the value to JSON. Bytes become hexadecimal digits, and non-finite numbers become null.
     #[must_use]
     pub fn to_json(&self) -> serde_json::Value {
         match self {
@@ -193,7 +193,7 @@ impl Value {
         }
     }
 
-    /// A value that JSON has.
+    /// Creates a value from JSON.
     #[must_use]
     pub fn of_json(json: serde_json::Value) -> Self {
         use serde_json::Value as Json;
@@ -211,14 +211,13 @@ impl Value {
     }
 }
 
-/// A number of 64 bits as JSON has it: whole ones without a point.
+/// Converts a 64-bit number to JSON: integers without a point.
 pub(super) fn json_number(number: f64) -> serde_json::Value {
     const EXACT: f64 = 1e15;
     let is_whole = number.abs() < EXACT && number.fract() == 0.0 && !(number == 0.0 && number.is_sign_negative());
     if is_whole { (number as i64).into() } else { number.into() }
 }
 
-/// Bytes in hexadecimal digits.
 pub(super) fn hex(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 16] = b"0123456789ABCDEF";
     let digit = |half: u8| char::from(DIGITS[usize::from(half & 15)]);
@@ -230,7 +229,7 @@ pub(super) fn hex(bytes: &[u8]) -> String {
 pub enum Id {
     /// A text.
     Text(String),
-    /// A number, as JSON has it.
+    /// A number, as in JSON.
     Number(serde_json::Number),
 }
 
@@ -243,30 +242,30 @@ impl std::fmt::Display for Id {
     }
 }
 
-/// Members of an object that mean nothing to its format, in order.
+/// Foreign members of an object, in order.
 pub type Members = serde_json::Map<String, serde_json::Value>;
 
 /// A feature.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feature {
-    /// Its id.
+    /// The id.
     pub id: Option<Id>,
-    /// The place.
+    /// The geometry.
     pub geometry: Option<Geometry>,
-    /// Its attributes by name of column, in order.
+    /// The attributes by name of column, in order.
     pub attributes: Vec<(Arc<str>, Value)>,
-    /// Further members of its object in GeoJSON, `bbox` among them.
+    /// Further members of its object in GeoJSON, including `bbox`.
     pub members: Members,
 }
 
 impl Feature {
-    /// The value in a column. O(columns).
+    /// Returns the value in a column. O(columns).
     #[must_use]
     pub fn get(&self, column: &str) -> Option<&Value> {
         self.attributes.iter().find(|(name, _)| **name == *column).map(|(_, value)| value)
     }
 
-    /// The name: the first text or number among the usual columns (`crate::io::geojson::NAME_COLUMNS`).
+    /// Returns the name: the first text or number among the usual columns (`crate::io::geojson::NAME_COLUMNS`).
     #[must_use]
     pub fn name(&self) -> Option<String> {
         let label = |value: &Value| match value {
@@ -282,9 +281,9 @@ impl Feature {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum FieldKind {
-    /// Truth values.
+    /// Booleans.
     Bool,
-    /// Whole numbers.
+    /// Integers.
     Integer,
     /// Numbers.
     Real,
@@ -303,24 +302,24 @@ pub enum FieldKind {
 /// A column.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
-    /// Its name.
+    /// The name.
     pub name: Arc<str>,
-    /// Its type.
+    /// The type.
     pub kind: FieldKind,
-    /// The greatest number of characters, if the file gives one.
+    /// The greatest number of characters, if the file states one.
     pub width: Option<usize>,
-    /// The number of digits after the point, if the file gives one.
+    /// The number of digits after the point, if the file states one.
     pub decimals: Option<usize>,
 }
 
-/// The members of a file beside the features of a layer.
+/// The members of a file other than the features.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Header {
     /// The name of the layer.
     pub name: Option<String>,
     /// The coordinate reference system.
     pub crs: Option<Crs>,
-    /// The columns in order, if the format has a list of them.
+    /// The columns in order, if the format lists them.
     pub fields: Vec<Field>,
     /// Further members of the outermost object of GeoJSON.
     pub members: Members,
@@ -329,8 +328,8 @@ pub struct Header {
 }
 
 impl Header {
-    /// The shape of edges, if the file says that they are not straight in the plane of the coordinates: `spherical` of `GeoParquet`, or an algorithm of Parquet's own
-    /// type `GEOGRAPHY`.
+    /// Returns the shape of edges, if the file declares that they are not straight in the plane of the coordinates: `spherical`
+    /// in `GeoParquet`, or an algorithm of Parquet's own type `GEOGRAPHY`.
     #[must_use]
     pub fn edges(&self) -> Option<&str> {
         let edges = self.members.get(EDGES).and_then(serde_json::Value::as_str);
@@ -338,25 +337,25 @@ impl Header {
     }
 }
 
-/// The member of a header that says that edges are not straight in the plane of the coordinates, in the words of `GeoParquet`.
+/// The member of a header that states that edges are not straight in the plane of the coordinates, in the terms of `GeoParquet`.
 pub(super) const EDGES: &str = "edges";
 
-/// Features, and what a file says beside them.
+/// Features, with the further data of a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {
-    /// The members beside the features.
+    /// The members other than the features.
     pub header: Header,
     /// The features in order.
     pub features: Vec<Feature>,
 }
 
-/// A layer has a column of this name already.
+/// The layer already has a column of this name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is a column {0} already")]
 pub struct ColumnTaken(pub String);
 
 impl Layer {
-    /// Moves the ids of features to a column of this name, the first of each feature that has an id. O(attributes).
+    /// Moves the ids of features to a column of this name, placed first in each feature with an id. O(attributes).
     ///
     /// ```
     /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Value, losses};
@@ -388,9 +387,9 @@ impl Layer {
         Ok(())
     }
 
-    /// The columns: those of the header, and then those that features have besides, in order. Of a column that is not in the header
-    /// the type is that of its values, and text if they differ; whole and other numbers together are numbers. O(attributes),
-    /// expected.
+    /// Returns the columns: those of the header, followed by further columns of features, in order. The type of a column outside
+    /// the header is the type of its values, or text if they differ; integers and other numbers together are numbers.
+    /// O(attributes), expected.
     #[must_use]
     pub fn fields(&self) -> Vec<Field> {
         let mut fields = self.header.fields.clone();
@@ -421,7 +420,7 @@ impl Layer {
     }
 }
 
-/// The type of a value; none for null.
+/// Returns the type of a value; `None` for null.
 pub(super) fn kind_of(value: &Value) -> Option<FieldKind> {
     Some(match value {
         Value::Null => return None,

@@ -3,12 +3,11 @@
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-/// Names of columns, each kept once.
 #[derive(Debug, Default)]
 pub(super) struct Names(FxHashMap<Box<str>, Arc<str>>);
 
 impl Names {
-    /// The one copy of a name. O(its length), expected.
+    /// Returns the shared copy of a name. O(its length), expected.
     pub(super) fn get(&mut self, name: &str) -> Arc<str> {
         if let Some(known) = self.0.get(name) {
             return known.clone();

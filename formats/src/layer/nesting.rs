@@ -1,4 +1,4 @@
-//! The way in which rings turn, and the rings in which others lie.
+//! The direction of rings, and their nesting.
 
 use super::model::Position;
 use std::cmp::Ordering;
@@ -15,15 +15,15 @@ pub(super) fn area(ring: &[Position]) -> f64 {
     ring_area(ring.iter().map(point))
 }
 
-/// The factor by which coordinates up to this one are multiplied, exactly, so that products of two do not overflow.
+/// Returns the factor for coordinates up to this one, which is exact and keeps products of two from overflowing.
 fn scale(greatest: f64) -> f64 {
     const LARGE: f64 = 1e150;
     const SHRINK: f64 = 1.0 / (1_u128 << 100) as f64;
     if greatest > LARGE { SHRINK.powi(6) } else { 1.0 }
 }
 
-/// The direction in which a ring turns: `Greater` for counter-clockwise, `Equal` if it encloses nothing. That of the ring the other way
-/// around is the opposite, whatever is rounded: of the two ways from the first point, the same one is always taken.
+/// Returns the direction in which a ring turns: `Greater` for counter-clockwise, `Equal` if it encloses nothing. The reversed
+/// ring has the opposite direction in spite of rounding: both start along the same one of the two ways from the first point.
 pub(super) fn direction(ring: &[Position]) -> Ordering {
     let [first, rest @ ..] = ring else { return Ordering::Equal };
     let rest = match rest {
@@ -39,12 +39,11 @@ pub(super) fn direction(ring: &[Position]) -> Ordering {
     match rest.iter().map(coordinates).partial_cmp(rest.iter().rev().map(coordinates)) {
         Some(Ordering::Less) => sign(ring_area(start().chain(rest.iter().map(scaled)))),
         Some(Ordering::Greater) => sign(ring_area(start().chain(rest.iter().rev().map(scaled)))).reverse(),
-        // The same forth and back.
+        // There and back.
         _ => Ordering::Equal,
     }
 }
 
-/// Least and greatest coordinates.
 #[derive(Clone, Copy)]
 pub(super) struct Extent {
     low: Point,
@@ -75,7 +74,7 @@ pub(super) fn lies_in(ring: &[Position], other: &[Position]) -> bool {
     ring.iter().find_map(|p| is_inside(point(p), other)).unwrap_or(true)
 }
 
-/// The side of a ring on which a point lies, true for the inside; none if it is on it.
+/// Returns true if a point lies inside a ring; `None` if it is on it.
 fn is_inside(p: Point, ring: &[Position]) -> Option<bool> {
     let mut inside = false;
     for pair in ring.windows(2) {

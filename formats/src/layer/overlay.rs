@@ -1,4 +1,4 @@
-//! Two layers laid over each other: the pieces, with the attributes of both.
+//! The overlay of two layers: the pieces, with the attributes of both.
 
 use super::crs::Crs;
 use super::model::{Dimensions, Feature, Field, Geometry, Header, Layer, Line, Members, Position, Shape, Value};
@@ -15,7 +15,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::noding::Snap;
 use twinedge_map::{BuildError, Builder, Noding};
 
-/// The choice among the pieces of two layers.
+/// The pieces to keep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Keep {
     /// Those that either layer covers.
@@ -23,9 +23,9 @@ pub enum Keep {
     Either,
     /// Those that both layers cover.
     Both,
-    /// All of the first layer, whether the other one covers them or not.
+    /// Everything in the first layer, covered by the second or not.
     First,
-    /// Those that the first layer covers and the other one does not.
+    /// Those that the first layer covers and the second does not.
     FirstOnly,
 }
 
@@ -47,10 +47,10 @@ pub enum OverlayError {
     /// The layers are in different coordinate reference systems.
     #[error("the layers are in different coordinate reference systems: {0} and {1}")]
     OtherCrs(String, String),
-    /// A coordinate is none, or the edges cannot be cut on this grid.
+    /// A coordinate is not a finite number, or the edges cannot be cut on this grid.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// It is not known what the features cover.
+    /// The coverage of the features is not defined.
     #[error(transparent)]
     Coverage(#[from] CoverageError),
     /// A piece has no outline.
@@ -58,11 +58,12 @@ pub enum OverlayError {
     Contour(#[from] ContourError),
 }
 
-/// Lays two layers over each other. Each feature of the result is the place that a feature of the first layer and one of the second have in common,
-/// or that one layer covers alone, with the attributes of both. Of columns of one name, that of the second layer gets a number. Ids become
-/// columns `id`. Lines and points are left out, and so are further dimensions. Without `snap`, borders are cut on the finest grid if they cross or touch.
+/// Overlays two layers. Each feature of the result is an area that a feature of the first layer and one of the second share, or
+/// that only one layer covers, with the attributes of both. If both layers have a column of the same name, the second layer's
+/// column gets a number. Ids become columns `id`. Lines, points and further dimensions are left out. Without `snap`, borders that
+/// cross or touch are cut on the finest grid.
 ///
-/// O((n + k) log n + the pieces) for n segments that meet k times.
+/// O((n + k) log n + size of the pieces) for n segments that meet k times.
 ///
 /// ```
 /// use twinedge_formats::layer::{Dimensions, Feature, Geometry, Keep, Layer, Position, Shape, Value, overlay};
@@ -117,7 +118,7 @@ pub fn overlay(first: &Layer, second: &Layer, keep: Keep, snap: Option<Snap>) ->
     Ok(Layer { header: Header { crs, fields, ..Header::default() }, features })
 }
 
-/// The coordinate reference system of both. A layer that names none has that of the other.
+/// Returns the coordinate reference system of both layers. A layer without one takes the other's.
 fn common_crs(first: &Layer, second: &Layer) -> Result<Option<Crs>, OverlayError> {
     match (&first.header.crs, &second.header.crs) {
         (Some(one), Some(other)) if one.name() != other.name() => Err(OverlayError::OtherCrs(one.name(), other.name())),
@@ -125,9 +126,9 @@ fn common_crs(first: &Layer, second: &Layer) -> Result<Option<Crs>, OverlayError
     }
 }
 
-/// The columns of a layer, with the names that they get.
+/// The columns of a layer, with their new names.
 struct Columns {
-    /// The name before, none for the ids, and the column.
+    /// The old name, none for the ids, and the column.
     fields: Vec<(Option<Arc<str>>, Field)>,
 }
 
@@ -144,7 +145,7 @@ impl Columns {
         Self { fields: all.map(named).collect() }
     }
 
-    /// The attributes of a feature; without one, all are null.
+    /// Returns the attributes of a feature; without a feature, all are null.
     fn values(&self, feature: Option<&Feature>) -> Vec<(Arc<str>, Value)> {
         let value = |before: &Option<Arc<str>>| {
             let feature = feature?;

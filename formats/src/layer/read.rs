@@ -10,28 +10,29 @@ use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 use std::sync::Arc;
 
-/// The number of bytes that are looked at to tell the format.
+/// The number of bytes that are examined to detect the format.
 const HEAD: u64 = 1 << 16;
 
-/// The way to read a layer.
+/// Options for reading a layer.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
-    /// The format. Without one, the content tells, and then the extension of the file.
+    /// The format. Without one, the content decides, and then the extension of the file.
     pub format: Option<Format>,
-    /// The layer to read, by its name, of a file with several. Those of TopoJSON are its objects.
+    /// The name of the layer to read from a file with several. The layers of TopoJSON are its objects.
     pub layer: Option<String>,
-    /// The files among which paths lead, in memory. Without them, these are on disk. `GeoPackage` and `GeoParquet` are read from disk only.
+    /// The files to which paths refer, in memory. Without them, paths refer to the disk. `GeoPackage` and `GeoParquet` are read
+    /// from disk only.
     pub files: Option<Arc<Files>>,
 }
 
-/// Reads a layer, handing over its features in the order of the file. Data of a format that is made of several files is read
-/// from `path`, and that of others from `reader`.
+/// Reads a layer and passes on its features in the order of the file. A format with several files is read from `path`, any other
+/// from `reader`.
 ///
-/// Features are handed over as they are read, so faults may show after some of them. Memory O(largest feature), and for a
-/// Shapefile its index.
+/// Features are passed on as they are read, so an error may follow some of them. Memory O(largest feature), plus the index of a
+/// Shapefile.
 ///
 /// # Errors
-/// [`ReadError`], and whatever `each` returns.
+/// [`ReadError`], and any error that `each` returns.
 ///
 /// ```
 /// use twinedge_formats::layer::{ReadOptions, read};
@@ -95,7 +96,7 @@ pub fn read(
     }
 }
 
-/// Reads a file that was in an archive. An archive in it is not unpacked.
+/// Reads a file from an archive. An archive inside it is not unpacked.
 #[cfg(feature = "archive")]
 fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut file = BufReader::new(File::open(path)?);
@@ -104,14 +105,14 @@ fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Res
     read(&mut head.as_slice().chain(file), Some(path), options, each)
 }
 
-/// The first bytes, from which the format is recognised.
+/// Returns the first bytes, from which the format is detected.
 pub(super) fn beginning(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> {
     let mut head = Vec::new();
     reader.take(HEAD).read_to_end(&mut head)?;
     Ok(head)
 }
 
-/// The format as which [`read`] reads what begins with these bytes. O(bytes).
+/// Returns the format that [`read`] uses for content with these first bytes. O(bytes).
 ///
 /// # Errors
 /// [`ReadError::Foreign`], [`ReadError::Empty`] and [`ReadError::Unrecognised`].

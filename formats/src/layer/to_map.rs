@@ -4,8 +4,8 @@ use super::model::{Feature, Geometry, Line, Position, Shape};
 use crate::io::ReadSummary;
 use twinedge_geometry::Point;
 
-/// The feature for a map, with its name and id, counted in a summary. Further dimensions and empty shapes are dropped, collections
-/// flattened. O(positions).
+/// Returns the feature for a map, with its name and id, and counts it in a summary. Further dimensions and empty shapes are
+/// dropped, collections flattened. O(positions).
 ///
 /// ```
 /// use twinedge_formats::io::ReadSummary;

@@ -1,8 +1,8 @@
-//! Names of columns that differ.
+//! Distinct column names.
 
 use std::collections::HashSet;
 
-/// A name that no other column has, whatever the case.
+/// Returns a name that no other column has, ignoring case.
 pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut free = if name.is_empty() { "field".to_owned() } else { name.to_owned() };
     for number in 1.. {

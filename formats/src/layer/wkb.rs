@@ -1,6 +1,6 @@
-//! Well-known binary: that of the OGC and ISO, and the extended one of PostGIS, which adds a reference system.
+//! Well-known binary, as defined by the OGC and ISO, and the extended form of PostGIS, which adds a reference system.
 //!
-//! Counts are believed only as far as the data can hold them.
+//! Counts are trusted only as far as the data can hold them.
 //!
 //! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; the documentation of PostGIS for the
 //! extended form.
@@ -12,13 +12,13 @@ use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position,
 use crate::io::{Format, unread_geometry};
 use std::io::{BufRead, BufReader, Read, Write};
 
-/// The number of collections that may lie around a geometry.
+/// The largest number of collections around a geometry.
 const NESTED: usize = 32;
 
 /// The bits of the extended form: height, measure, reference system.
 const EXTENDED: [u32; 3] = [0x8000_0000, 0x4000_0000, 0x2000_0000];
 
-/// Reads a geometry per line in hexadecimal digits, or geometries one after the other as bytes; each is a feature.
+/// Reads a geometry per line in hexadecimal digits, or consecutive geometries as bytes; each is a feature.
 pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut reader = BufReader::new(reader);
     let mut header = Header::default();
@@ -70,7 +70,7 @@ fn from_hex(digits: &[u8]) -> Option<Vec<u8>> {
     pairs.map(|pair| Some(digit(*pair.first()?)? << 4 | digit(*pair.get(1)?)?)).collect()
 }
 
-/// Reads one geometry as well-known binary, which is all of the bytes. O(bytes).
+/// Reads one geometry as well-known binary, which must use all of the bytes. O(bytes).
 ///
 /// ```
 /// use twinedge_formats::layer::{Shape, geometry_of_wkb};
@@ -88,7 +88,7 @@ pub fn geometry_of_wkb(bytes: &[u8]) -> Result<Geometry, Cause> {
     parse(bytes).map(|(geometry, _)| geometry)
 }
 
-/// Writes one geometry as well-known binary of ISO, the low bytes first. O(positions).
+/// Writes one geometry as well-known binary of ISO, little-endian. O(positions).
 ///
 /// ```
 /// use twinedge_formats::layer::{Dimensions, Geometry, Position, Shape, geometry_of_wkb, wkb_of_geometry};
@@ -104,7 +104,7 @@ pub fn wkb_of_geometry(geometry: &Geometry) -> Vec<u8> {
     bytes
 }
 
-/// Reads one geometry, which is all of the bytes, and its reference system. O(bytes).
+/// Reads one geometry, which must use all of the bytes, and its reference system. O(bytes).
 pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry, Option<i64>), Cause> {
     let mut bytes = Bytes { rest: bytes };
     let geometry = bytes.geometry(0)?;
@@ -114,12 +114,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry, Option<i64>), Cause> {
     }
 }
 
-/// The part that has not been read yet.
+/// The unread part.
 struct Bytes<'a> {
     rest: &'a [u8],
 }
 
-/// The way in which the numbers of a geometry are written.
 #[derive(Clone, Copy)]
 struct Form {
     is_little: bool,
@@ -144,7 +143,7 @@ impl Bytes<'_> {
         Ok(if is_little { u32::from_le_bytes(bytes) } else { u32::from_be_bytes(bytes) })
     }
 
-    /// A number of things that take so many bytes each at least.
+    /// Reads the number of items that need at least this many bytes each.
     fn count(&mut self, form: Form, what: &'static str, bytes: usize) -> Result<usize, Cause> {
         let count = self.integer(form.is_little, what)?;
         if count as usize > self.rest.len() / bytes {
@@ -217,7 +216,7 @@ impl Bytes<'_> {
         Ok(if form.is_little { f64::from_le_bytes(bytes) } else { f64::from_be_bytes(bytes) })
     }
 
-    /// A position; none if x and y are no numbers, which is how empty points are written.
+    /// Reads a position; `None` for NaN as x and y, as in empty points.
     fn point(&mut self, form: Form) -> Result<Option<Position>, Cause> {
         let (x, y) = (self.number(form)?, self.number(form)?);
         let more = (0..form.dimensions.more()).map(|_| self.number(form)).collect::<Result<_, _>>()?;
@@ -254,7 +253,7 @@ pub(super) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError
     Ok(())
 }
 
-/// Appends a geometry as ISO writes it, the low bytes first. O(positions).
+/// Appends a geometry in the form of ISO, little-endian. O(positions).
 pub(super) fn append(geometry: &Geometry, out: &mut Vec<u8>) {
     let dimensions = geometry.dimensions;
     match &geometry.shape {
@@ -307,7 +306,7 @@ fn head(kind: u32, dimensions: Dimensions, out: &mut Vec<u8>) {
     out.extend((1000 * thousands + kind).to_le_bytes());
 }
 
-/// Counts are below 2³², as each thing takes memory of four bytes or more.
+/// Counts are below 2³², as each item takes at least four bytes of memory.
 fn count(n: usize, out: &mut Vec<u8>) {
     out.extend((n as u32).to_le_bytes());
 }

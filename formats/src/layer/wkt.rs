@@ -1,5 +1,5 @@
-//! Well-known text, a geometry per line. The crate `wkt` reads the geometries. They are written here, as it has no text for a
-//! multi-polygon with an empty part, and panics.
+//! Well-known text, a geometry per line. The crate `wkt` reads the geometries. They are written here, because the crate panics at
+//! a multi-polygon with an empty part.
 
 use super::crs::Crs;
 use super::each::Each;
@@ -27,7 +27,7 @@ pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header,
     Ok(header)
 }
 
-/// The recursion is as deep as collections are nested, which the reader bounds.
+/// The recursion is as deep as collections are nested, which the reader limits.
 fn converted(geometry: Wkt<f64>) -> Geometry {
     fn position(coord: &Coord<f64>) -> Position {
         Position { x: coord.x, y: coord.y, more: [coord.z, coord.m].into_iter().flatten().collect() }
@@ -100,7 +100,7 @@ fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Result<()> {
     }
 }
 
-/// Writes the parts of a geometry in brackets, or a space and that there is none.
+/// Writes the parts of a geometry in brackets, or a space and `EMPTY`.
 fn list<T>(
     space: &str,
     parts: &[T],

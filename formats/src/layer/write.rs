@@ -10,8 +10,7 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Refuses a format that cannot hold all of a layer. What a layer is likely to do without is let pass
-/// ([`Loss::is_minor`](super::Loss::is_minor)).
+/// Refuses a format that cannot hold all of a layer. Minor losses are accepted ([`Loss::is_minor`](super::Loss::is_minor)).
 ///
 /// # Errors
 /// [`WriteError::Loss`], and [`WriteError::ReadOnly`].
@@ -23,7 +22,7 @@ pub fn refuse_losses(layer: &Layer, format: Format) -> Result<(), WriteError> {
     if losses.is_empty() { Ok(()) } else { Err(WriteError::Loss { format, losses }) }
 }
 
-/// The files that are written for a path: that of the path, and for a Shapefile those beside it.
+/// Returns the files that are written for a path: the path itself, and for a Shapefile those next to it.
 #[must_use]
 pub fn files(path: &Path, format: Format) -> Vec<PathBuf> {
     #[cfg(feature = "shapefile")]
@@ -37,7 +36,7 @@ pub fn files(path: &Path, format: Format) -> Vec<PathBuf> {
 /// Writes a layer to a file that does not exist yet, whatever the format loses ([`losses`]). Open rings are closed.
 ///
 /// # Errors
-/// [`WriteError`]. The file may then be there, in part.
+/// [`WriteError`]. The file may then exist in part.
 pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), WriteError> {
     let layer = &*closed(layer);
     match format {
@@ -73,7 +72,7 @@ pub fn write_files(layer: &Layer, path: &Path, format: Format) -> Result<Files, 
     Ok([(path.to_owned(), bytes)].into_iter().collect())
 }
 
-/// Writes a layer to a stream. Open rings are closed. The writer is not buffered inside.
+/// Writes a layer to a stream. Open rings are closed. The writer is not buffered internally.
 ///
 /// # Errors
 /// [`WriteError`].

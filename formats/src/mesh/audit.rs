@@ -32,14 +32,14 @@ pub struct MeshAudit {
     space: Vec<SpaceOutcome>,
 }
 
-/// Joins the faces of a mesh, has the validator judge the result, and counts.
+/// Joins the faces of a mesh, validates the result, and counts.
 ///
-/// The expectation is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that and what else is asked
-/// for: rules M1 … M8. Where faces could not be joined, some of these cannot be checked, and the report says so.
+/// The expectation is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that with further claims:
+/// rules M1 … M8. If some faces cannot be joined, some of these rules cannot be checked, and the report says so.
 ///
-/// `collect` says how many findings of each kind, and how many violations, are kept. All findings are counted; violations as
-/// [`Collect`] says. Time and memory are linear in points and corners (expected, and but for the inverse of Ackermann's
-/// function). It accepts every mesh.
+/// `collect` limits the findings of each kind, and the violations, that are kept. All findings are counted; violations as
+/// [`Collect`] says. Time and memory are linear in points and corners (expected, and up to the inverse of Ackermann's function).
+/// It accepts every mesh.
 ///
 /// ```
 /// use twinedge::validate::Collect;
@@ -67,9 +67,10 @@ pub fn audit(mesh: &IndexedMesh, expectation: &Expectation, collect: Collect) ->
     judged(mesh, expectation, collect, |_, _| Vec::new())
 }
 
-/// As [`audit`], and checks rules about the places of the points: M9 … M11.
+/// Like [`audit`], and also checks rules about the coordinates of the points: M9 … M11.
 ///
-/// Beyond that O(n log n + k) for k pairs of faces whose boxes meet (M10), and O(n) for each component that faces inwards (M11).
+/// In addition O(n log n + k) for k pairs of faces with overlapping boxes (M10), and O(n) for each component that faces inwards
+/// (M11).
 ///
 /// ```
 /// use twinedge::validate::Collect;
@@ -96,7 +97,7 @@ pub fn audit_in_space(
     })
 }
 
-/// A program that never asks for rules of space is smaller, as nothing leads to them.
+/// Separate, so that a program without rules of space is smaller, as nothing refers to them.
 fn judged(
     mesh: &IndexedMesh,
     expectation: &Expectation,
@@ -111,15 +112,15 @@ fn judged(
 }
 
 impl MeshAudit {
-    /// Returns true if the mesh is made of surfaces and is as expected: no finding is a fault, the validator found no violation, and
-    /// all rules that were asked for were checked on all faces.
+    /// Returns true if the mesh consists of surfaces and is as expected: no finding is a fault, the validator found no violation,
+    /// and all requested rules were checked on all faces.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         let is_whole = self.space.iter().all(|outcome| outcome.left_out == 0);
         self.findings.is_faultless() && self.report.is_valid() && is_whole
     }
 
-    /// The rules: those of the validator, and then those of M9 … M11 that were asked for.
+    /// Returns the rules: first the validator's, then the requested ones of M9 … M11.
     #[must_use]
     pub fn rules(&self) -> Vec<RuleLine> {
         let of_space = self.space.iter().map(|SpaceOutcome { rule, checked, left_out }| RuleLine {
@@ -135,19 +136,19 @@ impl MeshAudit {
         RuleLine::of(&self.report).into_iter().chain(of_space).collect()
     }
 
-    /// The numbers of everything.
+    /// Returns the counts of the mesh.
     #[must_use]
     pub const fn counts(&self) -> &MeshCounts {
         &self.counts
     }
 
-    /// The faults of the list of faces.
+    /// Returns the faults of the list of faces.
     #[must_use]
     pub const fn findings(&self) -> &Findings {
         &self.findings
     }
 
-    /// The report of the validator on the half-edges. Each has the number of its corner.
+    /// Returns the validator's report on the half-edges. Each half-edge has the number of its corner.
     #[must_use]
     pub const fn report(&self) -> &Report {
         &self.report
@@ -155,17 +156,17 @@ impl MeshAudit {
 }
 
 impl MeshAudit {
-    /// The number of edges and vertices that keep faces apart.
+    /// Returns the number of edges and vertices that keep faces apart.
     fn not_joined(&self) -> usize {
         self.edges_not_joined() + self.findings.count(Kind::NonManifoldVertex)
     }
 
-    /// The number of edges with several faces that are not joined there.
+    /// Returns the number of edges with several faces that are not joined there.
     fn edges_not_joined(&self) -> usize {
         self.findings.count(Kind::NonManifoldEdge) + self.findings.count(Kind::FlippedFaces)
     }
 
-    /// The counts that text has, in words. `None` is what could not be counted.
+    /// Returns the counts of the text form, in words. `None` is a count that could not be determined.
     #[must_use]
     pub fn count_lines(&self) -> [(&'static str, Option<isize>); 8] {
         let MeshCounts { vertices, edges, faces, components, borders, euler_characteristic, genus, .. } = self.counts;
@@ -182,7 +183,7 @@ impl MeshAudit {
         ]
     }
 
-    /// Sentences about violations that follow from the findings.
+    /// Returns sentences about violations that follow from the findings.
     #[must_use]
     pub fn remarks(&self) -> Vec<&'static str> {
         let violations = |rule| self.report.outcome(rule).map_or(0, |outcome| outcome.violations);

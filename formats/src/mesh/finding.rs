@@ -18,25 +18,25 @@ macro_rules! kinds {
             /// All kinds, in the order in which findings are listed.
             pub const ALL: &[Self] = &[$(Self::$variant),*];
 
-            /// The name: `degenerate_face` and so on.
+            /// Returns the name: `degenerate_face` and so on.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name,)* }
             }
 
-            /// The kind in one sentence.
+            /// Returns the kind in one sentence.
             #[must_use]
             pub const fn statement(self) -> &'static str {
                 match self { $(Self::$variant => $statement,)* }
             }
 
-            /// The usual cause.
+            /// Returns the usual cause.
             #[must_use]
             pub const fn cause(self) -> &'static str {
                 match self { $(Self::$variant => $cause,)* }
             }
 
-            /// The remedy.
+            /// Returns the remedy.
             ///
             /// ```
             /// use twinedge_formats::mesh::Kind;
@@ -87,7 +87,7 @@ kinds! {
 }
 
 impl Kind {
-    /// The kind of the findings of a rule about the places of points.
+    /// Returns the kind of the findings of a rule about the coordinates of points.
     #[must_use]
     pub const fn of(rule: SpaceRule) -> Self {
         match rule {
@@ -97,13 +97,13 @@ impl Kind {
         }
     }
 
-    /// The rule that is asked for, and that findings of this kind break.
+    /// Returns the optional rule that findings of this kind break.
     #[must_use]
     pub fn rule(self) -> Option<SpaceRule> {
         SpaceRule::ALL.into_iter().find(|rule| Self::of(*rule) == self)
     }
 
-    /// Returns true if it is a fault in any mesh. Unused vertices are one only where they are expected not to be.
+    /// Returns true if it is a fault in any mesh. Unused vertices are a fault only if the expectation excludes them.
     #[must_use]
     pub const fn is_fault(self) -> bool {
         !matches!(self, Self::UnusedVertex)
@@ -116,7 +116,7 @@ impl fmt::Display for Kind {
     }
 }
 
-/// Something wrong, with the faces and vertices where it is. `Display` says it in a sentence.
+/// A fault, with its faces and vertices. `Display` states it in a sentence.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Finding {
@@ -126,14 +126,14 @@ pub enum Finding {
     DegenerateFace {
         /// The face.
         face: usize,
-        /// Its different vertices, none to two, in the order of the face.
+        /// Its distinct vertices, none to two, in the order of the face.
         vertices: Vec<usize>,
     },
     /// A face lists a vertex again. It is left out.
     RepeatedVertex {
         /// The face.
         face: usize,
-        /// The first vertex that occurs again.
+        /// The first repeated vertex.
         vertex: usize,
     },
     /// A face has the vertices of an earlier one. It is left out.
@@ -168,7 +168,7 @@ pub enum Finding {
         /// The first face of each fan.
         faces: Vec<usize>,
     },
-    /// No face uses the vertex; those that are left out do not count.
+    /// No face uses the vertex, ignoring faces that are left out.
     UnusedVertex {
         /// The vertex.
         vertex: usize,
@@ -211,7 +211,7 @@ impl Finding {
         }
     }
 
-    /// The faces involved, the one at fault first where there is one.
+    /// Returns the faces involved, the faulty one first, if there is one.
     #[must_use]
     pub fn faces(&self) -> Vec<usize> {
         match self {
@@ -226,7 +226,7 @@ impl Finding {
         }
     }
 
-    /// The vertices involved.
+    /// Returns the vertices involved.
     #[must_use]
     pub fn vertices(&self) -> Vec<usize> {
         match self {
@@ -239,7 +239,8 @@ impl Finding {
         }
     }
 
-    /// The sentence with faces and vertices counted from this number: see [`Format::first_number`](super::Format::first_number).
+    /// Returns the sentence with faces and vertices counted from this number: see
+    /// [`Format::first_number`](super::Format::first_number).
     ///
     /// ```
     /// use twinedge_formats::mesh::Finding;
@@ -259,7 +260,7 @@ struct Counted<'a> {
     first: usize,
 }
 
-/// Numbers in a row, the first few of them, each so much larger.
+/// The first few of these numbers, each increased by an offset.
 struct Row<'a>(&'a [usize], usize);
 
 impl fmt::Display for Row<'_> {
@@ -376,25 +377,25 @@ impl Findings {
         self.kept.sort_by_key(Finding::kind);
     }
 
-    /// The findings that were kept, by kind, and then by face, by the smaller vertex of the edge, or by vertex.
+    /// Returns the kept findings, by kind, and then by face, by the smaller vertex of the edge, or by vertex.
     #[must_use]
     pub fn list(&self) -> &[Finding] {
         &self.kept
     }
 
-    /// The number of findings of this kind, kept or not.
+    /// Returns the number of findings of this kind, kept or not.
     #[must_use]
     pub const fn count(&self, kind: Kind) -> usize {
         self.counts[kind as usize]
     }
 
-    /// The number of findings, kept or not.
+    /// Returns the number of findings, kept or not.
     #[must_use]
     pub fn total(&self) -> usize {
         self.counts.iter().sum()
     }
 
-    /// Returns true if nothing was found that is a fault in any mesh.
+    /// Returns true if no finding is a fault in any mesh.
     #[must_use]
     pub fn is_faultless(&self) -> bool {
         Kind::ALL.iter().all(|kind| !kind.is_fault() || self.count(*kind) == 0)

@@ -7,15 +7,15 @@ use twinedge_map::Embedding;
 
 pub(super) const NIL: u32 = u32::MAX;
 
-/// The half-edges of an [`IndexedMesh`]: one for each corner, with the corner's number, from its vertex to the next one of
-/// the face.
+/// The half-edges of an [`IndexedMesh`]: one for each corner, with the corner's number, from its vertex to the next one of the
+/// face.
 ///
-/// Faces that are degenerate or repeat others are left out: their slots are vacant. Where an edge cannot be joined (three
-/// faces, flipped faces), its half-edges have no twin. The mesh is borrowed, not copied: this adds 8 bytes for each corner, 4
-/// for each vertex and 1 for each face.
+/// Faces that are degenerate or repeat others are left out: their slots are vacant. Where an edge cannot be joined (three faces,
+/// flipped faces), its half-edges have no twin. The mesh is borrowed, not copied: this adds 8 bytes for each corner, 4 for each
+/// vertex and 1 for each face.
 ///
-/// As a [`View`], `next`, `prev` and the faces come straight from the lists, so that L2, B1, F1 and F2 hold by construction.
-/// What the validator judges is the joining: L1, L3, V1, V2 and T3.
+/// As a [`View`], `next`, `prev` and the faces come straight from the lists, so that L2, B1, F1 and F2 hold by construction. The
+/// validator judges the joining: L1, L3, V1, V2 and T3.
 #[derive(Clone, Debug)]
 pub struct HalfEdgeMesh<'a> {
     pub(super) mesh: &'a IndexedMesh,
@@ -28,12 +28,13 @@ pub struct HalfEdgeMesh<'a> {
     pub(super) edges: usize,
     pub(super) border_edges: usize,
     pub(super) orientable: bool,
-    /// The axes of the plane on which it is drawn.
+    /// The axes of the plane of drawing.
     pub(super) axes: [usize; 2],
 }
 
 impl HalfEdgeMesh<'_> {
-    /// Surfaces of any genus, with or without border. Other claims are added to that; [`simple`](Expectation::simple) goes without saying, as an edge is what has the same two ends.
+    /// Surfaces of any genus, with or without border. Other claims are added to that; [`simple`](Expectation::simple) is implied,
+    /// as an edge is identified by its two ends.
     ///
     /// ```
     /// use twinedge_formats::mesh::HalfEdgeMesh;
@@ -52,20 +53,20 @@ impl HalfEdgeMesh<'_> {
         self.mesh
     }
 
-    /// The number of edges, each counted once however many faces it has. Faces that are left out have none.
+    /// Returns the number of edges, each counted once regardless of its number of faces. Faces that are left out have none.
     #[must_use]
     pub const fn edge_count(&self) -> usize {
         self.edges
     }
 
-    /// The number of edges with one face only.
+    /// Returns the number of edges with one face only.
     #[must_use]
     pub const fn border_edge_count(&self) -> usize {
         self.border_edges
     }
 
-    /// Returns true if flipping some faces, or none, would make any two faces run in opposite directions along their common edge.
-    /// A Möbius strip is not orientable. Edges with three or more faces do not count.
+    /// Returns true if after flipping some faces, or none, any two faces would run in opposite directions along their common
+    /// edge. A Möbius strip is not orientable. Edges with three or more faces do not count.
     #[must_use]
     pub const fn is_orientable(&self) -> bool {
         self.orientable
@@ -104,7 +105,7 @@ impl HalfEdgeMesh<'_> {
     }
 }
 
-/// Drawn along the axis in which it extends least.
+/// Drawn along the axis of the smallest extent.
 impl Embedding for HalfEdgeMesh<'_> {
     fn point(&self, vertex: usize) -> Point {
         let point = self.mesh.points()[vertex];
@@ -112,7 +113,7 @@ impl Embedding for HalfEdgeMesh<'_> {
     }
 }
 
-/// The two axes in which points extend most, in their order. O(points).
+/// Returns the two axes of the largest extent, in order. O(points).
 pub(super) fn widest(points: &[[f64; 3]]) -> [usize; 2] {
     let extent = [0, 1, 2].map(|axis| {
         let all = points.iter().map(|point| point[axis]).filter(|x| x.is_finite());
@@ -130,7 +131,7 @@ fn link(slot: u32) -> Link {
     (slot != NIL).then_some(slot as usize)
 }
 
-/// Vacant slots answer nil, but for the origin of a half-edge. As always with a `View`, only slots that there are may be asked.
+/// Vacant slots answer nil, except for the origin of a half-edge. As with any `View`, only existing slots may be queried.
 impl View for HalfEdgeMesh<'_> {
     fn parts(&self) -> Parts {
         Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces)

@@ -1,9 +1,9 @@
-//! Points, and faces as lists of their numbers.
+//! Points, and faces as lists of point numbers.
 
-/// A mesh as files hold it: points, and faces that list the points around them. Anything may be wrong with it except an
-/// index out of range.
+/// A mesh as files hold it: points, and faces that list the points around them. It may have any fault except an index out of
+/// range.
 ///
-/// All lists of all faces lie in one array, one after the other: *corners*. `offsets` says where each face starts.
+/// The lists of all faces lie in one array, the *corners*. `offsets` has the start of each face.
 ///
 /// ```
 /// use twinedge_formats::mesh::IndexedMesh;
@@ -21,21 +21,21 @@ pub struct IndexedMesh {
     offsets: Vec<u32>,
 }
 
-/// Why points and faces are no [`IndexedMesh`].
+/// The reason that points and faces are no [`IndexedMesh`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum IndexedMeshError {
-    /// A face lists a point that there is not.
+    /// A face lists a point that does not exist.
     #[error("face {face} lists point {index}, but there are {points} points, counted from 0")]
     IndexOutOfRange {
         /// The face.
         face: usize,
-        /// The index that it lists.
+        /// The listed index.
         index: u32,
         /// The number of points.
         points: usize,
     },
-    /// The offsets do not start at 0, fall, or do not end at the number of corners.
+    /// The offsets do not start at 0, decrease, or do not end at the number of corners.
     #[error("offset {position} is out of order: offsets rise from 0 to the number of corners")]
     Offsets {
         /// The first offset that is wrong.
@@ -47,15 +47,15 @@ pub enum IndexedMeshError {
 }
 
 impl IndexedMesh {
-    /// The most points, corners, and faces: twice as many still have 32-bit numbers.
+    /// The largest number of points, corners, and faces, so that twice this number still has 32 bits.
     pub(crate) const MOST: usize = u32::MAX as usize / 2 - 1;
 
-    /// From flat arrays: face `f` lists `corners[offsets[f] .. offsets[f + 1]]`, so there is one offset more than there are
-    /// faces. The coordinates are not looked at. O(corners).
+    /// Makes a mesh from flat arrays: face `f` lists `corners[offsets[f] .. offsets[f + 1]]`, so there is one offset more than
+    /// there are faces. The coordinates are not checked. O(corners).
     ///
     /// # Errors
     ///
-    /// If a corner is no index of a point, offsets are out of order, or there is too much of anything.
+    /// If a corner is not the index of a point, offsets are out of order, or the mesh is too large.
     pub fn new(points: Vec<[f64; 3]>, corners: Vec<u32>, offsets: Vec<u32>) -> Result<Self, IndexedMeshError> {
         if points.len() > Self::MOST || corners.len() > Self::MOST || offsets.len() > Self::MOST + 1 {
             return Err(IndexedMeshError::TooLarge);
@@ -76,11 +76,11 @@ impl IndexedMesh {
         Ok(Self { points, corners, offsets })
     }
 
-    /// From one list for each face. O(corners).
+    /// Makes a mesh from one list for each face. O(corners).
     ///
     /// # Errors
     ///
-    /// If a face lists a point that there is not, or there is too much of anything.
+    /// If a face lists a point that does not exist, or the mesh is too large.
     pub fn from_faces<F: AsRef<[u32]>>(
         points: Vec<[f64; 3]>,
         faces: impl IntoIterator<Item = F>,
@@ -96,31 +96,31 @@ impl IndexedMesh {
         Self::new(points, corners, offsets)
     }
 
-    /// The coordinates of the points, in the units of the file.
+    /// Returns the coordinates of the points, in the units of the file.
     #[must_use]
     pub fn points(&self) -> &[[f64; 3]] {
         &self.points
     }
 
-    /// The lists of all faces, one after the other.
+    /// Returns the lists of all faces, one after the other.
     #[must_use]
     pub fn corners(&self) -> &[u32] {
         &self.corners
     }
 
-    /// The place where the list of each face starts in [`corners`](Self::corners), and at the end the number of corners.
+    /// Returns the start of the list of each face in [`corners`](Self::corners), and at the end the number of corners.
     #[must_use]
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
 
-    /// The number of faces.
+    /// Returns the number of faces.
     #[must_use]
     pub fn face_count(&self) -> usize {
         self.offsets.len() - 1
     }
 
-    /// The points around a face, in order.
+    /// Returns the points around a face, in order.
     ///
     /// # Panics
     ///
@@ -130,7 +130,7 @@ impl IndexedMesh {
         &self.corners[self.offsets[face] as usize..self.offsets[face + 1] as usize]
     }
 
-    /// The points around each face.
+    /// Returns the points around each face.
     #[must_use]
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> + '_ {
         self.offsets.windows(2).map(|pair| &self.corners[pair[0] as usize..pair[1] as usize])

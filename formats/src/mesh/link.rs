@@ -13,7 +13,7 @@
 //!   vertices    no half-edge: unused; faces that no common edge connects: several fans
 //! ```
 //!
-//! Sorting is by counting, with one array over the vertices, so that everything is linear.
+//! The sorting is by counting, with one array over the vertices, so that everything is linear.
 
 use super::half_edges::{NIL, widest};
 use super::{Finding, Findings, HalfEdgeMesh, IndexedMesh, Kind, repeated};
@@ -28,13 +28,13 @@ struct Side {
 }
 
 impl<'a> HalfEdgeMesh<'a> {
-    /// Joins the faces of a mesh to half-edges and says what cannot be joined.
+    /// Joins the faces of a mesh to half-edges and reports the parts that cannot be joined.
     ///
-    /// Of faces that repeat each other, the first is kept. So where two are back to back, their order decides whether the one
-    /// that stays fits its neighbours.
+    /// Of faces that repeat each other, the first is kept. If two are back to back, their order therefore decides whether the
+    /// remaining one fits its neighbours.
     ///
-    /// `collect` says how many findings of each kind are kept; all are counted. Time and memory are
-    /// linear in points and corners (expected, since a hash table is used, and but for the inverse of Ackermann's function). It accepts every mesh.
+    /// `collect` limits the findings of each kind that are kept; all are counted. Time and memory are linear in points and
+    /// corners (expected, since a hash table is used, and up to the inverse of Ackermann's function). It accepts every mesh.
     ///
     /// ```
     /// use twinedge::validate::{Collect, validate};
@@ -84,7 +84,7 @@ impl<'a> HalfEdgeMesh<'a> {
         (this, findings)
     }
 
-    /// Gives each corner its face and each vertex a half-edge; tells how many half-edges leave each vertex.
+    /// Gives each corner its face and each vertex a half-edge; returns the number of half-edges that leave each vertex.
     fn number_corners(&mut self) -> Vec<u32> {
         let mut degrees = vec![0; self.leaving.len()];
         for (f, range) in self.mesh.offsets().windows(2).enumerate().filter(|(f, _)| !self.left_out[*f]) {
@@ -100,7 +100,7 @@ impl<'a> HalfEdgeMesh<'a> {
         degrees
     }
 
-    /// All sides of all edges, sorted by the smaller vertex; and where those of each vertex end.
+    /// Returns all sides of all edges, sorted by the smaller vertex, and the end of the range of each vertex.
     fn sides(&self) -> (Vec<Side>, Vec<u32>) {
         let live = || (0..self.face_of.len() as u32).filter(|h| self.is_live(*h));
         let ends_of = |h: u32| {
@@ -125,10 +125,10 @@ impl<'a> HalfEdgeMesh<'a> {
         (sides, ends)
     }
 
-    /// Joins the two sides of each edge that has two; tells which pairs of faces run the same way along their edge.
+    /// Joins the two sides of each edge that has two; returns the pairs of faces with the same direction along their edge.
     fn join(&mut self, findings: &mut Findings) -> Vec<[u32; 2]> {
         let (sides, ends) = self.sides();
-        // The last side seen of the edge to each vertex. Each side keeps the one before it where its twin will be.
+        // The last visited side of the edge to each vertex. Each side stores the one before it in place of its future twin.
         let mut last = vec![NIL; self.leaving.len()];
         let mut flipped = Vec::new();
         let mut edge = Vec::new();
@@ -157,7 +157,7 @@ impl<'a> HalfEdgeMesh<'a> {
         flipped
     }
 
-    /// Takes all sides of one edge, in the order of their faces.
+    /// Handles all sides of one edge, in the order of their faces.
     fn join_edge(&mut self, sides: &[u32], flipped: &mut Vec<[u32; 2]>, findings: &mut Findings) {
         self.edges += 1;
         let face = |h: u32| self.face_of[h as usize];
@@ -197,7 +197,8 @@ impl<'a> HalfEdgeMesh<'a> {
         self.check_fans(&suspects, findings);
     }
 
-    /// The number of half-edges that the rotation around the origin of `start` reaches through twins, one way and then the other.
+    /// Returns the number of half-edges that the rotation around the origin of `start` reaches through twins, one way and then
+    /// the other.
     fn reached(&self, start: u32) -> u32 {
         let mut reached = 1;
         let mut h = start;
@@ -222,8 +223,7 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
-    /// Counts the fans at these vertices, which are in order. Faces are in one fan if a common edge connects them, joined or
-    /// not.
+    /// Counts the fans at these vertices, which are in order. Faces are in one fan if a common edge connects them, joined or not.
     fn check_fans(&self, suspects: &[u32], findings: &mut Findings) {
         if suspects.is_empty() {
             return;
@@ -272,7 +272,7 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
-    /// Returns true if the faces can be flipped so that the twins that there are stay, and these pairs become twins as well.
+    /// Returns true if the faces can be flipped so that the existing twins stay, and these pairs become twins as well.
     fn can_be_oriented(&self, flipped: &[[u32; 2]]) -> bool {
         // Each face twice: as it is, and flipped.
         let faces = self.left_out.len() as u32;
@@ -291,7 +291,7 @@ impl<'a> HalfEdgeMesh<'a> {
 }
 
 fn leave_out_degenerate(mesh: &IndexedMesh, left_out: &mut [bool], findings: &mut Findings) {
-    // The last face that was seen to list each vertex.
+    // The last visited face that lists each vertex.
     let mut listed_by = vec![NIL; mesh.points().len()];
     for (face, vertices) in mesh.faces().enumerate() {
         let (mut distinct, mut again) = (0, None);

@@ -7,12 +7,12 @@
 //!                                                    └──────────────► audit ◄─────────────────────┘
 //! ```
 //!
-//! `read` and its like take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
-//! cannot be joined. [`audit`] does that, runs the validator on what was joined, and counts. What the mesh is to be beyond a
-//! surface, the validator is asked for, too: [`HalfEdgeMesh::expectation`] with `closed`, `genus` and so on.
+//! `read` and its variants take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds the
+//! parts that cannot be joined. [`audit`] does that, runs the validator on the joined parts, and counts. The validator also
+//! checks properties beyond those of a surface: [`HalfEdgeMesh::expectation`] with `closed`, `genus` and so on.
 //!
-//! Faces and vertices are counted from 0, in the order of the file, in everything that this module says. OBJ counts
-//! vertices from 1 in its files: [`Format::first_number`] and [`Finding::counted_from`] are for messages about these.
+//! Throughout this module, faces and vertices are counted from 0, in the order of the file. OBJ files count vertices from 1:
+//! [`Format::first_number`] and [`Finding::counted_from`] are for messages about these.
 
 mod audit;
 mod counts;

@@ -1,13 +1,13 @@
 //! Faces with the vertices of an earlier face, in the same order or the opposite one.
 //!
-//! Only faces with the same smallest vertex are compared: a few are compared in pairs, many through a hash table with
-//! random keys, so that no file can make it slow.
+//! Only faces with the same smallest vertex are compared: a few in pairs, many through a hash table with random keys, so that no
+//! file can slow it down.
 
 use super::{Finding, Findings, IndexedMesh, Kind};
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 
-/// So many faces are still compared in pairs.
+/// The largest number of faces that are compared in pairs.
 const FEW: usize = 8;
 
 /// A face, read from its smallest vertex towards the smaller one of that vertex's neighbours.
@@ -19,7 +19,7 @@ struct Cycle<'a> {
 }
 
 impl<'a> Cycle<'a> {
-    /// Of a face with three or more vertices, all different.
+    /// Of a face with three or more vertices, all distinct.
     fn new(vertices: &'a [u32]) -> Self {
         let start = (0..vertices.len()).min_by_key(|i| vertices[*i]).unwrap_or_default();
         let after = vertices[(start + 1) % vertices.len()];
@@ -31,7 +31,7 @@ impl<'a> Cycle<'a> {
         let Self { vertices, start, reversed } = self;
         let (from_start, to_start) = (&vertices[start..], &vertices[..start]);
         let forward = from_start.iter().chain(to_start);
-        // The start comes first either way.
+        // The start comes first in both directions.
         let backward = from_start[..1].iter().chain(to_start.iter().rev()).chain(from_start[1..].iter().rev());
         let (forward, backward) = if reversed { (None, Some(backward)) } else { (Some(forward), None) };
         forward.into_iter().flatten().chain(backward.into_iter().flatten()).copied()

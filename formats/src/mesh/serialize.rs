@@ -1,4 +1,4 @@
-//! An audit as one object: a report in the form of the library, with findings and other counts.
+//! An audit as one object: a report in the form of the library, with findings and further counts.
 
 use super::{Finding, MeshAudit};
 use crate::diagnosis::{Diagnosis, Document};

@@ -1,6 +1,6 @@
-//! The rules M9 … M11 about the places of the points of a mesh, and their outcomes.
+//! The rules M9 … M11 about the coordinates of the points of a mesh, and their outcomes.
 
-/// A rule about the places of the points of a mesh.
+/// A rule about the coordinates of the points of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum SpaceRule {
@@ -16,7 +16,7 @@ impl SpaceRule {
     /// All rules, in order.
     pub const ALL: [Self; 3] = [Self::Area, Self::Crossing, Self::Outward];
 
-    /// The id: `M9`, `M10`, `M11`.
+    /// Returns the id: `M9`, `M10`, `M11`.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {
@@ -26,7 +26,7 @@ impl SpaceRule {
         }
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl SpaceRule {
         }
     }
 
-    /// The rule in one sentence.
+    /// Returns the rule in one sentence.
     #[must_use]
     pub const fn statement(self) -> &'static str {
         match self {
@@ -48,7 +48,7 @@ impl SpaceRule {
         }
     }
 
-    /// The plural of what is checked.
+    /// Returns the plural of the checked unit.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
@@ -64,8 +64,8 @@ impl SpaceRule {
 pub struct SpaceOutcome {
     /// The rule.
     pub rule: SpaceRule,
-    /// The number of faces or components that were checked.
+    /// The number of checked faces or components.
     pub checked: usize,
-    /// The number of faces that were not: of M10, those with more than three sides that are not convex.
+    /// The number of unchecked faces: for M10, those with more than three sides that are not convex.
     pub left_out: usize,
 }

@@ -2,7 +2,7 @@
 
 use twinedge::validate::Rule;
 
-/// The usual cause of a violation of this rule of the validator, and the remedy.
+/// Returns the usual cause of a violation of this rule of the validator, and the remedy.
 pub(super) const fn advice(rule: Rule) -> [&'static str; 2] {
     match rule {
         Rule::R1 => [

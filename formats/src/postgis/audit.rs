@@ -18,9 +18,9 @@ use twinedge_map::{Embedding, places, validate_embedding};
 
 const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
-/// Judges a topology. Up to `limit` violations are kept, those of the first rules before others; all are counted.
+/// Judges a topology. Up to `limit` violations are kept, in the order of the rules; all are counted.
 ///
-/// O(n log n) for n rows and bends, and p more for p pairs of segments whose boxes meet, if edges clash.
+/// O(n log n) for n rows and bends, plus O(p) for p pairs of segments with overlapping boxes, if edges clash.
 ///
 /// # Errors
 /// [`ReadError::OutOfMemory`].
@@ -50,7 +50,7 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         report.violations().iter().map(|one| (Fault::Of(*one), diagnosis(topology, &view, name, one))).collect();
     let mut left_out = LeftOut::default();
     let mut drawing = None;
-    // G5 asks where isolated nodes lie, and that the lines around each face close, where the links allow it.
+    // G5 covers the places of isolated nodes, and tests that the lines around each face close, where the links allow it.
     if is_checked(&report, Rule::G5) {
         boxes(topology, &BTreeSet::new(), &mut findings);
     } else {
@@ -87,7 +87,7 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     Ok(TopologyAudit::new(counts, rules, violations, limit))
 }
 
-/// Returns true if the rule was checked on everything.
+/// Returns true if the rule was checked on all records.
 fn is_checked(report: &Report, rule: Rule) -> bool {
     report.outcome(rule).is_some_and(|outcome| outcome.unchecked.is_none())
 }
@@ -103,13 +103,12 @@ enum Fault {
     Of(Violation),
 }
 
-/// A finding with its place.
 fn own(topology: &Topology, finding: &Finding) -> Diagnosis {
     let line = finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?));
     placed(finding.into(), place(topology, finding), line.into_iter().collect())
 }
 
-/// The same with statements for the database.
+/// Returns the same diagnoses with SQL statements.
 fn with_sql(topology: &Topology, rules: &[RuleLine], found: Vec<(Fault, Diagnosis)>) -> Vec<Diagnosis> {
     let lines = Lines::of(topology);
     let mender = Mender::of(topology, &lines, rules);
@@ -120,7 +119,7 @@ fn with_sql(topology: &Topology, rules: &[RuleLine], found: Vec<(Fault, Diagnosi
     found.into_iter().map(|(fault, one)| Diagnosis { sql: Some(sql(&fault, &one)), ..one }).collect()
 }
 
-/// A violation with the names of the database, its places, and the lines of its edges.
+/// Returns a violation with the names of the database, its places, and the lines of its edges.
 fn diagnosis<E: Embedding>(
     topology: &Topology,
     view: &E,
@@ -132,7 +131,7 @@ fn diagnosis<E: Embedding>(
     let diagnosis = Diagnosis {
         cause,
         remedy,
-        // Its fields are slots, which nobody knows.
+        // The fields are slots, which are unknown to the user.
         kind: Kind::Named { kind: violation.kind() },
         message: message(topology, name, violation),
         records: Records::Names { records: records().filter_map(|record| named(topology, record)).collect() },
@@ -142,14 +141,13 @@ fn diagnosis<E: Embedding>(
     placed(diagnosis, places, records().filter_map(|record| drawn(topology, record)).collect())
 }
 
-/// The same with its places, and the lines of its edges, whole.
+/// Returns the same diagnosis with its places, and the lines of its edges in full.
 fn placed(diagnosis: Diagnosis, places: Vec<Position>, lines: Vec<Vec<Position>>) -> Diagnosis {
     let points = if lines.is_empty() { places.clone() } else { Vec::new() };
     let trace = Trace { points, lines, ..Trace::default() };
     Diagnosis { look: middle(&places), places: Some(places), trace, ..diagnosis }
 }
 
-/// The name of a record in the database.
 fn named(topology: &Topology, record: Record) -> Option<String> {
     let table = match record {
         Record::Vertex(vertex) if vertex < topology.nodes.len() => "node",
@@ -161,7 +159,6 @@ fn named(topology: &Topology, record: Record) -> Option<String> {
     Some(format!("{table} {}", topology.name(record)))
 }
 
-/// The line of an edge.
 fn drawn(topology: &Topology, record: Record) -> Option<Vec<Position>> {
     match record {
         Record::HalfEdge(h) => line(topology, u32::try_from(h / 2).ok()?),
@@ -169,14 +166,14 @@ fn drawn(topology: &Topology, record: Record) -> Option<Vec<Position>> {
     }
 }
 
-/// The line of an edge with two points or more, if all of them are finite.
+/// Returns the line of an edge with two points or more, if all of them are finite.
 fn line(topology: &Topology, edge: u32) -> Option<Vec<Position>> {
     let line = topology.line_points(edge as usize);
     (line.len() > 1 && line.iter().all(|p| p.x.is_finite() && p.y.is_finite()))
         .then(|| line.into_iter().map(Into::into).collect())
 }
 
-/// P4, for `mbr`. Returns how many boxes cannot be judged, because the lines around their faces do not close.
+/// Checks P4 for `mbr`. Returns the number of boxes that cannot be judged, because the lines around their faces do not close.
 fn boxes(topology: &Topology, open: &BTreeSet<u32>, findings: &mut Findings) -> u64 {
     let mut left_out = 0;
     for (slot, mbr) in topology.mbrs.iter().enumerate().filter(|(slot, _)| topology.is_face(*slot)) {
@@ -194,7 +191,7 @@ fn boxes(topology: &Topology, open: &BTreeSet<u32>, findings: &mut Findings) -> 
     left_out
 }
 
-/// The records of which P2 and P4 are not known, because the lines around their faces do not close.
+/// The records for which P2 and P4 are not known, because the lines around their faces do not close.
 #[derive(Default)]
 struct LeftOut {
     boxes: u64,
@@ -239,7 +236,7 @@ fn rules(
         .collect()
 }
 
-/// A rule of the validator, with the number of records that were left out.
+/// Returns a rule of the validator, with the number of records that were left out.
 fn of_validator(report: &Report, rule: Rule, outcome: RuleOutcome) -> RuleLine {
     let counts = report.counts();
     let all = match rule {
@@ -251,13 +248,13 @@ fn of_validator(report: &Report, rule: Rule, outcome: RuleOutcome) -> RuleLine {
     let line = RuleLine::new(rule, outcome);
     let left_out = all.filter(|_| line.is_open()).map(|all| (all as u64).saturating_sub(outcome.checked));
     if left_out == Some(0) && matches!(rule, Rule::L1 | Rule::L2 | Rule::L3) {
-        // The links that dangle are others.
+        // The dangling links concern other records.
         return RuleLine { unchecked: None, ..line };
     }
     RuleLine { left_out, ..line }
 }
 
-/// The line of G1 or G4 as the lines alone are judged, if it was not checked otherwise.
+/// Returns the line of G1 or G4 for the lines alone, if the rule was not checked otherwise.
 fn of_lines(drawing: &Drawing, line: &RuleLine) -> Option<RuleLine> {
     line.unchecked?;
     let (rule, judged, needs) = match line.id {
@@ -271,7 +268,7 @@ fn of_lines(drawing: &Drawing, line: &RuleLine) -> Option<RuleLine> {
     Some(RuleLine { unchecked: line.unchecked.or(left_out.map(|_| Reason::Broken(needs))), left_out, ..line })
 }
 
-/// The place of a finding: the node, or the ends of the edge.
+/// Returns the place of a finding: the node, or the ends of the edge.
 fn place(topology: &Topology, finding: &Finding) -> Vec<Position> {
     let node = |id: i64| topology.nodes.slot(id).map(|slot| topology.points[slot as usize].into());
     let edge = |id: i64| {

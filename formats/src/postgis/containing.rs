@@ -1,7 +1,8 @@
-//! P2 where the links are wrong: in which face an isolated node lies, by the lines and the faces that they name alone.
+//! P2 with broken links: finds the face that contains an isolated node from the lines and their face columns alone.
 //!
-//! A ray from the node to the right crosses lines. It is inside a face if it crosses an odd number of those that have the face on one
-//! side only. Those lines must close, an even number of them at every end; otherwise nothing is known of the face.
+//! A ray from the node to the right crosses lines. The node is inside a face if the ray crosses an odd number of the lines that
+//! have the face on one side only. Those lines must close, with an even number of them at every end; otherwise the result is
+//! unknown for the face.
 
 use super::finding::{Finding, Findings};
 use super::topology::Topology;
@@ -9,8 +10,8 @@ use std::collections::BTreeSet;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, on_segment, orientation};
 
-/// Reports isolated nodes that lie in another face than `containing_face` says, and returns of how many it is not known. The lines around
-/// the faces that are open do not close.
+/// Reports isolated nodes that lie in a face other than their `containing_face`, and returns the number of nodes with unknown
+/// result. The lines around the open faces do not close.
 ///
 /// O(n log k + c log k) for n points of lines, k isolated nodes, and c pairs of a node and a segment at its height.
 pub(super) fn containing(topology: &Topology, open: &BTreeSet<u32>, findings: &mut Findings) -> u64 {
@@ -19,7 +20,7 @@ pub(super) fn containing(topology: &Topology, open: &BTreeSet<u32>, findings: &m
     nodes.retain(|(point, ..)| point.x.is_finite() && point.y.is_finite());
     let mut unknown = (topology.contained.len() - nodes.len()) as u64;
     nodes.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
-    // Per node the faces of which an odd number of lines was crossed so far; none for a node that lies on a line.
+    // For each node, the faces with an odd number of crossed lines; none for a node on a line.
     let mut inside: Vec<Option<BTreeSet<u32>>> = vec![Some(BTreeSet::new()); nodes.len()];
     for edge in 0..topology.edges.len() {
         let [left, right] = topology.sides[edge];

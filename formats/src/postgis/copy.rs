@@ -3,14 +3,14 @@
 use super::error::{Cause, Place, ReadError, TableName};
 use std::io::{BufRead, Read};
 
-/// The beginning of every binary COPY stream.
+/// The first bytes of every binary COPY stream.
 pub(super) const SIGNATURE: &[u8; 11] = b"PGCOPY\n\xff\r\n\0";
 /// These flags change the format; the others may be ignored.
 const CRITICAL: u32 = 0xffff_0000;
-/// The number of bytes of something else that are shown.
+/// The number of bytes of foreign content that are shown.
 const SHOWN: usize = 24;
 
-/// The streams, and where in them reading has come to.
+/// The streams, and the position of the reader.
 pub(super) struct CopyReader<R> {
     input: R,
     byte: u64,
@@ -28,7 +28,6 @@ impl<R: BufRead> CopyReader<R> {
         ReadError::Content { byte: self.byte, place: self.place, cause }
     }
 
-    /// The number of the row that was begun last.
     pub(super) fn row(&self) -> u64 {
         self.place.row
     }
@@ -44,7 +43,7 @@ impl<R: BufRead> CopyReader<R> {
             if SIGNATURE.starts_with(&self.value) {
                 return Err(self.error(Cause::Truncated));
             }
-            // The rest of the line says more about what it is.
+            // The rest of the line makes the message clearer.
             let mut more = Vec::new();
             (&mut self.input).take(SHOWN as u64).read_to_end(&mut more)?;
             self.value.extend(more);
@@ -73,7 +72,7 @@ impl<R: BufRead> CopyReader<R> {
         }
     }
 
-    /// An integer of 4 or 8 bytes; none if it is null.
+    /// Reads an integer of 4 or 8 bytes; `None` for null.
     pub(super) fn integer(&mut self, column: &'static str) -> Result<Option<i64>, ReadError> {
         self.place.column = Some(column);
         match i32::from_be_bytes(self.bytes()?) {
@@ -84,7 +83,7 @@ impl<R: BufRead> CopyReader<R> {
         }
     }
 
-    /// The bytes of a value; none if it is null. Memory grows with what is there, not with what is claimed.
+    /// Reads the bytes of a value; `None` for null. Memory grows with the actual bytes, not with the stated length.
     pub(super) fn value(&mut self, column: &'static str) -> Result<Option<&[u8]>, ReadError> {
         self.place.column = Some(column);
         let length = i32::from_be_bytes(self.bytes()?);
@@ -99,19 +98,19 @@ impl<R: BufRead> CopyReader<R> {
         }
     }
 
-    /// Sees that nothing follows.
+    /// Checks that nothing follows.
     pub(super) fn end(&mut self) -> Result<(), ReadError> {
         if self.input.fill_buf()?.is_empty() { Ok(()) } else { Err(self.error(Cause::Trailing)) }
     }
 
-    /// Takes so many bytes, or what there is.
+    /// Takes up to `count` bytes, fewer at the end of the input.
     fn take(&mut self, count: u64) -> Result<(), ReadError> {
         self.value.clear();
         (&mut self.input).take(count).read_to_end(&mut self.value)?;
         Ok(())
     }
 
-    /// Goes on behind what was taken, if it was all there.
+    /// Moves past the taken bytes, if all of them were there.
     fn advance(&mut self, count: u64) -> Result<(), ReadError> {
         self.byte += self.value.len() as u64;
         if (self.value.len() as u64) < count { Err(self.error(Cause::Truncated)) } else { Ok(()) }

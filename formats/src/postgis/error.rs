@@ -1,15 +1,15 @@
-//! Why the streams could not be read, and where.
+//! The errors of reading the streams, with their positions.
 
 use std::fmt;
 
-/// Why a topology could not be read.
+/// The error of reading a topology.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The stream itself could not be read.
     #[error("cannot read the stream")]
     Io(#[from] std::io::Error),
-    /// The content is not what the format demands.
+    /// The content violates the format.
     #[error("byte {byte}, {place}: {cause}")]
     Content {
         /// The place where reading ended, counted from 0 over all streams.
@@ -19,7 +19,7 @@ pub enum ReadError {
         /// The error.
         cause: Cause,
     },
-    /// There is no memory for the topology.
+    /// The memory does not suffice for the topology.
     #[error("not enough memory")]
     OutOfMemory,
 }
@@ -74,24 +74,24 @@ pub enum Cause {
     /// There is nothing.
     #[error("the stream is empty: `psql` has written nothing")]
     Empty,
-    /// The stream does not begin as a binary COPY stream does.
+    /// The stream does not begin like a binary COPY stream.
     #[error("no binary COPY stream begins here, but `{found}`")]
     Signature {
-        /// The beginning that it has instead.
+        /// The actual beginning.
         found: Box<str>,
     },
-    /// The stream ends early: perhaps `psql` was stopped by an error.
+    /// The stream ends early: perhaps an error stopped `psql`.
     #[error("the stream ends here, before its end: has `psql` reported an error?")]
     Truncated,
-    /// A flag of the header says that the format is another one.
+    /// A flag of the header indicates another format.
     #[error("the header has flags {0:#x}, which this reader does not know")]
     Flags(u32),
     /// A row has another number of columns.
     #[error("a row of {found} columns, where {expected} are expected")]
     Columns {
-        /// The number that it has.
+        /// The number in the row.
         found: i16,
-        /// The number that the table has.
+        /// The number in the table.
         expected: u16,
     },
     /// A value has a negative length.
@@ -100,19 +100,19 @@ pub enum Cause {
     /// An integer is neither of 4 nor of 8 bytes.
     #[error("an integer of {0} bytes, where 4 or 8 are expected")]
     Width(usize),
-    /// A geometry does not say its byte order.
+    /// A geometry has an invalid byte order.
     #[error("a geometry with byte order {0}, where 0 or 1 is expected")]
     ByteOrder(u8),
     /// A geometry ends early.
     #[error("the geometry ends before its end")]
     GeometryTruncated,
-    /// A geometry does not end where its value does.
+    /// A geometry ends before its value does.
     #[error("{0} bytes follow the end of the geometry")]
     GeometryTrailing(usize),
     /// There are more than 2³¹ − 2 rows in a table, or 2³² − 2 bends.
     #[error("more rows or bends than can be numbered")]
     TooLarge,
-    /// Something follows the last stream.
+    /// Further data follows the last stream.
     #[error("something follows the last of the three streams")]
     Trailing,
 }

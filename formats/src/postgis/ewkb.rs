@@ -1,6 +1,6 @@
-//! Geometries in the extended well-known binary form, in which PostGIS sends them; that of ISO 13249-3 is read as well.
+//! Geometries in the extended well-known binary form, in which PostGIS sends them; the form of ISO 13249-3 is read as well.
 //!
-//! Only points, lines and polygons are looked into, and only their first two coordinates.
+//! Only points, lines and polygons are decoded, and only their first two coordinates.
 
 use super::error::Cause;
 use twinedge_geometry::Point;
@@ -9,18 +9,17 @@ const Z: u32 = 0x8000_0000;
 const M: u32 = 0x4000_0000;
 const SRID: u32 = 0x2000_0000;
 
-/// A geometry.
 pub(super) enum Geometry<'a> {
-    /// A point; one that is empty has no coordinates, or NaN.
+    /// A point; an empty one has no coordinates, or NaN.
     Point(Point),
     Line(Points<'a>),
-    /// The outer ring of a polygon, and how many rings it has.
+    /// The outer ring of a polygon, and its number of rings.
     Polygon(Points<'a>, u32),
-    /// Something else, by its number: 5 is a multi-line, 8 a circular string.
+    /// Any other type, by its number: 5 is a multi-line, 8 a circular string.
     Other(u32),
 }
 
-/// Points as they are in the value.
+/// Points as stored in the value.
 #[derive(Clone, Copy)]
 pub(super) struct Points<'a> {
     bytes: &'a [u8],
@@ -41,7 +40,6 @@ impl<'a> Points<'a> {
     }
 }
 
-/// The rest of a value.
 struct Rest<'a> {
     bytes: &'a [u8],
     big_endian: bool,
@@ -66,7 +64,7 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// Reads a geometry, and the number of its reference system, which is 0 where none is given. O(rings).
+/// Reads a geometry, and the number of its reference system, which is 0 if absent. O(rings).
 pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry<'_>, u32), Cause> {
     let mut rest = Rest { bytes, big_endian: false };
     rest.big_endian = match rest.take(1)?[0] {
@@ -113,7 +111,6 @@ pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry<'_>, u32), Cause> {
     }
 }
 
-/// The type of a geometry, in words.
 pub(super) fn kind_name(number: u32) -> &'static str {
     match number % 1000 {
         1 => "a point",

@@ -9,7 +9,7 @@ macro_rules! findings {
     ($($rule:literal $variant:ident { $($field:ident: $type:ty),+ } $kind:literal
         says ($($says:tt)+) $what:literal
         cause $cause:literal remedy $remedy:literal;)*) => {
-        /// One broken rule P0 … P4, with the ids of the database. `Display` says in a sentence what is wrong.
+        /// One broken rule P0 … P4, with the ids of the database. `Display` states the fault in a sentence.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         #[allow(missing_docs, reason = "the fields are named after tables and columns, and each variant says what they are")]
@@ -18,25 +18,25 @@ macro_rules! findings {
         }
 
         impl Finding {
-            /// The rule: `P0` and so on.
+            /// Returns the rule: `P0` and so on.
             #[must_use]
             pub const fn rule(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $rule,)* }
             }
 
-            /// The name of the finding, in snake case. Names do not change between versions.
+            /// Returns the name of the finding, in snake case. Names do not change between versions.
             #[must_use]
             pub const fn kind(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $kind,)* }
             }
 
-            /// The usual cause.
+            /// Returns the usual cause.
             #[must_use]
             pub const fn cause(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $cause,)* }
             }
 
-            /// The remedy.
+            /// Returns the remedy.
             #[must_use]
             pub const fn remedy(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $remedy,)* }
@@ -160,7 +160,6 @@ fn or_null(value: Option<i64>) -> String {
 }
 
 impl Finding {
-    /// The edge that it is about.
     pub(super) const fn edge(&self) -> Option<i64> {
         match *self {
             Self::EdgeWithoutCurve { edge }
@@ -173,7 +172,7 @@ impl Finding {
         }
     }
 
-    /// The record that it is about, by its table and its id.
+    /// Returns the record of the finding, by its table and its id.
     pub(super) fn record(&self) -> Option<String> {
         match *self {
             Self::NodeWithoutPoint { node }
@@ -194,7 +193,7 @@ impl Finding {
     }
 }
 
-/// The findings, of which some are kept, and how many there are of each rule.
+/// The findings: the number for each rule, and the kept ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Findings {
     pub(super) kept: Vec<Finding>,
@@ -237,7 +236,7 @@ impl From<&Finding> for Diagnosis {
 }
 
 impl Findings {
-    /// Keeps up to so many of each rule.
+    /// Keeps up to `cap` findings of each rule.
     pub(super) fn new(cap: usize) -> Self {
         Self { cap, ..Self::default() }
     }

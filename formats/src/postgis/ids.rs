@@ -2,34 +2,32 @@
 
 use std::collections::BTreeSet;
 
-/// The ids of a table, and the slot of each.
 #[derive(Debug, Default)]
 pub(super) struct Ids {
     all: Vec<i64>,
     lookup: Lookup,
-    /// Slots of rows whose id an earlier row has.
+    /// Slots of rows that repeat the id of an earlier row.
     repeated: BTreeSet<u32>,
 }
 
 #[derive(Debug, Default)]
 enum Lookup {
-    /// Each id is the one before it and one more.
+    /// Each id is one more than the id before it.
     #[default]
     Consecutive,
-    /// The slot of each id from this one on; nil where there is none.
+    /// The slot of each id from this one on; nil for an absent id.
     Dense(i64, Vec<u32>),
     /// Slots in the order of their ids.
     Sorted(Vec<u32>),
 }
 
-/// No slot.
 const NIL: u32 = u32::MAX;
 
-/// A table of slots has at most so many entries for each id.
+/// The largest number of entries per id in a table of slots.
 const SPARSEST: u64 = 4;
 
 impl Ids {
-    /// O(n) if the ids are few numbers apart, else O(n log n); 8 bytes for each id and up to 16 for its place.
+    /// O(n) if the ids are dense, else O(n log n); 8 bytes for each id and up to 16 for its slot.
     pub(super) fn of(mut ids: Vec<i64>) -> Self {
         ids.shrink_to_fit();
         let is_next = |pair: &[i64]| pair[0].checked_add(1) == Some(pair[1]);
@@ -63,12 +61,11 @@ impl Ids {
         self.all.len()
     }
 
-    /// The id of a slot.
     pub(super) fn id(&self, slot: usize) -> Option<i64> {
         self.all.get(slot).copied()
     }
 
-    /// The slot of an id. O(1), or O(log n) where ids are far apart.
+    /// Returns the slot of an id. O(1), or O(log n) if ids are sparse.
     pub(super) fn slot(&self, id: i64) -> Option<u32> {
         match &self.lookup {
             Lookup::Consecutive => {
@@ -86,12 +83,12 @@ impl Ids {
         }
     }
 
-    /// Returns true if the row in this slot has its id for itself, or is the first that has it.
+    /// Returns true if the row in this slot is the only or first one with its id.
     pub(super) fn is_first(&self, slot: usize) -> bool {
         slot < self.all.len() && (self.repeated.is_empty() || !self.repeated.contains(&(slot as u32)))
     }
 
-    /// The slots of rows whose id an earlier row has.
+    /// Returns the slots of rows that repeat the id of an earlier row.
     pub(super) fn repeated(&self) -> impl Iterator<Item = usize> + '_ {
         self.repeated.iter().map(|slot| *slot as usize)
     }

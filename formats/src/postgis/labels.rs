@@ -1,11 +1,11 @@
-//! Faces that half-edges name, held against the lines: a label fits if the lines around its face close.
+//! Compares the faces that half-edges name with the lines: a label fits if the lines around its face close.
 
 use super::lines::Lines;
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::validate::View;
 
-/// The lines around each face: where they do not close, and the area that they enclose.
+/// The lines around each face: the ends at which they do not close, and the enclosed area.
 pub(super) struct Labels<'a> {
     topology: &'a Topology,
     lines: &'a Lines<'a>,
@@ -26,8 +26,8 @@ impl<'a> Labels<'a> {
         Self { topology, lines, odd: lines.odd_ends(), areas }
     }
 
-    /// Returns true if the lines around this face, and around the one that the half-edge names, close if it names this face instead, and
-    /// enclose an area: a positive one, or for the unbounded face a negative one.
+    /// Returns true if naming this face instead would close the lines around it and around the face that the half-edge names now,
+    /// and enclose an area: a positive one, or for the unbounded face a negative one.
     pub(super) fn fits(&self, half_edge: usize, face: usize) -> bool {
         let named = self.topology.face(half_edge).filter(|named| *named < self.areas.len());
         let ends = [half_edge, half_edge ^ 1].map(|h| self.lines.origin(h).unwrap_or_default() as u32);
@@ -44,7 +44,7 @@ impl<'a> Labels<'a> {
     }
 }
 
-/// Twice the area that a half-edge sweeps, seen from the first node.
+/// Returns twice the area that a half-edge sweeps, seen from the first node.
 fn swept(topology: &Topology, half_edge: usize) -> f64 {
     let Some(center) = topology.points.first() else { return 0.0 };
     let points = topology.line_points(half_edge / 2);

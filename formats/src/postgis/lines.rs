@@ -1,7 +1,7 @@
-//! The lines of a topology by themselves: they can be judged where links are broken.
+//! The lines of a topology alone: they can be judged despite broken links.
 //!
-//! A line ends at the node that its edge names if that lies there, or else at any node at that point. Where there is none, the end is
-//! a vertex without node.
+//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Without such a node, the end
+//! is a vertex without node.
 
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -10,7 +10,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::in_range;
 use twinedge_map::{Embedding, validate_embedding};
 
-/// The lines, each of which is next to itself only, and the nodes.
+/// The lines, each linked only to itself, and the nodes.
 pub(super) struct Lines<'a> {
     topology: &'a Topology,
     /// The ends without node, which are vertices after the nodes, each with a half-edge that starts there.
@@ -22,14 +22,13 @@ pub(super) struct Lines<'a> {
     is_line: Vec<bool>,
 }
 
-/// The judgement on the lines alone.
 pub(super) struct Drawing {
     pub(super) violations: Vec<Violation>,
     pub(super) finite: DrawingRule,
     pub(super) disjoint: DrawingRule,
 }
 
-/// The outcome of a rule, and of how many records it was not asked.
+/// The outcome of a rule, and the number of records that it was not checked for.
 pub(super) struct DrawingRule {
     pub(super) outcome: RuleOutcome,
     pub(super) left_out: u64,
@@ -51,7 +50,7 @@ impl<'a> Lines<'a> {
         lines
     }
 
-    /// Finds the vertices where lines end that do not end at their nodes.
+    /// Finds the vertices of lines that do not end at their nodes.
     fn attach(&mut self) {
         let topology = self.topology;
         if topology.loose.is_empty() {
@@ -81,7 +80,8 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Judges G1, and G4 where G1 holds. O(n log n) for n points, and p more for p pairs of segments whose boxes meet, if lines clash.
+    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p pairs of segments with overlapping
+    /// boxes, if lines clash.
     pub(super) fn judge(&mut self, collect: Collect) -> Drawing {
         let edges = |lines: &Self| lines.is_line.iter().filter(|is_line| **is_line).count() as u64;
         let nodes = self.is_vertex.iter().take(self.topology.nodes.len());
@@ -104,7 +104,7 @@ impl<'a> Lines<'a> {
         Drawing { violations, finite, disjoint }
     }
 
-    /// Drops what breaks G1.
+    /// Drops the parts that break G1.
     fn drop_unsound(&mut self) {
         for vertex in 0..self.is_vertex.len() {
             self.is_vertex[vertex] &= in_range(self.point(vertex));
@@ -115,7 +115,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The name of a record; of an end without node, the edge that ends there.
+    /// Returns the name of a record; for an end without node, the edge that ends there.
     pub(super) fn name(&self, record: Record) -> String {
         match record {
             Record::Vertex(vertex) if vertex >= self.topology.nodes.len() => {
@@ -128,14 +128,15 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The faces around which the lines that are judged do not close.
+    /// Returns the faces around which the judged lines do not close.
     pub(super) fn open_faces(&self) -> BTreeSet<u32> {
         let edges = (0..self.is_line.len()).filter(|edge| !self.is_line[*edge]);
         let without_line = edges.flat_map(|edge| self.topology.sides[edge]);
         without_line.chain(self.odd_ends().into_keys()).collect()
     }
 
-    /// The vertices at which an odd number of lines ends that have a face on one side only, for each face that has such.
+    /// Maps each face to the vertices with an odd number of ends of lines that have this face on one side only. Faces without
+    /// such vertices are absent.
     pub(super) fn odd_ends(&self) -> BTreeMap<u32, BTreeSet<u32>> {
         let mut odd: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         for (edge, [left, right]) in self.topology.sides.iter().enumerate() {
@@ -151,7 +152,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Adds what is not in the set, and takes out what is.
+/// Adds a vertex that is not in the set, and removes one that is.
 fn toggle(vertices: &mut BTreeSet<u32>, vertex: u32) {
     if !vertices.remove(&vertex) {
         vertices.insert(vertex);

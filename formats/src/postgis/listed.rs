@@ -1,4 +1,4 @@
-//! The lists of the faces of a topology, which its columns imply.
+//! The lists of the faces of a topology, as implied by its columns.
 
 use super::error::ReadError;
 use super::topology::Topology;
@@ -8,8 +8,8 @@ use twinedge::validate::{Part, Parts, Start, View};
 use twinedge_geometry::Point;
 use twinedge_map::Embedding;
 
-/// A topology with what its columns imply: which cycle of a face is its outer one, and the lists of its holes and isolated nodes. [`audit`](super::audit)
-/// judges this view.
+/// A topology with the outer cycle of each face and the lists of its holes and isolated nodes, as implied by its columns.
+/// [`audit`](super::audit) judges this view.
 #[derive(Debug)]
 pub struct Listed<'a> {
     labels: FaceLabels<&'a Topology>,
@@ -30,7 +30,7 @@ impl<'a> Listed<'a> {
 impl View for Listed<'_> {
     delegate_view!(|this| &this.labels; except parts, inner_count, inner_start);
 
-    /// Faces with holes, and face 0 as the unbounded one: F1 is broken where there is no row for it.
+    /// Faces with holes, and face 0 as the unbounded one: without a row for it, F1 is broken.
     fn parts(&self) -> Parts {
         Parts::NONE.with(Part::UnboundedFace)
     }

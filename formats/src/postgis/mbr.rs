@@ -11,7 +11,6 @@ pub(super) struct Box2 {
 }
 
 impl Box2 {
-    /// The box around nothing.
     pub(super) const EMPTY: Self = Self {
         low: Point { x: f64::INFINITY, y: f64::INFINITY },
         high: Point { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY },
@@ -46,7 +45,7 @@ impl Mbr {
         }
     }
 
-    /// A rectangle has four corners, then the first again, and goes from each to the next along an axis.
+    /// A rectangle has four corners, then the first again, and each side runs along an axis.
     fn of_ring(ring: Points<'_>) -> Self {
         let corners: Vec<Point> = ring.iter().take(6).collect();
         #[expect(clippy::float_cmp, reason = "a corner has the very coordinates of its neighbours")]

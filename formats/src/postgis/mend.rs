@@ -1,8 +1,8 @@
-//! SQL that shows the rows of a finding, and SQL that mends what can be mended in one way only.
+//! SQL that shows the rows of a finding, and SQL for repairs with only one possible result.
 //!
-//! Tables are named without their schema, which must come first in `search_path`. A statement is given where lines and links that are
-//! right determine the value; where a row may be restored or changed instead, there is none. What one statement mends may be what
-//! keeps another from being known, so the topology is audited again after them.
+//! Tables are named without their schema, which must come first in `search_path`. A statement is given if valid lines and links
+//! determine the value, and omitted if a row could be either restored or changed. Repeat the audit after running statements: one
+//! repair may determine the value for another.
 
 use super::error::TableName;
 use super::finding::{Finding, TopologyColumn};
@@ -17,7 +17,7 @@ use twinedge::validate::{Field, Record, View, Violation};
 /// Cycles with more half-edges are not relabelled.
 const LONGEST: usize = 10_000;
 
-/// The topology with its lines, and the rules that it breaks.
+/// The topology with its lines, and its broken rules.
 pub(super) struct Mender<'a> {
     topology: &'a Topology,
     lines: &'a Lines<'a>,
@@ -33,12 +33,11 @@ impl<'a> Mender<'a> {
         Self { topology, lines, rotations: Rotations::of(lines), labels: Labels::of(topology, lines), broken }
     }
 
-    /// True if no rule but these is broken.
+    /// Returns true if only these rules are broken, or none.
     fn only(&self, rules: &[&str]) -> bool {
         self.broken.iter().all(|rule| rules.contains(rule))
     }
 
-    /// The SQL for a finding of P0 … P4.
     pub(super) fn of_finding(&self, finding: &Finding) -> Sql {
         let show = match *finding {
             Finding::IdMissing { table, .. } => format!("SELECT * FROM {table} WHERE {} IS NULL;", id_column(table)),
@@ -48,7 +47,7 @@ impl<'a> Mender<'a> {
         Sql { show, mend: self.mend_finding(finding) }
     }
 
-    /// The SQL for a violation of the validator's rules, with the records that it names.
+    /// Returns the SQL for a violation of the validator's rules, with the records that it names.
     pub(super) fn of_violation(&self, violation: &Violation, records: &[String]) -> Sql {
         let mut mend: Vec<String> = self.mend_violation(violation);
         mend.dedup();
@@ -121,13 +120,14 @@ impl<'a> Mender<'a> {
         self.broken.iter().any(|rule| rules.contains(rule))
     }
 
-    /// `containing_face` of an isolated node, asked of PostGIS where the links are right.
+    /// Lets PostGIS find `containing_face` of an isolated node, if the links are valid.
     fn locate(&self, node: i64) -> Option<String> {
         let face = "topology.GetFaceContainingPoint(current_schema()::text, geom)";
         self.only(&["P2", "P4", "B2"]).then(|| set_containing(node, face))
     }
 
-    /// The node at an end of an edge: the one that lies where the line ends, or else the row that all edges of its id ask for.
+    /// Returns the node at an end of an edge: the one at the end of the line, or else the row required by all edges that name its
+    /// id.
     fn end(&self, half_edge: usize) -> Option<String> {
         let (edge, side) = (half_edge / 2, half_edge % 2);
         let topology = self.topology;
@@ -150,7 +150,8 @@ impl<'a> Mender<'a> {
         })
     }
 
-    /// The node at an end of an edge, where the line ends at another one than the edge names, and the links lead to that, too.
+    /// Returns the node at an end of an edge, if the line ends at a node other than the named one, and the links lead there as
+    /// well.
     fn end_by_links(&self, edge: i64, side: usize) -> Option<String> {
         let slot = self.topology.edges.slot(edge)? as usize;
         let half_edge = 2 * slot + side;
@@ -160,13 +161,13 @@ impl<'a> Mender<'a> {
         self.end(half_edge)
     }
 
-    /// The link to the next edge as the lines draw it, if it is another one.
+    /// Returns the link to the next edge according to the lines, if it differs.
     fn next(&self, half_edge: usize) -> Option<String> {
         let links = self.wrong_links(self.lines.origin(half_edge ^ 1)?)?;
         links.into_iter().find(|[from, _]| *from == half_edge).and_then(|link| self.set_next(link))
     }
 
-    /// The links at a vertex that the lines draw otherwise; none if labels contradict the lines.
+    /// Returns the links at a vertex that differ from the lines; `None` where labels contradict the lines.
     fn wrong_links(&self, vertex: usize) -> Option<Vec<[usize; 2]>> {
         let topology = self.topology;
         let mut links = self.rotations.links(vertex)?;
@@ -182,7 +183,7 @@ impl<'a> Mender<'a> {
         Some(set_edge(edge, &format!("{column} = {sign}{id}, abs_{column} = {id}")))
     }
 
-    /// The row of a face that is missing, if all half-edges that name it follow one another.
+    /// Returns the row of a missing face, if all half-edges that name it form one cycle.
     fn face_row(&self, half_edge: usize) -> Option<String> {
         let topology = self.topology;
         let column = |h: usize| SIDE[h % 2];
@@ -198,7 +199,7 @@ impl<'a> Mender<'a> {
         })
     }
 
-    /// The face of a half-edge, if at least so many others follow it around, and all of these name one face.
+    /// Returns the face of a half-edge, if at least `least` others are in its cycle, and all of these name one face.
     fn label(&self, half_edge: usize, least: usize) -> Option<String> {
         let topology = self.topology;
         let others = self.cycle(half_edge)?.split_off(1);
@@ -209,7 +210,7 @@ impl<'a> Mender<'a> {
         Some(set_edge(edge, &format!("{} = {face}", SIDE[half_edge % 2].name())))
     }
 
-    /// A hole or an isolated node in another face.
+    /// Moves a hole or an isolated node to another face.
     fn relabel(&self, boundary: Record, face: usize) -> Vec<String> {
         let topology = self.topology;
         let Some(face) = topology.faces.id(face) else { return Vec::new() };
@@ -232,7 +233,7 @@ impl<'a> Mender<'a> {
         }
     }
 
-    /// The half-edges from this one on, if `next` leads back to it.
+    /// Returns the half-edges from this one on, if `next` leads back to it.
     fn cycle(&self, half_edge: usize) -> Option<Vec<usize>> {
         let mut cycle = vec![half_edge];
         loop {
@@ -267,7 +268,7 @@ const fn id_column(table: TableName) -> &'static str {
     }
 }
 
-/// The SQL that shows these records, or face 0 if there are none.
+/// Returns the SQL that shows these records, or face 0 if there are none.
 fn show(records: &[String]) -> String {
     let mut ids: BTreeMap<&str, BTreeSet<i64>> = BTreeMap::new();
     for (table, id) in records.iter().filter_map(|record| record.split_once(' ')) {

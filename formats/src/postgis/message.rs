@@ -3,7 +3,6 @@
 use super::topology::{Column, Topology};
 use twinedge::validate::{Field, Record, Violation};
 
-/// The column that is a field of a half-edge.
 const fn column(half_edge: usize, field: Field) -> Option<Column> {
     Some(match (field, half_edge.is_multiple_of(2)) {
         (Field::Origin, true) => Column::StartNode,
@@ -16,18 +15,17 @@ const fn column(half_edge: usize, field: Field) -> Option<Column> {
     })
 }
 
-/// The column that is a field of a half-edge, with the edge.
 fn named(topology: &Topology, half_edge: usize, field: Field) -> String {
     let edge = topology.edges.id(half_edge / 2).unwrap_or_default();
     format!("{} of edge {edge}", column(half_edge, field).map_or("side", Column::name))
 }
 
-/// A half-edge as columns name it.
+/// Returns a half-edge in the notation of the columns.
 fn signed(topology: &Topology, half_edge: usize) -> String {
     topology.name(Record::HalfEdge(half_edge)).trim_start_matches('+').to_owned()
 }
 
-/// A violation in a sentence that names database ids, and columns where that is plainer.
+/// Returns a violation in a sentence that names database ids, and columns where they are clearer.
 pub(super) fn message(topology: &Topology, name: impl Fn(Record) -> String, violation: &Violation) -> String {
     let edge = |h: usize| topology.edges.id(h / 2).unwrap_or_default();
     match *violation {
@@ -78,7 +76,7 @@ pub(super) fn message(topology: &Topology, name: impl Fn(Record) -> String, viol
     words.into_iter().fold(violation.named(name).message(), |text, [word, own]| text.replace(word, own))
 }
 
-/// The unit of a rule. A half-edge is what PostGIS calls a signed edge.
+/// Returns the unit of a rule. PostGIS calls a half-edge a signed edge.
 pub(super) fn unit(unit: &'static str) -> &'static str {
     match unit {
         "vertex" => "node",

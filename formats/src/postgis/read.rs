@@ -10,22 +10,22 @@ use super::topology::{Column, NULL, Topology, UNKNOWN};
 use std::io::BufRead;
 use twinedge_geometry::Point;
 
-/// No table has more rows: half-edges are numbered by 32 bits.
+/// The largest number of rows of a table: half-edges have 32-bit numbers.
 const MOST_ROWS: usize = (u32::MAX / 2) as usize - 1;
 
-/// Returns true if a stream that begins so is one that [`read`] takes.
+/// Returns true if [`read`] takes a stream with these first bytes.
 #[must_use]
 pub fn is_copy(beginning: &[u8]) -> bool {
     beginning.starts_with(SIGNATURE)
 }
 
-/// Reads the three streams that [`sql`](super::sql) has `psql` write.
+/// Reads the three streams that `psql` writes for [`sql`](super::sql).
 ///
-/// Ids have 4 or 8 bytes. Of each rule P0 … P4 up to `limit` findings are kept; all are counted. Lines are kept as their bends: points that
-/// repeat the one before them are counted and dropped.
+/// Ids have 4 or 8 bytes. Of each rule P0 … P4 up to `limit` findings are kept; all are counted. Lines are kept as their bends:
+/// points that repeat the one before them are counted and dropped.
 ///
-/// O(n) for n rows and points, or O(n log n) if the ids are far apart. Memory grows with what is in the streams, not with what they
-/// claim.
+/// O(n) for n rows and points, or O(n log n) if the ids are sparse. Memory grows with the actual content of the streams, not with
+/// the stated lengths.
 ///
 /// # Errors
 /// [`ReadError::Content`] if the streams are malformed, with byte, table, row and column; and [`ReadError::Io`].
@@ -40,16 +40,16 @@ pub fn read(input: impl BufRead, limit: usize) -> Result<Topology, ReadError> {
     Ok(read.finish())
 }
 
-/// The tables read so far.
+/// The tables read up to this point.
 struct Reading {
     topology: Topology,
-    /// Nodes with their containing face, where that is not null.
+    /// Nodes with their containing face, if it is not null.
     containing: Vec<(u32, i64)>,
     /// The reference system of the first geometry.
     srid: Option<u32>,
 }
 
-/// Columns of edges that can be resolved only when all edges are there.
+/// Columns of edges that can be resolved only after all edges are read.
 #[derive(Default)]
 struct Edges {
     ids: Vec<i64>,
@@ -123,7 +123,7 @@ impl Reading {
                 Ok(line) => line.unzip(),
                 Err(cause) => return Err(streams.error(cause)),
             };
-            // Null and positive ids only are looked at here: the rest of the row may borrow the stream.
+            // Only null and positive ids are handled here: the rest of the row may borrow the stream.
             let Some(id) = id.filter(|id| *id > 0) else {
                 self.topology.findings.add(match id {
                     Some(edge) => Finding::EdgeIdNotPositive { edge },
@@ -148,7 +148,7 @@ impl Reading {
         Ok(())
     }
 
-    /// The id of a row; none if it is null, and then the row is left out.
+    /// Returns the id of a row; `None` for null: the row is then left out.
     fn id<R: BufRead>(
         &mut self,
         streams: &CopyReader<R>,
@@ -165,7 +165,7 @@ impl Reading {
         Ok(id)
     }
 
-    /// Compares the reference system of a geometry with that of the first one.
+    /// Compares the reference system of a geometry with the first one.
     fn one_system(&mut self, table: TableName, id: i64, srid: Option<u32>) {
         let Some(srid) = srid else { return };
         let first = *self.srid.get_or_insert(srid);
@@ -174,7 +174,7 @@ impl Reading {
         }
     }
 
-    /// Enters an edge, but for its links to other edges; false if there are too many bends.
+    /// Adds an edge without its links to other edges; false if there are too many bends.
     fn edge(
         &mut self,
         edges: &mut Edges,
@@ -228,7 +228,6 @@ impl Reading {
         topology.bends.len() < UNKNOWN as usize
     }
 
-    /// Links edges to edges.
     fn resolve(&mut self, Edges { ids, next, connected }: Edges) {
         let topology = &mut self.topology;
         topology.first_bend.push(topology.bends.len() as u32);
@@ -261,7 +260,7 @@ impl Reading {
         topology.contained.sort_unstable();
     }
 
-    /// Judges rows when all are there.
+    /// Judges rows after all are read.
     fn finish(self) -> Topology {
         let mut topology = self.topology;
         let tables = [
@@ -285,13 +284,13 @@ impl Reading {
 }
 
 impl Topology {
-    /// Enters the bends of a line of two points or more, and compares its ends with the nodes.
+    /// Adds the bends of a line of two points or more, and compares its ends with the nodes.
     fn line(&mut self, row: u32, id: i64, ends: [u32; 2], points: Points<'_>) {
         let mut points = points.iter();
         let (Some(first), Some(last)) = (points.next(), points.next_back()) else { return };
         let nodes = ends.map(|node| self.points.get(node as usize).copied());
         let lies_at = |node: Option<Point>, end: Point| {
-            // A coordinate that is no number is the matter of G1, and a node without point has been reported.
+            // NaN coordinates belong to G1, and a node without point is already reported.
             #[expect(clippy::float_cmp, reason = "PostGIS, too, wants the very point of the node")]
             let same = |a: f64, b: f64| a == b || a.is_nan();
             node.is_none_or(|at| same(at.x, end.x) && same(at.y, end.y))
@@ -323,7 +322,6 @@ impl Topology {
     }
 }
 
-/// The number of a geometry's type.
 const fn number(geometry: &Geometry<'_>) -> u32 {
     match geometry {
         Geometry::Point(_) => 1,

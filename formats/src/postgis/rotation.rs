@@ -1,4 +1,4 @@
-//! The order of lines around their nodes, which says what the links between edges must be.
+//! The order of lines around their nodes, which determines the links between edges.
 
 use super::lines::Lines;
 use std::cmp::Ordering;
@@ -7,7 +7,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{compare_angle, in_range};
 use twinedge_map::Embedding;
 
-/// For each vertex the half-edges that leave it, by the lines.
+/// For each vertex, the half-edges that leave it, according to the lines.
 pub(super) struct Rotations<'a> {
     lines: &'a Lines<'a>,
     begin: Vec<u32>,
@@ -40,8 +40,8 @@ impl<'a> Rotations<'a> {
         self.leaving[bound(vertex)..bound(vertex + 1)].iter().map(|h| *h as usize)
     }
 
-    /// The links at a vertex as the lines draw them: each half-edge that arrives, and the one that follows, the first clockwise. None if lines
-    /// are missing or leave in one direction. O(d log d) for d edges at the vertex.
+    /// Returns the links at a vertex according to the lines: each half-edge that arrives, and its next one, the first clockwise.
+    /// `None` where lines are missing or leave in the same direction. O(d log d) for d edges at the vertex.
     pub(super) fn links(&self, vertex: usize) -> Option<Vec<[usize; 2]>> {
         let toward = |h: usize| Some((h, self.lines.first_segment(h)?));
         let mut around: Vec<(usize, [Point; 2])> = self.leaving(vertex).map(toward).collect::<Option<_>>()?;
@@ -56,7 +56,7 @@ impl<'a> Rotations<'a> {
 }
 
 impl Lines<'_> {
-    /// The first two points of the line of a half-edge; none if there is no such line, or they give no direction.
+    /// Returns the first two points of the line of a half-edge; `None` without such a line, or without a direction.
     fn first_segment(&self, half_edge: usize) -> Option<[Point; 2]> {
         if !self.is_half_edge(half_edge) {
             return None;

@@ -1,11 +1,13 @@
-//! The commands that `psql` needs to write a topology.
+//! The commands for `psql` to write a topology.
 
-/// Commands for `psql` that write the nodes, faces and edges of a topology to its standard output, as three binary COPY streams.
+/// Returns commands for `psql` that write the nodes, faces and edges of a topology to its standard output, as three binary COPY
+/// streams.
 ///
-/// They run in one transaction that reads only, on one snapshot, so edits beside it do no harm. It needs the right to SELECT from the
-/// three tables, and runs on replicas. At the first error `psql` stops, and the stream ends early, which [`read`](super::read) reports.
+/// They run in one read-only transaction, on one snapshot, so simultaneous edits do no harm. It needs the right to SELECT from
+/// the three tables, and runs on replicas. At the first error `psql` stops, and the stream ends early, which
+/// [`read`](super::read) reports.
 ///
-/// The name is quoted, so it may be any name.
+/// The name is quoted, so any name is allowed.
 ///
 /// ```
 /// use twinedge_formats::postgis::sql;

@@ -7,16 +7,16 @@ use twinedge::validate::{Link, Parts, Record, View};
 use twinedge_geometry::Point;
 use twinedge_map::Embedding;
 
-/// A column that is null there.
+/// A column that is null in the database.
 pub(super) const NULL: u32 = u32::MAX;
-/// A column that names no record there.
+/// A column that names no existing record.
 pub(super) const UNKNOWN: u32 = u32::MAX - 1;
 
-/// A topology as the database keeps it: half-edge `2 · i` is the edge of row `i` in the direction of its line, `2 · i + 1` the same
-/// edge backwards.
+/// A topology as the database keeps it: half-edge `2 · i` is the edge of row `i` in the direction of its line, `2 · i + 1` the
+/// same edge backwards.
 ///
-/// As a [`View`] it has origins, twins, `next` and faces; `prev`, leaving half-edges and the lists of the faces are not stored. Rows that
-/// break P0, and faces that break P3, are no records of the view.
+/// As a [`View`] it has origins, twins, `next` and faces; `prev`, leaving half-edges and the lists of the faces are not stored.
+/// Rows that break P0, and faces that break P3, are no records of the view.
 ///
 /// ```
 /// use twinedge_formats::postgis::{ReadError, read};
@@ -26,26 +26,26 @@ pub(super) const UNKNOWN: u32 = u32::MAX - 1;
 #[derive(Debug, Default)]
 pub struct Topology {
     pub(super) nodes: Ids,
-    /// NaN where a node has no point.
+    /// NaN for a node without point.
     pub(super) points: Vec<Point>,
     pub(super) faces: Ids,
     pub(super) face_has_edges: Vec<bool>,
     pub(super) mbrs: Vec<Mbr>,
-    /// The box around the edges that name a face.
+    /// The box around the edges that name each face.
     pub(super) boxes: Vec<Box2>,
     pub(super) edges: Ids,
     /// Start and end node of each edge, left and right next half-edge, left and right face.
     pub(super) ends: Vec<[u32; 2]>,
     pub(super) next: Vec<[u32; 2]>,
     pub(super) sides: Vec<[u32; 2]>,
-    /// Per edge the place of its first bend, and then their number.
+    /// The index of the first bend of each edge; the last entry is the number of bends.
     pub(super) first_bend: Vec<u32>,
     pub(super) bends: Vec<Point>,
     /// The edges whose line does not end at their nodes, in order, with the ends of the line; none for an edge without line.
     pub(super) loose: Vec<(u32, Option<[Point; 2]>)>,
     /// Faces with the isolated nodes that they contain, sorted.
     pub(super) contained: Vec<(u32, u32)>,
-    /// The ids that columns of edges name where there is no such record, sorted.
+    /// The ids in columns of edges without such a record, sorted.
     pub(super) unknown: Vec<(u32, Column, i64)>,
     pub(super) repeated_points: u64,
     pub(super) findings: Findings,
@@ -84,9 +84,9 @@ fn link(column: &[[u32; 2]], half_edge: usize) -> Link {
 }
 
 impl Topology {
-    /// The name of a record in the database: the id of a node or a face, and the id of an edge with the sign of its side.
+    /// Returns the name of a record in the database: the id of a node or a face, and the id of an edge with the sign of its side.
     ///
-    /// For [`Report::named`](twinedge::validate::Report::named). A record that is not there is named by its number.
+    /// For [`Report::named`](twinedge::validate::Report::named). A record that does not exist is named by its number.
     #[must_use]
     pub fn name(&self, record: Record) -> String {
         let id = match record {
@@ -101,26 +101,26 @@ impl Topology {
         id.map_or_else(|| record.index().to_string(), |id| id.to_string())
     }
 
-    /// The slot of face 0.
+    /// Returns the slot of face 0.
     #[must_use]
     pub fn universe(&self) -> Option<usize> {
         self.faces.slot(0).map(|slot| slot as usize)
     }
 
-    /// The number of points of lines that repeat the point before them. They are legal, and no bends.
+    /// Returns the number of points of lines that repeat the point before them. They are legal, and no bends.
     #[must_use]
     pub const fn repeated_points(&self) -> u64 {
         self.repeated_points
     }
 
-    /// The id that a column names, where there is no such record.
+    /// Returns the id in a column, if it names no record.
     pub(super) fn unknown(&self, edge: usize, column: Column) -> Option<i64> {
         let key = |entry: &(u32, Column, i64)| (entry.0 as usize, entry.1);
         let at = self.unknown.binary_search_by_key(&(edge, column), key).ok()?;
         Some(self.unknown[at].2)
     }
 
-    /// Both ends of the line of an edge; none for an edge without line.
+    /// Returns both ends of the line of an edge; none for an edge without line.
     pub(super) fn line_ends(&self, edge: usize) -> Option<[Point; 2]> {
         if let Ok(at) = self.loose.binary_search_by_key(&edge, |(loose, _)| *loose as usize) {
             return self.loose[at].1;
@@ -129,21 +129,21 @@ impl Topology {
         Some([start?, end?])
     }
 
-    /// The points of the line of an edge, in its direction; none for an edge without line.
+    /// Returns the points of the line of an edge, in its direction; none for an edge without line.
     pub(super) fn line_points(&self, edge: usize) -> Vec<Point> {
         let Some([start, end]) = self.line_ends(edge) else { return Vec::new() };
         let bends = (0..self.bends(2 * edge)).map(|bend| self.bend(2 * edge, bend));
         [start].into_iter().chain(bends).chain([end]).collect()
     }
 
-    /// The isolated nodes that a face contains.
+    /// Returns the isolated nodes that a face contains.
     pub(super) fn contained(&self, face: usize) -> &[(u32, u32)] {
         let before = |face: usize| self.contained.partition_point(|(f, _)| (*f as usize) < face);
         &self.contained[before(face)..before(face.saturating_add(1))]
     }
 }
 
-/// The topology as its columns say it: half-edges name their faces, and faces list nothing.
+/// The topology as its columns state it: half-edges name their faces, and faces list nothing.
 impl View for Topology {
     fn parts(&self) -> Parts {
         Parts::NONE

@@ -1,4 +1,4 @@
-//! Half-edges as textbooks draw them.
+//! Half-edges in the style of textbooks.
 
 use super::frame::Frame;
 use super::label_spot::widest;
@@ -9,12 +9,10 @@ use twinedge_map::{Embedding, PlanarMap};
 
 type Pixel = [f64; 2];
 
-/// The greatest distance of an arrow from its edge; `SHORT`, the greatest distance of its start and end from the ends of the
-/// edge.
+/// The largest distance of an arrow from its edge; `SHORT`, the largest distance of its start and end from the ends of the edge.
 const ASIDE: f64 = 6.0;
 const SHORT: f64 = 15.0;
 
-/// The arrow of a half-edge.
 struct Arrow {
     tail: Pixel,
     head: Pixel,
@@ -37,23 +35,23 @@ fn arrow(map: &PlanarMap, frame: &Frame, h: HalfEdge<'_>) -> Arrow {
     Arrow { tail: from(a, short, aside), head: from(b, -short, aside), name, aside, short }
 }
 
-/// Returns the distance from a line at which the middle of a text lies that is beside it in this direction.
+/// Returns the distance from a line to the middle of a text next to it, in this direction.
 fn room(text: &str, direction: Pixel) -> f64 {
     const HALF_A_LETTER: f64 = 2.7;
     (direction[1] * 7.0).hypot(direction[0] * (HALF_A_LETTER * text.len() as f64 + 3.0))
 }
 
-/// The angle at which a half-edge leaves, as on the map.
+/// Returns the angle at which a half-edge leaves, as on the map.
 fn angle(map: &PlanarMap, frame: &Frame, h: HalfEdge<'_>) -> f64 {
     let [a, b] = [h.origin(), h.target()].map(|v| frame.at(map.point(v.index())));
     (a[1] - b[1]).atan2(b[0] - a[0])
 }
 
-/// The width of the corner before a half-edge, and the direction of its middle.
+/// Returns the width of the corner before a half-edge, and the direction of its middle.
 fn corner(map: &PlanarMap, frame: &Frame, h: HalfEdge<'_>) -> (f64, f64) {
     let from = angle(map, frame, h);
     let width = (angle(map, frame, h.prev().twin()) - from).rem_euclid(TAU);
-    // A dead end, around which one goes once.
+    // At a dead end, the corner is a full turn.
     let width = if h.prev().twin() == h { TAU } else { width };
     (width, from + width / 2.0)
 }
@@ -62,7 +60,7 @@ fn towards(p: Pixel, direction: f64, distance: f64) -> Pixel {
     [p[0] + direction.cos() * distance, p[1] - direction.sin() * distance]
 }
 
-/// Draws the half-edges, the links to the next ones, and the names of everything that the picture shows.
+/// Draws the half-edges, the links to the next ones, and the names of everything in the picture.
 pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
     let at = |h: HalfEdge<'_>| frame.at(map.point(h.origin().index()));
     let shown = |h: &HalfEdge<'_>| frame.shows([h.origin(), h.target()].map(|v| map.point(v.index())));
@@ -78,8 +76,8 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
         let next = h.next();
         let to = arrow(map, frame, next).tail;
         let (width, direction) = corner(map, frame, next);
-        // The distance at which the chord between the two arrows passes the vertex, and the one at which the curve should: on the
-        // straight along the edges, inside a corner nearer to the vertex than the chord, around a vertex outside.
+        // The distance from the vertex to the chord between the two arrows, and to the intended curve: equal along a straight
+        // line, nearer to the vertex than the chord inside a corner, further away around a vertex.
         let chord = short * (width / 2.0).cos() + aside * (width / 2.0).sin();
         let wanted = if chord > aside { aside + (chord - aside) * 0.6 } else { aside + (aside - chord) * 0.15 };
         let bend = towards(at(next), direction, 2.0 * wanted - chord);

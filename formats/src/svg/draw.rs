@@ -95,7 +95,7 @@ viewBox=\"0 0 {width:.0} {height:.0}\" font-family=\"Helvetica, Arial, sans-seri
     out
 }
 
-/// Draws a part of the map into a panel, and nothing beyond its border.
+/// Draws a part of the map into a panel, clipped at its border.
 fn panel(out: &mut String, map: &PlanarMap, frame: &Frame, [x, y]: [f64; 2], fills: &Fills, options: &Options<'_>) {
     let [width, height] = frame.size;
     put(out, format_args!("<svg x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\">\n"));

@@ -8,10 +8,10 @@ use twinedge_algorithm::colouring::feature_colours;
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, FeatureId, PlanarMap};
 
-/// Fills for features; more colours than these repeat.
+/// Fills for features, which repeat after the last.
 const FILLS: [&str; 8] = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb", "#c9b8e4", "#ffe08a", "#9adbc9", "#d8c4a8"];
 
-/// An overlap or a gap is ringed if it is smaller than this, in pixels.
+/// A dashed ring marks an overlap or a gap that is smaller than this, in pixels.
 const TINY: f64 = 8.0;
 
 /// The colours of the features, and whether any of them covers a face.
@@ -35,7 +35,7 @@ impl Fills {
         FILLS[self.colours[feature.index()] % FILLS.len()]
     }
 
-    /// Fills the faces of a map. Of a map that is not plane it fills the features: it is not known which faces they cover.
+    /// Fills the faces of a map. On a map that is not plane it fills the features, as their faces are unknown.
     pub(super) fn draw(&self, out: &mut String, map: &PlanarMap, frame: &Frame) {
         for (feature, rings) in map.features().zip(&self.outlines) {
             self.rings(out, map, frame, feature, rings);
@@ -77,7 +77,7 @@ impl Fills {
         out.push_str(&tiny);
     }
 
-    /// Fills what lies inside these rings by the even-odd rule.
+    /// Fills the inside of these rings by the even-odd rule.
     fn rings(&self, out: &mut String, map: &PlanarMap, frame: &Frame, feature: FeatureId, rings: &[Vec<Point>]) {
         if rings.is_empty() || !frame.shows(rings.iter().flatten().copied()) {
             return;

@@ -9,13 +9,13 @@ use twinedge_map::{Embedding, PlanarMap};
 pub(super) struct Frame {
     bounds: Bounds,
     pub(super) scale: f64,
-    /// The width and height of the panel.
     pub(super) size: [f64; 2],
     whole: bool,
 }
 
 impl Frame {
-    /// A panel for these bounds, with margins. Its longer side has so many pixels. `whole` says that it shows the whole map.
+    /// Returns a panel for these bounds, with margins, whose longer side has this length in pixels. `whole` means that it shows
+    /// the whole map.
     pub(super) fn new(bounds: Bounds, longer: f64, margin: f64, whole: bool) -> Self {
         let span = bounds.longer();
         let scale = if span > 0.0 { (longer - 2.0 * margin) / span } else { 1.0 };
@@ -23,7 +23,7 @@ impl Frame {
         Self { bounds, scale, size, whole }
     }
 
-    /// A panel of this size, with the bounds in its middle.
+    /// Returns a panel of this size, with the bounds in its middle.
     pub(super) fn within(bounds: Bounds, size: [f64; 2], margin: f64) -> Self {
         let sides = bounds.sides();
         let fits = [0, 1].map(|i| if sides[i] > 0.0 { (size[i] - 2.0 * margin) / sides[i] } else { f64::INFINITY });
@@ -31,7 +31,6 @@ impl Frame {
         Self { bounds, scale, size, whole: false }
     }
 
-    /// Returns true if it shows everything.
     pub(super) const fn is_whole(&self) -> bool {
         self.whole
     }
@@ -48,13 +47,12 @@ impl Frame {
         Bounds::around(points).meets(&self.bounds)
     }
 
-    /// Returns true if a place in pixels is in the panel.
     pub(super) fn holds(&self, at: [f64; 2]) -> bool {
         [0, 1].iter().all(|i| (0.0..=self.size[*i]).contains(&at[*i]))
     }
 }
 
-/// No window is smaller: coordinates of the smallest magnitude that differ in the last bit only are further apart.
+/// The smallest size of a window: even the smallest coordinates that differ only in the last bit are further apart.
 const SMALLEST_WINDOW: f64 = 1e-140;
 
 /// The box around some points.
@@ -69,7 +67,7 @@ impl Bounds {
         Self { low: Point::new(f64::INFINITY, f64::INFINITY), high: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY) };
     pub(super) const UNIT: Self = Self { low: Point::new(0.0, 0.0), high: Point::new(1.0, 1.0) };
 
-    /// None for one without area, or that is not finite, or so small that coordinates in pixels could overflow.
+    /// None for a window that has no area, is not finite, or is so small that coordinates in pixels could overflow.
     pub(super) fn of_window(corners: [Point; 2]) -> Option<Self> {
         let window = Self::around(corners);
         let finite = corners.iter().all(|p| p.x.is_finite() && p.y.is_finite());
@@ -81,7 +79,6 @@ impl Bounds {
         points.into_iter().fold(Self::EMPTY, |bounds, p| bounds.with(Self { low: p, high: p }))
     }
 
-    /// The box around both.
     pub(super) fn with(self, Self { low, high }: Self) -> Self {
         Self {
             low: Point::new(self.low.x.min(low.x), self.low.y.min(low.y)),
@@ -110,7 +107,7 @@ impl Bounds {
     }
 }
 
-/// Returns the number of half-edges that a picture of this window shows, in whole or in part, judging by the boxes around them;
+/// Returns the number of half-edges that a picture of this window shows, in whole or in part, according to the boxes around them;
 /// all of them without a window. O(half-edges).
 ///
 /// ```
@@ -132,7 +129,7 @@ pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
     map.dcel().half_edges().filter(seen).count()
 }
 
-/// All half-edges of a face as pairs of points in the panel.
+/// Returns all half-edges of a face as pairs of points in the panel.
 pub(super) fn sides<'a>(
     map: &'a PlanarMap,
     frame: &'a Frame,
@@ -141,7 +138,7 @@ pub(super) fn sides<'a>(
     face.half_edges().map(|h| [h.origin(), h.target()].map(|v| frame.at(map.point(v.index()))))
 }
 
-/// Adds a line through these points to a path, without those that fall on the one before.
+/// Adds a line through these points to a path, skipping points that coincide with the one before.
 pub(super) fn path(out: &mut String, points: impl Iterator<Item = [f64; 2]>, closed: bool) {
     let mut last = None;
     for [x, y] in points {

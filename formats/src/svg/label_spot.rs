@@ -11,17 +11,18 @@ pub(super) struct LabelSpot {
     pub(super) width: f64,
 }
 
-/// The heights at which to look, as parts of the height of the face.
+/// The heights to try, as fractions of the height of the face.
 const HEIGHTS: [f64; 7] = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 
-/// The widest stretch at one of a few heights; none for the unbounded face. O(half-edges · log).
+/// Returns the widest stretch at one of a few heights; none for the unbounded face. O(half-edges · log).
 pub(super) fn widest(map: &PlanarMap, frame: &Frame, face: Face<'_>) -> Option<LabelSpot> {
     face.outer()?;
     let sides: Vec<Side> = sides(map, frame, face).collect();
     widest_between(heights(&sides), &sides)
 }
 
-/// The widest stretch inside these rings, by the even-odd rule, at one of a few heights of the largest of them. O(points · log).
+/// Returns the widest stretch inside these rings, by the even-odd rule, at one of a few heights of the largest of them. O(points
+/// · log).
 pub(super) fn widest_within(frame: &Frame, rings: &[Vec<Point>]) -> Option<LabelSpot> {
     let sides_of = |ring: &Vec<Point>| -> Vec<Side> {
         let at = |p: &Point| frame.at(*p);
@@ -36,7 +37,6 @@ pub(super) fn widest_within(frame: &Frame, rings: &[Vec<Point>]) -> Option<Label
 /// A side of an outline, in pixels.
 type Side = [[f64; 2]; 2];
 
-/// The least and the greatest height.
 fn heights(sides: &[Side]) -> [f64; 2] {
     sides.iter().flatten().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)])
 }
@@ -56,6 +56,6 @@ fn widest_between([low, high]: [f64; 2], sides: &[Side]) -> Option<LabelSpot> {
             .map(|pair| LabelSpot { middle: [f64::midpoint(pair[0], pair[1]), y], width: pair[1] - pair[0] });
         inside.max_by(|a, b| a.width.total_cmp(&b.width))
     });
-    // Of almost equal ones the first, which is nearer to the middle.
+    // Among almost equal ones the first, which is nearer to the middle.
     stretches.reduce(|best, next| if next.width > 1.15 * best.width { next } else { best })
 }

@@ -1,7 +1,7 @@
 //! The layout of a picture: a panel for the main part of a map, and insets for the others.
 //!
-//! Islands far away would make everything else small. If it is so, the part with the most vertices is drawn large, and the
-//! others in insets below it.
+//! If distant islands would make everything else small, the part with the most vertices is drawn large, and the others in insets
+//! below it.
 //!
 //! ```text
 //!   ┌────────────────┐
@@ -17,25 +17,23 @@ use super::options::Options;
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, PlanarMap};
 
-/// An empty strip is between two parts if it is wider than this, as a part of the longer side of both together.
+/// The smallest width of an empty strip between two parts, as a fraction of the longer side of both together.
 const STRIP: f64 = 0.1;
-/// There are insets if without them everything would be drawn smaller by this.
+/// Insets are used if everything would be drawn smaller by this factor without them.
 const GAIN: f64 = 1.5;
-/// The greatest number of insets.
 const INSETS: usize = 6;
-/// The greatest depth to which parts are parted.
+/// The largest depth of the splitting.
 const DEPTH: usize = 8;
-/// The width of an inset, and the height as a part of it.
+/// The width of an inset, and its height as a fraction of the width.
 const WIDTH: f64 = 200.0;
 const HEIGHT: f64 = 0.75;
 /// The space around insets.
 pub(super) const SPACE: f64 = 12.0;
 
-/// The panels of a picture.
 pub(super) struct Layout {
     pub(super) main: Frame,
     pub(super) insets: Vec<Frame>,
-    /// The number of far parts that have no inset.
+    /// The number of distant parts without inset.
     pub(super) left_out: usize,
 }
 
@@ -64,8 +62,8 @@ impl Layout {
     }
 }
 
-/// The parts of a map that lie far from each other, that with the most vertices first. None if what the unbounded face lists is
-/// not all there is, as on maps that are not plane.
+/// Returns the distant parts of a map, the one with the most vertices first. None if the list of the unbounded face is
+/// incomplete, as on maps that are not plane.
 fn parts(map: &PlanarMap, all: &Bounds) -> Vec<Bounds> {
     let boxes: Vec<Bounds> = map
         .dcel()
@@ -95,7 +93,7 @@ fn parts(map: &PlanarMap, all: &Bounds) -> Vec<Bounds> {
     parts.into_iter().map(|(_, bounds)| bounds).collect()
 }
 
-/// Parts boxes along the widest empty strip, and so on; gives the box around each part.
+/// Splits boxes along the widest empty strip, recursively; returns the box around each part.
 fn part(mut boxes: Vec<Bounds>, depth: usize, found: &mut Vec<Bounds>) {
     let along = |axis: usize, p: Point| if axis == 0 { p.x } else { p.y };
     let all = boxes.iter().fold(Bounds::EMPTY, |bounds, other| bounds.with(*other));

@@ -5,13 +5,13 @@ use super::text::put;
 use twinedge::dcel::HalfEdge;
 use twinedge_map::{Embedding, PlanarMap};
 
-/// Lines are as wide as this, in pixels, unless they would cover more than a part of the panel.
+/// The width of lines in pixels, unless they would cover more than the fraction `COVERED` of the panel.
 const WIDTH: f64 = 0.6;
 const COVERED: f64 = 0.08;
 const THINNEST: f64 = 0.05;
 
-/// Draws every edge once, through vertices of degree 2 without lifting the pen, and isolated vertices. Lines are the thinner the
-/// more there are.
+/// Draws every edge once, with one stroke through vertices of degree 2, and isolated vertices. The more lines there are, the
+/// thinner they become.
 pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
     let slots = map.dcel().half_edges().map(HalfEdge::index).max().map_or(0, |last| last + 1);
     let mut drawn = vec![false; slots];

@@ -8,15 +8,15 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Meeting, meeting};
 use twinedge_map::{Embedding, PlanarMap, places};
 
-/// The greatest number of times that a number is moved.
+/// The largest number of times that a number is moved.
 const MOVES: usize = 12;
-/// The greatest number of rows of the legend; `ROW` is the height of each.
+/// The largest number of rows of the legend; `ROW` is the height of each.
 const ROWS: usize = 40;
 const ROW: f64 = 16.0;
 /// The width of a letter in the legend.
 const LETTER: f64 = 5.8;
 
-/// Marks each violation that the panel shows: its edges, a circle around the place, and beside it its number. O(v²) for v violations.
+/// Marks each violation in the panel: its edges, a circle around the place, and its number next to it. O(v²) for v violations.
 pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations: &[Violation]) {
     let mut taken: Vec<[f64; 2]> = Vec::new();
     for (violation, number) in violations.iter().zip(1..) {
@@ -35,7 +35,7 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations:
             out,
             format_args!("<circle class=\"bad\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"9\"><title>{title}</title></circle>\n"),
         );
-        // Numbers move down from the ones before that they cover, a few times.
+        // Numbers move down from the earlier ones that they cover, a few times.
         let mut at = [x + 13.0, y + 4.0];
         let covers =
             |at: [f64; 2], other: &[f64; 2]| (at[0] - other[0]).abs() < 22.0 && (at[1] - other[1]).abs() < 13.0;
@@ -52,13 +52,12 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations:
     }
 }
 
-/// The height of the legend of so many violations.
 pub(super) fn legend_height(violations: usize) -> f64 {
     let rows = violations.min(ROWS) + usize::from(violations > ROWS);
     if rows == 0 { 0.0 } else { ROW * (rows + 1) as f64 }
 }
 
-/// Writes the legend: the number of each violation and what it says, cut where the picture ends.
+/// Writes the legend: the number and the message of each violation, cut at the edge of the picture.
 pub(super) fn legend(out: &mut String, violations: &[Violation], [left, top]: [f64; 2], width: f64) {
     let room = width - 2.0 * left;
     let mut row = top;
@@ -87,7 +86,7 @@ fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
     [h.origin(), h.target()].map(|v| map.point(v.index()))
 }
 
-/// Returns the place to look at: where two edges cross, or else the middle of the places of the violation.
+/// Returns the place to show: the crossing of two edges, or else the middle of the places of the violation.
 fn place(map: &PlanarMap, violation: &Violation, edges: &[[Point; 2]]) -> Option<Point> {
     let crossing = match *edges {
         [[a, b], [c, d]] if meeting(a, b, c, d) == Meeting::Cross => crossing([a, b], [c, d]),
@@ -102,7 +101,7 @@ fn place(map: &PlanarMap, violation: &Violation, edges: &[[Point; 2]]) -> Option
     (!all.is_empty()).then_some(sum)
 }
 
-/// About where two segments cross.
+/// Returns the approximate crossing of two segments.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
     let (u, v, w) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y], [c.x - a.x, c.y - a.y]);
     let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];

@@ -1,10 +1,10 @@
 //! A picture of a map, as SVG text.
 //!
-//! Faces have the colour of the first feature that covers them, neighbours different ones; a face that more than one feature
-//! covers is hatched, one inside the map that none covers is dotted, and a dashed ring shows where one of them is tiny.
-//! [Violations](Options::violations) are red, with numbers that a legend explains. Maps that are not plane are drawn too, so that
-//! one can look at what a report names; the features are filled by their own outlines then. Parts far away are in
-//! [insets](Options::insets). With [`Options::detail`] the half-edges are drawn as textbooks do:
+//! Faces have the colour of the first feature that covers them, and neighbours have different colours. A face that several
+//! features cover is hatched, an uncovered one inside the map is dotted, and a dashed ring marks a tiny one of either kind.
+//! [Violations](Options::violations) are red, with numbers that a legend explains. Maps that are not plane are drawn too, to show
+//! the records of a report; the features are then filled by their own outlines. Distant parts are in [insets](Options::insets).
+//! With [`Options::detail`] the half-edges are drawn as in textbooks:
 //!
 //! ```text
 //!    v1 ●═══════════● v0        each half-edge is an arrow to the left of its edge,
@@ -13,7 +13,7 @@
 //!       ║ │  f1   │ ║
 //! ```
 //!
-//! Coordinates are drawn as they are, x to the right and y upwards, in equal units.
+//! Coordinates are drawn unchanged, x to the right and y upwards, in equal units.
 
 mod detail;
 mod draw;

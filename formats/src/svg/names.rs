@@ -11,15 +11,16 @@ use twinedge_map::PlanarMap;
 /// The width of a letter and the height of a name, in pixels.
 const LETTER: f64 = 5.2;
 const HEIGHT: f64 = 11.0;
-/// One name beside its feature to so many square pixels, and none if there is not room for one feature in so many.
+/// There is one name next to its feature per `ROOM` square pixels; with less than `ROOM / ONE_IN` square pixels per feature there
+/// are none.
 const ROOM: f64 = 20_000.0;
 const ONE_IN: f64 = 8.0;
 /// The distances from its feature at which a name may be placed.
 const DISTANCES: [f64; 5] = [16.0, 26.0, 38.0, 52.0, 70.0];
 const DIRECTIONS: u32 = 12;
 
-/// Writes the name of each feature into the widest of its faces, or beside it with a line that leads there. The wider the feature,
-/// the earlier its turn; names for which there is no room are left out. O(n log n + m²) for m names.
+/// Writes the name of each feature into the widest of its faces, or next to it with a line that leads there. Wider features come
+/// first; names without room are left out. O(n log n + m²) for m names.
 ///
 /// On a map that is not plane, features have these outlines instead of faces.
 pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, outlines: &[Vec<Vec<Point>>]) {
@@ -92,7 +93,7 @@ impl Area {
         [[0, 1].map(|i| self.middle[i] - half[i]), [0, 1].map(|i| self.middle[i] + half[i])]
     }
 
-    /// Its point that is nearest to another.
+    /// Returns its nearest point to another point.
     fn nearest(&self, p: [f64; 2]) -> [f64; 2] {
         let [low, high] = self.corners();
         [0, 1].map(|i| p[i].clamp(low[i], high[i]))

@@ -8,13 +8,13 @@ use twinedge_geometry::Point;
 pub struct Options<'a> {
     /// The longer side of the picture in pixels; at least 100, at most 100,000.
     pub size: f64,
-    /// True to draw half-edges with their names and links, and the names of vertices and faces. It takes some 50 pixels to an
+    /// True to draw half-edges with their names and links, and the names of vertices and faces. This needs about 50 pixels per
     /// edge to be legible.
     pub detail: bool,
-    /// Two opposite corners of the part to draw; none for everything, and so is a window without area.
+    /// Two opposite corners of the part to draw. Without a window, or for one without area, everything is drawn.
     pub window: Option<[Point; 2]>,
-    /// True to draw parts that lie far from all others in insets, where everything would be small else. With a window, and in
-    /// detail, there are none.
+    /// True to draw distant parts in insets, if everything would be small otherwise. A picture of a window, or in detail, has
+    /// none.
     pub insets: bool,
     /// The violations to mark, and to list below the map.
     pub violations: &'a [Violation],

@@ -1,11 +1,11 @@
-//! The outlines of features, on a map on which it is not known which faces they cover.
+//! The outlines of features, on a map that does not know their faces.
 
 use std::collections::BTreeMap;
 use twinedge::dcel::HalfEdge;
 use twinedge_geometry::Point;
 use twinedge_map::{Embedding, PlanarMap};
 
-/// The rings that the edges of each feature form, by its index, without its spikes. O(n log n).
+/// Returns the rings that the edges of each feature form, by its index, without its spikes. O(n log n).
 pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {
     let mut edges: Vec<Vec<HalfEdge<'_>>> = vec![Vec::new(); map.features().count()];
     for edge in map.dcel().edges() {
@@ -19,7 +19,7 @@ pub(super) fn outlines(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {
 /// The edges at each vertex, with the vertex at the other end.
 type Around = BTreeMap<usize, Vec<(usize, usize)>>;
 
-/// Closed walks that pass each of these edges once, but for those along which a ring runs there and back.
+/// Returns closed walks that use each of these edges once, except those that a ring follows in both directions.
 fn closed(map: &PlanarMap, edges: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
     let mut at = Around::new();
     for (i, edge) in edges.iter().enumerate() {
@@ -50,10 +50,10 @@ fn closed(map: &PlanarMap, edges: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
     walks
 }
 
-/// Marks edges without which an even number of the others meets at each vertex. A spike, and a bridge between two rings, are always
-/// among them: a ring runs there and back along it, and it is one edge of the map.
+/// Marks edges without which an even number of the others meets at each vertex. They always include spikes and bridges between
+/// two rings: a ring follows such an edge in both directions, and it is one edge of the map.
 ///
-/// From the leaves of a spanning forest inwards: where an odd number meets, the edge towards the root goes.
+/// The search runs from the leaves of a spanning forest inwards: where an odd number meets, the edge towards the root is dropped.
 fn spikes(at: &Around, edges: usize) -> Vec<bool> {
     let mut dropped = vec![false; edges];
     // Each vertex with the edge and the vertex from which it was reached.

@@ -7,7 +7,7 @@ pub(super) fn put(out: &mut String, what: std::fmt::Arguments<'_>) {
     let _ = out.write_fmt(what);
 }
 
-/// Text with a light halo, which is drawn first: not every program can put a stroke behind its letters.
+/// Writes text with a light halo, which is drawn first: not every program can put a stroke behind its letters.
 pub(super) fn text(out: &mut String, class: &str, [x, y]: [f64; 2], what: &str) {
     let what = escaped(what);
     for class in [&format!("{class} halo"), class] {
@@ -15,7 +15,7 @@ pub(super) fn text(out: &mut String, class: &str, [x, y]: [f64; 2], what: &str) 
     }
 }
 
-/// Text as it may stand in an element, without the characters that XML 1.0 does not allow there and other control characters.
+/// Returns text that is valid in an element, without control characters and the characters that XML 1.0 does not allow there.
 pub(super) fn escaped(text: &str) -> String {
     let allowed = text.chars().filter(|c| !c.is_control() && !matches!(c, '\u{FFFE}' | '\u{FFFF}'));
     allowed.collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")

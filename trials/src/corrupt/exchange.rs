@@ -1,14 +1,13 @@
 //! Corruptions of several fields at once.
 //!
-//! One field that is set to something else mostly makes a count differ, and a validator that only counts notices it. Most of these
-//! corruptions leave as many links of each kind, to as many records, as there were. The others, which join or move cycles, keep all
-//! that leads to what is changed in step with it.
+//! Changing a single field usually changes a count, which is enough for a validator that only counts. Most of these corruptions
+//! keep the number of links of each kind and their targets. The others, which join or move cycles, update all links to the
+//! changed records.
 
 use crate::enumerate::{Cell, TableCells};
 use std::mem::swap;
 use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, Link, Part, Parts, Start, Table, View};
 
-/// The kind of record of which two are exchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rows {
     Vertices,
@@ -17,46 +16,45 @@ pub(super) enum Rows {
     Faces,
 }
 
-/// A pair of things to exchange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Exchange {
     /// The contents of two cells of a kind.
     Cells(Cell, Cell),
     /// Two whole records.
     Records(Rows, usize, usize),
-    /// The labels of two cycles or isolated vertices, by the numbers of their entries in the lists of the faces; with the
-    /// starts, the two bound each other's faces, at each other's places.
+    /// The labels of two cycles or isolated vertices, by the numbers of their entries in the lists of the faces; with the starts,
+    /// the two bound each other's faces, at each other's places.
     Cycles { entries: [usize; 2], with_starts: bool },
-    /// The lists of two faces; with the names, what is listed names the face that lists it.
+    /// The lists of two faces; with the names, the listed records name the face that lists them.
     Lists { faces: [usize; 2], with_names: bool },
-    /// A half-edge and its twin become each their own twin.
+    /// A half-edge and its twin each become their own twin.
     OwnTwins(usize),
     /// Two half-edges become twins, and so do their former twins.
     Twins(usize, usize),
-    /// The twins of three half-edges, all with one origin, are those of one another, in turn: none leads back.
+    /// The twins of three half-edges with the same origin are permuted cyclically: none leads back.
     TurnedTwins([usize; 3]),
-    /// A loop becomes one half-edge, its own twin. The other one is removed, and what it alone bounded.
+    /// A loop becomes one half-edge, its own twin. The other one is removed, with everything that it alone bounded.
     Halved(usize),
-    /// An isolated vertex that lies in no face gets one, of which it is the outer boundary component.
+    /// An isolated vertex without face gets one, as its outer boundary component.
     AddedFace(usize),
-    /// Each of two half-edges is followed by what followed the other. `prev` follows.
+    /// The next half-edges of two half-edges are exchanged. `prev` is updated.
     Nexts(usize, usize),
-    /// The same for three that end at one vertex, in turn; with the labels, what is one cycle then is one boundary component.
+    /// The next half-edges of three that end at one vertex are permuted cyclically; with the labels, each resulting cycle is one boundary component.
     Turned { half_edges: [usize; 3], with_labels: bool },
-    /// The second of two cycles is labelled as the first, and what listed it is removed.
+    /// The second of two cycles gets the label of the first, and its own list entry is removed.
     Joined([usize; 2]),
     /// An outer boundary component, by the number of its entry, becomes an inner one of that face. Its own face is removed.
     MadeInner { entry: usize, of: usize },
-    /// An inner boundary component becomes the outer one of a face that is added.
+    /// An inner boundary component becomes the outer one of a new face.
     MadeOuter { entry: usize },
-    /// The same, and a vertex on its cycle becomes the inner one in its place, as if it were isolated.
+    /// Like `MadeOuter`, and a vertex on its cycle becomes the inner one in its place, as if it were isolated.
     MadeVertex { entry: usize },
-    /// A face lists an inner boundary component more often: so often that R1 reads the list no further, or once.
+    /// A face lists an inner boundary component several times: once more, or until R1 stops reading the list.
     Repeated { entry: usize, often: bool },
 }
 
 impl Exchange {
-    /// All of them, of a right table of which these parts are looked at.
+    /// Returns all of them, for a valid table and these parts.
     pub(super) fn all(table: &Table, parts: Parts) -> Vec<Self> {
         let mut all = cells(table, parts);
         all.extend(records(table, parts));
@@ -64,7 +62,7 @@ impl Exchange {
         all
     }
 
-    /// Those of cycles, lists, twins and nexts: links that follow one another are changed together.
+    /// Returns the exchanges of cycles, lists, twins and nexts: links that depend on one another are changed together.
     pub(super) fn structural(table: &Table, parts: Parts) -> Vec<Self> {
         let mut all = Vec::new();
         let entries = entries(table, parts);
@@ -110,7 +108,7 @@ impl Exchange {
         let target = |h: usize| table.next(h).and_then(|n| table.origin(n));
         for (i, j, k) in (0..live.len()).flat_map(|i| pairs(live.len()).map(move |[j, k]| (i, j, k))) {
             let half_edges = [live[i], live[j], live[k]];
-            // The first is the least, in both senses of turning.
+            // The first is the smallest, in both directions of the permutation.
             if i < j && half_edges.iter().all(|h| target(*h) == target(live[i])) {
                 for half_edges in [half_edges, [live[i], live[k], live[j]]] {
                     if half_edges.iter().all(|h| paired(*h)) {
@@ -126,7 +124,6 @@ impl Exchange {
         all
     }
 
-    /// The kind, in words.
     pub(super) const fn kind(self) -> &'static str {
         match self {
             Self::Cells(..) => "exchanged: two cells",
@@ -143,7 +140,7 @@ impl Exchange {
         }
     }
 
-    /// Makes it. Whether the table is another one now; if not, it means nothing.
+    /// Applies it. Returns true if the table has changed; if not, it has no meaning.
     pub(super) fn apply(self, table: &mut Table, parts: Parts) -> bool {
         let before = table.clone();
         let done = match self {
@@ -198,7 +195,7 @@ impl Exchange {
     }
 }
 
-/// Every two of this many.
+/// Returns all pairs of this many.
 fn pairs(n: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| [i, j]))
 }
@@ -233,7 +230,7 @@ fn exchange_cells(table: &mut Table, one: Cell, other: Cell) -> Option<()> {
     Some(())
 }
 
-/// An entry of the list of a face: the face, the place, and where what is listed starts.
+/// An entry of the list of a face: the face, the place, and the start of the listed record.
 #[derive(Clone, Copy)]
 struct Entry {
     face: usize,
@@ -242,7 +239,7 @@ struct Entry {
     start: Start,
 }
 
-/// The entries of the lists of all faces, the outer ones included.
+/// Returns the entries of the lists of all faces, including the outer ones.
 fn entries(table: &Table, parts: Parts) -> Vec<Entry> {
     let mut all = Vec::new();
     if !parts.has(Part::Faces) {
@@ -266,7 +263,7 @@ fn entries(table: &Table, parts: Parts) -> Vec<Entry> {
     all
 }
 
-/// The half-edges on the cycle through one, if it closes.
+/// Returns the half-edges on the cycle through one, if it closes.
 fn cycle(table: &Table, start: Start) -> Vec<usize> {
     let Start::HalfEdge(first) = start else { return Vec::new() };
     let mut cycle = vec![first];
@@ -276,7 +273,7 @@ fn cycle(table: &Table, start: Start) -> Vec<usize> {
     cycle
 }
 
-/// The half-edges, or the isolated vertex, are part of what the entry lists.
+/// Assigns the half-edges, or the isolated vertex, to the listed record of the entry.
 fn label(table: &mut Table, start: Start, half_edges: &[usize], by: Entry) {
     for h in half_edges {
         if let Some(row) = table.half_edges.get_mut(*h).and_then(Option::as_mut) {
@@ -380,7 +377,7 @@ fn halve(table: &mut Table, parts: Parts, h: usize) -> Option<()> {
     Some(())
 }
 
-/// The half-edge after each half-edge follows the one before it in the list instead.
+/// Moves each next half-edge to the following half-edge of the list.
 fn turn(table: &mut Table, parts: Parts, half_edges: &[usize]) -> Option<()> {
     let nexts: Vec<usize> = half_edges.iter().map(|h| table.next(*h)).collect::<Option<_>>()?;
     for (i, h) in half_edges.iter().enumerate() {
@@ -393,8 +390,8 @@ fn turn(table: &mut Table, parts: Parts, half_edges: &[usize]) -> Option<()> {
     Some(())
 }
 
-/// Gives every cycle one boundary component of those that start on it: an inner one if there is. The others are removed, with
-/// the faces of which they are the outer ones. None if a cycle has none, or a face with holes would go.
+/// Leaves every cycle one of the boundary components that start on it, an inner one if possible. The others are removed, with the
+/// faces that they enclose. `None` for a cycle without any, or if a face with holes would be removed.
 fn label_cycles(table: &mut Table, parts: Parts) -> Option<()> {
     let mut all = entries(table, parts);
     all.sort_by_key(|entry| entry.place == BoundaryPlace::Outer);
@@ -416,12 +413,12 @@ fn label_cycles(table: &mut Table, parts: Parts) -> Option<()> {
     if (0..labelled.len()).any(|h| table.is_half_edge(h) && has_face(h) && !labelled[h]) {
         return None;
     }
-    // From the last place to the first, so that no other one changes its place.
+    // From the last place to the first, so that no other entry moves.
     gone.iter().rev().try_for_each(|entry| unlist(table, *entry, true))
 }
 
-/// Takes an entry from the list of its face, or removes the face if it is the outer one; and its record, if that goes, too. None if
-/// a face with holes would go.
+/// Removes an entry from the list of its face, or the face if it is the outer one, and optionally its record. `None` if a face
+/// with holes would be removed.
 fn unlist(table: &mut Table, entry: Entry, with_record: bool) -> Option<()> {
     match entry.place {
         BoundaryPlace::Outer if table.inner_count(entry.face) > 0 => return None,
@@ -491,7 +488,7 @@ fn make_vertex(table: &mut Table, parts: Parts, entry: Entry) -> Option<()> {
 }
 
 fn repeat(table: &mut Table, entry: Entry, often: bool) -> Option<()> {
-    // More than twice the records that can be listed, and 16.
+    // More than twice the number of records that can be listed, plus 16.
     let records = table.boundaries.len() + table.half_edges.len() + table.vertices.len();
     let times = if often { 2 * records + 17 } else { 1 };
     let row = table.faces.get_mut(entry.face)?.as_mut()?;
@@ -503,7 +500,7 @@ fn repeat(table: &mut Table, entry: Entry, often: bool) -> Option<()> {
     Some(())
 }
 
-/// Each entry names the face that lists it, and the place.
+/// Makes each entry name the face that lists it, and the place.
 fn name(table: &mut Table, entry: Entry) {
     if let Some(row) = entry.boundary.and_then(|b| table.boundaries.get_mut(b)).and_then(Option::as_mut) {
         row.face = Some(entry.face);

@@ -1,4 +1,4 @@
-//! Corrupting tables and asking a validator and the reference.
+//! Corrupting tables and comparing a validator with the reference.
 
 use super::exchange::Exchange;
 use super::outcome::Tally;
@@ -16,26 +16,21 @@ use twinedge::program::panics::catch;
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Rule, Table};
 
-/// The findings.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Judgement {
-    /// Maps of which all single corruptions were judged, in all forms.
+    /// The number of maps with all single corruptions judged, in all forms.
     pub(super) maps: usize,
-    /// All single corruptions.
     pub(super) fields: BTreeMap<(Family, &'static str), Tally>,
     /// All pairs of corruptions of the smallest maps.
     pub(super) small_pairs: Tally,
-    /// Pairs that were sampled.
     pub(super) pairs: Tally,
-    /// The number of times that each rule was the first broken one, by the reference.
+    /// For each rule, the number of tables that break it first, by the reference.
     pub(super) first_broken: BTreeMap<Rule, u64>,
-    /// The same by the number of the expectation, for the tables in every form. `None` counts those that are right.
+    /// The same by the number of the expectation, for the tables in every form. `None` counts the valid ones.
     pub(super) by_expectation: BTreeMap<(usize, Option<Rule>), u64>,
     /// Validations that took very long.
     pub(super) hung: u64,
-    /// Validations that panicked.
     pub(super) panics: u64,
-    /// The first disagreements.
     pub(super) findings: Vec<String>,
 }
 
@@ -59,7 +54,6 @@ impl Judgement {
     }
 }
 
-/// The state that all threads share.
 pub(super) struct Court<'a> {
     checker: &'a dyn Checker,
     run: &'a Run<'a>,
@@ -72,7 +66,7 @@ impl<'a> Court<'a> {
         Self { checker, run, watch, judged: Mutex::new(Vec::new()) }
     }
 
-    /// The findings of all threads so far. Threads may be at work.
+    /// Returns the findings of all threads up to now. Threads may be at work.
     pub(super) fn judged(&self) -> Judgement {
         let mut all = Judgement::default();
         lock(&self.judged).iter().for_each(|judged| all.add(&lock(judged)));
@@ -80,7 +74,7 @@ impl<'a> Court<'a> {
     }
 }
 
-/// One thread that asks the validator and the reference.
+/// One thread that runs the validator and the reference.
 pub(super) struct Judge<'a> {
     court: &'a Court<'a>,
     watched: Arc<Watchpoint<Corruption<'a>>>,
@@ -98,8 +92,8 @@ impl<'a> Judge<'a> {
         self.court.run.is_stopped()
     }
 
-    /// All single corruptions and exchanges of a map in its forms, and all pairs if it is one of the smallest. In every form:
-    /// exchanges of what is structural, the others if it is one of the smallest, and the table as it is.
+    /// Judges all single corruptions and exchanges of a map in its forms, and all pairs if it is one of the smallest. In every
+    /// form: structural exchanges, the others if it is one of the smallest, and the unchanged table.
     pub(super) fn corrupt(&self, map: &'a [Specimen]) {
         for specimen in map {
             let in_every_form = specimen.form == Family::Every;
@@ -146,8 +140,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Some faults of a validator show in no single corruption. For example, a half-edge that becomes its own twin is no longer
-    /// that of its former twin, which breaks the same rule, unless the former twin becomes its own twin as well.
+    /// Some faults of a validator appear in no single corruption. For example, a half-edge that becomes its own twin is no longer
+    /// the twin of its former twin, which breaks the same rule, unless the former twin becomes its own twin as well.
     fn corrupt_twice(&self, specimen: &'a Specimen) {
         let parts = specimen.parts();
         for_each_corruption(&mut specimen.table.clone(), parts, |once, first, value| {
@@ -161,7 +155,7 @@ impl<'a> Judge<'a> {
         });
     }
 
-    /// Pairs of corruptions of random maps and fields: those with this number among the streams of a seed.
+    /// Judges pairs of corruptions of random maps and fields: those with this number among the streams of a seed.
     pub(super) fn corrupt_pairs(&self, specimens: &[&'a Specimen], seed: u64, stream: u64, count: u32) {
         let mut random = Random::new(seed, stream);
         for _ in 0..count {
@@ -184,7 +178,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Asks the validator and the reference, and notes where they differ.
+    /// Runs the validator and the reference, and records differences.
     fn compare(&self, corruption: Corruption<'a>, table: &Table) -> Tally {
         let (checker, expectation) = (self.court.checker, &corruption.specimen.expectation);
         let (answer, time) = self.watched.time(corruption, || catch(|| checker.check(table, expectation)));
@@ -215,8 +209,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Counts one corruption: `answer` is what the validator says, or the message if it panics; `broken` is the first broken
-/// rule by the reference.
+/// Counts one corruption: `answer` is the verdict of the validator, or the message of a panic; `broken` is the first broken rule
+/// by the reference.
 fn tally(answer: &Result<Verdict, String>, broken: Option<Rule>, time: Duration) -> Tally {
     let (alarm, named) = match *answer {
         Ok(verdict) => (verdict.is_alarm(), verdict.broken),
@@ -234,7 +228,6 @@ fn tally(answer: &Result<Verdict, String>, broken: Option<Rule>, time: Duration)
     }
 }
 
-/// The kind of field that a cell is.
 const fn field(cell: Cell) -> &'static str {
     match cell {
         Cell::Origin(_) => "half-edge: origin",

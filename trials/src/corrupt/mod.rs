@@ -1,26 +1,26 @@
 //! All single corruptions of all small maps, and pairs of them.
 //!
-//! The maps are all planar subdivisions of up to N edges and N + 1 vertices: of one component or several, nested, with isolated
+//! The maps are all planar subdivisions of up to N edges and N + 1 vertices: with one component or several, nested, with isolated
 //! vertices. The structure makes them; their tables are taken in two forms, with records for boundary components and as in
-//! textbooks. Every field is set to nil, to every slot of the kind of record that it leads to (one of them vacant), to the slot
-//! past the end, and to the largest number.
+//! textbooks. Every field is set to nil, to every slot of the target kind (one of them vacant), to the slot past the end, and to
+//! the largest number.
 //!
-//! One field that is set to something else mostly makes a count differ. So corruptions that keep the counts follow: what two cells
-//! of a kind hold is exchanged, and two whole records; what two cycles bound, or two faces list, with and without what leads
-//! there; the twins of two edges, or each half-edge becomes its own twin; and what follows two half-edges, or three around a
-//! vertex. Two cycles become one boundary component, an outer one becomes an inner one, and the other way round; and
-//! a loop becomes a single half-edge that is its own twin, and a face lists an entry again, or more often than R1 reads. Among
-//! these are tables that break T1, T2 and T3 and no rule before.
+//! Changing a single field usually changes a count. Corruptions that keep the counts are therefore added. They exchange the
+//! contents of two cells of a kind, two whole records, the bounded faces of two cycles, the lists of two faces (with and without
+//! the links that lead there), the twins of two edges, or the nexts of two half-edges or of three around a vertex. Each half-edge
+//! of an edge becomes its own twin. Two cycles become one boundary component, an outer one becomes an inner one and vice versa, a
+//! loop becomes a single half-edge that is its own twin, and a face lists an entry again, or more often than R1 reads. Some of
+//! these tables break T1, T2 and T3 and no earlier rule.
 //!
-//! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](crate::forms) has them, closed
-//! and, where that is expected, with a face or a cycle of half-edges taken out. There each rule that the expectation checks must be
-//! the first broken one for some table, except for those that follow from the rules before: T4, and T3 on surfaces of any genus.
-//! Three more expectations ask for M1 … M8: a sphere of triangles, for which M1 … M4 are first broken, a sphere, for which
-//! M5 … M7 are, and a surface whose border vertices keep border half-edges, for which M8 is. Tables in these forms are judged as they
-//! are, too: some of them break M1 … M8 only.
+//! Maps of up to two edges and two vertices are also judged in every form: for each of the 112 [expectations](crate::forms),
+//! closed and, if the expectation allows it, with a face or a cycle of half-edges taken out. In each form, every rule of the
+//! expectation must be the first broken one for some table, except for those implied by earlier rules: T4, and T3 on surfaces of
+//! any genus. Three more expectations add M1 … M8: a sphere of triangles, for which M1 … M4 are first broken, a sphere, for which
+//! M5 … M7 are, and a surface whose border vertices keep border half-edges, for which M8 is. Tables in these forms are also
+//! judged without a change: some of them break M1 … M8 only.
 //!
-//! The reference decides what is wrong, and by which rule first; the validator must say the same. Then pairs of single corruptions
-//! follow: all of them on the maps with at most one edge and two vertices, and a sample of them on all maps.
+//! The reference decides whether a table is invalid, and which rule it breaks first; the validator must agree. Pairs of single
+//! corruptions follow: all of them on the maps with at most one edge and two vertices, and a sample of them on all maps.
 
 mod exchange;
 mod judge;
@@ -50,19 +50,20 @@ use watch::Watch;
 /// The number of pairs in one piece of the work.
 const PAIRS_OF_A_PIECE: u32 = 1000;
 
-/// Maps, each in all its forms, and why some of them were not made.
+/// Maps, each in all its forms, and the reasons for missing ones.
 struct Specimens {
-    /// Empty where the structure does not make the map.
+    /// Empty if the structure does not make the map.
     maps: Vec<Vec<Specimen>>,
     findings: Vec<(usize, String)>,
 }
 
 /// Sets every field of every small map of a structure to every other value, and compares a validator with the reference.
 ///
-/// A validation that takes longer than [`HUNG`] counts as hung. One that does not return within a minute cannot be stopped: then
-/// `hangs` is called with what was found so far. It should end the process, as [`abort`] does; the call never returns otherwise.
+/// A validation that takes longer than [`HUNG`] counts as hung. One that does not return within a minute cannot be stopped:
+/// `hangs` is then called with the findings up to that point. It should end the process, like [`abort`]; otherwise the call never
+/// returns.
 ///
-/// Time and memory grow about twelvefold with each edge; [`CorruptWork::estimate`] tells how much there is.
+/// Time and memory grow about twelvefold with each edge; see [`CorruptWork::estimate`].
 ///
 /// # Errors
 /// [`StructureError`], if maps of this structure cannot be told apart.
@@ -108,13 +109,13 @@ pub fn corrupt<K: Subject>(
     Ok(found(None))
 }
 
-/// Prints to standard error which validation does not return, and aborts the process: for tests.
+/// Prints the validation that does not return to standard error, and aborts the process: for tests.
 pub fn abort(outcome: &CorruptOutcome) {
     eprintln!("{}", outcome.findings.first().map_or("a validation does not return", String::as_str));
     std::process::abort();
 }
 
-/// All maps in all their forms. The programs that make them come from a census of the library's own structure.
+/// Returns all maps in all their forms. The programs that make them come from a census of the library's own structure.
 fn collect<K: Subject>(structure: &Structure<K>, edges: usize, run: &Run<'_>) -> Specimens {
     run.reporter().begin("maps", None);
     let mut specimens = Specimens { maps: Vec::new(), findings: Vec::new() };

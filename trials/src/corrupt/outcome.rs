@@ -15,25 +15,25 @@ use twinedge::validate::Rule;
 pub struct CorruptOutcome {
     /// The work.
     pub work: CorruptWork,
-    /// The structure whose tables were corrupted.
+    /// The structure with the corrupted tables.
     pub on: String,
     /// The part of the work.
     pub shard: Shard,
-    /// Maps of which all single corruptions were judged, in all forms.
+    /// The number of maps with all single corruptions judged, in all forms.
     pub maps: usize,
-    /// Maps that there are, in all parts of the work.
+    /// The number of maps in all parts of the work.
     pub maps_found: usize,
-    /// Maps that the structure did not make.
+    /// The number of maps that the structure did not make.
     pub unusable: usize,
-    /// All single corruptions and exchanges, by the form of the table and the field, or what was exchanged.
+    /// All single corruptions and exchanges, by the form of the table and the field or exchange.
     pub fields: Vec<FieldRow>,
-    /// Of the tables in every form: what each expectation came to. Empty if the structure lacks a part.
+    /// The result of each expectation, for the tables in every form. Empty if the structure lacks a part.
     pub expectations: Vec<ExpectationRow>,
     /// All pairs of corruptions of the smallest maps.
     pub small_pairs: Tally,
-    /// Pairs that were sampled.
+    /// The sampled pairs.
     pub pairs: SampledPairs,
-    /// The number of times that each rule was the first broken one, by the reference.
+    /// For each rule, the number of tables that break it first, by the reference.
     pub first_broken: Vec<RuleRow>,
     /// Validations that took longer than a second, or did not return.
     pub hung: u64,
@@ -41,23 +41,23 @@ pub struct CorruptOutcome {
     pub panics: u64,
     /// The first disagreements. All are counted.
     pub findings: Vec<String>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 
 rows! {
-    /// The outcomes of some corruptions, counted.
+    /// The results of some corruptions, counted.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Tally {
         /// The number of corruptions.
         count corruptions: u64 = "corruptions" 13;
-        /// Wrong by the reference.
+        /// Invalid by the reference.
         count wrong: u64 = "wrong" 13;
-        /// Wrong, and the validator says so.
+        /// Invalid, and the validator agrees.
         count caught: u64 = "caught" 13;
-        /// Wrong, and the validator does not say so.
+        /// Invalid, and the validator accepts.
         zero missed: u64 = "missed" 7;
-        /// Right, and the validator says that they are wrong.
+        /// Valid, and the validator rejects.
         zero false_alarms: u64 = "false" 7;
         /// Caught, but the validator names another rule as the first broken one.
         zero other_rule: u64 = "other rule" 10;
@@ -67,22 +67,22 @@ rows! {
     }
 }
 
-/// An expectation, and how often each rule was the first broken one under it.
+/// An expectation, and the number of tables that break each rule first under it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ExpectationRow {
-    /// Its place in [`forms`](crate::forms::forms()), which three follow that ask for M1 … M8.
+    /// Its index in [`forms`](crate::forms::forms()), followed by three that add M1 … M8.
     pub number: usize,
     /// The expectation in words.
     pub expectation: String,
-    /// The number of corrupted tables were held to it.
+    /// The number of corrupted tables that were compared with it.
     pub corruptions: u64,
-    /// The number of times that each rule was the first broken one, by the reference. Rules that the expectation does not check, and those that
-    /// follow from the rules before them, are not there.
+    /// For each rule, the number of tables that break it first, by the reference. Rules that the expectation does not check, and
+    /// those implied by earlier rules, are absent.
     pub first_broken: Vec<RuleRow>,
 }
 
-/// A field and what became of its corruptions.
+/// A field and the results of its corruptions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FieldRow {
@@ -90,36 +90,36 @@ pub struct FieldRow {
     pub form: Family,
     /// The field.
     pub field: String,
-    /// The outcomes of its corruptions.
+    /// The results of its corruptions.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub tally: Tally,
 }
 
-/// Pairs of corruptions that were sampled.
+/// The sampled pairs of corruptions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SampledPairs {
     /// The seed of the sample.
     pub seed: u64,
-    /// Their outcomes.
+    /// The results of the pairs.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub tally: Tally,
 }
 
 rows! {
-    /// The number of times that a rule was the first broken one.
+    /// The number of tables that break a rule first.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct RuleRow {
         /// The rule.
         #[cfg_attr(feature = "serde", serde(with = "rule_id"))]
         label rule: Rule;
-        /// The number of wrong tables.
+        /// The number of invalid tables.
         count wrong: u64;
     }
 }
 
 impl Tally {
-    /// The number of times that the validator and the reference differ.
+    /// Returns the number of differences between the validator and the reference.
     #[must_use]
     pub const fn disagreements(&self) -> u64 {
         self.missed + self.false_alarms + self.other_rule
@@ -131,7 +131,7 @@ impl CorruptOutcome {
         self.fields.iter().map(|row| &row.tally).chain([&self.small_pairs, &self.pairs.tally])
     }
 
-    /// The expectations, each with a rule that is checked under it, but that no table in its form breaks first.
+    /// Returns the expectations, each with a rule that it checks, but that no table in its form breaks first.
     pub fn never_first_broken(&self) -> impl Iterator<Item = (&str, Rule)> {
         self.expectations.iter().flat_map(|row| {
             let never = row.first_broken.iter().filter(|broken| broken.wrong == 0);
@@ -171,7 +171,7 @@ impl Outcome for CorruptOutcome {
         if self.shard.is_whole() && !self.interrupted && self.tallies().all(|tally| tally.caught == 0) {
             reasons.push("no wrong table was caught".to_owned());
         }
-        // With fewer edges nothing can be nested in itself.
+        // With fewer edges, nothing can be nested in itself.
         if self.shard.is_whole() && !self.interrupted && self.work.edges >= EDGES_OF_EVERY_FORM {
             let never: Vec<String> = self.never_first_broken().map(|(of, rule)| format!("{rule} of {of}")).collect();
             if let Some(first) = never.first() {
@@ -209,7 +209,6 @@ impl Outcome for CorruptOutcome {
     }
 }
 
-/// A time as microseconds.
 #[cfg(feature = "serde")]
 mod micros {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
@@ -225,7 +224,6 @@ mod micros {
     }
 }
 
-/// A rule as its id.
 #[cfg(feature = "serde")]
 mod rule_id {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};

@@ -1,4 +1,4 @@
-//! The tables of small maps, and how they are corrupted.
+//! The tables of small maps, and their corruptions.
 
 use super::exchange::Exchange;
 use crate::enumerate::{Cell, Value};
@@ -10,10 +10,10 @@ use twinedge::program::{Program, Runner, StepOutcome, Subject};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table};
 
-/// Maps of at most this many edges, and two vertices, are brought into every form.
+/// The largest number of edges of maps that are brought into every form; they have up to two vertices.
 pub(super) const EDGES_OF_EVERY_FORM: usize = 2;
 
-/// The way in which the tables of a map keep its faces.
+/// The form in which the tables of a map keep its faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum Family {
@@ -21,12 +21,12 @@ pub enum Family {
     Records,
     /// Without, as in textbooks: half-edges name their face, and faces name half-edges.
     Textbook,
-    /// All forms together, with closed and open boundaries, and of three that ask for M1 … M8.
+    /// All forms together, with closed and open boundaries, and three more with M1 … M8.
     Every,
 }
 
 impl Family {
-    /// Its name.
+    /// Returns its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -44,16 +44,16 @@ pub(super) struct Specimen {
     pub(super) expectation: Expectation,
     pub(super) table: Table,
     program: String,
-    /// True if it has at most one edge and two vertices.
+    /// True for at most one edge and two vertices.
     pub(super) is_smallest: bool,
     /// The number of the form in [`held_to`], if it is one of [`Family::Every`].
     pub(super) number: Option<usize>,
 }
 
 impl Specimen {
-    /// The tables of the map that a program makes, each with a vacant row: in both forms, or in the textbook's if the structure
-    /// has no records for boundary components; and in every form, if the map is small and the structure has every part. What is
-    /// wrong, if the structure does not make the map.
+    /// Returns the tables of the map that a program makes, each with a vacant row: in both forms, or in the textbook's if the
+    /// structure has no records for boundary components; and in every form, if the map is small and the structure has every part.
+    /// Returns the fault if the structure does not make the map.
     pub(super) fn all<K: Subject>(structure: &Structure<K>, program: &Program) -> Result<Vec<Self>, String> {
         let table = catch(|| copy(structure, program)).unwrap_or_else(|panic| Err(format!("panicked: {panic}")));
         let table = table.map_err(|why| format!("{why}, by\n{program}"))?;
@@ -82,7 +82,7 @@ impl Specimen {
         Ok(all)
     }
 
-    /// The parts that are looked at.
+    /// Returns the parts that the expectation examines.
     pub(super) fn parts(&self) -> Parts {
         self.expectation.looks_at(self.table.parts)
     }
@@ -99,7 +99,7 @@ impl Specimen {
     }
 }
 
-/// The table of the map that a program makes.
+/// Returns the table of the map that a program makes.
 fn copy<K: Subject>(structure: &Structure<K>, program: &Program) -> Result<Table, String> {
     let mut runner = Runner::new(structure.make());
     for op in &program.0 {
@@ -115,14 +115,12 @@ fn copy<K: Subject>(structure: &Structure<K>, program: &Program) -> Result<Table
     }
 }
 
-/// The change.
 #[derive(Clone, Copy, Debug)]
 enum Change {
     Cells([Option<(Cell, Value)>; 2]),
     Exchange(Exchange),
 }
 
-/// A changed specimen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corruption<'a> {
     pub(super) specimen: &'a Specimen,
@@ -130,7 +128,7 @@ pub(super) struct Corruption<'a> {
 }
 
 impl<'a> Corruption<'a> {
-    /// Some changed cells. The first two changes are kept.
+    /// Returns a corruption of some cells. The first two changes are kept.
     pub(super) fn new(specimen: &'a Specimen, changes: &[(Cell, Value)]) -> Self {
         Self { specimen, change: Change::Cells([0, 1].map(|i| changes.get(i).copied())) }
     }
@@ -158,17 +156,16 @@ impl fmt::Display for Corruption<'_> {
     }
 }
 
-/// The forms in which tables are judged: the distinct ones, and three that ask for more.
+/// Returns the forms in which tables are judged: the distinct ones, and three with more claims.
 pub(super) fn held_to() -> Vec<Form> {
     let open = Expectation::surface().open();
-    // Small maps break one of M1 … M4 first, if it is asked for.
+    // If M1 … M4 are claimed, small maps break one of them first.
     let sphere = open.components(1).borders(0).genus(0);
     let of_triangles = sphere.no_unused_vertices().simple().triangles().closed();
     let asking = [of_triangles, sphere, open.border_kept()].map(|expectation| Form::new(expectation, Parts::ALL));
     forms().into_iter().chain(asking).collect()
 }
 
-/// The form in words.
 pub(super) fn in_words(form: Form) -> String {
     let Form { expectation, parts } = form;
     let surface = if expectation.surface_kind() == Surface::Plane { "plane" } else { "surface" };
@@ -180,13 +177,12 @@ pub(super) fn in_words(form: Form) -> String {
     format!("{surface}{open}{without}{asking}")
 }
 
-/// The rules that must be asked for, and are.
 fn asked_for(expectation: Expectation) -> impl Iterator<Item = Rule> {
     Rule::ALL.iter().copied().filter(move |rule| rule.is_optional() && expectation.asks_for(*rule))
 }
 
-/// The rules that are checked in the form and do not follow from those before them. T4 always follows, and T3 does
-/// where any genus is right. Where M1 … M4 are asked for, M5 … M7 are first broken by larger maps only.
+/// Returns the rules that are checked in the form and not implied by earlier ones. T4 is always implied, and T3 where any genus
+/// is allowed. Where M1 … M4 are claimed, only larger maps break M5 … M7 first.
 pub(super) fn independent_rules(form: Form) -> Vec<Rule> {
     let Form { expectation, parts } = form;
     let (faces, holes) = (parts.has(Part::Faces), parts.has(Part::Holes));

@@ -1,18 +1,18 @@
-//! Noticing that a validation takes very long, or does not return.
+//! Detecting a validation that takes very long, or does not return.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A validation that takes longer counts as hung.
+/// The time after which a validation counts as hung.
 pub const HUNG: Duration = Duration::from_secs(1);
 
-/// The number of times that a validation is timed before it counts as hung: the machine may be busy, or the program may have been stopped for a
-/// while.
+/// The number of times that a validation is timed before it counts as hung: the machine may be busy, or the program may have been
+/// suspended.
 const TRIES: usize = 3;
 
-/// The time between two looks, and the number of looks in a row that must find a thread at the same validation before it is taken
-/// not to return. Looks are counted instead of seconds because a program that is stopped does not look either.
+/// The time between two looks, and the number of consecutive looks that must find a thread in the same validation before it is
+/// taken not to return. Looks are counted instead of seconds, because a suspended program does not look either.
 const PAUSE: Duration = Duration::from_millis(500);
 const LOOKS: u32 = 120;
 
@@ -23,14 +23,13 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 /// The work of one thread.
 #[derive(Debug)]
 pub(super) struct Watchpoint<A> {
-    /// The number of validations that began or ended: odd while one runs.
+    /// The number of starts and ends of validations: odd while one runs.
     steps: AtomicU64,
-    /// The subject of the present one.
     about: Mutex<Option<A>>,
 }
 
 impl<A> Watchpoint<A> {
-    /// Runs a validation and measures its time; again if it takes suspiciously long, and then the least time counts.
+    /// Runs a validation and measures its time; again if it takes suspiciously long, and then the shortest time counts.
     pub(super) fn time<T>(&self, about: A, validation: impl Fn() -> T) -> (T, Duration) {
         *lock(&self.about) = Some(about);
         let once = || {
@@ -53,7 +52,7 @@ impl<A> Watchpoint<A> {
     }
 }
 
-/// Watches the validations of all threads. `A` says what a validation is about.
+/// Watches the validations of all threads. `A` describes a validation.
 #[derive(Debug)]
 pub(super) struct Watch<A> {
     threads: Mutex<Vec<Arc<Watchpoint<A>>>>,
@@ -75,15 +74,15 @@ impl<A: Copy + Send> Watch<A> {
         Self { threads: Mutex::new(Vec::new()), over: AtomicBool::new(false) }
     }
 
-    /// One more thread to be watched.
+    /// Adds a thread to be watched.
     pub(super) fn thread(&self) -> Arc<Watchpoint<A>> {
         let watched = Arc::new(Watchpoint { steps: AtomicU64::new(0), about: Mutex::new(None) });
         lock(&self.threads).push(watched.clone());
         watched
     }
 
-    /// Runs `work` and watches meanwhile. If a validation does not return, calls `hangs`, which should end the program: a
-    /// thread cannot be stopped.
+    /// Runs `work` under the watch. If a validation does not return, calls `hangs`, which should end the program: a thread cannot
+    /// be stopped.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
         self.during_with(PAUSE, work, hangs)
     }
@@ -91,7 +90,7 @@ impl<A: Copy + Send> Watch<A> {
     fn during_with<T>(&self, pause: Duration, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
         std::thread::scope(|scope| {
             let watching = scope.spawn(|| {
-                // At which step each thread was, and at how many looks.
+                // The step of each thread, and the number of looks that found it there.
                 let mut seen: Vec<(u64, u32)> = Vec::new();
                 while !self.over.load(Ordering::Relaxed) {
                     std::thread::park_timeout(pause);
@@ -105,7 +104,7 @@ impl<A: Copy + Send> Watch<A> {
         })
     }
 
-    /// The validation, if any, that does not return.
+    /// Returns the validation, if any, that does not return.
     fn look(&self, seen: &mut Vec<(u64, u32)>) -> Option<A> {
         let threads = lock(&self.threads);
         seen.resize(threads.len(), (0, 0));

@@ -6,7 +6,7 @@ use crate::run::Estimate;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CorruptWork {
-    /// The greatest number of edges of a map.
+    /// The largest number of edges of a map.
     pub edges: usize,
     /// The number of pairs of corruptions to sample.
     pub pairs: u32,
@@ -15,10 +15,10 @@ pub struct CorruptWork {
 }
 
 impl CorruptWork {
-    /// About how many corruptions are judged.
+    /// Returns the approximate number of judged corruptions.
     #[must_use]
     pub fn estimate(&self) -> Estimate {
-        // About as many maps as a third of 12ⁿ.
+        // Approximately a third of 12ⁿ maps.
         let maps = 12_u128.saturating_pow(self.edges as u32).div_ceil(3) + 1;
         let of_each = 200 + 220 * (self.edges * self.edges) as u128;
         let amount = maps.saturating_mul(of_each).saturating_add(self.pairs.into());

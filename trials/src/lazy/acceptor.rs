@@ -1,4 +1,4 @@
-//! Validators that say yes or no: the one under test, and the reference.
+//! Validators that answer yes or no: the one under test, and the reference.
 
 use super::labels::LazyLabels;
 use super::open_table::OpenTable;
@@ -8,17 +8,17 @@ use twinedge::validate::reference::first_broken_of;
 use twinedge::validate::{Expectation, Rule, View, accepts};
 use twinedge_certificate::{passes, passes_surface};
 
-/// A validator under test that says yes or no: [`lazy()`](crate::lazy()) compares it with the reference.
+/// A validator under test that answers yes or no: [`lazy()`](crate::lazy()) compares it with the reference.
 pub trait Acceptor: Sync {
-    /// Tells whether the structure keeps all rules.
+    /// Returns true if the structure keeps all rules.
     ///
-    /// The fewer records of a wrong one it reads, the fewer runs there are.
+    /// The fewer records it reads of an invalid structure, the fewer runs are needed.
     fn accepts(&self, view: &dyn View, expectation: &Expectation) -> bool;
 
-    /// Tells whether the labels show that the structure keeps all rules. The expectation has no more to it than certificates claim:
-    /// the plane, or closed surfaces of a genus.
+    /// Returns true if the labels show that the structure keeps all rules. The expectation claims only what certificates can
+    /// claim: the plane, or closed surfaces of a genus.
     ///
-    /// By default it is the checker of the library: [`passes`] and [`passes_surface`].
+    /// The default is the checker of the library: [`passes`] and [`passes_surface`].
     fn passes(&self, view: &dyn View, labels: LazyLabels<'_>, expectation: &Expectation) -> bool {
         match Claim::of(expectation) {
             Some(Claim::Plane) => passes(view, &labels),
@@ -35,8 +35,8 @@ impl Acceptor for Validator {
     }
 }
 
-/// The sentences of the reference, in an order in which few cells are read of wrong tables: what ties cells to one another comes
-/// before R1, which reads them all.
+/// The sentences of the reference, in an order that reads few cells of invalid tables: rules that link cells to one another come
+/// before R1, which reads all of them.
 const ORDER: [Rule; 22] = [
     Rule::L2,
     Rule::L1,
@@ -62,7 +62,7 @@ const ORDER: [Rule; 22] = [
     Rule::M8,
 ];
 
-/// Tells whether the reference finds no rule broken.
+/// Returns true if the reference finds no broken rule.
 pub(super) fn is_right(table: &OpenTable, expectation: &Expectation) -> bool {
     table.all_hold(ORDER.len(), |rule| first_broken_of(table, expectation, &ORDER[rule..=rule]).is_none())
 }

@@ -1,4 +1,4 @@
-//! About how many runs there are, and how long they take: by random ones.
+//! An estimate of the number of runs, and of their time, from random runs.
 
 use super::acceptor::Acceptor;
 use super::open_table::{Branch, OpenTable};
@@ -15,18 +15,20 @@ const BRANCHES: usize = 4096;
 const SEED: u64 = 1975;
 
 impl LazyWork {
-    /// Returns about how many runs all judges make, and how many of them a core of this machine does in a second.
+    /// Returns the approximate number of runs of all judges, and the number of runs that one core of this machine does per
+    /// second.
     ///
-    /// Random branches of the tree of all runs are followed, all in step. Of those that are one choice longer 4,096 are kept, drawn at random, and
-    /// each stands for as many as there are for each one kept. A run that ends there is counted as often. The mean of the counts is the number of all runs;
-    /// where no more branches are that long, it is exact. It varies less than that of single random ways (D. Knuth, *Estimating the efficiency
-    /// of backtrack programs*, 1975), since short runs are counted and not drawn: R. Vaisman and D. Kroese, *Stochastic enumeration method
-    /// for counting trees*, 2017.
+    /// Random branches of the tree of all runs are followed, all in step. Of the branches that are one choice longer, 4,096
+    /// random ones are kept, and each stands for an equal share of all. A run that ends there counts with the same weight. The
+    /// mean of the counts is the number of all runs; as long as there are no more branches of a length, it is exact. It varies
+    /// less than for single random paths (D. Knuth, *Estimating the efficiency of backtrack programs*, 1975), since short runs
+    /// are counted and not drawn: R. Vaisman and D. Kroese, *Stochastic enumeration method for counting trees*, 2017.
     ///
-    /// It takes some seconds, and the numbers of runs that were estimated and done so far differ by less than a factor of two.
+    /// It takes some seconds. In all cases so far, the estimated and the actual number of runs differ by less than a factor of
+    /// two.
     ///
     /// # Errors
-    /// [`LazyError`], as [`lazy()`](crate::lazy()) says.
+    /// [`LazyError`], as for [`lazy()`](crate::lazy()).
     ///
     /// # Panics
     /// If the validator panics.
@@ -37,7 +39,7 @@ impl LazyWork {
         for side in Side::all(self, validator) {
             let table = side.table()?;
             let mut branches = vec![Branch::new()];
-            // The number of branches for which each of them stands.
+            // The number of branches that each of them represents.
             let mut each = 1.0;
             while !branches.is_empty() {
                 let mut longer = Vec::new();
@@ -61,7 +63,7 @@ impl LazyWork {
     }
 }
 
-/// The seconds of the run of a branch after one that differs in the last choice.
+/// Returns the seconds of the run of a branch after one that differs in the last choice.
 fn seconds_of_run(side: &Side<'_>, table: &OpenTable, branch: &Branch) -> f64 {
     let (before, last) = branch.split_at(branch.len().saturating_sub(1));
     table.enter(before);
@@ -75,7 +77,7 @@ fn seconds_of_run(side: &Side<'_>, table: &OpenTable, branch: &Branch) -> f64 {
     seconds
 }
 
-/// Keeps so many of the branches.
+/// Keeps up to [`BRANCHES`] of the branches.
 fn draw(branches: &mut Vec<Branch>, random: &mut Random) {
     for kept in 0..branches.len().min(BRANCHES) {
         let drawn = kept + random.below(branches.len() - kept);

@@ -1,4 +1,4 @@
-//! Labels as a checker of certificates reads them, and the columns that they have.
+//! Labels as a checker of certificates reads them, and their columns.
 
 use super::work::{Claim, LazyError, LazyWork};
 use std::fmt;
@@ -9,7 +9,6 @@ use twinedge_certificate::{Column, Columns, Labels, Numbers};
 #[derive(Clone, Copy)]
 pub struct LazyLabels<'a>(&'a dyn LabelSource);
 
-/// Labels, wherever they are.
 pub(super) trait LabelSource {
     fn count(&self, column: Column) -> usize;
     fn at(&self, column: Column, entry: usize) -> Option<u32>;
@@ -59,7 +58,7 @@ impl Numbers for LazyColumn<'_> {
     }
 }
 
-/// The columns that have entries, each with its name and its numbers.
+/// The columns with entries, each with its name and its numbers.
 impl fmt::Display for LazyLabels<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for column in Column::ALL.into_iter().filter(|column| self.0.count(*column) > 0) {
@@ -88,22 +87,23 @@ impl fmt::Debug for LazyColumn<'_> {
 pub(super) struct Shape {
     pub(super) column: Column,
     pub(super) longest: usize,
-    /// True if it can be shorter. Of links, an entry that is not there is nil, so that shorter columns are no others.
+    /// True if it can be shorter. An absent entry of links is nil, so shorter columns of links are no different ones.
     pub(super) is_any_length: bool,
     pub(super) entries: Entries,
 }
 
-/// The entries of a column: nil, or one of so many numbers from 0.
+/// The entries of a column: nil, or a number from 0 below a bound.
 pub(super) enum Entries {
-    /// Links.
     Links(usize),
-    /// Ranks or positions: those in the same order are one.
+    /// Ranks or positions: those in the same order are equivalent.
     Ordered(usize),
 }
 
-/// The columns of the labels of this work: those of the links that its tables do not store, and those of the numbers that are always labels.
+/// Returns the columns of the labels of this work: for the links that its tables do not store, and for the numbers that are
+/// always labels.
 ///
-/// A link leads to each slot or to the one past the end, as in tables. As many different ranks as half-edges, and nil, can be in any order.
+/// A link leads to each slot or to the one past the end, as in tables. Ranks, up to as many as half-edges, and nil can be in any
+/// order.
 ///
 /// # Errors
 /// [`LazyError::NoCertificates`].
@@ -113,7 +113,7 @@ pub(super) fn shapes(work: &LazyWork) -> Result<Vec<Shape>, LazyError> {
     let has = |part| work.parts().has(part);
     let (by_record, has_faces) = (has(Part::BoundaryComponents), has(Part::Faces));
     let in_plane = matches!(claim, Claim::Plane);
-    // The list of a face of a table has as many entries as there are vertices; in labels each boundary component is listed once.
+    // The list of a face of a table has one entry per vertex; in labels each boundary component is listed once.
     let places = if by_record { vertices } else { boundaries };
     let mut shapes = Vec::new();
     let mut add = |is_label, is_any_length, column, longest, entries| {

@@ -13,7 +13,7 @@ use std::ops::AddAssign;
 pub struct Many(pub u128);
 
 impl Many {
-    /// About how many: `10^21.7`.
+    /// Returns the order of magnitude: `10^21.7`.
     #[must_use]
     pub fn rounded(self) -> String {
         format!("10^{:.1}", (self.0.max(1) as f64).log10())

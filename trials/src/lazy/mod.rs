@@ -1,31 +1,34 @@
-//! All tables of a size, every cell free, by runs on tables whose cells are open until they are read.
+//! All tables of a size, with every cell free, by runs on tables whose cells are open until they are read.
 //!
-//! A validator that stops where it knows its answer reads few cells of a wrong table. Its run on one table is its run on all tables that have the
-//! same values in these cells, so one run stands for all of them (*lazy enumeration*: Korat, lazy `SmallCheck`). The next run gives the
-//! cell that was read last its next value. In this way all tables are judged, in about 10^7 runs for 10^21 of them.
+//! A validator that stops as soon as it knows its answer reads few cells of an invalid table. Its run on one table is its run on
+//! all tables that have the same values in these cells, so one run covers all of them (*lazy enumeration*: Korat, lazy
+//! `SmallCheck`). In the next run, the last cell read has its next value. In this way about 10^7 runs judge all of 10^21 tables.
 //!
 //! # What is shown
 //!
-//! Two judges go through all tables, each for itself: the [`Acceptor`], which is the validator, and the reference, rule by rule in an order
-//! that reads little. Each table that one of both accepts is judged by the other one, and both must accept as many. Then both accept
-//! the same tables, of all that there are: nothing wrong is accepted, and nothing right is refused.
+//! Two judges go through all tables, each on its own: the [`Acceptor`], which is the validator, and the reference, rule by rule
+//! in an order that reads little. Each table that one of them accepts is judged by the other, and both must accept the same
+//! number. Both then accept exactly the same tables: no invalid one is accepted, and no valid one is rejected.
 //!
-//! The sentences of the reference do not know numbers of slots. So where it reads a link to slots that nothing has told apart yet, one of them
-//! stands for all, and the tables that it accepts are counted with the number of those for which they stand. The validator reads every table as it is.
-//! A rule of the reference that has held is not asked again while the cells that it read keep their values.
+//! The sentences of the reference are independent of the numbers of slots. If it reads a link to slots that it has not
+//! distinguished yet, one of them stands for all, and the accepted tables are counted with this multiplicity. The validator reads
+//! every table unchanged. A rule of the reference that holds is not checked again while the cells that it read keep their values.
 //!
-//! Each run counts the tables for which it stands: the product of the numbers of values of the cells that it has not read. They must add up to
-//! the number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes, the
-//! number of right tables is known by a recount of the maps, whatever of M1 … M8 is asked for, and as many must be accepted.
+//! Each run counts the tables that it covers: the product of the numbers of values of the unread cells. The sum must be the
+//! number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes,
+//! a recount of the maps determines the number of valid tables, for any of M1 … M8, and the number of accepted ones must equal
+//! it.
 //!
 //! # Certificates
 //!
-//! With [`LazyWork::certificates`] the [checker of certificates](twinedge_certificate) is judged: labels are cells, too, as are the lengths of their
-//! columns. Each table that the reference accepts must pass with the labels that are made for it: nothing right is without certificate. The checker goes through all tables with
-//! all labels, and the reference judges each table that passes with some: nothing wrong has a certificate. Then the reference goes through them before the checker does;
-//! as many must be accepted by both.
+//! With [`LazyWork::certificates`] the [checker of certificates](twinedge_certificate) is judged: labels are cells as well, and
+//! so are the lengths of their columns. Each table that the reference accepts must pass with the labels made for it: no valid
+//! table is without certificate. The checker goes through all tables with all labels, and the reference judges each table that
+//! passes with some labels: no invalid table has a certificate. Finally the reference goes through them before the checker; both
+//! must accept the same number.
 //!
-//! A checker compares ranks with ranks, and positions with positions, and does nothing else with these numbers. So a run stands for all that are in the same order.
+//! A checker compares ranks with ranks, and positions with positions, and uses these numbers for nothing else. One run therefore
+//! covers all numbers in the same order.
 
 mod acceptor;
 mod estimate;
@@ -53,7 +56,7 @@ use side::{Judgement, Side, Tables};
 /// Two half-edges take a moment, six half-edges on two vertices about 10^7 runs.
 ///
 /// # Errors
-/// [`LazyError`] if they cannot be counted, or certificates are asked for and do not claim what the tables are held to.
+/// [`LazyError`] if the tables cannot be counted, or if certificates cannot claim the expectation.
 ///
 /// # Panics
 /// If the validator panics.

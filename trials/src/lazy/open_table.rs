@@ -1,4 +1,4 @@
-//! A table whose cells are open: each gets its value when it is first read.
+//! A table with open cells: each gets its value when it is first read.
 
 use super::labels::{Entries, LabelSource, Shape};
 use super::order::Order;
@@ -7,10 +7,11 @@ use std::cell::{Cell, RefCell};
 use twinedge::validate::{BoundaryPlace, Link, Part, Parts, Start, View};
 use twinedge_certificate::Column;
 
-/// A table of a size, of which the cells that were read have values.
+/// A table of a size, in which the cells that were read have values.
 ///
-/// The first read of a cell gives it its first value. [`runs`](Self::runs) then gives the last cell its next value, and opens it again after
-/// the last one. So runs of a reader go through all tables, and one run stands for all tables that agree with it in the cells that it has read.
+/// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and opens
+/// it again after the last one. The runs of a reader thus go through all tables, and one run covers all tables that agree with it in
+/// the cells read.
 pub(super) struct OpenTable {
     parts: Parts,
     vertices: Records,
@@ -18,24 +19,24 @@ pub(super) struct OpenTable {
     boundaries: Records,
     faces: Records,
     labels: [Option<Labels>; Column::ALL.len()],
-    /// The number of the value of each cell, or [`OPEN`].
+    /// The index of the value of each cell, or [`OPEN`].
     values: Vec<Cell<u8>>,
     /// The number in each cell that has a place in an order, if it has a value.
     numbers: Vec<Cell<u32>>,
     domains: Vec<Domain>,
     choices: RefCell<Vec<Choice>>,
-    /// For each of the first statements that hold, the number of choices by which it is known.
+    /// For each of the leading statements that hold, the number of choices that establish it.
     held: RefCell<Vec<usize>>,
     /// The number of tables that agree with the choices.
     agreeing: Cell<u128>,
-    /// The slots of which a cell was read, or to which a link leads. The others of their kind are interchangeable. None if no slots are.
+    /// The slots with a cell that was read, and the targets of links. The others of their kind are interchangeable. `None`
+    /// where no slots are.
     told_apart: Option<Cell<Slots>>,
 }
 
-/// A set of slots, of which there are at most [`MOST_SLOTS`], a bit each: of vertices, half-edges, boundary components and faces.
+/// A set of slots, at most [`MOST_SLOTS`], one bit each: of vertices, half-edges, boundary components and faces.
 type Slots = [u16; 4];
 
-/// A kind of record.
 #[derive(Clone, Copy)]
 enum Kind {
     Vertex,
@@ -55,14 +56,14 @@ struct Records {
     vacant: bool,
 }
 
-/// A column of labels: the number of cells before it, and the most entries. The first cell is the number of entries.
+/// A column of labels: the number of cells before it, and the largest number of entries. The first cell is the number of entries.
 #[derive(Clone, Copy)]
 struct Labels {
     before: usize,
     longest: usize,
 }
 
-/// The numbers of the cells of a record. The first one says whether it is vacant.
+/// The numbers of the cells of a record. The first cell states whether it is vacant.
 mod cell {
     pub(super) const VACANT: usize = 0;
     pub(super) const ORIGIN: usize = 1;
@@ -82,18 +83,18 @@ mod cell {
     pub(super) const INNER: usize = 3;
 }
 
-/// The values of a cell, by numbers from 0. For each, in how many ways the cells of the same record that depend on it can be set.
+/// The values of a cell, by numbers from 0. For each, the number of ways to set the cells of the same record that depend on it.
 #[derive(Clone)]
 struct Domain {
     ways: Vec<u128>,
     all: u128,
-    /// The slot to which the value leads, if there is one.
+    /// The slot that the value leads to, if any.
     leads_to: Vec<Option<(Kind, usize)>>,
-    /// The column, if its numbers are only compared with each other. Then a value is a place among those that were read.
+    /// The column, if its numbers are only compared with each other. A value is then a place among the numbers read.
     order_of: Option<Column>,
 }
 
-/// A cell that has a value, the number of tables that agreed before, and the slots that were told apart before.
+/// A cell with a value, the number of tables that agreed before, and the slots that were told apart before.
 #[derive(Clone, Copy)]
 struct Choice {
     cell: usize,
@@ -110,7 +111,8 @@ impl Domain {
         (ways.len() < usize::from(OPEN)).then_some(Self { ways, all, leads_to: Vec::new(), order_of: None })
     }
 
-    /// That of a link to slots of this kind: nil, each slot, and the one past the end. One of starts, where there are slots of two kinds.
+    /// The domain of a link to slots of this kind: nil, each slot, and the one past the end. For starts, there are slots of two
+    /// kinds.
     fn links(slots: &[(Kind, usize)], matters: bool) -> Option<Self> {
         let mut leads_to = vec![None];
         for (kind, count) in slots {
@@ -120,14 +122,14 @@ impl Domain {
         Some(Self { leads_to, ..Self::plain(1 + slots.iter().map(|(_, count)| count + 1).sum::<usize>(), matters)? })
     }
 
-    /// That of a cell on which none depends; a single value for a cell that does not matter.
+    /// The domain of a cell without dependent cells; a single value for an irrelevant cell.
     fn plain(values: usize, matters: bool) -> Option<Self> {
         Self::of(vec![1; if matters { values } else { 1 }])
     }
 }
 
 impl OpenTable {
-    /// The table of this work, with all cells open.
+    /// Returns the table of this work, with all cells open.
     ///
     /// # Errors
     /// [`LazyError::TooMany`] if there are more tables than can be counted, or too many slots.
@@ -135,7 +137,7 @@ impl OpenTable {
         Self::with_cells(work).ok_or(LazyError::TooMany)
     }
 
-    /// The same with labels, whose cells are open, too: columns of these shapes.
+    /// Adds labels with open cells: columns of these shapes.
     ///
     /// # Errors
     /// [`LazyError::TooMany`] if there are more tables with labels than can be counted.
@@ -174,7 +176,7 @@ impl OpenTable {
         let (to_boundary, to_face) = ((Kind::Boundary, work.boundaries), (Kind::Face, work.faces));
         let starts = Domain::links(&[to_half_edge, to_vertex], true)?;
         let link = |to| Domain::links(&[to], true);
-        // Each component of a right table has one inner boundary component, so no list is longer.
+        // Each component of a valid table has one inner boundary component, so no list is longer.
         let longest = if has_holes { work.vertices } else { 0 };
         let entry = if by_record { link(to_boundary)? } else { starts.clone() };
         let lengths = (0..=longest as u32).map(|length| entry.all.checked_pow(length)).collect::<Option<_>>()?;
@@ -220,15 +222,15 @@ impl OpenTable {
         Some(table)
     }
 
-    /// The same, where tables that differ in the numbers of their slots only are one.
+    /// Returns the table in which tables that differ only in the numbers of their slots are equivalent.
     ///
-    /// Two slots of a kind that are not told apart can change their numbers, and all that was read stays. So a link that leads to one of
-    /// them leads to the first, and stands for all. A run stands for all of these tables if its reader says the same of them.
+    /// Two slots of a kind that are not told apart can exchange their numbers without changing anything read. A link to one of
+    /// them therefore leads to the first and stands for all. A run covers all of these tables if its reader treats them alike.
     pub(super) fn up_to_numbers(self) -> Self {
         Self { told_apart: Some(Cell::default()), ..self }
     }
 
-    /// Adds records with these cells, which can be set in so many ways.
+    /// Adds records with these cells, which can be set in `ways` ways.
     fn add(&mut self, count: usize, ways: u128, cells: &[Domain], vacant: bool) -> Option<Records> {
         let live = Domain::of(if vacant { vec![ways, 1] } else { vec![ways] })?;
         let records = Records { count, before: self.values.len(), width: 1 + cells.len(), vacant };
@@ -241,22 +243,23 @@ impl OpenTable {
         Some(records)
     }
 
-    /// The number of tables that agree with all that was read.
+    /// Returns the number of tables that agree with all cells read.
     pub(super) fn agreeing(&self) -> u128 {
         self.agreeing.get()
     }
 
-    /// Calls `run`, which reads the table, until every table was in one run, or `run` returns false. What had been read before stays.
+    /// Calls `run`, which reads the table, until every table was in one run, or `run` returns false. Cells read earlier keep
+    /// their values.
     pub(super) fn runs(&self, mut run: impl FnMut(&Self) -> bool) {
         let before = self.choices.borrow().len();
         while run(self) && self.advance(before) {}
         self.retract(before);
     }
 
-    /// Tells whether all of so many statements hold of the table. They are tried in order.
+    /// Returns true if all of these statements hold for the table. They are tried in order.
     ///
-    /// One that has held is not tried again while the cells that were read by then keep their values: it would read no others. So all
-    /// calls must be about the same statements.
+    /// A statement that holds is not tried again while the cells read by then keep their values: it would read no others. All
+    /// calls must therefore be about the same statements.
     pub(super) fn all_hold(&self, statements: usize, holds: impl Fn(usize) -> bool) -> bool {
         let known = self.held.borrow().len();
         (known..statements).all(|statement| {
@@ -268,7 +271,7 @@ impl OpenTable {
         })
     }
 
-    /// The branches of the runs of a reader: their first choices, up to so many.
+    /// Returns the branches of the runs of a reader: their first choices, up to a depth.
     pub(super) fn branches(&self, depth: usize, mut read: impl FnMut(&Self)) -> Vec<Branch> {
         let mut branches = Vec::new();
         self.runs(|table| {
@@ -281,7 +284,8 @@ impl OpenTable {
         branches
     }
 
-    /// The branches with one choice more than this one, for the next cell that the reader reads; none if it reads no other cell.
+    /// Returns the branches with one more choice than this one, for the next cell of the reader; empty where it reads no other
+    /// cell.
     pub(super) fn longer(&self, branch: &Branch, read: impl FnOnce(&Self)) -> Vec<Branch> {
         self.enter(branch);
         read(self);
@@ -294,14 +298,13 @@ impl OpenTable {
         longer
     }
 
-    /// Makes the choices of a branch.
     pub(super) fn enter(&self, branch: &[(usize, u8)]) {
         for (cell, value) in branch {
             self.choose(*cell, *value);
         }
     }
 
-    /// Opens the cells that were read after the first so many.
+    /// Opens the cells that were read after the first `depth` ones.
     pub(super) fn retract(&self, depth: usize) {
         let mut choices = self.choices.borrow_mut();
         while choices.len() > depth {
@@ -318,7 +321,7 @@ impl OpenTable {
         held.truncate(known);
     }
 
-    /// Reads the table, with the first value in each cell that is open.
+    /// Reads the table, with the first value in each open cell.
     pub(super) fn read<T>(&self, read: impl FnOnce(&Self) -> T) -> T {
         let depth = self.choices.borrow().len();
         let found = read(self);
@@ -326,7 +329,7 @@ impl OpenTable {
         found
     }
 
-    /// Gives the last cell that has another value that value; false if none has, of those after the first so many.
+    /// Advances the last cell with another value, after the first `depth` ones; false without such a cell.
     fn advance(&self, depth: usize) -> bool {
         loop {
             let length = self.choices.borrow().len();
@@ -340,7 +343,8 @@ impl OpenTable {
         }
     }
 
-    /// Gives the cell the first of the values from this one on, but those that an interchangeable slot stands for; false if there is none.
+    /// Gives the cell the first value from this one on, skipping values that an interchangeable slot represents; false without
+    /// such a value.
     fn choose_from(&self, cell: usize, first: u8) -> bool {
         let values = first..self.domains[cell].ways.len() as u8;
         let value = values.into_iter().find(|value| self.agreeing_with(cell, *value) > 0);
@@ -368,7 +372,8 @@ impl OpenTable {
         }
     }
 
-    /// The number of tables that agree so far, and with this value of an open cell; 0 if another value stands for it.
+    /// Returns the number of tables that agree with the cells read and with this value of an open cell; 0 if another value
+    /// represents it.
     fn agreeing_with(&self, cell: usize, value: u8) -> u128 {
         let (agreeing, Domain { ways, all, order_of, .. }) = (self.agreeing.get(), &self.domains[cell]);
         match order_of {
@@ -377,7 +382,7 @@ impl OpenTable {
         }
     }
 
-    /// The numbers that were read of a column.
+    /// Returns the numbers that were read in a column.
     fn order(&self, column: Column) -> Order {
         let mut order = Order::default();
         if let Some(Labels { before, longest }) = self.labels[column as usize] {
@@ -391,7 +396,8 @@ impl OpenTable {
         self.domains[cell].leads_to.get(usize::from(value)).copied().flatten()
     }
 
-    /// The number of slots for which the value stands. It is 1 if the slot was told apart from all others, and 0 if another slot stands for it.
+    /// Returns the number of slots that the value represents: 1 if the slot was told apart from all others, and 0 if another slot
+    /// represents it.
     fn stands_for(&self, cell: usize, value: u8) -> u128 {
         let (Some(told_apart), Some((kind, slot))) = (&self.told_apart, self.leads_to(cell, value)) else { return 1 };
         let told_apart = self.with_owner(told_apart.get(), cell)[kind as usize];
@@ -403,7 +409,7 @@ impl OpenTable {
         }
     }
 
-    /// These slots, and that of the record that has the cell.
+    /// Returns these slots, and the slot of the record with this cell.
     fn with_owner(&self, mut slots: Slots, cell: usize) -> Slots {
         for kind in [Kind::Vertex, Kind::HalfEdge, Kind::Boundary, Kind::Face] {
             let Records { count, before, width, .. } = self.records(kind);
@@ -425,19 +431,19 @@ impl OpenTable {
 
     fn value(&self, cell: usize) -> u8 {
         if self.values[cell].get() == OPEN {
-            // The first value is nil, or that the record is live.
+            // The first value is nil, or marks the record as live.
             self.choose(cell, 0);
         }
         self.values[cell].get()
     }
 
-    /// True if the record is there. It is read first, as the other cells depend on it.
+    /// Returns true if the record is live. This is read first, as the other cells depend on it.
     fn is_live(&self, records: Records, record: usize) -> bool {
         let cell = records.before + record * records.width + cell::VACANT;
         record < records.count && (!records.vacant || self.value(cell) == 0)
     }
 
-    /// The value of a cell of a record; nil if that is vacant.
+    /// Returns the value of a cell of a record; nil if that is vacant.
     fn field(&self, records: Records, record: usize, field: usize) -> usize {
         if self.is_live(records, record) {
             self.value(records.before + record * records.width + field).into()
@@ -462,12 +468,12 @@ impl OpenTable {
         Some(number.checked_sub(1).map_or(BoundaryPlace::Outer, BoundaryPlace::Inner))
     }
 
-    /// The cell of an entry, if the list is that long.
+    /// Returns the cell of an entry, if the list is that long.
     fn entry(&self, face: usize, position: usize) -> Option<usize> {
         (position < self.inner_count(face)).then_some(cell::INNER + position)
     }
 
-    /// The link, where it is one of boundary components with records, or of faces without them.
+    /// Returns the link, if it belongs to boundary components with records, or to faces without them.
     fn only(&self, by_record: bool, link: impl FnOnce() -> Link) -> Link {
         if by_record == self.parts.has(Part::BoundaryComponents) { link() } else { None }
     }

@@ -1,8 +1,8 @@
-//! Numbers that are only compared with each other: those in the same order are one.
+//! Numbers that are only compared with each other: those in the same order are equivalent.
 
 use super::work::MOST_SLOTS;
 
-/// The different numbers that were read of a column, in ascending order.
+/// The distinct numbers that were read in a column, in ascending order.
 #[derive(Default)]
 pub(super) struct Order {
     numbers: [u32; MOST_SLOTS + 1],
@@ -10,7 +10,7 @@ pub(super) struct Order {
 }
 
 impl Order {
-    /// The number of places for one more among so many.
+    /// Returns the number of places for one more among this many.
     pub(super) const fn places(numbers: usize) -> usize {
         2 * numbers + 1
     }
@@ -23,7 +23,7 @@ impl Order {
         }
     }
 
-    /// The number at this place: before the first one, the first one, between it and the second one, and so on.
+    /// Returns the number at this place: before the first one, the first one, between it and the second one, and so on.
     pub(super) fn number(&self, place: usize) -> u32 {
         let before = |place: usize| place.checked_sub(1).map_or(0, |place| self.numbers[place]);
         if place % 2 == 1 {
@@ -33,9 +33,11 @@ impl Order {
         before(place / 2).midpoint(after)
     }
 
-    /// Of tables that agree so far, the number of those that agree with a number at this place, too, if it is one of so many; 0 if there is no such place.
+    /// Returns the number of the `agreeing` tables that also have a number at this place, out of `all` possible numbers; 0 if
+    /// there is no such place.
     ///
-    /// So many different numbers can be chosen from all that can be there in a binomial number of ways, and the next one can have any of these.
+    /// The distinct numbers already read can be chosen in a binomial number of ways from all possible ones, and the next one can
+    /// be any of these.
     pub(super) fn agreeing(&self, agreeing: u128, all: u128, place: usize) -> u128 {
         let count = self.count as u128;
         match place % 2 {

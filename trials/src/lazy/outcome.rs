@@ -15,21 +15,21 @@ pub struct LazyOutcome {
     pub work: LazyWork,
     /// The part of it.
     pub shard: Shard,
-    /// About how many tables there are.
+    /// The approximate number of tables.
     pub tables: String,
-    /// About how many there are with labels, each with all labels; none if no certificates are judged.
+    /// The approximate number with labels, each table with all labels; `None` without certificates.
     pub with_labels: Option<String>,
-    /// The runs of the first judge: the validator, or the reference where certificates are judged.
+    /// The runs of the first judge: the validator, or the reference for certificates.
     pub runs: u64,
     /// The tables that it accepts.
     pub accepted: u64,
     /// The tables that one judge accepts and the other one rejects.
     pub differences: u64,
-    /// The same for each judge.
+    /// The results of each judge.
     pub judges: Vec<JudgeRow>,
     /// The first differences. All are counted in the rows.
     pub findings: Vec<String>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 
@@ -41,15 +41,15 @@ rows! {
         label judge: String = "judge" 10;
         /// The number of runs.
         count runs: u64 = "runs" 13;
-        /// The tables that it accepts, or the tables with labels.
+        /// The accepted tables, or tables with labels.
         count accepted: u64 = "accepted" 12 is right;
-        /// The number of right tables, by a recount without the validator, where there is one.
+        /// The number of valid tables, by a recount without the validator, if there is one.
         given right: Option<u64>;
         /// The tables that the other judge rejects.
         zero differences: u64 = "differences" 11;
         /// The number of all tables, or of all with labels.
         given all: Many;
-        /// The tables for which the runs stand.
+        /// The number of tables that the runs cover.
         count covered: Many;
     }
 }
@@ -74,7 +74,6 @@ impl LazyOutcome {
         outcome
     }
 
-    /// Sets what follows from the rows.
     fn total(&mut self) {
         (self.runs, self.accepted) = self.judges.first().map_or((0, 0), |row| (row.runs, row.accepted));
         self.differences = self.judges.iter().map(|row| row.differences).sum();
@@ -105,7 +104,7 @@ impl Outcome for LazyOutcome {
                 if covered != all {
                     reasons.push(format!("{judge}: the runs stand for {covered} of {all} tables"));
                 }
-                // The judges of the same tables accept as many.
+                // The judges of the same tables accept the same number.
                 let first = self.judges.iter().find(|first| first.all == *all).unwrap_or(row);
                 if *accepted != first.accepted {
                     reasons.push(format!("{judge}: accepted {accepted}, but the {} {}", first.judge, first.accepted));

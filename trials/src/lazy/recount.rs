@@ -1,4 +1,4 @@
-//! The number of right tables, counted map by map and without the validator.
+//! The number of valid tables, counted map by map and without the validator.
 
 use super::work::LazyWork;
 use crate::published::{binomial, factorial};
@@ -6,7 +6,7 @@ use crate::rows::narrow;
 use crate::tables::formulas::pairings;
 use twinedge::validate::{Expectation, Part, Rule, Surface};
 
-/// The number of right tables of this work: none for open structures and for lists of holes.
+/// Returns the number of valid tables of this work: `None` for open structures and for lists of holes.
 pub(super) fn right(work: &LazyWork) -> Option<u64> {
     let parts = work.parts();
     if work.expectation.is_open() || parts.has(Part::Holes) {
@@ -15,7 +15,7 @@ pub(super) fn right(work: &LazyWork) -> Option<u64> {
     let has_boundaries = parts.has(Part::BoundaryComponents);
     let [faces, boundaries] = [(work.faces, parts.has(Part::Faces)), (work.boundaries, has_boundaries)]
         .map(|(slots, is_there)| if is_there { slots } else { 0 });
-    // Each live record of so many slots, or each choice of live ones.
+    // Each number of live records, or each choice of live ones.
     let live = |slots: usize| if work.vacant { 0..=slots } else { slots..=slots };
     let chosen = |slots: usize, live: usize| binomial(slots as u128, live as u128);
     let mut right = 0;
@@ -37,7 +37,7 @@ pub(super) fn right(work: &LazyWork) -> Option<u64> {
     Some(narrow(right))
 }
 
-/// A map on labelled half-edges, of which 0 and 1, 2 and 3 … are twins: the lengths of its orbits.
+/// A map on labelled half-edges, with 0 and 1, 2 and 3 … as twins: the lengths of its orbits.
 struct Map {
     half_edges: usize,
     cycles: Vec<u128>,
@@ -47,7 +47,7 @@ struct Map {
 }
 
 impl Map {
-    /// All of them: each permutation can be `next`.
+    /// Returns all of them: each permutation can be `next`.
     fn all(half_edges: usize) -> Vec<Self> {
         let mut all = Vec::new();
         if half_edges.is_multiple_of(2) {
@@ -86,12 +86,12 @@ impl Map {
         Self { half_edges: next.len(), cycles: orbits(next), rotations: orbits(&around), components, simple }
     }
 
-    /// The sum of the genera of its components, by Euler's formula.
+    /// Returns the sum of the genera of its components, by Euler's formula.
     fn genus(&self) -> usize {
         (self.half_edges / 2 + 2 * self.components - self.rotations.len() - self.cycles.len()) / 2
     }
 
-    /// True if it is what is asked for, on so many vertices. M4 and M8 ask nothing of it, since it is closed.
+    /// Returns true if it meets the expectation on this many vertices. M4 and M8 always hold, since it is closed.
     fn is_asked_for(&self, expectation: &Expectation, vertices: usize) -> bool {
         let is_count = |rule, found| expectation.expected_count(rule).is_none_or(|expected| found == expected);
         let sides = expectation.expected_count(Rule::M3);
@@ -103,7 +103,7 @@ impl Map {
             && is_count(Rule::M7, self.genus())
     }
 
-    /// The number of tables that keep it with so many vertices, faces and boundary components.
+    /// Returns the number of tables that keep it with these numbers of vertices, faces and boundary components.
     fn tables(&self, work: &LazyWork, [vertices, faces, boundaries]: [usize; 3]) -> u128 {
         let parts = work.parts();
         let (rotations, cycles) = (self.rotations.len(), self.cycles.len());
@@ -130,7 +130,7 @@ impl Map {
     }
 }
 
-/// True if no edge is a loop and no two join the same vertices. After half-edge `h`, `around[h]` leaves the same vertex.
+/// Returns true if no edge is a loop and no two join the same vertices. After half-edge `h`, `around[h]` leaves the same vertex.
 fn is_simple(around: &[usize]) -> bool {
     let origin = |h: usize| {
         let mut least = h;
@@ -142,11 +142,10 @@ fn is_simple(around: &[usize]) -> bool {
         least
     };
     let ends: Vec<_> = (0..around.len()).map(|h| (origin(h), origin(h ^ 1))).collect();
-    // The two half-edges of a loop have the same ends, too.
+    // The two half-edges of a loop also have the same ends.
     (0..ends.len()).all(|h| !ends[..h].contains(&ends[h]))
 }
 
-/// The lengths of the orbits of a permutation.
 fn orbits(permutation: &[usize]) -> Vec<u128> {
     let mut lengths = Vec::new();
     let mut seen = vec![false; permutation.len()];
@@ -161,7 +160,7 @@ fn orbits(permutation: &[usize]) -> Vec<u128> {
     lengths
 }
 
-/// Calls `visit` with every order of the first so many.
+/// Calls `visit` with every order of the first elements.
 fn for_each_permutation(order: &mut [usize], first: usize, visit: &mut impl FnMut(&[usize])) {
     if first <= 1 {
         return visit(order);
@@ -212,8 +211,9 @@ mod tests {
 
     #[test]
     fn two_triangles_are_glued_in_as_many_ways_as_there_are_cubic_maps() {
-        // Two cycles of three half-edges in 40 ways, and 15 pairings. By duality these are the rooted cubic maps with two vertices, with
-        // 5! numberings of the other half-edges each: 4 in the plane (A002005), of which one is the theta graph, and 1 on the torus.
+        // Two cycles of three half-edges in 40 ways, and 15 pairings. By duality these are the rooted cubic maps with two
+        // vertices, with 5! numberings of the other half-edges each: 4 in the plane (A002005), one of them the theta graph, and 1
+        // on the torus.
         let triangles = Expectation::surface().triangles().no_unused_vertices().closed();
         let count = |expectation, vertices| right(&work(expectation, Parts::NONE, [vertices, 6])).unwrap();
         let (sphere, torus) = (count(triangles, 3), count(triangles, 1));

@@ -1,4 +1,4 @@
-//! All tables, judged by one judge and, where it accepts them, by the other.
+//! All tables, judged by one judge and, if it accepts them, by the other.
 
 use super::acceptor::{self, Acceptor};
 use super::labels::{LazyLabels, shapes};
@@ -8,10 +8,10 @@ use crate::run::Run;
 use twinedge::validate::Table;
 use twinedge_certificate::Labels;
 
-/// The number of branches that suffices for all threads and parts.
+/// A number of branches that suffices for all threads and parts.
 const ENOUGH_BRANCHES: usize = 512;
 
-/// All tables, judged by one and, where it accepts them, by the other.
+/// All tables, judged by one and, if it accepts them, by the other.
 pub(super) struct Side<'a> {
     work: &'a LazyWork,
     pub(super) name: &'static str,
@@ -21,14 +21,12 @@ pub(super) struct Side<'a> {
 
 type Judge<'a> = Box<dyn Fn(&OpenTable) -> bool + Sync + 'a>;
 
-/// The tables of a side.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Tables {
-    /// Each as it is.
+    /// Each table unchanged.
     Plain,
-    /// Those that differ in the numbers of their slots only are one.
+    /// Tables that differ only in the numbers of their slots are equivalent.
     UpToNumbers,
-    /// Each with all labels.
     WithLabels,
 }
 
@@ -43,12 +41,11 @@ pub(super) struct Judgement {
 }
 
 impl<'a> Side<'a> {
-    /// All sides of the work.
     pub(super) fn all(work: &'a LazyWork, validator: &'a dyn Acceptor) -> Vec<Self> {
         if work.certificates { Self::of_certificates(work, validator) } else { Self::of_tables(work, validator) }
     }
 
-    /// The validator before the reference, and the other way round.
+    /// The validator before the reference, and vice versa.
     fn of_tables(work: &'a LazyWork, validator: &'a dyn Acceptor) -> Vec<Self> {
         let judge = || -> Judge<'a> { Box::new(|table| validator.accepts(table, &work.expectation)) };
         vec![
@@ -57,7 +54,8 @@ impl<'a> Side<'a> {
         ]
     }
 
-    /// Right tables have labels that pass; tables with labels that pass are right; and right tables with labels that pass, of which there must be as many.
+    /// The sides: valid tables have labels that pass; tables with labels that pass are valid; and valid tables with labels that
+    /// pass, in the same number.
     fn of_certificates(work: &'a LazyWork, checker: &'a dyn Acceptor) -> Vec<Self> {
         let passes =
             || -> Judge<'a> { Box::new(|table| checker.passes(table, LazyLabels::new(table), &work.expectation)) };
@@ -71,7 +69,7 @@ impl<'a> Side<'a> {
         ]
     }
 
-    /// The tables for the first judge.
+    /// Returns the tables for the first judge.
     pub(super) fn table(&self) -> Result<OpenTable, LazyError> {
         let table = OpenTable::new(self.work)?;
         match self.tables {
@@ -102,7 +100,7 @@ impl<'a> Side<'a> {
         self.judges[judge](table)
     }
 
-    /// Enough branches for all threads, if the runs make as many choices. They depend on the judge alone.
+    /// Returns enough branches for all threads, if the runs make that many choices. They depend on the judge alone.
     pub(super) fn branches(&self, table: &OpenTable) -> Vec<Branch> {
         let mut depth = 1;
         loop {
@@ -116,7 +114,6 @@ impl<'a> Side<'a> {
         }
     }
 
-    /// Does the runs of one branch.
     fn follow(&self, table: &OpenTable, branch: &Branch, judged: &mut Judgement, run: &Run<'_>) {
         table.enter(branch);
         table.runs(|table| {
@@ -137,7 +134,7 @@ impl<'a> Side<'a> {
         table.retract(0);
     }
 
-    /// Notes a table that the other judge rejects.
+    /// Records a table that the other judge rejects.
     fn note(&self, table: &OpenTable, judged: &mut Judgement) {
         judged.differences += table.agreeing();
         if judged.finding.is_none() {
@@ -148,12 +145,12 @@ impl<'a> Side<'a> {
     }
 }
 
-/// The reference, which says the same of tables that differ in the numbers of their slots only.
+/// Returns the reference, which treats tables alike if they differ only in the numbers of their slots.
 fn is_right(work: &LazyWork) -> Judge<'_> {
     Box::new(|table| acceptor::is_right(table, &work.expectation))
 }
 
-/// True if the checker accepts the labels that are made for the table. All its cells are read.
+/// Returns true if the checker accepts the labels that are made for the table. All its cells are read.
 fn is_certified(table: &OpenTable, work: &LazyWork, checker: &dyn Acceptor) -> bool {
     let Some(table) = Table::copy_of(table) else { return false };
     let labels = match work.claim() {

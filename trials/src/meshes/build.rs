@@ -6,11 +6,11 @@ use twinedge::program::{Call, Corner, Handle, Refusal, Subject};
 
 /// Builds a triangulated disc on the empty map. The unbounded face is outside.
 ///
-/// A disc can be shelled from any triangle on: there is always one more triangle that has with those before either one edge in
-/// common and not the third vertex, or two edges (Danaraj and Klee, *Which spheres are shellable?*, 1978).
+/// A disc can be shelled from any triangle: there is always another triangle that shares with the earlier ones either one edge
+/// and not the third vertex, or two edges (Danaraj and Klee, *Which spheres are shellable?*, 1978).
 ///
 /// # Errors
-/// What the structure refuses with; [`Refusal::NotDisc`] if the triangles are no disc.
+/// The refusal of the structure; [`Refusal::NotDisc`] if the triangles are no disc.
 pub(super) fn build<K: Subject>(subject: &mut K, disc: &Triangulation) -> Result<(), Refusal> {
     let mut edges: BTreeMap<(usize, usize), K::HalfEdge> = BTreeMap::new();
     let mut rest = disc.triangles.clone();
@@ -30,7 +30,7 @@ pub(super) fn build<K: Subject>(subject: &mut K, disc: &Triangulation) -> Result
     }
     while !rest.is_empty() {
         let has_vertex = |v: usize| edges.keys().any(|(from, _)| *from == v);
-        // A triangle xyw whose sides xy, and perhaps yw, are there, but not the others.
+        // A triangle xyw whose side xy, and perhaps yw, exists, but no other.
         let turns = |[a, b, c]: [usize; 3]| [[a, b, c], [b, c, a], [c, a, b]];
         let fits = |[x, y, w]: [usize; 3]| {
             let there = [(x, y), (y, w), (w, x)].map(|side| edges.contains_key(&side));

@@ -1,10 +1,9 @@
 //! All small triangulations, all operators, all arguments.
 //!
 //! Every simple triangulation of the sphere and of the disc with up to N vertices is made, as a list of triangles, without a
-//! half-edge. Their numbers are the published ones: spheres without root (OEIS A000109) and with one (A000260, Tutte), discs with
-//! one at the border (Brown). On each of them, every operator that the structure has is tried with every argument, those of
-//! meshes among them, and what comes of it is compared with the definition by steps, as
-//! [`conformance`](twinedge::program::conformance) does.
+//! half-edge. Their numbers equal the published ones: spheres without root (OEIS A000109) and with one (A000260, Tutte), discs
+//! with one at the border (Brown). On each of them, every operator of the structure is tried with every argument, including those
+//! of meshes, and the result is compared with the definition by steps, as in [`conformance`](twinedge::program::conformance).
 
 mod build;
 mod outcome;
@@ -22,13 +21,12 @@ use twinedge::program::conformance::{ConformanceSummary, InStep};
 use twinedge::program::panics::catch;
 use twinedge::program::{Op, Subject, every_mesh_op, every_op};
 
-/// So often in a row an operator is tried on a map when the structure says that it does not have it.
+/// The number of consecutive attempts at an operator on a map that the structure does not support.
 const SURELY_UNSUPPORTED: u32 = 8;
 
 /// Tries every operator with every argument on every small triangulation.
 ///
-/// A panic of the structure is caught and reported. Time grows about tenfold with each vertex;
-/// [`MeshesWork::estimate`] tells how much there is.
+/// A panic of the structure is caught and reported. Time grows about tenfold with each vertex; see [`MeshesWork::estimate`].
 ///
 /// ```
 /// use twinedge::dcel::Dcel;
@@ -86,7 +84,6 @@ pub fn meshes<K: Subject>(structure: &MeshStructure<K>, work: MeshesWork, run: &
     outcome
 }
 
-/// The state of one thread.
 struct Worker<'a, K> {
     structure: &'a MeshStructure<K>,
     rows: Vec<MeshesRow>,
@@ -101,8 +98,8 @@ impl<K: Subject> Worker<'_, K> {
         let on = first.subject();
         let ops: Vec<Op> = every_mesh_op(on).into_iter().chain(every_op(on)).collect();
         drop(first);
-        // The number of times in a row that the structure said it has no such operator, on this map: elsewhere it is asked again, so that
-        // the counts do not depend on which thread had which maps.
+        // The number of consecutive answers on this map that the operator is not supported: it is tried again elsewhere, so that
+        // the counts do not depend on the distribution of maps among threads.
         let mut lacks: BTreeMap<&str, u32> = BTreeMap::new();
         for op in ops {
             let lacks = lacks.entry(op.name()).or_default();
@@ -134,7 +131,7 @@ impl<K: Subject> Worker<'_, K> {
         }
     }
 
-    /// The structure and the reference, both with this triangulation.
+    /// Returns the structure and the reference, both with this triangulation.
     fn begin(&mut self, row: usize, map: &Triangulation) -> Option<InStep<K>> {
         let made = catch(|| self.structure.make(map)).map_err(|panic| format!("panicked: {panic}"));
         let made = made.and_then(|made| made.map_err(|refusal| format!("it cannot be made: {refusal}")));

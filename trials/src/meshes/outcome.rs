@@ -11,7 +11,7 @@ use twinedge::program::conformance::ConformanceSummary;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeshesWork {
-    /// The greatest number of vertices of a triangulation. The smallest has 3.
+    /// The largest number of vertices of a triangulation. The smallest has 3.
     pub vertices: usize,
 }
 
@@ -44,11 +44,11 @@ impl fmt::Display for Shape {
 }
 
 impl MeshesWork {
-    /// About how many operators are tried.
+    /// Returns the approximate number of operators that are tried.
     #[must_use]
     pub fn estimate(&self) -> Estimate {
         // Measured on `Dcel`: up to 4, 5 and 6 vertices there are 1,652, 7,052 and 52,184, the last in 4 seconds without
-        // optimization. What comes beyond was not measured: this is on the safe side of these.
+        // optimization. Larger numbers were not measured; the estimate is an upper bound for the measured ones.
         let times = u32::try_from(self.vertices.saturating_sub(4)).unwrap_or(u32::MAX);
         Estimate {
             amount: 10_u128.saturating_pow(times).saturating_mul(1_700),
@@ -72,13 +72,13 @@ rows! {
     pub struct MeshesRow {
         /// The kind.
         key shape: Shape = "" 9;
-        /// The number of triangulations, mirror images told apart. Operators are tried on each of these.
+        /// The number of triangulations, with mirror images told apart. Operators are tried on each of these.
         given maps: u64 = "maps" 8;
-        /// The number of those with a root: any half-edge of a sphere, one at the border of a disc.
+        /// The number of rooted ones: at any half-edge of a sphere, at a border half-edge of a disc.
         given rooted: u64 = "rooted" 8 is rooted_published;
         /// The published number of these, as far as it is known here (OEIS A000260; Brown 1964).
         given rooted_published: Option<u64>;
-        /// The number of those without root, mirror images taken together.
+        /// The number of those without root, with mirror images taken together.
         given unrooted: u64 = "unrooted" 0 is unrooted_published;
         /// The published number of these, for spheres (OEIS A000109).
         given unrooted_published: Option<u64>;
@@ -86,13 +86,13 @@ rows! {
         count applied: u64 = "applied" 12;
         /// Operators that were refused, for the same reason.
         count refused: u64 = "refused" 12;
-        /// Operators, or structures as they were made, that differ.
+        /// Operators, or newly made structures, that differ.
         zero differences: u64 = "differences" 12;
     }
 }
 
 impl MeshesRow {
-    /// Tells whether there are as many as published.
+    /// Returns true if the numbers equal the published ones.
     #[must_use]
     pub fn is_as_published(&self) -> bool {
         Row::differences(self).next().is_none()
@@ -111,19 +111,19 @@ rows! {
         count refused: u64 = "refused" 12;
         /// The number of times that the structure was not called, as there was nothing to choose from.
         count skipped: u64;
-        /// The number of times that the structure said that it does not have it, or has no room. After eight times in a row it is not tried on the
-        /// same map any more.
+        /// The number of times that the structure lacked the operator, or room for it. After eight consecutive times it is not
+        /// tried on the same map any more.
         count not_supported: u64 = "not supported" 13;
     }
 }
 
-/// A triangulation on which something went wrong.
+/// A triangulation on which a fault occurred.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeshFinding {
     /// Its triangles.
     pub triangles: Vec<[usize; 3]>,
-    /// The operator that went wrong, if it is not the triangulation itself.
+    /// The faulty operator, or `None` for a fault of the triangulation itself.
     pub operator: Option<String>,
     /// The fault, in words.
     pub message: String,
@@ -153,7 +153,7 @@ pub struct MeshesOutcome {
     pub operators: Vec<OperatorRow>,
     /// The first findings. All are counted in the rows.
     pub findings: Vec<MeshFinding>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 

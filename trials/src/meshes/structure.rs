@@ -8,13 +8,12 @@ use twinedge::program::conformance::Conformance;
 use twinedge::program::{Refusal, Subject};
 use twinedge::validate::Expectation;
 
-/// A maker of triangulations.
 enum Make<K> {
     Triangles(fn(&Triangulation) -> K),
     Operators(Structure<K>),
 }
 
-/// A structure under test, that triangulations are made on.
+/// A structure under test on which triangulations are made.
 pub struct MeshStructure<K> {
     name: &'static str,
     make: Make<K>,
@@ -29,7 +28,7 @@ impl<K> std::fmt::Debug for MeshStructure<K> {
 }
 
 impl<K: Subject> MeshStructure<K> {
-    /// A structure of this name that is made from triangles. It has spheres; discs, too, if the expectation is
+    /// Returns a structure of this name that is made from triangles. It has spheres, and also discs if the expectation is
     /// [open](Expectation::open).
     #[must_use]
     pub fn new(name: &'static str, make: fn(&Triangulation) -> K, expectation: Expectation) -> Self {
@@ -37,15 +36,15 @@ impl<K: Subject> MeshStructure<K> {
         Self { name, make: Make::Triangles(make), asked, is_open: expectation.is_open() }
     }
 
-    /// A structure of planar maps, on which triangulated discs are built by its operators `add_isolated_vertex`, `split_vertex` and
-    /// `connect`. What lies around them is the unbounded face.
+    /// Returns a structure of planar maps, on which triangulated discs are built by its operators `add_isolated_vertex`,
+    /// `split_vertex` and `connect`. The unbounded face surrounds them.
     #[must_use]
     pub fn plane(structure: Structure<K>) -> Self {
         let asked = Conformance::of(&structure.expectation());
         Self { name: structure.name(), make: Make::Operators(structure), asked, is_open: true }
     }
 
-    /// The same for a structure that uses a handle again once its record is removed.
+    /// Allows the structure to reuse the handle of a removed record.
     #[must_use]
     pub fn without_stale_handles(mut self) -> Self {
         self.asked = self.asked.without_stale_handles();

@@ -20,13 +20,14 @@ impl Triangulation {
         sides.collect()
     }
 
-    /// The directed edges at which the triangulation can be rooted: those of the border, or all if there is none.
+    /// Returns the directed edges that can be roots of the triangulation: the border edges, or all without a border.
     fn roots(opposite: &Opposite) -> Vec<(usize, usize)> {
         let border = || opposite.keys().copied().filter(|(a, b)| !opposite.contains_key(&(*b, *a)));
         if border().next().is_some() { border().collect() } else { opposite.keys().copied().collect() }
     }
 
-    /// The triangles with the vertices named in the order in which they are met from a root: the same for isomorphic ones.
+    /// Returns the triangles with the vertices named in the order in which they are met from a root: the same for isomorphic
+    /// ones.
     fn rooted(opposite: &Opposite, root: (usize, usize)) -> Vec<[usize; 3]> {
         let mut names = BTreeMap::from([(root.0, 0), (root.1, 1)]);
         let mut queue = vec![root];
@@ -54,7 +55,7 @@ impl Triangulation {
         Self { vertices: self.vertices, triangles: self.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect() }
     }
 
-    /// Those with one inner edge exchanged for the other diagonal, where that makes no edge that is there.
+    /// Returns the triangulations with one inner edge exchanged for the other diagonal, unless that edge exists already.
     fn exchanges(&self) -> Vec<Self> {
         let opposite = self.opposite();
         let mut all = Vec::new();
@@ -71,7 +72,7 @@ impl Triangulation {
         all
     }
 
-    /// A fan: `outer` vertices on the border, and `inner` ones put into its last triangle, one after the other.
+    /// Returns a fan: `outer` vertices on the border, and `inner` ones put into its last triangle, one after the other.
     fn fan(outer: usize, inner: usize) -> Self {
         let mut triangles: Vec<_> = (2..outer).map(|k| [0, k - 1, k]).collect();
         for v in outer..outer + inner {
@@ -87,13 +88,13 @@ impl Triangulation {
 pub(super) struct All {
     /// One of each class of isomorphic ones; mirror images are different.
     pub(super) maps: Vec<Triangulation>,
-    /// The number of those with a root.
+    /// The number of rooted ones.
     pub(super) rooted: u64,
-    /// The number of those without root, mirror images taken together.
+    /// The number of unrooted ones, with mirror images taken together.
     pub(super) unrooted: u64,
 }
 
-/// The triangulations that come of one by exchanging diagonals.
+/// Returns the triangulations that result from one by exchanging diagonals.
 fn all(first: Triangulation) -> All {
     let mut rooted = BTreeSet::new();
     let mut classes = BTreeSet::new();
@@ -111,14 +112,14 @@ fn all(first: Triangulation) -> All {
     All { maps, rooted: rooted.len() as u64, unrooted: classes.len() as u64 }
 }
 
-/// All triangulations of the sphere with so many vertices, 3 or more.
+/// Returns all triangulations of the sphere with this many vertices, 3 or more.
 pub(super) fn of_sphere(vertices: usize) -> All {
     let mut first = Triangulation::fan(3, vertices - 3);
     first.triangles.push([0, 2, 1]);
     all(first)
 }
 
-/// All triangulations of the disc with so many vertices on the border, 3 or more, and inside.
+/// Returns all triangulations of the disc with these numbers of vertices on the border, 3 or more, and inside.
 pub(super) fn of_disc(outer: usize, inner: usize) -> All {
     all(Triangulation::fan(outer, inner))
 }

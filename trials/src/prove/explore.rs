@@ -11,8 +11,8 @@ use twinedge::program::panics::catch;
 use twinedge::program::{Op, Program, Refusal, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Counts, Report, View};
 
-/// Explores all maps of a scope that belong to this part of the work. After each operator that is applied, the map is validated
-/// and its counts are compared with those before; after each that is refused, the map must be as it was, link by link.
+/// Explores all maps of a scope that belong to this part of the work. After each applied operator, the map is validated and its
+/// counts are compared with those before; after each refused one, the map must be unchanged, link by link.
 pub(super) fn explore<K: Subject + Clone>(
     structure: &Structure<K>,
     scope: Scope,
@@ -37,7 +37,6 @@ pub(super) fn explore<K: Subject + Clone>(
     explored
 }
 
-/// The state of one thread.
 struct Worker<'a, K> {
     structure: &'a Structure<K>,
     scope: Scope,
@@ -46,11 +45,10 @@ struct Worker<'a, K> {
     explored: Exploration,
 }
 
-/// The outcome of an operator.
 enum Trial {
     /// Applied, with the report on the map after it.
     Applied(Report),
-    /// Refused or skipped, and whether the map is as it was.
+    /// Refused or skipped, with true if the map is unchanged.
     Refused(StepOutcome, bool),
 }
 
@@ -102,7 +100,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
         }
     }
 
-    /// The fault after an operator was applied.
+    /// Returns the fault after an operator was applied.
     fn after(&mut self, op: Op, before: &Counts, report: &Report, result: &Runner<K>) -> Option<String> {
         if let Some(violation) = report.violations().first() {
             return Some(format!("breaks {violation}"));
@@ -123,7 +121,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
     }
 }
 
-/// Tells whether a valid map with these counts is in the scope.
+/// Returns true if a valid map with these counts is in the scope.
 fn is_in_scope(scope: Scope, counts: &Counts) -> bool {
     match scope {
         Scope::Connected { edges } => counts.edges <= edges && counts.components == Some(1),
@@ -131,8 +129,8 @@ fn is_in_scope(scope: Scope, counts: &Counts) -> bool {
     }
 }
 
-/// Applies every operator with every argument to the map as it is, one at a time. `look` examines what became of each; a panic
-/// of the operator or of `look` is caught. `visit` is given the result.
+/// Applies every operator with every argument to the given map, one at a time. `look` examines each result; a panic of the
+/// operator or of `look` is caught. `visit` receives the result.
 fn try_every_op<K: Subject + Clone, T>(
     map: &Runner<K>,
     look: impl Fn(StepOutcome, &Runner<K>) -> T,
@@ -146,7 +144,7 @@ fn try_every_op<K: Subject + Clone, T>(
             refused = outcome != StepOutcome::Applied;
             look(outcome, &trial)
         });
-        // A panic may leave anything behind.
+        // A panic may leave the map in any state.
         let is_spent = looked.is_err() || !refused;
         visit(op, looked, &trial);
         if is_spent {
@@ -155,7 +153,7 @@ fn try_every_op<K: Subject + Clone, T>(
     }
 }
 
-/// Tells whether the counts changed as the operator says.
+/// Returns true if the counts changed as the operator promises.
 fn as_promised(op: Op, before: &Counts, after: &Counts) -> bool {
     let change = |before: usize, after: usize| after.cast_signed() - before.cast_signed();
     let components = change(before.components.unwrap_or(0), after.components.unwrap_or(0));
@@ -171,7 +169,7 @@ fn as_promised(op: Op, before: &Counts, after: &Counts) -> bool {
     })
 }
 
-/// Tells whether two structures say the same of every slot.
+/// Returns true if two structures agree on every slot.
 fn same<V: View>(one: &V, other: &V) -> bool {
     let slots = |map: &V| (map.vertex_slots(), map.half_edge_slots(), map.boundary_slots(), map.face_slots());
     let (vertices, half_edges, boundaries, faces) = slots(one);

@@ -11,17 +11,15 @@ pub(super) type Size = (usize, usize);
 /// The counts of maps of one size.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
-    /// Different maps, by their canonical form.
+    /// Distinct maps, by their canonical form.
     pub(super) maps: u64,
-    /// Operators applied to them.
     pub(super) applied: u64,
-    /// Operators that were refused.
     pub(super) refused: u64,
-    /// Different maps when no face is distinguished as the outside. Of connected maps only.
+    /// Distinct maps when no face is distinguished as the outside. Of connected maps only.
     pub(super) sensed: u64,
     /// Their rootings.
     pub(super) rooted: u64,
-    /// The number of times that something went wrong.
+    /// The number of faults.
     pub(super) violations: u64,
 }
 
@@ -36,13 +34,11 @@ impl Tally {
     }
 }
 
-/// The counts, by size.
 #[derive(Debug, Default)]
 pub(super) struct Exploration {
     pub(super) tallies: BTreeMap<Size, Tally>,
     /// The operators that were refused as unsupported.
     pub(super) unsupported: BTreeSet<&'static str>,
-    /// The first things that went wrong.
     pub(super) findings: Vec<Finding>,
 }
 
@@ -51,7 +47,7 @@ impl Exploration {
         self.tallies.entry(size).or_default()
     }
 
-    /// Counts something that went wrong on a map of this size, made by a program, with an operator or without.
+    /// Counts a fault on a map of this size, made by a program, with an operator or without.
     pub(super) fn note(&mut self, size: Size, program: &Program, op: Option<Op>, message: String) {
         self.tally(size).violations += 1;
         if self.findings.len() < MOST_FINDINGS {

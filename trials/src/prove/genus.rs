@@ -4,14 +4,14 @@ use super::permutations::{CombinatorialMap, beginnings, for_each};
 use crate::run::Run;
 use twinedge::validate::{Collect, Expectation, validate};
 
-/// The greatest number of edges for which all permutations are tried: 10! of them.
+/// The largest number of edges for which all permutations are tried: 10! of them.
 pub(super) const MOST_EDGES: usize = 5;
 
-/// The number of maps of `edges` edges by genus that the validator accepts in this part of the work, with labelled half-edges,
-/// and the number of those that it refuses, which should be 0.
+/// Returns, for maps of `edges` edges with labelled half-edges, the number that the validator accepts by genus in this part of
+/// the work, and the number that it rejects, which should be 0.
 ///
-/// With twins as they are, every permutation of the half-edges is the `next` of a map on closed surfaces. Where the validator
-/// accepts it and finds one component, it counts for the genus that the validator finds.
+/// With fixed twins, every permutation of the half-edges is the `next` of a map on closed surfaces. If the validator accepts it
+/// and finds one component, it counts for the genus that the validator finds.
 pub(super) fn labelled(edges: usize, run: &Run<'_>) -> (Vec<u64>, u64) {
     if edges == 0 {
         // One vertex.
@@ -38,16 +38,16 @@ pub(super) fn labelled(edges: usize, run: &Run<'_>) -> (Vec<u64>, u64) {
     (sum, refused)
 }
 
-/// Adds counts by genus.
 pub(super) fn add(sum: &mut Vec<u64>, by_genus: &[u64]) {
     sum.resize(sum.len().max(by_genus.len()), 0);
     sum.iter_mut().zip(by_genus).for_each(|(sum, count)| *sum += count);
 }
 
-/// Rooted maps from labelled ones. A rooted map has no symmetry, so 2ⁿ⁻¹ (n − 1)! labelled ones are the same but for the labels.
+/// Returns the numbers of rooted maps for numbers of labelled ones. A rooted map has no symmetry, so 2ⁿ⁻¹ (n − 1)! labelled ones
+/// differ only in their labels.
 pub(super) fn rooted(edges: usize, labelled: &[u64]) -> Vec<u64> {
     let names: u64 = (1..edges as u64).map(|i| 2 * i).product();
-    // A number that does not divide is no count of maps. Rounded up, it is no published one either.
+    // A number that is not divisible is not a count of maps. Rounded up, it is no published one either.
     labelled.iter().map(|labelled| labelled.div_ceil(names)).collect()
 }
 

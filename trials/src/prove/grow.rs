@@ -25,7 +25,6 @@ impl Codes {
         set.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Tells whether the code is new.
     fn insert(&self, code: Code) -> bool {
         self.set(&code).insert(code)
     }
@@ -35,18 +34,17 @@ impl Codes {
     }
 }
 
-/// All maps of a scope.
 #[derive(Default)]
 pub(super) struct Growth {
     /// The canonical forms of all maps.
     pub(super) codes: Codes,
     /// The maps of this part of the work.
     pub(super) maps: Vec<Program>,
-    /// The maps without root of this part of the work, and what went wrong.
+    /// The maps without root of this part of the work, and the faults.
     pub(super) explored: Exploration,
 }
 
-/// A map that was met first here.
+/// A map that was first found here.
 struct Found {
     program: Program,
     size: Size,
@@ -54,7 +52,6 @@ struct Found {
     is_ours: bool,
 }
 
-/// The state of one thread.
 #[derive(Default)]
 struct Worker {
     canonizer: Canonizer,
@@ -62,7 +59,6 @@ struct Worker {
     fresh: Vec<Found>,
 }
 
-/// The state that all threads share.
 struct SharedState<'a> {
     scope: Scope,
     shard: Shard,
@@ -79,7 +75,7 @@ pub(super) fn play<K: Subject>(structure: &Structure<K>, program: &Program) -> R
     })
 }
 
-/// The size of a map of the scope after an operator that adds something, if the result is in the scope.
+/// Returns the size of a map of the scope after an operator that adds something, if the result is in the scope.
 fn grown_by(scope: Scope, op: Op, (edges, vertices): Size) -> Option<Size> {
     let size = match op {
         Op::AddIsolatedVertex { .. } => (edges, vertices + 1),
@@ -94,8 +90,8 @@ fn grown_by(scope: Scope, op: Op, (edges, vertices): Size) -> Option<Size> {
     is_in_scope.then_some(size)
 }
 
-/// Grows all maps of a scope. All parts of the work grow all of them, which takes about a tenth of the time that trying every
-/// operator on them does: the maps with the greatest number of edges are nine tenths, and are not grown further.
+/// Grows all maps of a scope. All parts of the work grow all of them, which takes about a tenth of the time for trying every
+/// operator on them: nine tenths of the maps have the largest number of edges, and are not grown further.
 pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, run: &Run<'_>, maps: &str) -> Growth {
     let mut grown = Growth::default();
     let shared = SharedState { scope, shard: run.part(), codes: &grown.codes, unrooted: Codes::default() };
@@ -139,7 +135,7 @@ pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, r
     grown
 }
 
-/// The size of the first map.
+/// Returns the size of the first map.
 const fn start_size(scope: Scope) -> Size {
     match scope {
         Scope::Connected { .. } => (0, 1),
@@ -148,8 +144,7 @@ const fn start_size(scope: Scope) -> Size {
 }
 
 impl Worker {
-    /// Applies every operator that adds something. One that panics is left out here: it is found when every operator is
-    /// tried.
+    /// Applies every operator that adds something. One that panics is skipped here: it is reported when every operator is tried.
     fn grow<K: Subject + Clone>(
         &mut self,
         structure: &Structure<K>,
@@ -194,7 +189,7 @@ impl Worker {
     }
 
     /// Counts a connected map without root, in the part of the work to which its own canonical form belongs: maps that differ
-    /// in the outside only may lie in different parts.
+    /// only in the outside may belong to different parts.
     fn count_unrooted<K: Subject>(
         &mut self,
         shared: &SharedState<'_>,

@@ -2,22 +2,22 @@
 //!
 //! Maps are grown from the smallest one by the operators, told apart by their canonical form, and counted against published
 //! numbers. On each of them every operator is tried with every argument: all half-edges, corners, faces and boundary components,
-//! corners that do not fit among them, plus one stale handle of each kind.
+//! including corners that do not fit, plus one stale handle of each kind.
 //!
 //! Three things are counted:
 //!
-//! - **Connected maps** with up to N edges: rooted (OEIS A000168), without root (A006384), and with one face distinguished as
-//!   the outside (A103937).
-//! - **All subdivisions** with up to min(N − 1, 4) edges and two more vertices, nested ones included. Their numbers are counted a
-//!   second time without making one map: see `recount.rs`.
-//! - **Rooted maps by genus**: every permutation of up to 10 half-edges is shown to the validator as a rotation system (Walsh and
+//! - **Connected maps** with up to N edges: rooted (OEIS A000168), without root (A006384), and with one face distinguished as the
+//!   outside (A103937).
+//! - **All subdivisions** with up to min(N − 1, 4) edges and two more vertices, including nested ones. Their numbers are also
+//!   counted without making any map: see `recount.rs`.
+//! - **Rooted maps by genus**: every permutation of up to 10 half-edges is given to the validator as a rotation system (Walsh and
 //!   Lehman, *Counting rooted maps by genus*, 1972).
 //!
-//! After each operator that is applied, the validator checks every rule, the counts must have changed as the operator promises,
-//! and the result must be one of the maps that were grown. After each that is refused, the structure must be as it was.
+//! After each applied operator, the validator checks every rule, the counts must have changed as the operator promises, and the
+//! result must be one of the grown maps. After each refused one, the structure must be unchanged.
 //!
-//! Whether an operator does *what it promises* beyond rules and counts (for example, that an edge turns the way it is told) is
-//! not checked here: [`soak()`](crate::soak()) compares with a reference.
+//! The effect of an operator beyond rules and counts (for example the direction in which an edge turns) is not checked here:
+//! [`soak()`](crate::soak()) compares with a reference.
 
 mod explore;
 mod explored;
@@ -44,9 +44,9 @@ use twinedge::program::Subject;
 
 /// Grows every small map of a structure and tries every operator with every argument on each.
 ///
-/// A panic of the structure is caught and reported; the panic hook of the process is replaced by one that is silent meanwhile.
-/// Time and memory grow about ninefold with each edge; [`ProveWork::estimate`] tells how much there is. All parts of the work
-/// grow the same maps, which takes about a tenth of the whole.
+/// A panic of the structure is caught and reported; meanwhile the panic hook of the process is replaced by a silent one. Time and
+/// memory grow about ninefold with each edge; see [`ProveWork::estimate`]. All parts of the work grow the same maps, which takes
+/// about a tenth of the whole.
 ///
 /// # Errors
 /// [`StructureError::Lacks`], if maps of this structure cannot be told apart; [`StructureError::InvalidStart`], if its empty map
@@ -54,8 +54,8 @@ use twinedge::program::Subject;
 ///
 /// # Incomplete structures
 /// Maps are grown by `add_isolated_vertex`, `connect` and `split_vertex`. If one of them answers
-/// [`Refusal::Unsupported`](twinedge::program::Refusal::Unsupported), maps are missing, and the counts say so. `soak` and
-/// [`conformance`](twinedge::program::conformance) pass over operators that the structure does not have.
+/// [`Refusal::Unsupported`](twinedge::program::Refusal::Unsupported), maps are missing, and the counts show it. `soak` and
+/// [`conformance`](twinedge::program::conformance) skip operators that the structure does not have.
 ///
 /// # Examples
 /// ```
@@ -94,13 +94,13 @@ pub fn prove<K: Subject + Clone>(
     })
 }
 
-/// The names of the operators that were refused as unsupported, each once, in alphabetical order.
+/// Returns the names of the operators that were refused as unsupported, each once, in alphabetical order.
 fn unsupported(explored: &[&Exploration]) -> Vec<String> {
     let names: BTreeSet<&str> = explored.iter().flat_map(|explored| explored.unsupported.iter().copied()).collect();
     names.into_iter().map(str::to_owned).collect()
 }
 
-/// All connected maps with this number of edges.
+/// Returns the row of all connected maps with this number of edges.
 fn edges_row(n: usize, explored: &Exploration) -> EdgesRow {
     let mut sum = Tally::default();
     explored.tallies.iter().filter(|((edges, _), _)| *edges == n).for_each(|(_, tally)| sum.add(tally));

@@ -19,7 +19,7 @@ pub struct ProveOutcome {
     pub shard: Shard,
     /// Connected maps, by their number of edges.
     pub edges: Vec<EdgesRow>,
-    /// Rooted maps by genus, from all rotation systems. This is about the validator, not the structure.
+    /// Rooted maps by genus, from all rotation systems. This tests the validator, not the structure.
     pub genus: Vec<GenusRow>,
     /// All subdivisions, by their numbers of edges and vertices.
     pub nested: Vec<NestedRow>,
@@ -28,17 +28,17 @@ pub struct ProveOutcome {
     pub unsupported: Vec<String>,
     /// The first findings. All are counted in the rows.
     pub findings: Vec<Finding>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 
-/// A map on which something went wrong.
+/// A map with a fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Finding {
-    /// The text of the program that does it: [`Program`](twinedge::program::Program) reads it.
+    /// The text of the program that leads to it: [`Program`](twinedge::program::Program) reads it.
     pub program: String,
-    /// Its last operator, if that is what goes wrong, and not the map itself.
+    /// Its last operator, if that is at fault, and not the map itself.
     pub operator: Option<String>,
     /// The fault, in words.
     pub message: String,
@@ -62,7 +62,7 @@ rows! {
         count rooted: u64 = "rooted" 12 is rooted_published;
         /// The published number (OEIS A000168).
         given rooted_published: u64;
-        /// Maps without root, mirror images told apart.
+        /// Maps without root, with mirror images told apart.
         count sensed: u64 = "without root" 14 is sensed_published;
         /// The published number (A006384).
         given sensed_published: u64;
@@ -74,7 +74,7 @@ rows! {
         count applications: u64 = "applied" 15;
         /// Operators that were refused.
         count refused: u64 = "refused" 15;
-        /// The number of times that something went wrong.
+        /// The number of faults.
         zero violations: u64 = "violations" 10;
     }
 }
@@ -85,13 +85,13 @@ rows! {
 pub struct GenusRow {
     /// The number of edges.
     pub n: usize,
-    /// Rooted maps, from genus 0 on. Without meaning for a part of the work: see `labelled`.
+    /// Rooted maps, from genus 0 on. Meaningless for a part of the work: see `labelled`.
     pub by_genus: Vec<u64>,
     /// The published numbers (Walsh and Lehman, *Counting rooted maps by genus*, 1972).
     pub published: Vec<u64>,
-    /// Rotation systems that the validator refused.
+    /// Rotation systems that the validator rejected.
     pub refused: u64,
-    /// Connected maps on labelled half-edges, from genus 0 on. These numbers of parts add up.
+    /// Connected maps on labelled half-edges, from genus 0 on. These numbers can be added over parts.
     pub labelled: Vec<u64>,
 }
 
@@ -111,19 +111,19 @@ rows! {
         count applications: u64 = "applied" 15;
         /// Operators that were refused.
         count refused: u64 = "refused" 15;
-        /// The number of times that something went wrong.
+        /// The number of faults.
         zero violations: u64 = "violations" 10;
     }
 }
 
 impl EdgesRow {
-    /// Tells whether all counts are the published ones.
+    /// Returns true if all counts equal the published ones.
     #[must_use]
     pub fn is_as_published(&self) -> bool {
         self.differences().next().is_none()
     }
 
-    /// The counts that differ from the published ones, in a sentence.
+    /// Returns the counts that differ from the published ones, in a sentence.
     fn difference(&self) -> Option<String> {
         let differ = self.differences();
         let differ: Vec<String> =
@@ -133,7 +133,7 @@ impl EdgesRow {
 }
 
 impl ProveOutcome {
-    /// The counts that are not as they should be, one sentence for each row.
+    /// Returns the unexpected counts, one sentence for each row.
     fn counts_that_differ(&self) -> Vec<String> {
         let mut differ: Vec<String> = self.edges.iter().filter_map(EdgesRow::difference).collect();
         let rows = self.genus.iter().filter(|row| row.by_genus != row.published);

@@ -2,7 +2,7 @@
 
 use twinedge::validate::{Link, Part, Parts, View};
 
-/// The most half-edges of a map here.
+/// The largest number of half-edges of a map here.
 const MOST: usize = 10;
 
 /// A map without faces: twins are 0 and 1, 2 and 3, …; `next` is any permutation; vertices follow from these.
@@ -17,7 +17,7 @@ pub(super) struct CombinatorialMap {
 }
 
 impl CombinatorialMap {
-    /// The map with this `next`. None if that is no permutation of at most 10 half-edges.
+    /// Returns the map with this `next`. `None` unless that is a permutation of at most 10 half-edges.
     fn new(next: &[u8]) -> Option<Self> {
         const NONE: u8 = u8::MAX;
         let len = next.len();
@@ -47,17 +47,14 @@ impl CombinatorialMap {
         map.prev[..len].iter().all(|p| *p != NONE).then_some(map)
     }
 
-    /// The number of half-edges.
     pub(super) const fn len(&self) -> usize {
         self.len
     }
 
-    /// The number of vertices.
     pub(super) const fn vertices(&self) -> usize {
         self.vertices
     }
 
-    /// `next`, as a column.
     pub(super) fn next_column(&self) -> &[u8] {
         &self.next[..self.len]
     }
@@ -90,7 +87,7 @@ impl View for CombinatorialMap {
     }
 }
 
-/// The ways to begin a permutation of this many half-edges. Each is one piece of the work.
+/// Returns the possible beginnings of a permutation of this many half-edges. Each is one piece of the work.
 pub(super) fn beginnings(half_edges: u8) -> Vec<Vec<u8>> {
     let firsts = 0..half_edges;
     firsts.flat_map(|a| (0..half_edges).filter(move |b| *b != a).map(move |b| vec![a, b])).collect()

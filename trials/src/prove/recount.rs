@@ -1,8 +1,8 @@
 //! Counting planar subdivisions without making one, so without operators, canonical forms and validators.
 //!
-//! A face contains a multiset of components, each of which has contents in its bounded faces. A subdivision is the contents of
-//! the unbounded face. Let S(x, y) count the contents of a face by edges and vertices, and T(x, y) one component with the
-//! contents of its faces:
+//! A face contains a multiset of components, each with contents in its bounded faces. A subdivision consists of the
+//! contents of the unbounded face. Let S(x, y) count the contents of a face by edges and vertices, and T(x, y) one component with
+//! the contents of its faces:
 //!
 //! ```text
 //!   S = Π (1 − xⁱ yʲ)^(−tᵢⱼ)                               multisets (Euler's transform)
@@ -11,18 +11,17 @@
 //!                                                          contents up to symmetry (Pólya's theorem)
 //! ```
 //!
-//! The sum over M comes from all permutations. On n labelled edges, every permutation of the 2n half-edges is the `next` of a map.
-//! Of the connected plane maps, each cycle in turn is the outside, and each automorphism is found by trying all images of
+//! The sum over M comes from all permutations. On n labelled edges, every permutation of the 2n half-edges is the `next` of a
+//! map. In the connected plane maps, each cycle in turn is the outside, and each automorphism is found by trying all images of
 //! half-edge 0. The sum over all labellings, divided by their number 2ⁿ n!, is the sum over M (Burnside). Each component has a
 //! vertex, so fewer vertices are left for its contents, and repeated substitution ends.
 
 use super::permutations::{CombinatorialMap, for_each};
 use std::collections::BTreeMap;
 
-/// Numbers by edges and vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Series {
-    /// The greatest numbers of edges and of vertices that are kept.
+    /// The largest exponents of edges and of vertices that are kept.
     edges: usize,
     vertices: usize,
     terms: Vec<u128>,
@@ -64,7 +63,7 @@ impl Series {
         product
     }
 
-    /// With x and y to this power.
+    /// Returns the series with x and y raised to this power.
     fn stretched(&self, by: usize) -> Self {
         let mut stretched = Self::new(self.edges, self.vertices);
         for (e, v, term) in self.all_terms() {
@@ -73,11 +72,11 @@ impl Series {
         stretched
     }
 
-    /// The multisets of what this counts: for each size, each kind in turn, any number of times.
+    /// Returns the multisets of the counted things: for each size, each kind in turn, any number of times.
     fn multisets(&self) -> Self {
         let mut sets = Self::one(self.edges, self.vertices);
         for (e, v, kinds) in self.all_terms().filter(|(e, v, _)| (*e, *v) != (0, 0)) {
-            // So many kinds of one size give (kinds + k − 1 over k) multisets of k.
+            // For this many kinds of one size, there are (kinds + k − 1 over k) multisets of k.
             let mut of_this_size = Self::new(self.edges, self.vertices);
             let mut ways = 1;
             for k in 0..=(self.edges + self.vertices) {
@@ -90,8 +89,8 @@ impl Series {
     }
 }
 
-/// Automorphisms of connected plane maps with an outside, summed over all names of half-edges: how many there are by the
-/// number of vertices and by the lengths of their cycles on the bounded faces.
+/// Automorphisms of connected plane maps with an outside, summed over all names of half-edges: their numbers by the number of
+/// vertices and by the lengths of their cycles on the bounded faces.
 type Symmetries = BTreeMap<(usize, Vec<usize>), u128>;
 
 fn symmetries(edges: usize) -> Symmetries {
@@ -106,7 +105,7 @@ fn symmetries(edges: usize) -> Symmetries {
             return;
         }
         for automorphism in (0..map.len()).filter_map(|image| automorphism(map, image)) {
-            // The number under which each face goes.
+            // The image of each face.
             let images: Vec<usize> = faces
                 .iter()
                 .filter_map(|face| faces.iter().position(|other| other.contains(&automorphism[face[0]])))
@@ -119,7 +118,6 @@ fn symmetries(edges: usize) -> Symmetries {
     sum
 }
 
-/// The cycles of `next`.
 fn faces(map: &CombinatorialMap) -> Vec<Vec<usize>> {
     let next = map.next_column();
     let mut faces: Vec<Vec<usize>> = Vec::new();
@@ -151,7 +149,7 @@ fn is_connected(map: &CombinatorialMap) -> bool {
     reached.len() == map.len()
 }
 
-/// The automorphism of a connected map that takes half-edge 0 there, if there is one: by half-edge, its image.
+/// Returns the automorphism of a connected map that maps half-edge 0 to `image`, if there is one: by half-edge, its image.
 fn automorphism(map: &CombinatorialMap, image: usize) -> Option<Vec<usize>> {
     let next = |h: usize| usize::from(map.next_column()[h]);
     let mut images = vec![usize::MAX; map.len()];
@@ -170,7 +168,7 @@ fn automorphism(map: &CombinatorialMap, image: usize) -> Option<Vec<usize>> {
     Some(images)
 }
 
-/// The lengths of the cycles of a permutation, in order, but for the fixed point `without`.
+/// Returns the lengths of the cycles of a permutation, in order, except for the fixed point `without`.
 fn cycle_lengths(images: &[usize], without: usize) -> Vec<usize> {
     let mut lengths = Vec::new();
     let mut seen = vec![false; images.len()];
@@ -190,7 +188,7 @@ fn cycle_lengths(images: &[usize], without: usize) -> Vec<usize> {
     lengths
 }
 
-/// The number of planar subdivisions with up to this many edges and vertices, by edges and vertices.
+/// Returns the number of planar subdivisions with up to this many edges and vertices, by edges and vertices.
 pub(super) fn subdivisions(edges: usize, vertices: usize) -> BTreeMap<(usize, usize), u64> {
     let symmetries: Vec<Symmetries> = (0..=edges).map(symmetries).collect();
     let mut contents = Series::one(edges, vertices);
@@ -226,7 +224,7 @@ mod tests {
         assert_eq!((0..=3).map(|v| counts[&(0, v)]).collect::<Vec<_>>(), [1, 1, 1, 1]);
         // A loop; a loop and a vertex inside or outside, or an edge; a loop with two more vertices, or an edge with one.
         assert_eq!((0..=3).map(|v| counts[&(1, v)]).collect::<Vec<_>>(), [0, 1, 3, 4]);
-        // Two loops at one vertex: side by side, or the one inside the other.
+        // Two loops at one vertex: side by side, or one inside the other.
         assert_eq!(counts[&(2, 1)], 2);
     }
 }

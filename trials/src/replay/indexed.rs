@@ -1,17 +1,17 @@
-//! Handles as the indices by which the validator knows their records.
+//! Handles as the indices of the validator.
 
 use crate::{RawPointers, ReportAudit};
 use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::Subject;
 use twinedge::validate::View;
 
-/// A structure that tells the index in its [`View`] of the record that a handle names.
+/// A structure with a [`View`] index for each handle.
 pub trait Indexed: Subject {
-    /// The index of a vertex; `None` if the handle is stale.
+    /// Returns the index of a vertex; `None` for a stale handle.
     fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize>;
-    /// The index of a half-edge; `None` if the handle is stale.
+    /// Returns the index of a half-edge; `None` for a stale handle.
     fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize>;
-    /// The index of a face; `None` if the handle is stale.
+    /// Returns the index of a face; `None` for a stale handle.
     fn face_index(&self, face: Self::Face) -> Option<usize>;
 }
 

@@ -9,13 +9,13 @@ use twinedge::program::panics::catch;
 use twinedge::program::{Call, CallOf, Op, Program, Runner, StepOutcome};
 use twinedge::validate::{Collect, Link, Report, Table, validate};
 
-/// One operator of a program that was run.
+/// One executed operator of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
     /// The operator.
     pub op: Op,
-    /// The arguments that it chose, by the indices that they had before the step; a stale handle is `None`. `None` as a whole
-    /// if there was nothing to choose from.
+    /// The chosen arguments, by their indices before the step; `None` for a stale handle. `None` as a whole if there was nothing
+    /// to choose from.
     pub call: Option<Call<Link, Link, Link>>,
     /// Its outcome; the message if it panicked. No step follows a panic.
     pub outcome: Result<After, String>,
@@ -28,13 +28,13 @@ pub struct After {
     pub outcome: StepOutcome,
     /// The report of the validator.
     pub report: Report,
-    /// All records; `None` if there is no memory for them.
+    /// All records; `None` without enough memory for them.
     pub table: Option<Table>,
 }
 
-/// Runs a program on a structure, and keeps what became of each operator and the structure after it. Stops at the first panic.
+/// Runs a program on a structure, and returns the outcome of each operator and the structure after it. Stops at the first panic.
 ///
-/// O(n) for each step beside the operator, for n records.
+/// O(n) for each step in addition to the operator, for n records.
 ///
 /// ```
 /// use twinedge::dcel::Dcel;

@@ -1,7 +1,7 @@
 //! Random damage to tables.
 //!
-//! One cell that is set to anything mostly breaks R1, or is noticed by counting. So most kinds of damage keep the counts: two
-//! cells, two records, two cycles or the lists of two faces are exchanged, and what leads there is corrected or not.
+//! Setting a single cell to a random value usually breaks R1, or changes a count. Most kinds of damage therefore keep the counts:
+//! two cells, two records, two cycles or the lists of two faces are exchanged, with or without the links that lead there.
 
 use super::subdivision::shuffle;
 use crate::enumerate::{Cell, TableCells};
@@ -9,7 +9,6 @@ use crate::random::Random;
 use std::mem::swap;
 use twinedge::validate::{BoundaryPlace, Link, Parts, Start, Table, View};
 
-/// One kind of damage.
 type Damage = fn(&mut Table, &mut Random);
 
 const KINDS: [Damage; 15] = [
@@ -30,7 +29,6 @@ const KINDS: [Damage; 15] = [
     overfill_list,
 ];
 
-/// Damages a table once.
 pub(super) fn damage(table: &mut Table, random: &mut Random) {
     KINDS[random.below(KINDS.len())](table, random);
 }
@@ -40,14 +38,14 @@ fn any_cell(table: &Table, random: &mut Random) -> Option<Cell> {
     cells.get(random.below(cells.len())).copied()
 }
 
-/// Sets a cell to anything: nil, vacant slots and the largest number included.
+/// Sets a cell to a random value, including nil, vacant slots and the largest number.
 fn set_cell(table: &mut Table, random: &mut Random) {
     let Some(cell) = any_cell(table, random) else { return };
     let values = table.values(cell);
     table.set(cell, values[random.below(values.len())]);
 }
 
-/// Another cell of the same kind.
+/// Returns another cell of the same kind.
 fn alike(table: &Table, cell: Cell, random: &mut Random) -> Cell {
     let kind = std::mem::discriminant(&cell);
     let cells = table.cells(Parts::ALL).into_iter();
@@ -55,7 +53,7 @@ fn alike(table: &Table, cell: Cell, random: &mut Random) -> Cell {
     cells[random.below(cells.len())]
 }
 
-/// Sets a cell to what another of its kind holds.
+/// Copies the content of another cell of the same kind.
 fn copy_cell(table: &mut Table, random: &mut Random) {
     let Some(cell) = any_cell(table, random) else { return };
     let other = alike(table, cell, random);
@@ -66,7 +64,7 @@ fn copy_cell(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// Exchanges what two cells of the same kind hold.
+/// Exchanges the contents of two cells of the same kind.
 fn swap_cells(table: &mut Table, random: &mut Random) {
     let Some(cell) = any_cell(table, random) else { return };
     let other = alike(table, cell, random);
@@ -95,7 +93,7 @@ fn swap_records(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// Copies a row, vacant or not, over another one, or onto the end.
+/// Copies a row, vacant or not, over another one, or to the end.
 fn copy_row<T: Clone>(rows: &mut Vec<Option<T>>, random: &mut Random) {
     let row = rows.get(random.below(rows.len())).cloned().flatten();
     let row = if random.below(2) == 0 { None } else { row };
@@ -109,7 +107,7 @@ fn retire_or_copy_record(table: &mut Table, random: &mut Random) {
         1 => copy_row(&mut table.half_edges, random),
         2 => copy_row(&mut table.boundaries, random),
         3 => copy_row(&mut table.faces, random),
-        // A vertex that keeps nothing.
+        // A vertex without any link.
         _ => table.vertices.push(Some(twinedge::validate::VertexRow::default())),
     }
 }
@@ -118,8 +116,8 @@ fn live_half_edges(table: &Table) -> Vec<usize> {
     (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect()
 }
 
-/// The half-edges after two or three half-edges follow the others of them instead; each is preceded by them. Mostly they end at the same
-/// vertex, so that L3 holds.
+/// Rotates the next half-edges of two or three half-edges, with their `prev`. They usually end at the same vertex, so that L3
+/// holds.
 fn rotate_next(table: &mut Table, random: &mut Random) {
     let mut around = live_half_edges(table);
     shuffle(&mut around, random);
@@ -141,7 +139,7 @@ fn rotate_next(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// The half-edges of two edges are paired the other way.
+/// Pairs the half-edges of two edges the other way.
 fn exchange_twins(table: &mut Table, random: &mut Random) {
     let live = live_half_edges(table);
     if live.is_empty() {
@@ -166,7 +164,7 @@ fn two_boundaries(table: &Table, random: &mut Random) -> Option<[usize; 2]> {
     if live.is_empty() { None } else { Some([0; 2].map(|_| live[random.below(live.len())])) }
 }
 
-/// The cycles of two boundary components, or isolated vertices, bound each other's faces. Sometimes the starts stay.
+/// Exchanges the faces that the cycles of two boundary components, or isolated vertices, bound. Sometimes the starts stay.
 fn exchange_cycles(table: &mut Table, random: &mut Random) {
     let Some([b, c]) = two_boundaries(table, random) else { return };
     let exchanged = |link: Link| match link {
@@ -190,7 +188,7 @@ fn exchange_cycles(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// The half-edges of one boundary component name another one instead.
+/// Makes the half-edges of one boundary component name another one.
 fn join_cycles(table: &mut Table, random: &mut Random) {
     let Some([b, c]) = two_boundaries(table, random) else { return };
     for row in table.half_edges.iter_mut().flatten().filter(|row| row.boundary == Some(b)) {
@@ -209,7 +207,7 @@ fn any_face(table: &Table, random: &mut Random) -> Option<usize> {
     live.get(random.below(live.len())).copied()
 }
 
-/// The inner boundary components that a face lists name the face and their place.
+/// Makes the inner boundary components of a face's list name the face and their place.
 fn name_listing_face(table: &mut Table, f: usize) {
     for i in 0..table.inner_count(f) {
         if let Some(b) = table.inner(f, i)
@@ -220,7 +218,7 @@ fn name_listing_face(table: &mut Table, f: usize) {
     }
 }
 
-/// Exchanges the lists of two faces. Mostly what they list follows.
+/// Exchanges the lists of two faces. The listed records usually follow.
 fn exchange_lists(table: &mut Table, random: &mut Random) {
     let (Some(f), Some(g)) = (any_face(table, random), any_face(table, random)) else { return };
     if f == g {
@@ -237,7 +235,7 @@ fn exchange_lists(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// A face lists a boundary component once more, or one less.
+/// Makes a face list a boundary component once more, or once less.
 fn lengthen_or_shorten_list(table: &mut Table, random: &mut Random) {
     let Some(f) = any_face(table, random) else { return };
     let listed = two_boundaries(table, random).map(|[b, _]| b);
@@ -253,7 +251,7 @@ fn lengthen_or_shorten_list(table: &mut Table, random: &mut Random) {
     }
 }
 
-/// Makes a list longer than R1 allows: twice the number of boundary components, and 16.
+/// Makes a list longer than R1 allows: twice the number of boundary components, plus 16.
 fn overfill_list(table: &mut Table, random: &mut Random) {
     let Some(f) = any_face(table, random) else { return };
     let listed = two_boundaries(table, random).map(|[b, _]| b);

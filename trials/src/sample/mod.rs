@@ -1,12 +1,12 @@
-//! Random tables, right or wrong.
+//! Random tables, valid or invalid.
 //!
-//! Where all small tables end, these go on: maps of several components with nesting, vacant rows and records in random order.
-//! They are made by random programs, and from random rotation systems with random containment. The latter may have handles (T3),
-//! components nested in themselves (T2), no outside or two (T1), and two vertices that are one (V2), which programs never make.
-//! Most of them are then damaged, mostly such that the counts stay the same: two cells, two records, two cycles or the lists of
-//! two faces are exchanged.
+//! These continue beyond all small tables: maps of several components with nesting, vacant rows and records in random order. They
+//! come from random programs, and from random rotation systems with random containment. The latter may have handles (T3),
+//! components nested in themselves (T2), no outside or two (T1), and two merged vertices (V2), which programs never make. Most of
+//! them are then damaged, usually with unchanged counts: two cells, two records, two cycles or the lists of two faces are
+//! exchanged.
 //!
-//! All rules but T4 are first broken often. T4 follows from the others.
+//! Each rule except T4 is often the first broken one. T4 follows from the others.
 
 mod damage;
 mod outcome;

@@ -15,17 +15,17 @@ pub struct SampleOutcome {
     pub work: SampleWork,
     /// The part of it.
     pub shard: Shard,
-    /// The number of tables that were judged.
+    /// The number of judged tables.
     pub judged: u64,
-    /// The number of these that are right, by the reference.
+    /// The number of valid ones, by the reference.
     pub right: u64,
-    /// The number of times that each rule was the first broken one, by the reference.
+    /// For each rule, the number of tables that break it first, by the reference.
     pub first_broken: Vec<RuleRow>,
-    /// The number of times that the validator and the reference differ.
+    /// The number of differences between the validator and the reference.
     pub disagreements: u64,
     /// The first disagreements. All are counted.
     pub findings: Vec<String>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 

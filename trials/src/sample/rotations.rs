@@ -1,8 +1,8 @@
-//! Random rotation systems: which half-edge follows which around each vertex.
+//! Random rotation systems: the order of half-edges around each vertex.
 
 use crate::random::Random;
 
-/// A half-edge that is put into no rotation yet.
+/// A half-edge that is in no rotation yet.
 const NOWHERE: usize = usize::MAX;
 
 /// A rotation system of several components. `h ^ 1` is the twin of `h`.
@@ -10,20 +10,19 @@ const NOWHERE: usize = usize::MAX;
 pub(super) struct Rotations {
     /// The next half-edge with the same origin, clockwise.
     turn: Vec<usize>,
-    /// The one before.
+    /// The previous one.
     back: Vec<usize>,
     /// The vertex that each half-edge leaves.
     pub(super) origin: Vec<usize>,
-    /// The component of each vertex.
     pub(super) component: Vec<usize>,
     pub(super) components: usize,
 }
 
 impl Rotations {
-    /// Adds a component of this many edges: an isolated vertex if there is none.
+    /// Adds a component with this many edges: an isolated vertex for none.
     ///
-    /// Each edge leads to a new vertex, or from a corner to another one of the same cycle. If handles are allowed, it may
-    /// lead to any corner of the component, which raises the genus where that one is on another cycle.
+    /// Each edge leads to a new vertex, or from a corner to another one of the same cycle. With handles, it may lead to any
+    /// corner of the component, which raises the genus if that is on another cycle.
     pub(super) fn add_component(&mut self, edges: usize, handles: bool, random: &mut Random) {
         let first_vertex = self.component.len();
         let first = self.turn.len();
@@ -70,8 +69,8 @@ impl Rotations {
         self.back[other] = h;
     }
 
-    /// A half-edge such that the corner before it is on the same cycle as the corners beside `a`, whose twin has no
-    /// rotation yet.
+    /// Returns a half-edge with the corner before it on the same cycle as the corners next to `a`, whose twin has no rotation
+    /// yet.
     fn on_cycle_with(&self, a: usize, random: &mut Random) -> usize {
         let mut corners = vec![a];
         let mut h = self.turn[a];
@@ -82,12 +81,11 @@ impl Rotations {
         corners[random.below(corners.len())]
     }
 
-    /// The next half-edge on the cycle.
+    /// Returns the next half-edge on the cycle.
     pub(super) fn next(&self, h: usize) -> usize {
         self.turn[h ^ 1]
     }
 
-    /// All cycles.
     pub(super) fn cycles(&self) -> Vec<Vec<usize>> {
         let mut seen = vec![false; self.turn.len()];
         let mut cycles = Vec::new();

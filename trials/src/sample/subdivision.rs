@@ -4,8 +4,8 @@ use super::rotations::Rotations;
 use crate::random::Random;
 use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Start, Table, VertexRow};
 
-/// A random table. Most of them are planar subdivisions. In some of them a component has handles (T3), lies in a face that
-/// lies in that component (T2), has no outside or two (T1), or two vertices are one (V2).
+/// Returns a random table, usually a planar subdivision. In some of them a component has handles (T3), lies in a face that lies
+/// in that component (T2), has no outside or two (T1), or two vertices are merged (V2).
 pub(super) fn subdivision(random: &mut Random) -> Table {
     let mut rotations = Rotations::default();
     let most = 1 + random.below(10);
@@ -20,10 +20,10 @@ pub(super) fn subdivision(random: &mut Random) -> Table {
     plan.table(random)
 }
 
-/// A boundary component, before it is listed by a face.
+/// A boundary component, before a face lists it.
 struct Boundary {
     component: usize,
-    /// Its half-edges; none if it is an isolated vertex.
+    /// Its half-edges; empty for an isolated vertex.
     cycle: Vec<usize>,
     start: Start,
     is_inner: bool,
@@ -61,7 +61,7 @@ impl<'a> Plan<'a> {
         plan
     }
 
-    /// One cycle of each component is its outside. Sometimes none is, or two are.
+    /// Makes one cycle of each component its outside. Sometimes there is none, or two.
     fn choose_outsides(&mut self, random: &mut Random) {
         for component in 0..self.rotations.components {
             let of_it = |boundary: &Boundary| boundary.component == component && !boundary.is_inner;
@@ -77,7 +77,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Each outer cycle bounds a face of its own. Each component lies in a face of those before it; sometimes in any face.
+    /// Gives each outer cycle a face of its own. Each component lies in a face of the earlier ones; sometimes in any face.
     fn choose_faces(&mut self, random: &mut Random) {
         for boundary in self.boundaries.iter_mut().filter(|boundary| !boundary.is_inner) {
             boundary.face = self.faces;
@@ -95,7 +95,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Makes one vertex of two that have half-edges. The other one is no more.
+    /// Merges two vertices that have half-edges.
     fn weld(&mut self, random: &mut Random) {
         let Some(last) = self.origin.len().checked_sub(1) else { return };
         let (kept, other) = (self.origin[random.below(last + 1)], self.origin[random.below(last + 1)]);
@@ -106,7 +106,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// Writes it down: slots in random order, some of them vacant, lists in random order.
+    /// Returns the table: slots in random order, some of them vacant, lists in random order.
     fn table(&self, random: &mut Random) -> Table {
         let half_edges = slots(self.origin.len(), random);
         let vertices = slots(self.vertices, random);
@@ -136,7 +136,7 @@ impl<'a> Plan<'a> {
             if let Some(row) = &mut table.half_edges[next] {
                 row.prev = Some(half_edges.of[h]);
             }
-            // The last one that is kept is any of them, as the slots are in random order.
+            // The last one wins, and can be any of them, as the slots are in random order.
             let slot = vertices.of[self.origin[h]];
             table.vertices[slot] = Some(VertexRow { leaving: Some(half_edges.of[h]), isolated: None });
         }
@@ -171,13 +171,13 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The slot that each record is given, and the number of slots.
+/// The slot of each record, and the number of slots.
 struct Slots {
     of: Vec<usize>,
     count: usize,
 }
 
-/// Slots in random order for this many records, up to two of them vacant.
+/// Returns slots in random order for this many records, up to two of them vacant.
 fn slots(records: usize, random: &mut Random) -> Slots {
     let count = records + random.below(6).saturating_sub(3);
     let mut of: Vec<usize> = (0..count).collect();

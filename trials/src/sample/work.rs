@@ -22,18 +22,16 @@ pub struct SampleWork {
 }
 
 impl SampleWork {
-    /// About how many tables are judged.
+    /// Returns the approximate number of judged tables.
     #[must_use]
     pub fn estimate(&self) -> Estimate {
         Estimate { amount: self.tables.into(), unit: "tables", per_second: 50_000 }
     }
 
-    /// The number of pieces.
     pub(super) const fn pieces(&self) -> u64 {
         self.tables.div_ceil(TABLES_OF_A_PIECE)
     }
 
-    /// The tables of a piece.
     pub(super) fn piece(&self, number: u64) -> impl Iterator<Item = Table> + use<> {
         let mut random = Random::new(self.seed, number);
         let count = TABLES_OF_A_PIECE.min(self.tables - number * TABLES_OF_A_PIECE);
@@ -41,7 +39,8 @@ impl SampleWork {
     }
 }
 
-/// One table: the map that a random program makes, or random rotations with random containment, damaged up to three times.
+/// Returns one table: the map that a random program makes, or random rotations with random containment, damaged up to three
+/// times.
 fn table(random: &mut Random) -> Table {
     let mut table = if random.below(5) == 0 { made_by_program(random) } else { subdivision(random) };
     for _ in 0..[0, 1, 1, 2, 2, 3][random.below(6)] {
@@ -58,9 +57,9 @@ fn made_by_program(random: &mut Random) -> Table {
     for op in &program.0 {
         runner.step(*op);
     }
-    // Without memory for so small a table, an empty one is judged.
+    // Without enough memory for such a small table, an empty one is judged.
     let mut table = Table::copy_of(runner.subject()).unwrap_or_default();
-    // The fields that tables without boundary components have.
+    // These fields belong to tables without boundary components.
     for row in table.half_edges.iter_mut().flatten() {
         row.face = None;
     }

@@ -19,21 +19,21 @@ pub struct Comparison {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum End {
-    /// The structure did as the reference does, up to the last operator.
+    /// The structure agreed with the reference, up to the last operator.
     Finished,
     /// The run was stopped.
     Interrupted,
     /// The structure differs from the reference, or panicked.
     Failed {
-        /// The number of operators that were run before the one that did it.
+        /// The number of operators before the failing one.
         before: usize,
-        /// The event, in one line.
+        /// The failure, in one line.
         message: String,
     },
 }
 
 impl Comparison {
-    /// The event, if the structure failed.
+    /// Returns the failure, if the structure failed.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         match &self.end {
@@ -43,17 +43,17 @@ impl Comparison {
     }
 }
 
-/// A structure of any type that programs can be compared on.
+/// A structure of any type on which programs can be compared.
 pub trait Comparable: Sync {
-    /// The name of the structure.
+    /// Returns the name of the structure.
     fn name(&self) -> &'static str;
 
-    /// Runs a program on the structure and on the reference,
-    /// [`PointerModel`](twinedge::program::PointerModel), and compares them after each operator, as
-    /// [`conformance::run`](twinedge::program::conformance::run) does. A panic is caught. Costs what is said there.
+    /// Runs a program on the structure and on the reference, [`PointerModel`](twinedge::program::PointerModel), and compares them
+    /// after each operator, like [`conformance::run`](twinedge::program::conformance::run). A panic is caught. The costs are
+    /// stated there.
     fn compare(&self, program: &Program, progress: &dyn Progress) -> Comparison;
 
-    /// A regression test of this program, or the program as a Rust expression if the structure has no
+    /// Returns a regression test of this program, or the program as a Rust expression if the structure has no
     /// [`source`](Structure::source).
     fn to_rust(&self, message: &str, program: &Program) -> String;
 }

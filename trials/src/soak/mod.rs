@@ -1,11 +1,12 @@
 //! Random programs in step with a reference.
 //!
 //! The reference, [`PointerModel`](twinedge::program::PointerModel), is written from the definitions of the operators. After each
-//! operator the structure must have done the same (applied, refused for the same reason, or skipped), must be valid, must be
-//! isomorphic, nesting included, and its handles must say the same. Programs use stale handles on purpose. The first program
-//! that fails, or panics, is made small.
+//! operator the structure must have the same outcome (applied, refused for the same reason, or skipped), and it must be valid and
+//! isomorphic, including nesting, with handles that agree. Programs use stale handles on purpose. The first program that fails,
+//! or panics, is made small.
 //!
-//! What operators report beside handles is a structure's own. [`ReportAudit`](crate::ReportAudit) checks it for `Dcel`.
+//! Any reports of operators beyond handles are specific to a structure. [`ReportAudit`](crate::ReportAudit) checks them for
+//! `Dcel`.
 
 mod in_step;
 mod outcome;
@@ -23,10 +24,10 @@ use twinedge::program::{Program, candidates};
 /// Runs random programs on structures in step with a reference, until one fails.
 ///
 /// Each step takes O(n²) for n half-edges and vertices, and n grows with the steps. A panic of a structure is caught and
-/// reported; the panic hook of the process is replaced by one that is silent meanwhile.
+/// reported; meanwhile the panic hook of the process is replaced by a silent one.
 ///
-/// The first failing program is the same on any number of threads, and that of the parts of the work which comes first is that
-/// of the whole. The counts are exact if no program fails. Without structures nothing is compared, and the outcome is not ok.
+/// The first failing program is the same on any number of threads, and the first of all parts of the work is also the first of
+/// the whole. The counts are exact if no program fails. Without structures nothing is compared, and the outcome is not ok.
 ///
 /// # Examples
 /// A structure with a bug:
@@ -49,7 +50,7 @@ pub fn soak(structures: &[&dyn Comparable], work: SoakWork, run: &Run<'_>) -> So
     let fresh = || Worker { structures, run, rows: rows(), failed: None };
     let workers = run.each("programs", numbers.len(), fresh, |worker, position| {
         let number = first + position as u32 * step;
-        // Of the programs after one that fails nothing is needed.
+        // Programs after a failing one are not needed.
         if u64::from(number) < first_failing.load(Ordering::Relaxed) {
             worker.soak(&work.program(number), number);
             if let Some(failed) = &worker.failed {
@@ -72,7 +73,6 @@ pub fn soak(structures: &[&dyn Comparable], work: SoakWork, run: &Run<'_>) -> So
     }
 }
 
-/// The state of one thread.
 struct Worker<'a> {
     structures: &'a [&'a dyn Comparable],
     run: &'a Run<'a>,
@@ -80,11 +80,10 @@ struct Worker<'a> {
     failed: Option<FailedProgram<'a>>,
 }
 
-/// A program that failed.
 struct FailedProgram<'a> {
     on: &'a dyn Comparable,
     number: u32,
-    /// The number of operators it ran before the one that failed.
+    /// The number of operators before the failing one.
     before: usize,
     message: String,
 }
@@ -114,7 +113,7 @@ impl Worker<'_> {
 }
 
 impl FailedProgram<'_> {
-    /// Makes the program small, as far as that gets until the run is stopped.
+    /// Makes the program small, as far as possible until the run is stopped.
     fn made_small(self, work: &SoakWork, run: &Run<'_>) -> SoakFailure {
         let Self { on, number, before, mut message } = self;
         let mut smallest: Program = work.program(number).0.into_iter().take(before + 1).collect();

@@ -19,9 +19,9 @@ pub struct SoakOutcome {
     pub seed: u64,
     /// The counts of the programs, by structure.
     pub structures: Vec<SoakRow>,
-    /// The first program that failed, made small. Programs after it were not run, as far as it was known in time.
+    /// The first program that failed, made small. Later programs were not run, unless they had already started.
     pub failure: Option<SoakFailure>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 
@@ -33,7 +33,7 @@ rows! {
         label on: String = "on" 10;
         /// Programs that ran to their end.
         count programs: u64 = "programs" 13;
-        /// Programs that were interrupted. Their operators up to there are counted.
+        /// Programs that were interrupted. Their operators up to that point are counted.
         count cut_short: u64;
         /// Operators that were applied.
         count applied: u64 = "applied" 13;
@@ -41,18 +41,18 @@ rows! {
         count refused: u64 = "refused" 13;
         /// Operators that found nothing to choose from.
         count skipped: u64 = "skipped" 13;
-        /// Operators for which the structure had no room, or which it does not have.
+        /// Operators that the structure had no room for, or does not have.
         count no_room: u64 = "no room" 13;
     }
 }
 
-/// A program on which a structure fails, as small as it could be made.
+/// A program on which a structure fails, as small as possible.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SoakFailure {
     /// The structure.
     pub on: String,
-    /// The number of the program among those of the seed.
+    /// The number of the program for the seed.
     pub number: u32,
     /// The failure, in one line.
     pub message: String,

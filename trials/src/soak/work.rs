@@ -9,14 +9,14 @@ use twinedge::program::{FacePick, Op, Program};
 pub struct SoakWork {
     /// The number of programs.
     pub programs: u32,
-    /// The number of operators each has.
+    /// The number of operators of each.
     pub steps: u32,
-    /// Their seed.
+    /// The seed of the programs.
     pub seed: u64,
 }
 
 impl SoakWork {
-    /// The program with this number. Always the same for the same seed and number of steps.
+    /// Returns the program with this number. Always the same for the same seed and number of steps.
     #[must_use]
     pub fn program(&self, number: u32) -> Program {
         // Without a vertex, most operators have nothing to choose from.

@@ -1,4 +1,4 @@
-//! The tables that are judged: the free cells, their values, and how many of the tables are right.
+//! The tables that are judged: the free cells, their values, and the number of valid tables.
 
 use super::formulas;
 use crate::enumerate::{Cell, TableCells, Value, pairings};
@@ -14,25 +14,23 @@ pub(super) struct Assignments {
     pub(super) cells: Vec<(Cell, Vec<Value>)>,
 }
 
-/// Tables in which the same cells are free, and how many of them are right.
+/// Tables with the same free cells, and the number of valid ones.
 #[derive(Clone, Debug)]
 pub(super) struct Job {
     pub(super) name: &'static str,
     pub(super) half_edges: usize,
-    /// The least bound with which it is done: above its number of half-edges where there are very many tables.
+    /// The smallest bound with which it is done: above its number of half-edges for very many tables.
     pub(super) from: usize,
     pub(super) expectation: Expectation,
     /// True if origins are not set but follow from twin and next.
     pub(super) derive_origins: bool,
     pub(super) assignments: Vec<Assignments>,
-    /// The number of right ones.
+    /// The number of valid ones.
     pub(super) right: u128,
 }
 
-/// The values of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum To {
-    /// The records that there are.
     Live,
     /// These and nil.
     OrNil,
@@ -41,7 +39,7 @@ enum To {
 }
 
 impl Assignments {
-    /// All assignments of the wanted ones among the cells that matter.
+    /// Returns all assignments of the wanted cells among the relevant ones.
     fn new(table: Table, form: Form, wanted: impl Fn(Cell) -> Option<To>) -> Self {
         let table = Table { parts: form.parts, ..table };
         let cells = table.cells(form.parts);
@@ -49,12 +47,11 @@ impl Assignments {
         Self { table, cells }
     }
 
-    /// The number of tables.
     pub(super) fn len(&self) -> u128 {
         self.cells.iter().map(|(_, values)| values.len() as u128).product()
     }
 
-    /// The same in pieces: one for each value of the first two cells.
+    /// Splits it into pieces: one for each value of the first two cells.
     pub(super) fn split(&self) -> Vec<Self> {
         let mut pieces = vec![self.clone()];
         for position in 0..self.cells.len().min(2) {
@@ -87,7 +84,7 @@ fn values(table: &Table, cell: Cell, to: To) -> Vec<Value> {
     all.into_iter().filter(wanted).collect()
 }
 
-/// A table of this size, all nil, each face listing as many inner boundary components as said.
+/// Returns a table of this size, all nil, with these numbers of inner boundary components in the lists of the faces.
 fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize]) -> Table {
     let face = |listed: &usize| {
         let (inner, inner_starts) = if boundaries > 0 { (*listed, 0) } else { (0, *listed) };
@@ -102,7 +99,7 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
     }
 }
 
-/// A table of half-edges alone, with these twins.
+/// Returns a table of half-edges alone, with these twins.
 fn with_twins(twins: &[usize]) -> Table {
     let mut table = blank(0, twins.len(), 0, &[]);
     for (h, twin) in twins.iter().enumerate() {
@@ -119,7 +116,7 @@ const TEXTBOOK_LEAVING: Form = Form::new(Expectation::plane(), Parts::ALL.withou
 const TEXTBOOK: Form = without(TEXTBOOK_LEAVING, Part::Leaving);
 const RECORDS: Form = Form::new(Expectation::plane(), Parts::ALL);
 
-/// The form of a structure that does not store this part either.
+/// Returns the form of a structure that does not store this part either.
 const fn without(form: Form, part: Part) -> Form {
     Form::new(form.expectation, form.parts.without(part))
 }
@@ -128,7 +125,7 @@ const fn is_of_the_map(cell: Cell) -> bool {
     matches!(cell, Cell::Origin(_) | Cell::Twin(_) | Cell::Next(_) | Cell::Prev(_) | Cell::Leaving(_))
 }
 
-/// All jobs of up to this many half-edges.
+/// Returns all jobs of up to this many half-edges.
 pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
     let mut jobs = vec![isolated_vertices()];
     jobs.extend([every_link(), every_link_and_dangling(), textbook_edge(), textbook_loop(), loop_with_records()]);
@@ -157,7 +154,7 @@ fn every_link() -> Job {
     job("origin, twin, next, prev, leaving; nil", 2, MAP, vec![all], right)
 }
 
-/// The same with links to the slot past the end.
+/// [`every_link`] with links to the slot past the end.
 fn every_link_and_dangling() -> Job {
     let all = Assignments::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrPastTheEnd));
     let right = formulas::maps_with_leaving(1, 2);
@@ -183,7 +180,7 @@ fn paired(name: &'static str, edges: usize, form: Form, right: u128) -> Job {
     Job { derive_origins: true, ..job(name, 2 * edges, form, assignments, right) }
 }
 
-/// For each permutation there is one that undoes it.
+/// For each permutation there is exactly one inverse.
 fn next_and_prev() -> Job {
     let form = without(MAP, Part::Leaving);
     let is_free = |cell| matches!(cell, Cell::Next(_) | Cell::Prev(_)).then_some(To::Live);
@@ -191,19 +188,19 @@ fn next_and_prev() -> Job {
     Job { derive_origins: true, ..job("next, prev, for all twins", 4, form, assignments, formulas::maps(2)) }
 }
 
-/// Every twin, or none: 0, 1 or 2 pairs of twins. Borders that are closed by one more cycle each always give a surface.
+/// Every twin, or none: 0, 1 or 2 pairs of twins. If each border is closed by one more cycle, the result is always a surface.
 fn open_borders() -> Job {
     twins_or_nil("twin or nil, next; open borders", OPEN, (1 + 6 + 3) * 24)
 }
 
-/// The same, asked to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If
-/// two of its sides that meet were one edge, the other two would join the same vertices.
+/// [`open_borders`] claimed to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If two adjacent
+/// sides were one edge, the other two would join the same vertices.
 fn one_disc() -> Job {
     let asked = OPEN.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
     twins_or_nil("twin or nil, next; asked for: a square", asked, 6)
 }
 
-/// The same, asked to be a torus without border: the one rooted map of genus 1 with two edges (OEIS A006300), on labels.
+/// [`open_borders`] claimed to be a torus without border: the one rooted map of genus 1 with two edges (OEIS A006300), on labels.
 fn one_torus() -> Job {
     let asked = OPEN.no_unused_vertices().sides(4).closed().components(1).borders(0).genus(1);
     twins_or_nil("twin or nil, next; asked for: a torus", asked, 6)
@@ -234,10 +231,10 @@ fn textbook_edge() -> Job {
     job("an edge in one face, as in textbooks; nil", 2, TEXTBOOK, assignments.to_vec(), 2 * 2)
 }
 
-/// The lengths that the lists of two faces can have, in all one or two entries or none.
+/// The possible lengths of the lists of two faces, with two entries in total at most.
 const LISTS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
-/// A loop and two faces: which half-edge is outside, and which face.
+/// A loop and two faces: a choice of the outer half-edge, and of the outer face.
 fn textbook_loop() -> Job {
     let form = without(TEXTBOOK, Part::Prev);
     let assignments = LISTS.map(|lists| Assignments::new(blank(1, 2, 0, &lists), form, |_| Some(To::OrNil)));
@@ -255,7 +252,8 @@ fn every_field_of_an_edge() -> Job {
     Job { from: 4, ..job("every field of an edge, as in textbooks", 2, TEXTBOOK_LEAVING, vec![all], 2 * 2) }
 }
 
-/// One vertex and two faces: a loop. Which half-edge leaves, which is outside, and which face, if one has room for it.
+/// One vertex and two faces: a loop. A choice of the leaving half-edge, the outer half-edge, and the outer face, if its list has
+/// room.
 fn every_field_of_a_loop() -> Job {
     let assignments = LISTS.map(|lists| {
         Assignments::new(blank(1, 2, 0, &lists), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell)))
@@ -275,7 +273,7 @@ fn every_field_with_records() -> Job {
     Job { from: 4, ..job("every field of an edge, boundary component too", 2, RECORDS, vec![all], 2 * 2) }
 }
 
-/// A loop with two boundary components and two faces: which half-edge is outside, which face, and which component.
+/// A loop with two boundary components and two faces: a choice of the outer half-edge, the outer face, and the component.
 fn loop_with_records() -> Job {
     let assignments = LISTS.map(|lists| {
         let mut table = blank(1, 2, 2, &lists);
@@ -295,7 +293,7 @@ fn loop_with_records() -> Job {
     Job { from: 4, ..job("boundary, face and vertex fields of a loop", 2, RECORDS, assignments.to_vec(), 4 + 4) }
 }
 
-/// Two isolated vertices in one face: which boundary component is which vertex, and in which order they are listed.
+/// Two isolated vertices in one face: a choice of the boundary component of each vertex, and of their order in the list.
 fn isolated_vertices() -> Job {
     let form = without(RECORDS, Part::Leaving);
     let assignments = [0, 1, 2].map(|listed| Assignments::new(blank(2, 0, 2, &[listed]), form, |_| Some(To::OrNil)));

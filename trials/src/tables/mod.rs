@@ -1,19 +1,19 @@
-//! All tables of a few records, right or wrong.
+//! All tables of a few records, valid or invalid.
 //!
-//! Some fields are free: they are set to everything, in all combinations. The validator and the reference must find the same
-//! first broken rule, or none; and as many tables must be right as the formulas for maps on labelled half-edges say.
+//! Some fields are free: they take all values, in all combinations. The validator and the reference must find the same first
+//! broken rule, or none; and the number of valid tables must equal the formulas for maps on labelled half-edges.
 //!
 //! | half-edges | free fields |
 //! | --- | --- |
 //! | 0 | two isolated vertices in one face: all fields but leaving, nil included |
-//! | 2, no faces | two vertices: origin, twin, next, prev and leaving, nil included; from a bound of 4 on dangling, too |
+//! | 2, no faces | two vertices: origin, twin, next, prev and leaving, nil included; from a bound of 4 on also dangling links |
 //! | 2, faces | an edge in one face and a loop between two faces, as in textbooks: all fields but leaving, nil included |
-//! | 2, faces, from a bound of 4 on | every field, leaving included, of both, and of an edge with a boundary component; the links between half-edges are live. A loop with two boundary components: its links are given, all else is free |
-//! | 2, a face, an open border | every field of a loop; a disc is asked for, by M1, M3, M5, M6 and M7 |
-//! | 4, no faces, no leaving | origin, twin and next on two vertices; twin and next; next and prev for every pairing of twins; twin or nil, and next, with open borders, also where a square and where a torus is asked for, by M1 … M7 |
+//! | 2, faces, from a bound of 4 on | every field, leaving included, of both, and of an edge with a boundary component; the links between half-edges are live. A loop with two boundary components: its links are fixed, all else is free |
+//! | 2, a face, an open border | every field of a loop, with the claim of a disc, by M1, M3, M5, M6 and M7 |
+//! | 4, no faces, no leaving | origin, twin and next on two vertices; twin and next; next and prev for every pairing of twins; twin or nil, and next, with open borders, also with the claims of a square and of a torus, by M1 … M7 |
 //! | 6 and more | next, for every pairing of twins; no prev, leaving or face |
 //!
-//! Where origins are not free, they are what twin and next demand.
+//! If origins are not free, they follow from twin and next.
 
 pub(crate) mod formulas;
 mod jobs;
@@ -33,7 +33,7 @@ use twinedge::validate::{Expectation, Table};
 
 /// Judges all tables of a few records by a validator and by the reference.
 ///
-/// Time grows with (n − 1)!! · nⁿ for n half-edges: [`TablesWork::estimate`] tells.
+/// Time grows with (n − 1)!! · nⁿ for n half-edges: see [`TablesWork::estimate`].
 ///
 /// # Panics
 /// If the checker panics.

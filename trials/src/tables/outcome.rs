@@ -14,31 +14,31 @@ pub struct TablesOutcome {
     pub work: TablesWork,
     /// The part of it.
     pub shard: Shard,
-    /// The tables, by their size and by the fields that are free.
+    /// The tables, by their size and by the free fields.
     pub tables: Vec<TablesRow>,
     /// The first disagreements. All are counted in the rows.
     pub findings: Vec<String>,
-    /// True if the run was stopped before its end.
+    /// True if the run was stopped early.
     pub interrupted: bool,
 }
 
 rows! {
-    /// Tables in which the same fields are free.
+    /// Tables with the same free fields.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct TablesRow {
-        /// The number of half-edges they have.
+        /// The number of half-edges.
         key half_edges: usize = "half-edges" 10;
-        /// The fields that are free.
+        /// The free fields.
         label free: String = "free" 52;
-        /// The number of all.
+        /// The number of all tables.
         given all: u64;
-        /// The number of them that were judged.
+        /// The number of judged ones.
         count judged: u64 = "tables" 13;
-        /// The number of these that are right, by the validator.
+        /// The number of valid ones, by the validator.
         count right: u64 = "right" 9 is right_by_formula;
-        /// The number of all that are right, by a formula.
+        /// The number of all valid ones, by a formula.
         given right_by_formula: u64 = "formula" 10;
-        /// The number of times that the validator and the reference differ.
+        /// The number of differences between the validator and the reference.
         zero disagreements: u64 = "disagreements" 13;
         /// True if all tables were judged.
         given done: bool;
@@ -46,7 +46,7 @@ rows! {
 }
 
 impl TablesRow {
-    /// Tells whether all tables were judged, the count is that of the formula, and there was no disagreement.
+    /// Returns true if all tables were judged, the count equals the formula, and there was no disagreement.
     #[must_use]
     pub const fn is_ok(&self) -> bool {
         self.done && self.right == self.right_by_formula && self.disagreements == 0

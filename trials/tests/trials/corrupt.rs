@@ -1,4 +1,4 @@
-//! `corrupt` and `tables`, with validators that are right and with ones that are wrong.
+//! `corrupt` and `tables`, with correct validators and with faulty ones.
 
 use super::incomplete::Partial;
 use super::limited;
@@ -10,7 +10,7 @@ use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, ExpectationRow, Fami
 use twinedge_trials::tables::{TablesOutcome, TablesWork};
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, Verdict, corrupt, tables};
 
-/// A validator that says something else than it should.
+/// A validator that changes the correct verdict.
 struct Wrong(fn(Verdict) -> Verdict);
 
 impl Checker for Wrong {
@@ -33,7 +33,7 @@ fn judged(checker: &dyn Checker) -> TablesOutcome {
     tables(TablesWork { half_edges: 0 }, checker, &Run::default())
 }
 
-/// All single corruptions together.
+/// Sums a count over all single corruptions.
 fn total(outcome: &CorruptOutcome, count: fn(&Tally) -> u64) -> u64 {
     outcome.fields.iter().map(|row| count(&row.tally)).sum()
 }
@@ -48,7 +48,7 @@ fn the_validator_misses_nothing() {
     judged(&Validator).into_result().unwrap();
 }
 
-/// To break T1, T2 or T3 and no rule before takes changes of many fields, which single corruptions never make.
+/// Breaking T1, T2 or T3 and no earlier rule takes changes of many fields, which single corruptions never make.
 #[test]
 fn a_validator_that_is_blind_to_a_late_rule_is_noticed_in_every_form() {
     let blind: [fn(Verdict) -> Verdict; 3] = [
@@ -67,7 +67,7 @@ fn a_validator_that_is_blind_to_a_late_rule_is_noticed_in_every_form() {
     }
 }
 
-/// Every rule that an expectation checks is the first broken one for some table in its form, except for those that follow.
+/// Every rule that an expectation checks is the first broken one for some table in its form, except for implied rules.
 #[test]
 fn every_expectation_sees_every_rule_broken() {
     let work = CorruptWork { edges: 2, pairs: 0, seed: 0 };
@@ -75,7 +75,7 @@ fn every_expectation_sees_every_rule_broken() {
     assert_eq!(outcome.expectations.len(), 115);
     assert_eq!(outcome.never_first_broken().collect::<Vec<_>>(), []);
     let rules = |number: usize| outcome.expectations[number].first_broken.len();
-    // The plane with every part: all but T4. The least that is checked: R1, L1, L2, L3, V2.
+    // The plane with every part: all but T4. The fewest rules checked: R1, L1, L2, L3, V2.
     assert_eq!((rules(0), (0..112).map(rules).min()), (13, Some(5)));
     let asked = |number: usize| {
         let row: &ExpectationRow = &outcome.expectations[number];
@@ -86,10 +86,10 @@ fn every_expectation_sees_every_rule_broken() {
     assert_eq!(asked(112), (format!("{surface} M1, M2, M3, M4, M5, M6, M7"), vec!["M1", "M2", "M3", "M4"]));
     assert_eq!(asked(113), (format!("{surface} M5, M6, M7"), vec!["M5", "M6", "M7"]));
     assert_eq!(asked(114), (format!("{surface} M8"), vec!["M8"]));
-    // With one edge there is nothing to nest: this is said, and no failure.
+    // With one edge there is nothing to nest: this is reported, and no failure.
     let small = corrupted(&Validator);
     assert!(small.never_first_broken().any(|(_, rule)| rule == Rule::T3) && small.is_ok());
-    // Without the tables of a rule, it is one.
+    // Without the tables of a rule, it is a failure.
     let mut less = outcome;
     let row = less.expectations[0].first_broken.iter_mut().find(|row| row.rule == Rule::T2).unwrap();
     row.wrong = 0;

@@ -1,4 +1,4 @@
-//! A structure that lacks operators, and one that is held to what it is not.
+//! A structure that lacks operators, and one with a wrong expectation.
 
 use twinedge::dcel::Dcel;
 use twinedge::program::{Call, CallOf, HandleOf, Refusal, Subject};
@@ -9,7 +9,7 @@ use twinedge_trials::soak::SoakWork;
 use twinedge_trials::tables::TablesWork;
 use twinedge_trials::{Outcome, Run, Structure, StructureError, prove, soak};
 
-/// A [`Dcel`] without `split_vertex`. It may also hide its faces from the validator, or say that it stores fewer parts.
+/// A [`Dcel`] without `split_vertex`. It may also hide its faces from the validator, or claim to store fewer parts.
 #[derive(Clone)]
 pub(crate) struct Partial {
     dcel: Dcel,
@@ -22,7 +22,7 @@ impl Partial {
         Self { dcel: Dcel::new(), hides_faces, stores: Parts::ALL }
     }
 
-    /// One that does not store this part.
+    /// Returns one that does not store this part.
     pub(crate) fn without(part: Part) -> Self {
         Self { stores: Parts::ALL.without(part), ..Self::new(false) }
     }
@@ -77,7 +77,7 @@ fn a_structure_whose_empty_map_is_wrong_gets_one_message() {
         text.starts_with("the empty map of the structure breaks F1: ") && text.contains(violation.remedy()),
         "{text}"
     );
-    // This is what `unwrap` shows.
+    // This is the output of `unwrap`.
     assert_eq!(format!("{error:?}"), text);
 }
 

@@ -1,10 +1,9 @@
-//! All tables of a size, every cell free: what the validator and the reference accept.
+//! All tables of a size, every cell free: the tables that the validator and the reference accept.
 
 use twinedge::validate::{Expectation, Only, Part, Parts, View, accepts};
 use twinedge_trials::lazy::{Acceptor, LazyError, LazyOutcome, LazyWork};
 use twinedge_trials::{Outcome, Run, Shard, Validator, lazy, sum};
 
-/// A validator that does not look at `prev`.
 struct BlindToPrev;
 
 impl Acceptor for BlindToPrev {
@@ -13,7 +12,6 @@ impl Acceptor for BlindToPrev {
     }
 }
 
-/// A validator that refuses loops.
 struct NoLoops;
 
 impl Acceptor for NoLoops {
@@ -41,7 +39,7 @@ fn as_many_tables_are_accepted_as_there_are_maps() {
     // A loop at one of two vertices that keeps either half-edge, or an edge between both.
     assert_eq!(accepted(work(surface, MAP, [2, 2, 0, 0])), 2 * 2 + 2);
     assert_eq!(accepted(work(plane, MAP, [2, 4, 0, 0])), 312);
-    // Besides, which component and face a cycle has.
+    // In addition, the component and face of a cycle.
     assert_eq!(accepted(work(surface, RECORDS, [2, 2, 2, 2])), 2 * 2 * 2 * 2);
     // Either half-edge begins the face.
     assert_eq!(accepted(work(surface, MAP.with(Part::Faces), [2, 2, 0, 1])), 2 * 2);
@@ -52,9 +50,9 @@ fn as_many_tables_are_accepted_as_there_are_maps() {
 #[test]
 fn vacant_slots_open_borders_and_claims_are_judged_alike() {
     let surface = Expectation::surface();
-    // The empty map, with or without each vertex; and the maps of two half-edges, of which one vertex may be vacant.
+    // The empty map, with or without each vertex; and the maps of two half-edges, with one vertex possibly vacant.
     assert_eq!(accepted(LazyWork { vacant: true, ..work(surface, MAP, [2, 2, 0, 0]) }), 4 + 6 + 2 * 2);
-    // Besides those without border.
+    // In addition to those without border.
     assert!(accepted(work(surface.open(), MAP, [2, 2, 0, 0])) > 6);
     assert_eq!(accepted(work(surface.simple().no_unused_vertices(), MAP, [2, 2, 0, 0])), 2);
 }
@@ -71,7 +69,8 @@ impl Acceptor for AnySides {
 #[test]
 fn what_is_asked_for_is_judged_and_counted() {
     let surface = Expectation::surface();
-    // Of the maps of two edges, a torus with one face of four sides: one rooted map, with 3! numberings of the other half-edges.
+    // Among the maps of two edges, a torus with one face of four sides: one rooted map, with 3! numberings of the other
+    // half-edges.
     assert_eq!(accepted(work(surface.sides(4).genus(1), MAP, [1, 4, 0, 0])), 6 * 4);
     // An edge between two vertices is simple, a loop is not, and two loops are not connected.
     assert_eq!(accepted(work(surface.simple().components(1), MAP, [2, 2, 0, 0])), 2);
@@ -94,7 +93,7 @@ fn differences(acceptor: &dyn Acceptor, work: LazyWork) -> LazyOutcome {
 #[test]
 fn a_validator_that_accepts_too_much_differs() {
     let outcome = differences(&BlindToPrev, work(Expectation::surface(), MAP, [2, 2, 0, 0]));
-    // Two values of `prev` that are nil, dangling or live, for each right table; one of these is right.
+    // Two values of `prev` that are nil, dangling or live, for each valid table; one of these is valid.
     assert_eq!((outcome.accepted, outcome.differences), (6 * 16, 6 * 15));
     assert!(outcome.findings[0].starts_with("accepted by the validator alone: "), "{:?}", outcome.findings);
     assert!(!outcome.is_ok());

@@ -1,4 +1,4 @@
-//! All tables of a size, each with all labels: what the checker of certificates and the reference accept.
+//! All tables of a size, each with all labels: acceptance by the checker of certificates and by the reference.
 
 use std::cell::Cell;
 use twinedge::validate::{Expectation, Part, Parts, View};
@@ -18,7 +18,7 @@ fn judged(acceptor: &dyn Acceptor, work: LazyWork) -> LazyOutcome {
     lazy(work, acceptor, &Run::default()).unwrap()
 }
 
-/// The number of right tables, and that of all labels that pass, of these tables and of all.
+/// Returns the number of valid tables, and the number of labels that pass, for these tables and for all alike.
 fn accepted(work: LazyWork) -> (u64, u64) {
     let outcome = judged(&Validator, work);
     assert_eq!(outcome.reasons(), [""; 0], "{work:?}");
@@ -35,9 +35,10 @@ const fn genus(genus: usize) -> Expectation {
 fn labels_pass_if_and_only_if_the_plane_is_right() {
     let plane = Expectation::plane();
     assert_eq!(accepted(work(plane, Parts::ALL, [1, 0, 1, 1])), (1, 1));
-    // An edge: which half-edge leaves vertex 0, and with which one the cycle starts. The other one has a greater rank, of 0, 1 and nil.
+    // An edge: the half-edge that leaves vertex 0, and the one at which the cycle starts. The other one has a greater rank, out
+    // of 0, 1 and nil.
     assert_eq!(accepted(work(plane, Parts::ALL, [2, 2, 1, 1])), (2 * 2, 2 * 2 * 3));
-    // A loop: which half-edge it keeps, which cycle is the inner one, and the numbers of both boundary components and faces.
+    // A loop: the half-edge that it keeps, the inner cycle, and the numbers of both boundary components and faces.
     assert_eq!(accepted(work(plane, Parts::ALL, [1, 2, 2, 2])), (16, 16 * 3));
     assert_eq!(accepted(work(plane, Parts::ALL.without(Part::Places), [1, 2, 2, 2])), (16, 16 * 3));
     // The labels have the cycle, its start and its face.
@@ -49,14 +50,15 @@ fn labels_pass_if_and_only_if_the_plane_is_right() {
 
 #[test]
 fn labels_pass_if_and_only_if_the_surface_has_the_genus() {
-    // An edge. No turn is compared, in any of 1 + 3 + 9 columns; the step and the rank grow; the component, which is one of two half-edges, stands once or twice.
+    // An edge. No turn is compared, in any of 1 + 3 + 9 columns; the step and the rank grow; the component, which is one of two
+    // half-edges, occurs once or twice.
     assert_eq!(accepted(work(genus(0), RECORDS, [2, 2, 1, 1])), (4, 4 * (1 + 3 + 9) * 3 * 3 * 2 * 2));
     assert_eq!(accepted(work(genus(1), RECORDS, [2, 2, 1, 1])), (0, 0));
     assert_eq!(accepted(work(genus(0), MAP.with(Part::Faces), [1, 2, 0, 2])).0, 2 * 2);
     assert_eq!(accepted(work(genus(0), MAP, [1, 2, 2, 0])).0, 2);
 }
 
-/// Ranks, or the like, of which each is greater than the one that was read before.
+/// Ranks or similar labels, each greater than the previously read one.
 struct Growing<'a>(LazyLabels<'a>, Column, Cell<u32>);
 
 #[derive(Clone, Copy)]
@@ -86,7 +88,7 @@ impl Numbers for GrowingColumn<'_> {
     }
 }
 
-/// A checker that takes each rank for lower than the next one.
+/// A checker that accepts each rank as lower than the next one.
 struct AnyRanks;
 
 impl Acceptor for AnyRanks {
@@ -103,7 +105,7 @@ impl Acceptor for AnyRanks {
 fn a_checker_that_compares_no_ranks_accepts_wrong_tables() {
     let outcome = judged(&AnyRanks, work(Expectation::plane(), Parts::ALL, [1, 2, 2, 2]));
     let [reference, checker, both] = &outcome.judges[..] else { panic!("{outcome:?}") };
-    // The loop may lie in its own inside, or not: 3 ranks of each half-edge are as good.
+    // The loop may lie in its own inside, or not: 3 ranks of each half-edge are equally valid.
     assert_eq!((reference.accepted, reference.differences, both.accepted), (16, 0, 16 * 9));
     assert_eq!((checker.accepted, checker.differences), (both.accepted + outcome.differences, outcome.differences));
     assert!(outcome.differences > 0);
@@ -111,7 +113,6 @@ fn a_checker_that_compares_no_ranks_accepts_wrong_tables() {
     assert!(outcome.findings[0].contains(" half_edge_rank "), "{:?}", outcome.findings);
 }
 
-/// A checker that refuses loops.
 struct NoLoops;
 
 impl Acceptor for NoLoops {
@@ -134,7 +135,7 @@ fn a_checker_that_refuses_loops_leaves_right_tables_without_certificate() {
     assert!(outcome.findings[0].starts_with("accepted by the reference alone: "), "{:?}", outcome.findings);
 }
 
-/// A checker that takes every genus for that which is claimed.
+/// A checker that accepts every genus as the claimed one.
 struct AnyGenus;
 
 impl Acceptor for AnyGenus {

@@ -1,4 +1,4 @@
-//! The trials: what they count, what they find, how they end.
+//! The trials: their counts, findings and endings.
 
 mod corrupt;
 mod incomplete;
@@ -12,7 +12,7 @@ mod soak;
 
 use twinedge::dcel::{Dcel, Room};
 
-/// An empty structure with room for so many vertices, edges, boundary components and faces.
+/// Returns an empty structure with room for these numbers of vertices, edges, boundary components and faces.
 fn limited([vertices, edges, boundaries, faces]: [usize; 4]) -> Dcel {
     Dcel::with_limits(Room { vertices, edges, boundaries, faces })
 }

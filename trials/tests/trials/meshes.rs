@@ -49,10 +49,10 @@ fn structures_of_planar_maps_do_the_same_on_discs() {
     let outcome = meshes(&slots, work, &Run::default()).into_result().unwrap();
     assert_eq!(meshes(&model, work, &Run::default()), outcome);
     assert!(of(&outcome, "mesh_split_face") > 0);
-    // In parts, it is the same.
+    // In parts, the outcome is the same.
     let part = |index| meshes(&slots, work, &Run::default().shard(Shard::new(index, 2).unwrap()));
     assert_eq!(sum(&[part(0), part(1)]), Ok(outcome));
-    // So it is where operators are missing, and with more threads.
+    // It is also equal with missing operators, and with more threads.
     let mine = MeshStructure::new("mine", |map| Mesh::new(map.vertices, &map.triangles, false), MESH);
     let part = |index| meshes(&mine, work, &Run::default().shard(Shard::new(index, 3).unwrap()));
     let whole = meshes(&mine, work, &Run::default().threads(1));

@@ -13,7 +13,6 @@ fn slots() -> Structure<Dcel> {
     Structure::new("slots", Dcel::new, Expectation::plane())
 }
 
-/// The counts of connected maps.
 fn counts(outcome: &ProveOutcome) -> Vec<[u64; 5]> {
     let rows = outcome.edges.iter();
     rows.map(|row| [row.rooted, row.sensed, row.plane, row.applications, row.refused]).collect()
@@ -45,7 +44,7 @@ fn every_structure_does_the_same() {
 
 #[test]
 fn a_structure_without_room_falls_short_of_the_counts() {
-    // Room for 2 half-edges less than the maps of 2 edges have.
+    // Room for 2 half-edges fewer than the maps of 2 edges have.
     let small = Structure::new("small", || limited([3, 1, 3, 3]), Expectation::plane());
     let outcome = prove(&small, ProveWork { edges: 2 }, &Run::default()).unwrap();
     assert!(outcome.edges[1].is_as_published() && !outcome.edges[2].is_as_published(), "{:?}", outcome.edges);
@@ -61,7 +60,7 @@ fn a_panic_is_a_finding() {
     let finding = &outcome.findings[0];
     assert!(finding.message.starts_with("panicked: a planted panic ("), "{finding}");
     assert!(finding.operator.as_ref().unwrap().starts_with("move_inner"), "{finding}");
-    // The program ends with the operator that does it.
+    // The program ends with the operator at fault.
     assert!(finding.program.trim_end().ends_with(finding.operator.as_deref().unwrap()), "{finding}");
 }
 
@@ -80,7 +79,7 @@ fn a_structure_whose_maps_cannot_be_told_apart_is_an_error() {
     }
 }
 
-/// Stops as soon as a stage begins that has this in its name.
+/// Stops as soon as a stage with this name begins.
 struct StopAt(&'static str, std::sync::atomic::AtomicBool);
 
 impl Progress for StopAt {

@@ -1,4 +1,4 @@
-//! `sample`, with a validator that is right and with ones that are wrong.
+//! `sample`, with a correct validator and with faulty ones.
 
 use std::collections::BTreeSet;
 use std::sync::Mutex;
@@ -24,7 +24,7 @@ fn every_rule_but_the_last_is_often_the_first_broken_one() {
     assert_eq!(outcome.right + outcome.first_broken.iter().map(|row| row.wrong).sum::<u64>(), WORK.tables);
 }
 
-/// A validator that says the next rule.
+/// A validator that names the next rule.
 struct OffByOne;
 
 impl Checker for OffByOne {

@@ -22,13 +22,13 @@ fn model() -> Structure<RawPointers> {
     Structure::new("pointers", RawPointers::new, Expectation::plane())
 }
 
-/// The outcomes of all parts, the last first.
+/// Returns the outcomes of all parts, the last first.
 fn parts<O>(count: u32, part: impl Fn(&Run<'_>) -> O) -> Vec<O> {
     let shards = (0..count).rev().map(|index| Shard::new(index, count).unwrap());
     shards.map(|shard| part(&Run::default().shard(shard))).collect()
 }
 
-/// True if the sums for these numbers of parts are the results of one run, and again as JSON.
+/// Checks that the sums for these numbers of parts are the results of one run, and again as JSON.
 fn adds_up<O>(counts: &[u32], part: impl Fn(&Run<'_>) -> O) -> O
 where
     O: Outcome + PartialEq + std::fmt::Debug + serde::Serialize + serde::de::DeserializeOwned,
@@ -60,7 +60,7 @@ fn violations_of_the_parts_of_prove_add_up() {
     let parts = parts(4, |run| prove(&panics, work, run).unwrap());
     let added = sum(&parts).unwrap();
     assert!(!whole.is_ok() && whole.edges.iter().any(|row| row.violations > 0));
-    // Of the findings, only the first are kept.
+    // Only the first findings are kept.
     assert_eq!((added.edges, added.nested), (whole.edges, whole.nested));
 }
 
@@ -146,7 +146,7 @@ fn parts_that_are_no_whole_are_errors() {
     assert!(other.to_string().contains("half_edges: 1"), "{other}");
     let stopped = tables(TablesWork { half_edges: 0 }, &Validator, &Run::default().progress(&Stopped));
     assert_eq!(of(&[stopped]), SumError::Interrupted { position: 0, shard: Shard::WHOLE });
-    // Not all of very many are named.
+    // Only some of very many are named.
     let told = of(&[part(0, 0, 1_000)]).to_string();
     assert!(told.starts_with("999 parts are missing: 1/1000, 2/1000, ") && told.len() < 200, "{told}");
 }

@@ -174,8 +174,7 @@ fn lowest_points(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
     lowest
 }
 
-/// Returns the dart at the lowest point of a component whose corner contains the direction straight left. It lies on the outside
-/// of the component.
+/// Returns the dart at the lowest point of a component whose corner contains the direction straight left. It lies on the outside.
 fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], low: u32) -> Option<Dart> {
     let at = points[low as usize];
     let leaving = rotations.leaving(low as usize);
@@ -187,8 +186,7 @@ fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], 
     leaving.get(upper.wrapping_sub(1)).or(leaving.last()).copied()
 }
 
-/// Arranges distinct points and distinct segments in range into a subdivision, from the result of the sweep and from the
-/// rotations. O(n log n).
+/// Arranges distinct points and distinct segments in range into a subdivision, given the sweep and the rotations. O(n log n).
 pub(super) fn arrange(
     points: &[Point],
     segments: &[[u32; 2]],

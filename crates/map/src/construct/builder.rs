@@ -32,9 +32,8 @@ struct Step {
 /// Gathers rings, lines and points, and builds the map of them.
 ///
 /// Vertices with equal coordinates are merged (−0 equals 0), as are repeated segments; segments without length are dropped.
-/// [`BuildSummary`] counts all of these. Segments should meet only at shared endpoints. [`build_with`](Self::build_with) can cut
-/// segments that do not. [`build`](Self::build) leaves them as they are, and [`PlanarMap::not_plane`] reports where; queries and
-/// edits refuse such a map.
+/// [`BuildSummary`] counts these. Segments should meet only at shared endpoints. [`build_with`](Self::build_with) can cut others.
+/// [`build`](Self::build) leaves them, and [`PlanarMap::not_plane`] reports where; queries and edits refuse such a map.
 ///
 /// ```
 /// use twinedge_map::{Builder, Shape};
@@ -438,8 +437,7 @@ fn hash_of_segment([a, b]: [u32; 2]) -> u64 {
     hash([a.into(), b.into()])
 }
 
-/// Assembles the map of the segments, without its points. Moves the features' names out. `refuse` decides about segments that
-/// meet other than at their ends.
+/// Assembles the map of the segments, without its points. Moves the names out. `refuse` judges segments that cross or touch.
 fn assembled(
     points: &[Point],
     segments: &[[u32; 2]],

@@ -6,8 +6,8 @@ use crate::feature::Feature;
 use crate::summary::{BuildSummary, Irregularity, Position};
 
 impl BuildSummary {
-    /// Counts the next feature as [`Builder::feature`] does, without gathering it. Repeated segments are counted only within one
-    /// feature. O(its points), expected.
+    /// Counts the next feature like [`Builder::feature`], without storing it. Counts only its own repeated segments. Expected
+    /// O(points).
     ///
     /// ```
     /// use twinedge_map::{BuildSummary, Feature, Shape};

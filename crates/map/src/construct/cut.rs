@@ -22,8 +22,7 @@ use twinedge_geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_se
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Noding {
-    /// Builds the map from the segments as they are; [`PlanarMap::validate`](crate::PlanarMap::validate) reports where it is not
-    /// plane.
+    /// Builds the map from the segments as they are; [`PlanarMap::validate`](crate::PlanarMap::validate) reports any faults.
     #[default]
     None,
     /// Cuts segments at the input points that lie exactly on them. Nothing moves and no point is added, so two segments that
@@ -105,8 +104,7 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// Cuts segments at the points that lie on them. O((n + k) log n) in practice for k points in the bounding boxes of segments; a
-/// tree of boxes has no worst-case guarantee.
+/// Cuts segments at the points that lie on them. O((n + k) log n) for k points in bounding boxes, but not in the worst case.
 pub(super) fn exact(
     points: Vec<Point>,
     segments: &[[u32; 2]],

@@ -88,8 +88,7 @@ impl Ring<'_> {
     }
 
     /// Returns true if the ring turns counter-clockwise. Consider the segments that the ring uses an odd number of times. The
-    /// least steep of them at the smallest point has the outside below; the ring turns counter-clockwise if it runs to the right
-    /// there.
+    /// least steep of them at the smallest point has the outside below; the ring turns so if it runs to the right there.
     fn turn(&self) -> Option<bool> {
         let mut sorted = self.darts.to_vec();
         sorted.sort_unstable();

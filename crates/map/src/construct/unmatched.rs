@@ -29,8 +29,7 @@ impl Builder {
     /// coincide or touch but are noded differently. Sorted by the two features, then by coordinates. If the feature that has the
     /// vertex also uses the segment, it lacks its own vertex, and other users of the segment are not reported again.
     ///
-    /// O(n log n + k) in practice for n segments and k pairs of a vertex and a segment whose bounding box contains it; a tree of
-    /// boxes has no worst-case guarantee.
+    /// O(n log n + k) for n segments and k pairs of a vertex and a bounding box around it, but not in the worst case.
     ///
     /// ```
     /// use twinedge_geometry::Point;

@@ -113,8 +113,7 @@ fn column<'a>(ids: &'a Ids, of: Record, name: &str) -> Option<&'a Column<String>
     ids.values.iter().find(|column| column.name == name && column.kind == of.kind())
 }
 
-/// An edge: the half-edges from the end with the smaller id and from the other end, and the half-edge whose key holds the edge's
-/// values.
+/// An edge: the half-edges from the end with the smaller id and from the other end, and the one whose key holds the values.
 #[derive(Clone, Copy)]
 struct Sides {
     half_edges: [HalfEdgeKey; 2],

@@ -9,8 +9,7 @@ use crate::PlanarMap;
 /// Compares two maps by the ids of their records, and returns the changes that lead from the first to the second. O(n log n).
 ///
 /// # Errors
-/// [`DiffError`]: a record has no id, or shares its id with another record; or the second map doesn't have the features of the
-/// first.
+/// [`DiffError`]: a record has no id, or shares its id with another record; or the second map lacks features of the first.
 pub fn diff(a: &PlanarMap, b: &PlanarMap, ids: &Ids) -> Result<Diff, DiffError> {
     let (old, new) = (Index::new(a, ids)?, Index::new(b, ids)?);
     let features = a.features().count();

@@ -26,8 +26,7 @@ pub enum DiffError {
     /// Two records of a map have the same id.
     #[error("{0} is there twice")]
     SameId(Record),
-    /// The second map doesn't begin with the features of the first. A feature must keep its number, and keep its name or be
-    /// removed.
+    /// The second map doesn't begin with the features of the first. A feature must keep its number, and its name unless removed.
     #[error("the maps differ in feature {0}")]
     Features(usize),
 }

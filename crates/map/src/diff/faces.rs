@@ -14,8 +14,7 @@
 //! to the left, 3 to the right, and 2 between:
 //!
 //! Cycles of claims remain: for one side 1 is to the left and 2 to the right, and for the other side the reverse. Both
-//! assignments give each face an id, and both are valid if the faces have the same features and values: then only the ids
-//! distinguish them.
+//! assignments give each face an id, and both are valid if the faces have the same features and values: only ids tell them apart.
 
 use super::Diff;
 use super::apply::Drawing;

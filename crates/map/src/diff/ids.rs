@@ -53,8 +53,7 @@ impl Compared for Faces {}
 
 /// The attributes that identify records across two maps, and the attributes whose values are compared.
 ///
-/// Vertices and bounded faces have ids, for example from [`Policy::ids`](twinedge::dcel::Policy::ids). Edges don't need ids: at
-/// most one straight edge joins two vertices.
+/// Vertices and bounded faces have ids, for example from [`Policy::ids`](twinedge::dcel::Policy::ids). Edges need none.
 pub struct Ids {
     pub(super) vertices: Column<u128>,
     pub(super) faces: Column<u128>,
@@ -76,8 +75,7 @@ impl Ids {
         }
     }
 
-    /// Also compares the values of an attribute. A diff stores them as text, written by `show` and read by `read`: equal texts
-    /// must mean equal values.
+    /// Also compares the values of an attribute. A diff stores them as text, by `show` and `read`: equal texts are equal values.
     #[must_use]
     pub fn values<K: Compared, T: Value>(
         mut self,

@@ -12,12 +12,10 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// Values are merged record by record, without policies. If one side splits a face and the other changes its value, the part that
 /// keeps the id gets the changed value, and the other parts keep the values from the side that split. If both sides split a face,
-/// each part gets an id that a side gave to this part or to a part around it. A fence that both sides draw independently counts
-/// as two conflicting lines, with ids of their own. Values of features, half-edges and corners are not compared: the values of
-/// `base` stay.
+/// each part gets an id that a side gave to this part or to a part around it. A fence drawn by both sides counts as two
+/// conflicting lines with their own ids. Values of features, half-edges and corners are not compared: the values of `base` stay.
 ///
-/// The merged map uses the keys of `base` for surviving records. New features of `theirs` follow the new features of `ours`. O(n
-/// log n).
+/// The merged map uses the keys of `base` for surviving records. New features of `theirs` follow those of `ours`. O(n log n).
 ///
 /// # Errors
 /// [`MergeError::Conflicts`] names the records that both sides changed. [`MergeError::Together`] reports changes to different

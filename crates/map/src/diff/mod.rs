@@ -1,7 +1,6 @@
 //! Differences between two maps by the ids of their records: displayed, saved, applied and merged.
 //!
-//! Two people edit copies of a map. [`diff`](diff()) lists the changes that each made, and [`merge`](merge()) applies both to the
-//! original map, or names the conflicts.
+//! Two people edit copies of a map. [`diff`](diff()) lists changes, and [`merge`](merge()) applies both or names conflicts.
 //!
 //! ```
 //! use twinedge::dcel::{Faces, Policy};

@@ -84,8 +84,7 @@ pub enum Change {
 }
 
 impl Change {
-    /// Returns the position in the order in which changes are applied, or `None` for a change that does not apply to this kind of
-    /// record.
+    /// Returns the position in the order of application, or `None` for a change that does not apply to this kind of record.
     pub(super) fn stage(&self, record: Record) -> Option<u8> {
         Some(match (self, record) {
             (Self::Dropped, Record::Edge(..)) => 0,

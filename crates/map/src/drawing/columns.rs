@@ -25,8 +25,7 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// Reads a structure that satisfies R1 and L. Returns an error if the rules no longer hold, memory runs out, or there are too
-    /// many bends.
+    /// Reads a structure that satisfies R1 and L. Fails if the rules no longer hold, memory runs out, or for too many bends.
     pub(crate) fn read<E: Embedding + ?Sized>(embedding: &E) -> Result<Self, Unchecked> {
         // A structure that has changed since its validation is unreliable.
         let mut columns = Self::of_links(embedding).ok_or(Unchecked::Broken(Rule::R1))?;

@@ -10,8 +10,7 @@ pub(crate) struct Components {
     pub(crate) of: Vec<u32>,
     /// For each component, its lexicographically smallest vertex.
     pub(crate) lowest: Vec<u32>,
-    /// For each component, the index of its lexicographically smallest bend if that bend is smaller than all vertices, otherwise
-    /// `NIL`.
+    /// For each component, its lexicographically smallest bend if that is smaller than all vertices, otherwise `NIL`.
     pub(crate) lowest_bend: Vec<u32>,
 }
 

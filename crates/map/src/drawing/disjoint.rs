@@ -8,8 +8,7 @@ use twinedge::validate::{Findings, Halt, Rule, Unchecked};
 use twinedge_geometry::crossing::clashes;
 use twinedge_geometry::sweep::sweep_plane;
 
-/// Runs G4. Returns the segment below the smallest point of each component, or `None` if G4 is broken or there are too many
-/// segments.
+/// Runs G4. Returns the segment below the smallest point of each component, or `None` for too many segments or a broken G4.
 pub(crate) fn check(
     findings: &mut Findings,
     columns: &Columns,

@@ -10,15 +10,14 @@ pub trait Embedding: View {
 
     /// Returns the number of bends of the half-edge: 0 for a straight edge.
     ///
-    /// Called only on the half-edge of each edge with the smaller index; its twin has the same bends in reverse. A bend is no
-    /// vertex: an edge that ends there breaks G4.
+    /// Called only on the half-edge with the smaller index; its twin has the bends in reverse. An edge that ends at one breaks
+    /// G4.
     fn bends(&self, half_edge: usize) -> usize {
         let _ = half_edge;
         0
     }
 
-    /// Returns the `bend`-th bend of the half-edge from its origin to its target, counted from 0. Called only with numbers below
-    /// [`bends`](Self::bends).
+    /// Returns the `bend`-th bend from the origin of the half-edge, counted from 0, below [`bends`](Self::bends).
     ///
     /// ```
     /// use twinedge_geometry::Point;

@@ -1,7 +1,6 @@
 //! G1 finite: coordinates are finite, and no edge has zero length.
 //!
-//! A coordinate also breaks the rule if the predicates are not exact for it. The segments of an edge with bends must not have
-//! zero length.
+//! A coordinate also breaks the rule if the predicates are not exact for it. Segments between bends must have a length.
 
 use crate::drawing::columns::Columns;
 use twinedge::validate::{Findings, Flow, Rule, Violation};

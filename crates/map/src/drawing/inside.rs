@@ -1,7 +1,6 @@
 //! G5 inside: each inner boundary component lies in the face that lists it, and a component that no face lists lies in no face.
 //!
-//! The lowest point may be a bend. A component that no face lists lies outside everything, in a structure whose unbounded face
-//! has no record.
+//! The lowest point may be a bend. Without a record of the unbounded face, unlisted components lie outside everything.
 
 use crate::Embedding;
 use crate::drawing::columns::Columns;

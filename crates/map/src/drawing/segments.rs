@@ -16,8 +16,7 @@ pub(crate) struct Segments {
     /// The point of each vertex.
     pub(crate) numbers: Vec<u32>,
     pub(crate) ends: Vec<[u32; 2]>,
-    /// For each segment, the half-edge that runs from its lexicographically smaller end to the larger; at an open boundary, the
-    /// only half-edge.
+    /// For each segment, the half-edge from its lexicographically smaller end to the larger; at an open boundary, the only one.
     half_edges: Vec<u32>,
     /// The number of each segment on its edge, in the direction of the half-edge that has the bends. Empty if no edge has bends.
     pieces: Vec<u32>,
@@ -154,8 +153,7 @@ impl Segments {
         columns.bends_of(self.half_edge(segment)).1.is_empty()
     }
 
-    /// Returns the half-edge that represents the segment's edge in calls for bends, and the number of the segment on the edge.
-    /// The edge must have bends.
+    /// Returns the half-edge that answers for the bends of the segment's edge, and the segment's number on it. It has bends.
     fn piece(&self, columns: &Columns, segment: u32) -> (usize, usize) {
         let (edge, _) = columns.bends_of(self.half_edge(segment));
         (edge, self.pieces[segment as usize] as usize)

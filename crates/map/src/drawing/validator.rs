@@ -11,18 +11,16 @@ use twinedge::validate::{Collect, Expectation, Findings, Flow, Part, Report, Rul
 
 const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
-/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M8 if requested, as [`validate`] does, and then G1
-/// … G5.
+/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M8 if requested, as [`validate`], then G1 … G5.
 ///
 /// A G rule is checked if the topological rules that it builds on hold, and otherwise reported as not checked. If edges clash,
 /// all clashes are found and counted in O(n log n + p) for p pairs of edges whose bounding boxes meet; otherwise the cost is O(n
 /// log n). Like [`validate`], it always terminates, and panics only if the [`Embedding`] does.
 ///
-/// Edges may have [bends](Embedding::bends). The verdict equals the verdict on the map with a vertex at each bend, and n counts
-/// the bends.
+/// Edges may have [bends](Embedding::bends). The verdict equals that of the map with a vertex at each bend, and n counts bends.
 ///
-/// In a structure without an unbounded face ([`Part::UnboundedFace`]), components outside everything must lie in no face, and a
-/// face must list all components inside it.
+/// Without an unbounded face ([`Part::UnboundedFace`]), outermost components must lie in no face, and faces must list all in
+/// them.
 ///
 /// ```
 /// use twinedge_map::{Builder, validate_embedding};

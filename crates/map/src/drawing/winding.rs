@@ -60,8 +60,7 @@ fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
     }
 }
 
-/// Returns true if the corner to the left of the path `before`, `at`, `after` contains the direction straight left, where `at` is
-/// the smallest of the three points.
+/// Returns true if the corner left of the path `before`, `at`, `after` contains the direction to the left; `at` is the least.
 fn corner_opens_left(before: Point, at: Point, after: Point) -> bool {
     before == after || orientation(at, before, after) == Orientation::CounterClockwise
 }

@@ -3,14 +3,12 @@
 use twinedge::dcel::{HalfEdgeKey, VertexKey};
 use twinedge_geometry::Point;
 
-/// A point for an edit, with a hint about its location. Points, pairs of coordinates, vertices, and pairs of a point and a
-/// half-edge convert to it.
+/// A point for an edit, with a location hint. Points, pairs of coordinates, vertices, and points with a half-edge convert to it.
 ///
 /// For several points, only the first one is searched, using its hint; walks lead from there to the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum At {
-    /// Anywhere. Found as by [`PlanarMap::locate`](crate::PlanarMap::locate), using an index that the map keeps once it is
-    /// needed.
+    /// Anywhere. Found like [`PlanarMap::locate`](crate::PlanarMap::locate), with an index that the map then keeps.
     Point(Point),
     /// A point in the face of a half-edge or on its boundary, found in O(1) if that boundary is short. If the point lies
     /// elsewhere or the boundary is long, it is found as without the hint.

@@ -22,10 +22,10 @@ impl PlanarMap {
     ///   ·──────────·               ·────────·─·
     /// ```
     ///
-    /// The points may lie outside the face. In general no double is exactly on the crossing of a line and an edge.
-    /// [`insert_segment`](Self::insert_segment) with a rounded end would leave a gap or cross the edge. This method splits the
-    /// edge at the rounded point, as if a vertex on it [moved](Self::move_vertex) there. No other record may change sides;
-    /// otherwise the edit is refused.
+    /// The points may lie outside the face. Rarely is a double exactly on the crossing of a line and an edge:
+    /// [`insert_segment`](Self::insert_segment) with a rounded end leaves a gap or crosses the edge. This method splits the edge
+    /// at the rounded point, as if a vertex on it [moved](Self::move_vertex) there. No other record may change sides; otherwise
+    /// the edit is refused.
     ///
     /// [`Edited::vertices`] contains the two ends of each stretch of the line in the face, in the direction of the line.
     ///
@@ -44,9 +44,8 @@ impl PlanarMap {
     ///
     /// # Errors
     /// [`EditError::NotThrough`]; [`EditError::NoLength`]; [`EditError::NotPlane`]; [`EditError::NotFinite`];
-    /// [`EditError::OutOfRange`]; [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] or [`EditError::Crosses`] if
-    /// something lies within rounding distance of the line or of a crossing; [`EditError::Operator`] for a stale key, a full map
-    /// or a refusing policy.
+    /// [`EditError::OutOfRange`]; [`EditError::VertexInTheWay`], [`EditError::EdgeInTheWay`] or [`EditError::Crosses`] near a
+    /// rounded line or crossing; [`EditError::Operator`] for a stale key, a full map or a refusing policy.
     pub fn split_face(
         &mut self,
         face: FaceKey,
@@ -108,12 +107,10 @@ impl PlanarMap {
         self.split(h, p, edited)
     }
 
-    /// Merges two faces: removes every edge between them, and every vertex without other edges. The first face is kept, unless
-    /// the other face surrounds it or is unbounded. The merged face is covered by the features that covered both
-    /// ([why](super#features)).
+    /// Merges two faces: removes every edge between them, and vertices without other edges. Keeps the first face unless the other
+    /// surrounds it or is unbounded. The merged face is covered by the features that covered both ([why](super#features)).
     ///
-    /// [`Edited::vertices`] contains the surviving ends of the removed edges; [`join_edges`](Self::join_edges) drops the
-    /// superfluous ones.
+    /// [`Edited::vertices`] has the surviving ends of removed edges; [`join_edges`](Self::join_edges) drops superfluous ones.
     ///
     /// The cost of removing each of the edges, plus O(boundary of the first face).
     ///
@@ -163,8 +160,7 @@ impl PlanarMap {
         })
     }
 
-    /// Joins the two edges at a vertex to one straight edge and drops the vertex. If the edges are not collinear, this moves the
-    /// border between their two faces.
+    /// Joins the two edges at a vertex to one straight edge and drops the vertex. If they are not collinear, this moves a border.
     ///
     /// The joined edge has the features that run along both. It reuses the edge with the smaller indices, and [`Edited::way`]
     /// contains one of its half-edges. The other edge and the vertex are [dropped](Edited::edges_dropped).

@@ -55,8 +55,7 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NoSuchFeature`], even if the feature was removed before; [`EditError::Operator`] if the policy of an
-    /// attribute refuses. Nothing changes then.
+    /// [`EditError::NoSuchFeature`] (or a removed one); [`EditError::Operator`] if the policy of an attribute refuses.
     pub fn remove_feature(&mut self, feature: FeatureId) -> Result<Option<String>, EditError> {
         self.checked([feature])?;
         self.announce_feature(Step::Drop(feature.data()))?;

@@ -6,8 +6,7 @@ use super::outcome::Edited;
 use crate::planar_map::PlanarMap;
 
 impl PlanarMap {
-    /// Inserts a vertex at a point. Reuses an existing vertex, splits the edge on which the point lies, or adds an isolated
-    /// vertex to a face.
+    /// Inserts a vertex at a point. Reuses an existing vertex, splits the edge at the point, or adds an isolated vertex.
     ///
     /// [`Edited::vertices`] contains the vertex; [`Edited::vertices_made`] is empty if the vertex existed.
     ///
@@ -28,8 +27,8 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`]; [`EditError::Operator`] for a stale key or a
-    /// full map.
+    /// [`EditError::NotPlane`], [`EditError::NotFinite`], [`EditError::OutOfRange`], [`EditError::Operator`] for stale keys, full
+    /// maps.
     pub fn insert_point(&mut self, at: impl Into<At>) -> Result<Edited, EditError> {
         self.draw(&[at.into()], false)
     }
@@ -75,8 +74,8 @@ impl PlanarMap {
         self.draw(&[from.into(), to.into()], false)
     }
 
-    /// Inserts a closed chain of segments through these points, each as by [`insert_segment`](Self::insert_segment), all or none.
-    /// The last point may repeat the first.
+    /// Inserts a closed chain of segments by [`insert_segment`](Self::insert_segment), all or none. The last may repeat the
+    /// first.
     ///
     /// The ring may touch itself and run along itself, but not cross itself.
     ///

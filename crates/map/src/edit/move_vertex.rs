@@ -19,8 +19,7 @@ impl PlanarMap {
     /// ```
     ///
     /// Refused if the vertex would run into an edge or a vertex on its way, or one of its edges into a vertex. Otherwise the map
-    /// is deformed while always remaining plane, so rotations, faces and their nesting are unchanged. (An edge can only be met at
-    /// its ends or by the vertex.)
+    /// is deformed while remaining plane, so rotations, faces and nesting are unchanged. (Edges meet only ends or the vertex.)
     ///
     /// O(sizes of the faces around the vertex), counted once per corner of the face there. For a large face, the cost is the
     /// number of edges in the box around the swept area, plus the cost of finding them in the index.
@@ -60,8 +59,7 @@ impl PlanarMap {
         self.put_at(vertex, to)
     }
 
-    /// Checks that nothing on the boundary of a face is in the way of a vertex, and no vertex there is in the way of one of its
-    /// edges.
+    /// Checks that nothing on the boundary of a face is in the way of a vertex, and no vertex there in the way of its edges.
     fn free_way(&self, v: Vertex<'_>, face: Face<'_>, to: Point, edges: &[HalfEdge<'_>]) -> Result<(), EditError> {
         let from = self.at(v);
         let (half_edges, isolated) = self.around(face, edges.iter().map(|h| self.at(h.target())).chain([from, to]));
@@ -85,9 +83,8 @@ impl PlanarMap {
         }
     }
 
-    /// Returns the half-edges and isolated vertices on the boundary of a face. For a large face, returns all records of the map
-    /// that meet the box around some points instead: if a record of another face is in the way there, so is a record of this
-    /// face.
+    /// Returns the half-edges and isolated vertices on the boundary of a face. For a large face, returns all records that meet
+    /// the box around some points: if a record of another face is in the way there, so is a record of this face.
     pub(super) fn around<'a>(
         &'a self,
         face: Face<'a>,

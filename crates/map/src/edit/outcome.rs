@@ -3,8 +3,7 @@
 use crate::FeatureId;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 
-/// The changes made by an edit, so that data stored alongside the map can follow. Attributes of a `PlanarMap` follow
-/// automatically.
+/// The changes made by an edit, for data stored alongside the map. Attributes of a `PlanarMap` follow automatically.
 ///
 /// An edge is named by one of its half-edges. Keys of removed records are already stale; they name the entries to drop. To follow
 /// an edit, process the lists in the order of these fields, and the entries of each list in order: later entries may split a new
@@ -56,8 +55,7 @@ pub struct Edited {
     /// Split faces: the old face, now reduced to one part, and the new face. The features of the old face cover both.
     pub faces_split: Vec<(FaceKey, FaceKey)>,
     /// Faces whose features differ from the result of the lists above. Only
-    /// [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) fills this list, and only if rounding moves an edge
-    /// onto existing vertices.
+    /// [`insert_segment_snapped`](crate::PlanarMap::insert_segment_snapped) fills it, if rounding moves an edge onto vertices.
     pub faces_relabelled: Vec<FaceKey>,
     /// Edges whose features differ from the result of the lists above, for the same reason.
     pub edges_relabelled: Vec<HalfEdgeKey>,

@@ -38,8 +38,7 @@ impl PlanarMap {
     /// Recomputes the features of the faces of a region. `outside` covered the unbounded face before.
     ///
     /// Crossing an edge of the old drawing turned some features on or off. The deformed drawing does the same, one edge after the
-    /// other where several came to lie on each other. So known features of faces propagate across the edges. O(size of the
-    /// region).
+    /// other where several coincide. So known features of faces propagate across the edges. O(size of the region).
     pub(super) fn relabel(&mut self, plan: &SnapPlan, outside: SetId, edited: &mut Edited) -> Result<(), EditError> {
         let changed: FxHashMap<usize, &EdgeChange> = plan.changes.iter().map(|change| (change.edge, change)).collect();
         let between = |pair: &[u32]| [plan.vertices[&pair[0]], plan.vertices[&pair[1]]];

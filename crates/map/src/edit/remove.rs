@@ -26,8 +26,7 @@ impl PlanarMap {
     /// ```
     ///
     /// # Errors
-    /// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key or a full map (removing a bridge makes a boundary
-    /// component).
+    /// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key or a full map (a bridge leaves a boundary component).
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Edited, EditError> {
         self.editable()?;
         let mut edited = Edited::default();

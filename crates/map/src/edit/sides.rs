@@ -28,8 +28,7 @@ struct CyclePart<'a> {
 }
 
 impl<'a> CyclePart<'a> {
-    /// Returns the shorter of the two parts of a cycle split by an edge from the corner of `from` to the corner of `to`; on a
-    /// tie, the left part. O(its length).
+    /// Returns the shorter part of a cycle split between the corners of `from` and `to`; on a tie, the left part. O(its length).
     fn shorter(from: HalfEdge<'a>, to: HalfEdge<'a>) -> Self {
         let (mut left, mut right) = (to, from);
         let mut length = 1;
@@ -56,12 +55,10 @@ impl PlanarMap {
     /// Determines the split of a face by an edge from the corner of `from` to the corner of `to`, on the same cycle: the side of
     /// the new face, and the inner boundary components that move to it.
     ///
-    /// The shorter of the two parts of an outer cycle becomes the boundary of the new face; on a tie, the left part. For an inner
-    /// cycle, geometry decides.
+    /// The shorter part of an outer cycle bounds the new face; on a tie, the left part. For an inner cycle, geometry decides.
     ///
-    /// O(length s of the shorter part + k), where k is the lesser of the number of other inner boundary components of the face
-    /// and the number of edges in the box around that part. If j of these components meet the box, a sweep takes O((s + j) log (s
-    /// + j)).
+    /// O(length s of the shorter part + k), where k is the smaller of the face's other inner boundary components and the edges in
+    /// the box around that part. If j of these components meet the box, a sweep takes O((s + j) log (s + j)).
     pub(super) fn sides(&self, from: HalfEdge<'_>, to: HalfEdge<'_>) -> Result<(Side, Vec<BoundaryKey>), EditError> {
         let split = from.boundary();
         let part = CyclePart::shorter(from, to);
@@ -75,8 +72,7 @@ impl PlanarMap {
         Ok((side, self.enclosed(&part, &places, around, split)?))
     }
 
-    /// Returns the other inner boundary components of the face that lie inside a part of the cycle: to its left, or to its right
-    /// if `around`.
+    /// Returns the face's other inner boundary components inside a part of the cycle: to its left, or to its right if `around`.
     fn enclosed(
         &self,
         part: &CyclePart<'_>,
@@ -163,8 +159,7 @@ fn turns_clockwise(places: &[Point]) -> bool {
     for (i, at) in places.iter().enumerate() {
         let before = places[(i + places.len() - 1) % places.len()];
         let after = places[(i + 1) % places.len()];
-        // Everything lies to the right, so the corner is closed if the turn from the next point to the previous one is to the
-        // left.
+        // Everything lies to the right, so the corner is closed if the turn from the next point to the previous is to the left.
         let opens = || orientation(*at, after, before) != Orientation::CounterClockwise;
         match compare_lexicographic(*at, low) {
             Ordering::Less => (low, clockwise) = (*at, opens()),

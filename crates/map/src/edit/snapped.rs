@@ -32,19 +32,17 @@ impl PlanarMap {
     /// that come to lie on each other and remove slivers of faces between them.
     ///
     /// All vertices of the map must be on the grid. They are if the map was built from the output of noding, with [`Snap::Size`]
-    /// of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or drawn by this edit alone. (Only nearby
-    /// vertices are checked.) [`Snap::Auto`] chooses the grid for the largest coordinate of the map and the segment, so the grid
-    /// changes when that coordinate does.
+    /// of its [`NodingSummary::cell`](twinedge_geometry::noding::NodingSummary::cell), or drawn by this edit alone. (Nearby
+    /// vertices are checked.) [`Snap::Auto`] chooses the grid for the largest coordinate of both, and changes with it.
     ///
-    /// Features follow their area: each face is covered by the features of its former face, even where edges come to lie on each
-    /// other. An edge that replaces several edges has the features of all. Edges bent only through new vertices are
+    /// Features follow their area: each face is covered by the features of its former face, even where edges coincide. An edge
+    /// that replaces several edges has the features of all. Edges bent only through new vertices are
     /// [split](Edited::edges_split), and keep their key and their faces. Other changed edges are [dropped](Edited::edges_dropped)
-    /// and [made](Edited::edges_made) anew along their way, so that their faces are temporarily merged and split; see
+    /// and [made](Edited::edges_made) anew along their way, temporarily merging and splitting their faces; see
     /// [`Edited::faces_relabelled`].
     ///
     /// O(s log s) for s edges around the faces along the segment and next to bent edges, after the first point is located (see
-    /// [`At`]), plus the cost of splitting each face. Only edges near the segment or a bent edge are noded. [`Snap::Auto`] adds
-    /// O(vertices).
+    /// [`At`]), plus splitting each face. Only edges near the segment or a bent edge are noded. [`Snap::Auto`] adds O(vertices).
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -86,8 +84,7 @@ impl PlanarMap {
         self.atomically(|map| map.apply(&mut plan, start))
     }
 
-    /// Returns the width of a cell, which does not depend on the noded part of the map. A requested size is returned as is;
-    /// noding rounds it down.
+    /// Returns a cell's width, independent of the noded part of the map. A requested size is returned; noding rounds it down.
     fn cell(&self, snap: Snap, ends: [Point; 2]) -> Result<f64, EditError> {
         if let Snap::Size(size) = snap {
             return Ok(size);

@@ -43,8 +43,7 @@ impl<'a> Towards<'a> {
 }
 
 impl PlanarMap {
-    /// Returns the half-edge or corner of a vertex in the direction of another point. O(log degree), using the index at a vertex
-    /// of high degree.
+    /// Returns the half-edge or corner of a vertex towards another point. O(log degree), by the index at a high degree.
     pub(crate) fn towards<'a>(&'a self, v: Vertex<'a>, p: Point) -> Towards<'a> {
         if is_hub(v) {
             let found = self.index().towards(v, p).and_then(|h| self.dcel.half_edge_at(h));
@@ -179,8 +178,7 @@ impl PlanarMap {
             EventRecord::Vertex(v) => sight.pass(v, self.at(v)),
             EventRecord::Edge(_) => sight.meet(event),
         });
-        // An edge that leaves a hub at an end of the way meets the way only there, unless it runs along it. Only the hub itself
-        // is ahead.
+        // An edge that leaves a hub at an end of the way meets the way only there, unless along it. Only the hub is ahead.
         if let Some(hub) = self.index().hub_at(to).and_then(|v| self.dcel.vertex_at(v)) {
             sight.pass(hub, to);
             if let Towards::Along(h) = self.towards(hub, at) {

@@ -119,8 +119,7 @@ impl RecordIndex {
         }
     }
 
-    /// Returns the index of the half-edge of a hub towards a point, or of the half-edge before that direction. Returns `None` if
-    /// the vertex is not a hub.
+    /// Returns the index of the half-edge of a hub towards a point, or before that direction; `None` if the vertex is not a hub.
     pub(super) fn towards(&self, v: Vertex<'_>, p: Point) -> Option<usize> {
         self.hubs.get(&(v.index() as u32))?.towards(p)
     }

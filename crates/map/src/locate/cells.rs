@@ -13,8 +13,7 @@ const MAX_MARKS_PER_CELL: usize = 16;
 /// A square grid with about one cell for each segment. An empty cell stores its face. Any other cell stores the first question of
 /// the graph whose answer differs between points of the cell, and searches start there.
 ///
-/// The grid only saves time. If segments are so long that drawing them cell by cell would take more than O(n), all cells count as
-/// non-empty.
+/// The grid only saves time. If drawing the segments cell by cell would take more than O(n), all cells count as non-empty.
 pub(super) struct Cells {
     columns: Axis,
     rows: Axis,
@@ -29,8 +28,7 @@ struct Axis {
     /// Pieces per unit of length; 0 if the range is a single number.
     scale: f64,
     pieces: usize,
-    /// Two bounds for each piece: the first or last number of the range, or numbers in other pieces. Numbers between two pieces
-    /// are thus between the bounds of each.
+    /// Two bounds for each piece: the first or last number of the range, or numbers in other pieces. Others lie between.
     bounds: Vec<[f64; 2]>,
 }
 
@@ -93,8 +91,7 @@ impl Cells {
         cells
     }
 
-    /// Stores for each cell the stage up to which all its points take the same way through the graph: first for all cells
-    /// together, then for quarters of them.
+    /// Stores for each cell the stage up to which all its points take the same way: first for all cells, then for quarters.
     fn narrow(&mut self, graph: &Graph, side: usize) {
         let mut blocks = vec![([0, 0], side, graph.root())];
         while let Some(([column, row], size, from)) = blocks.pop() {

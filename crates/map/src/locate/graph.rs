@@ -1,5 +1,4 @@
-//! The search graph, packed: questions of 12 bytes each, which lead to a face. The first questions find the slab of a point; the
-//! others form the search graph of that slab.
+//! The search graph, packed: questions of 12 bytes. The first find the slab of a point; the others form the slab's search graph.
 
 use super::slabs::{Slab, Slabs};
 use super::trapezoids::{Drawing, GraphError, search_graph};
@@ -47,8 +46,7 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// Builds the graph, given the face above each segment and the face outside. Expected time O(n log n), memory O(n). The slabs
-    /// are divided among threads.
+    /// Builds the graph, given the face above each segment and the face outside. Expected O(n log n), memory O(n). Uses threads.
     pub(super) fn new(drawn: Drawing, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
         let slabs = Slabs::new(&drawn);
         let numbers: Vec<usize> = (0..slabs.len()).collect();

@@ -17,8 +17,7 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{compare_lexicographic, in_range};
 
 impl PlanarMap {
-    /// Returns the location of a point, for a map that changes between queries. An edge is named by the half-edge that runs to
-    /// the right, or straight up.
+    /// Returns the location of a point, for a changing map. Edges are named by the half-edge to the right, or straight up.
     ///
     /// The first call builds an index in O(n log n), which the map maintains through all [edits](crate::edit). With it, a query
     /// costs the search of an R-tree for the records between the point and a nearby record: O(log n) if boxes hardly overlap, as
@@ -80,8 +79,7 @@ impl PlanarMap {
         ends.into_iter().flatten().find(|v| self.point(v.index()) == p).map(|v| Located::Vertex(v.key()))
     }
 
-    /// Returns the location of a point, derived from the first record on the segment to another point, or `None` if there is no
-    /// such record.
+    /// Returns the location of a point, derived from the first record on the segment to another point, or `None` without one.
     fn first_met(&self, p: Point, to: Point) -> Option<Located> {
         let line = Line { from: p, through: to };
         let mut first: Option<LineEvent<'_>> = None;

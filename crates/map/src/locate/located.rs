@@ -21,8 +21,7 @@ pub enum Located {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LocateError {
-    /// A coordinate of the point is NaN or infinite, or beyond the range in which the predicates are exact; see
-    /// [`in_range`].
+    /// A coordinate of the point is NaN, infinite, or beyond the range of the exact predicates; see [`in_range`].
     #[error("the point ({:?}, {:?}) is not in the range of exact arithmetic", .0.x, .0.y)]
     OutOfRange(Point),
     /// The two points that should define a direction are equal.

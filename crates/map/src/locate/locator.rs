@@ -42,8 +42,7 @@ impl<'m> Locator<'m> {
     /// Lines also use the index kept by the map; the first [`zone`](Self::zone) builds it.
     ///
     /// # Errors
-    /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] returns false. [`LocateError::TooLarge`] beyond some hundred million
-    /// edges.
+    /// [`LocateError::NotPlane`] unless [`PlanarMap::is_plane`]. [`LocateError::TooLarge`] beyond some hundred million edges.
     pub fn new(map: &'m PlanarMap) -> Result<Self, LocateError> {
         map.plane()?;
         let dcel = map.dcel();
@@ -93,8 +92,7 @@ impl<'m> Locator<'m> {
         self.map
     }
 
-    /// Returns the location of a point. An edge is named by the half-edge that runs to the right, or straight up. O(log n)
-    /// expected.
+    /// Returns the location of a point. Edges are named by the half-edge to the right, or straight up. O(log n) expected.
     ///
     /// ```
     /// use twinedge_geometry::Point;

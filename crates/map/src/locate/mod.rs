@@ -41,8 +41,7 @@
 //! The map is cut into slabs so that few edges pass from one to the next (see `slabs.rs`). The index of a slab is the search
 //! graph of its trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) per query, for every map. In front of it is a
 //! grid of about one cell per edge. A cell that no edge meets stores its face, so most searches end in the grid. Other cells
-//! store the place in the graph where the paths of their points diverge. The graph determines the worst case: the grid has one
-//! number per cell and no lists.
+//! store the place in the graph where their points diverge. The graph determines the worst case: the grid has no lists.
 
 mod cells;
 mod graph;

@@ -43,8 +43,7 @@ use twinedge_geometry::steps::count_step;
 const NO_VERTEX: u32 = u32::MAX;
 const NOTHING: u32 = 0;
 
-/// A plane drawing: distinct points, and segments that meet only at shared endpoints. Both are numbered along a space-filling
-/// curve.
+/// Distinct points, and segments that meet only at shared endpoints. Both are in the order of a space-filling curve.
 pub(super) struct Drawing {
     pub(super) points: Vec<Point>,
     /// The numbers of the lower and the higher end, in lexicographic order.
@@ -72,8 +71,7 @@ pub(super) struct Node {
     pub(super) above: u32,
 }
 
-/// A trapezoid. Its neighbours share a wall with it and the segment above (or below). So the trapezoids along each side of a
-/// segment form a doubly linked list.
+/// A trapezoid. Its neighbours share a wall with it and the segment above (or below): a linked list on each side of a segment.
 #[derive(Clone, Copy)]
 struct Trapezoid {
     node: u32,

@@ -74,8 +74,7 @@ impl EmbeddingBaseline {
 /// from G1 to G5; [`near`](crate::near) explains the method.
 ///
 /// `written` must name every record that changed since the baseline was made or last advanced, and each vertex that moved. If all
-/// rules hold, the baseline advances. Costs O(k log n) for k records that were written or are edges of moved vertices, in a
-/// structure of n; plus
+/// rules hold, the baseline advances. Costs O(k log n) for k records that were written or are edges of moved vertices, of n; plus
 ///
 /// - for each redrawn edge, the cost of finding the edges whose boxes meet its box in an R-tree, and the number of these edges;
 /// - for each face whose extent has changed, O(log k) for each inner boundary component that starts in the box around the gained

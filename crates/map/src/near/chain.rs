@@ -123,8 +123,7 @@ impl SummedChain {
         (self.0.size() > 0).then(|| self.0.root().envelope())
     }
 
-    /// Returns the winding number of the chain around a point, counter-clockwise. O(log k), plus the cost of finding the segments
-    /// below the point in an R-tree.
+    /// Returns the winding number of the chain around a point. O(log k), plus finding the segments below it in an R-tree.
     pub(super) fn around(&self, p: Beside) -> i64 {
         let below = AABB::from_corners([p.at.x, f64::MIN], p.at.into());
         let passes = |segment: &&WeightedSegment| {

@@ -55,8 +55,7 @@ fn count(drawing: &Drawing<'_>, f: usize) -> usize {
     face.inner as usize + usize::from(face.is_live() && face.outer != NIL)
 }
 
-/// Evidence of an inner boundary component's location: an unchanged point next to it, with the old face of that point, or its
-/// smallest point.
+/// Evidence of an inner boundary component's location: an unchanged point next to it with its old face, or its smallest point.
 enum Knowledge {
     Kept(Beside, usize),
     New(Point),
@@ -95,8 +94,7 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
     Some(())
 }
 
-/// Returns the change of each face's boundary: the new half-edges of its boundary components minus the old ones, and minus the
-/// components dropped by its source faces.
+/// Returns the change of each face's boundary: the new half-edges minus the old ones and components dropped by its sources.
 fn chains(drawing: &Drawing<'_>, moves: &Moves) -> FxHashMap<usize, SummedChain> {
     let mut chains: FxHashMap<usize, Chain> = FxHashMap::default();
     for h in &drawing.half_edges {

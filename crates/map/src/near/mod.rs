@@ -19,13 +19,12 @@
 //!
 //! # Sums of turns
 //!
-//! A walk around a face turns by 360° in all: to the left along an outer cycle, to the right along an inner one. The number of
-//! times that its direction passes the direction of the x axis is 1 or −1, and is a sum over corners. Only changed corners are
-//! counted, before and after.
+//! A walk around a face turns by 360°: to the left along an outer cycle, to the right along an inner one. The number of times
+//! that its direction passes the direction of the x axis is 1 or −1, and is a sum over corners. Only changed corners are counted.
 //!
-//! A corner at which a walk turns by t is 180° − t wide. So the turns of all cycles sum to E minus the number of times that each
-//! rotation goes around its vertex, at least once. By G3 and the sum of T3 they equal E minus the number of vertices with edges.
-//! So each rotation goes around once: G2.
+//! A corner at which a walk turns by t is 180° − t wide. So the turns of all cycles sum to E minus the rounds of each rotation
+//! about its vertex, at least one. By G3 and the sum of T3 they equal E minus the vertices with edges. So each goes around once:
+//! G2.
 //!
 //! If G2 and G4 hold, the cycles of a component are the walks around the faces of a plane drawing. So its genus is 0 (T3), and
 //! one of its cycles turns clockwise; if G3 holds, this cycle is the one inner boundary component (T1). If G5 holds, a component
@@ -52,12 +51,10 @@
 //! This proves G5 for all components. Suppose b is the misplaced component with the lexicographically smallest lowest point. If b
 //! was located by a ray, the edge below belongs to another misplaced component, with a smaller lowest point. Otherwise the
 //! boundary of f goes around m the required number of times although m lies elsewhere. So m lies in the outer cycle of f, and f
-//! does not list some component around m that lies in f. That component is misplaced, and its lowest point is smaller: a
-//! contradiction.
+//! does not list some component around m that lies in f. That component is misplaced, with a smaller lowest point.
 //!
 //! If one change moves boundary components from a face to several faces and combines them with components of another face, the
-//! changes do not determine the old winding number around m. Then the structure is validated in full. No single operator does
-//! this.
+//! changes do not determine the old winding number around m. The structure is then fully validated. No operator does this.
 
 mod baseline;
 mod chain;

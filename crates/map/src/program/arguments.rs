@@ -391,8 +391,7 @@ impl Number {
         self.0
     }
 
-    /// Mostly on a small grid, where points coincide and segments cross; otherwise close to it, near the ends of the range, or
-    /// arbitrary bits.
+    /// Mostly on a small grid, where points coincide and segments cross; otherwise close to it, at the range's ends, or random.
     fn draw(source: &mut impl Choose) -> Self {
         let grid = source.choose(8) as f64;
         Self::from(match source.choose(64) {
@@ -409,8 +408,7 @@ impl Number {
         })
     }
 
-    /// Returns all simpler numbers, the simplest first. Every step lowers the tuple (small and whole, number of bits, magnitude,
-    /// sign), so shrinking ends.
+    /// Returns simpler numbers. Every step lowers the tuple (small and whole, number of bits, magnitude, sign), so it ends.
     fn simpler(self) -> Vec<Self> {
         let x = self.get();
         if x.to_bits() == 0 {

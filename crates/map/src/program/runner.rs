@@ -387,8 +387,8 @@ pub(super) struct Keys<K: Key> {
     all: Vec<K>,
     /// The indices in `all` of the live keys.
     places: SecondaryMap<K, usize>,
-    /// The number of live keys in ranges of `all` (a Fenwick tree): range i, counted from 1, ends at key i, and its length is the
-    /// lowest bit of i.
+    /// The number of live keys in ranges of `all` (a Fenwick tree): range i, from 1, ends at key i, with the lowest bit of i as
+    /// length.
     counts: Vec<usize>,
     /// The removed keys, in order of removal.
     pub(super) retired: Vec<K>,

@@ -45,8 +45,7 @@ impl Locator<'_> {
 }
 
 impl PlanarMap {
-    /// Returns the elements along a line, in order, as [`Locator::zone`] does, for a map that changes between queries:
-    /// [`PlanarMap::locate`] finds the beginning.
+    /// Returns the elements along a line, like [`Locator::zone`], for a changing map: [`PlanarMap::locate`] finds the beginning.
     ///
     /// ```
     /// use twinedge_geometry::Point;

@@ -107,8 +107,7 @@ impl Line {
         LineEvent { record: EventRecord::Vertex(vertex), place: LinePlace::At(map.point(vertex.index())) }
     }
 
-    /// Returns the crossing of the line with an edge, if it passes between the ends of the edge. The ends are given for one of
-    /// the half-edges, with their sides.
+    /// Returns the crossing of the line with an edge, if it passes between its ends. These are given with their sides.
     #[inline]
     pub(crate) fn crossing(
         h: HalfEdge<'_>,

@@ -4,15 +4,15 @@ use ::geojson::JsonValue;
 use core::fmt;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
-/// The ends of the names under which files say what RFC 7946 makes the rule: longitudes and latitudes on WGS 84.
+/// The suffixes of names for the default of RFC 7946: longitudes and latitudes on WGS 84.
 const USUAL: [&str; 3] = ["CRS84", "EPSG::4326", "EPSG:4326"];
 
-/// Returns true if this name of a coordinate reference system means something else than longitudes and latitudes on WGS 84.
+/// Returns true if this name of a coordinate reference system does not mean longitudes and latitudes on WGS 84.
 pub(super) fn is_other(name: &str) -> bool {
     !USUAL.iter().any(|usual| name.ends_with(usual))
 }
 
-/// Returns true if the member `crs` of an object means something else than longitudes and latitudes on WGS 84. O(1).
+/// Returns true if the member `crs` of an object does not mean longitudes and latitudes on WGS 84. O(1).
 ///
 /// ```
 /// use twinedge_formats::io::geojson::names_other_crs;
@@ -27,8 +27,8 @@ pub fn names_other_crs(crs: &JsonValue) -> bool {
     !crs.is_null() && is_other(name.unwrap_or_default())
 }
 
-/// Looks for a text at the end of a path of keys: empty, if there is something else; none, if there is null. The rest of the
-/// value is skipped, whatever it is.
+/// Looks for a text at the end of a path of keys: empty if there is another value; `None` for null. All other parts of the value
+/// are skipped.
 pub(super) struct TextAt(pub(super) &'static [&'static str]);
 
 /// The path to the name of a coordinate reference system.

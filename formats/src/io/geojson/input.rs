@@ -1,4 +1,4 @@
-//! A reader that knows how far it has got.
+//! A reader that tracks its progress.
 
 use core::cell::Cell;
 use std::io::{self, BufRead, BufReader, ErrorKind, Read};
@@ -10,7 +10,7 @@ use crate::io::error::TextPlace;
 pub(super) struct Progress {
     /// The last byte read.
     pub(super) at: TextPlace,
-    /// True if there was nothing but white space so far.
+    /// True if only white space has been read.
     pub(super) blank: bool,
     /// True if the text has ended or the reader has failed.
     pub(super) stopped: bool,
@@ -28,7 +28,7 @@ impl Progress {
 /// Separates the texts of a sequence (RFC 8142).
 const RECORD_SEPARATOR: u8 = 0x1E;
 
-/// Buffers a reader, keeps its progress, and skips a byte order mark; turns record separators into spaces, if asked to.
+/// Buffers a reader, tracks its progress, and skips a byte order mark; optionally turns record separators into spaces.
 pub(super) fn open<'p, R: Read + 'p>(
     reader: R,
     progress: &'p Cell<Progress>,
@@ -56,7 +56,7 @@ impl<R: Read> Read for ProgressReader<'_, R> {
         if out.is_empty() || progress.stopped {
             return Ok(0);
         }
-        // Nothing keeps a reader from claiming more than there was room for.
+        // A reader might claim to have read more than there was room for.
         let result = self.reader.read(out).map(|len| len.min(out.len()));
         match &result {
             Ok(len) => {

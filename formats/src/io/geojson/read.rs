@@ -23,30 +23,30 @@ use twinedge_map::{Feature, Shape};
 /// The number of GeoJSON objects in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Documents {
-    /// One.
+    /// One object.
     One,
-    /// Any number, one after the other.
+    /// Any number of successive objects.
     Many,
 }
 
-/// A part of a file, as the crate `geojson` has it.
+/// A part of a file, in the types of the crate `geojson`.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Part {
-    /// A feature, with all that the file says of it; a geometry without a feature around it counts as one.
+    /// A feature with all its data; a geometry without a feature around it counts as one.
     Feature(Box<Parsed>),
     /// A member of a collection of features, by name: `crs`, `name`, `bbox` and foreign ones.
     Member(String, JsonValue),
 }
 
-/// Reads a map, handing its features to `each` in the order of the file.
+/// Reads a map, passing its features to `each` in the order of the file.
 ///
-/// The reader is buffered inside. Faults may show only after some features have been handed over; `each` can stop the
-/// reading by an error of its own, which is then returned. Time O(bytes); memory O(largest feature).
+/// The reader is buffered inside. Faults may appear only after some features have been passed on; `each` can stop reading with an
+/// error of its own, which is then returned. Time O(bytes); memory O(largest feature).
 ///
 /// # Errors
-/// [`ReadError`], turned into `E`, and whatever `each` returns. Something other than white space after the end of the object
-/// is [`ReadCause::Trailing`].
+/// [`ReadError`], converted to `E`, and the errors of `each`. Anything but white space after the end of the object is
+/// [`ReadCause::Trailing`].
 pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -55,7 +55,7 @@ where
     read_with_properties(reader, |feature, _| each(feature))
 }
 
-/// [`read`], with the properties of each feature.
+/// Like [`read`], with the properties of each feature.
 pub(in crate::io) fn read_with_properties<R, E>(
     reader: R,
     each: impl FnMut(Feature, &Properties) -> Result<(), E>,
@@ -67,11 +67,11 @@ where
     read_features(reader, Documents::One, each)
 }
 
-/// Reads a map of any number of GeoJSON objects, one after the other: newline-delimited GeoJSON, where each line is an
-/// object, and text sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), where each follows a record separator.
-/// Line breaks and record separators count as white space, and none is needed between two objects.
+/// Reads a map of any number of successive GeoJSON objects: newline-delimited GeoJSON, with one object per line, and text
+/// sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), with a record separator before each. Line breaks and record
+/// separators count as white space, which is optional between objects.
 ///
-/// The features of all objects are handed to `each` in the order of the file. Otherwise as [`read`]; an empty file is a map
+/// The features of all objects are passed to `each` in the order of the file. Otherwise like [`read`]; an empty file is a map
 /// without features.
 ///
 /// ```
@@ -93,7 +93,7 @@ where
     read_sequence_with_properties(reader, |feature, _| each(feature))
 }
 
-/// [`read_sequence`], with the properties of each feature.
+/// Like [`read_sequence`], with the properties of each feature.
 pub(in crate::io) fn read_sequence_with_properties<R, E>(
     reader: R,
     each: impl FnMut(Feature, &Properties) -> Result<(), E>,
@@ -105,8 +105,8 @@ where
     read_features(reader, Documents::Many, each)
 }
 
-/// Reads a file without dropping anything: features as the crate `geojson` has them, with their properties, foreign members and
-/// all dimensions, and the members of the outermost object. Otherwise as [`read`] and [`read_sequence`].
+/// Reads a file without dropping anything: features in the types of the crate `geojson`, with their properties, foreign members
+/// and all dimensions, and the members of the outermost object. Otherwise like [`read`] and [`read_sequence`].
 ///
 /// ```
 /// use twinedge_formats::io::ReadError;
@@ -150,7 +150,7 @@ where
     }
 }
 
-/// Checks what the crate does not: that positions have two numbers, and how deep collections are nested.
+/// Checks that positions have two numbers and that collections are not nested too deep, which the crate does not check.
 fn check(value: &GeometryValue, depth: usize) -> Result<(), ReadCause> {
     fn positions<'a>(all: impl IntoIterator<Item = &'a Position>) -> Result<(), ReadCause> {
         match all.into_iter().map(|position| position.len()).find(|numbers| *numbers < 2) {
@@ -172,7 +172,6 @@ fn check(value: &GeometryValue, depth: usize) -> Result<(), ReadCause> {
     }
 }
 
-/// Reads features for a map.
 fn read_features<R, E>(
     reader: R,
     documents: Documents,
@@ -197,11 +196,10 @@ where
     }
 }
 
-/// A fault of a feature that the crate took, and the feature's name.
+/// A fault of a feature that the crate accepted, with the feature's name.
 type Fault = (Option<String>, ReadCause);
 
-/// Hands over all parts, and returns how many objects name a reference system that means something else. `take` says whether
-/// to go on.
+/// Passes on all parts, and returns the number of objects that name another reference system. `take` returns true to continue.
 fn read_all(
     reader: impl Read,
     documents: Documents,
@@ -229,7 +227,7 @@ fn read_all(
     Ok(sink.other_crs)
 }
 
-/// Reads one object. If `each` stopped the reading, there is an error too.
+/// Reads one object. Also returns an error if `each` stopped reading.
 fn read_document<'de>(
     input: &mut serde_json::Deserializer<impl serde_json::de::Read<'de>>,
     sink: &mut Sink<'_>,
@@ -250,13 +248,13 @@ fn read_document<'de>(
     })
 }
 
-/// Gives an error of `serde_json` a type. What its category does not tell, it tells in words only.
+/// Classifies an error of `serde_json`. Some distinctions are only in its text.
 fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
     let at = TextPlace { line: error.line(), column: Some(error.column()) };
     // The message repeats the place.
     let mut message = error.to_string();
     message.truncate(message.rfind(" at line ").unwrap_or(message.len()));
-    // A number cut short counts as a bad number there, not as an early end.
+    // A number cut short counts as an invalid number there, not as an early end.
     let is_cut_number = progress.stopped && at == progress.at && message == "invalid number";
     match (error.classify(), &*message) {
         (Category::Io, _) => ReadError::new(progress.at, ReadCause::Io(error.into())),
@@ -272,17 +270,16 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
     }
 }
 
-/// The receiver of features.
 struct Sink<'f> {
-    /// Takes a part, and says whether to go on.
+    /// Takes a part, and returns true to continue.
     take: &'f mut dyn FnMut(Part) -> Result<bool, Fault>,
-    /// True if the members of the outermost object are handed over as well.
+    /// True if the members of the outermost object are also passed on.
     keep_members: bool,
     features: usize,
     other_crs: usize,
-    /// True if an element of `"features"` is being read.
+    /// True while an element of `"features"` is being read.
     in_features: bool,
-    /// Serde only gets to know that there is a fault, and adds the place.
+    /// Serde only learns that there is a fault, and adds the place.
     fault: Option<Fault>,
 }
 
@@ -302,10 +299,10 @@ impl Sink<'_> {
     }
 }
 
-/// The columns from which the name of a feature is taken, unless it is said otherwise: the first that there is.
+/// The columns that may hold the name of a feature, unless specified otherwise; the first existing one counts.
 pub const NAME_COLUMNS: [&str; 7] = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
 
-/// A feature of the crate as one for a map, with its properties.
+/// Converts a feature of the crate to one for a map, with its properties.
 fn converted(parsed: Parsed, summary: &mut ReadSummary) -> Result<(Feature, Properties), Fault> {
     let label = |value: &JsonValue| match value {
         JsonValue::String(text) => Some(text.clone()),
@@ -329,17 +326,16 @@ fn converted(parsed: Parsed, summary: &mut ReadSummary) -> Result<(Feature, Prop
     Ok((feature, Properties { object: parsed.properties.unwrap_or_default() }))
 }
 
-/// The shapes of one feature.
 #[derive(Default)]
 struct FeatureShapes {
     shapes: Vec<Shape>,
     with_extra_dimensions: usize,
-    /// Lines and polygons without positions, which are not among the shapes.
+    /// The number of lines and polygons without positions, which are not among the shapes.
     empty: usize,
 }
 
 impl FeatureShapes {
-    /// Adds a geometry that lies inside this many collections, a number that bounds the recursion.
+    /// Adds a geometry inside this many collections, a number that bounds the recursion.
     fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), ReadCause> {
         match value {
             GeometryValue::Point { coordinates } => {
@@ -406,14 +402,11 @@ impl FeatureShapes {
     }
 }
 
-/// The parts of a document that this module looks at itself.
+/// The parts of a document that this module handles itself.
 #[derive(Clone, Copy)]
 enum DocumentPart {
-    /// The outermost object.
     Document,
-    /// The array `"features"`.
     Features,
-    /// One element of that array.
     Element,
 }
 
@@ -452,7 +445,7 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
         Ok(())
     }
 
-    /// Errors raised in here get the place of the closing brace, so features are converted in here too.
+    /// Errors raised in here get the place of the closing brace, so features are also converted in here.
     fn visit_map<A: MapAccess<'de>>(self, inner: A) -> Result<(), A::Error> {
         let Self { part, sink } = self;
         if let DocumentPart::Element = part {
@@ -466,7 +459,7 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
             GeoJson::FeatureCollection(_) => {
                 kept.into_iter().try_for_each(|(name, value)| members.sink.take(Part::Member(name, value)))
             }
-            // The features of an object of another type, which have been handed over already.
+            // The features of an object of another type have already been passed on.
             other if members.has_features => FeatureCollection::try_from(other).map(drop).map_err(A::Error::custom),
             GeoJson::Feature(feature) => members.sink.take(Part::Feature(with_members(feature, kept).into())),
             GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(with_members(geometry.into(), kept).into())),
@@ -474,7 +467,7 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
     }
 }
 
-/// A feature that is the outermost object, with the members that the crate did not get to see.
+/// Returns a feature that is the outermost object, with the members hidden from the crate.
 fn with_members(mut feature: Parsed, kept: Vec<(String, JsonValue)>) -> Parsed {
     if !kept.is_empty() {
         feature.foreign_members.get_or_insert_default().extend(kept);
@@ -482,14 +475,14 @@ fn with_members(mut feature: Parsed, kept: Vec<(String, JsonValue)>) -> Parsed {
     feature
 }
 
-/// The members of the outermost object as the crate gets to see them: without those that mean nothing here, which it
-/// would keep in memory, and with an empty array for `"features"`, whose elements go to the sink.
+/// The members of the outermost object as presented to the crate: without irrelevant members, which the crate would keep in
+/// memory, and with an empty array for `"features"`, whose elements go to the sink.
 struct Members<'s, 'f, A> {
     inner: A,
     sink: &'s mut Sink<'f>,
     at_features: bool,
     has_features: bool,
-    /// Those that mean nothing here, if they are kept.
+    /// The irrelevant members, if they are kept.
     kept: Vec<(String, JsonValue)>,
 }
 

@@ -10,11 +10,10 @@ use twinedge_map::Feature;
 
 /// Writes a feature collection.
 ///
-/// A feature's name is written as its property `name`, its id as the member `id` that the format has for it. One shape is
-/// written as what it is, several of a kind as a multi-geometry, other mixtures as a collection, no shape as null. Numbers
-/// have as many digits as it takes to read the same ones again. Points, lines and rings are written as they are, so rings
-/// should be closed and turn as the format wants it, as those of a [contour](twinedge_algorithm::contour) do. The writer is not
-/// buffered inside. O(points).
+/// A feature's name is written as its property `name`, and its id as the member `id`. One shape is written directly, several of a
+/// kind as a multi-geometry, other mixtures as a collection, no shape as null. Numbers have enough digits to be read back
+/// exactly. Points, lines and rings are written as they are, so rings should be closed and have the direction required by the
+/// format, like the rings of a [contour](twinedge_algorithm::contour). The writer is not buffered inside. O(points).
 ///
 /// # Errors
 ///
@@ -48,7 +47,7 @@ pub fn write(mut writer: impl Write, features: &[Feature]) -> Result<(), WriteEr
     Ok(())
 }
 
-/// The crate wraps what the writer said, once or twice.
+/// Unwraps the writer's error, which the crate wraps once or twice.
 fn io_error(error: Error) -> io::Error {
     match error {
         Error::Io(error) => error,

@@ -1,9 +1,9 @@
-//! Usual forms of well-known text that the crate `wkt` does not take, brought into forms that it does.
+//! Common forms of well-known text that the crate `wkt` rejects, converted to accepted forms.
 
 use std::borrow::Cow;
 
-/// Splits a reference system from the geometry behind it, as PostGIS writes it: `SRID=2056;POINT(1 2)`. None, if something else
-/// than a number follows `SRID=`.
+/// Splits off a reference system before a geometry, as PostGIS writes it: `SRID=2056;POINT(1 2)`. `None` if `SRID=` is not
+/// followed by a number.
 pub(super) fn split_srid(text: &str) -> Option<(Option<i64>, &str)> {
     const MARK: &str = "SRID=";
     let Some((_, rest)) = text.split_at_checked(MARK.len()).filter(|(mark, _)| mark.eq_ignore_ascii_case(MARK)) else {
@@ -14,8 +14,8 @@ pub(super) fn split_srid(text: &str) -> Option<(Option<i64>, &str)> {
     Some((Some(srid.into()), geometry.trim_start()))
 }
 
-/// Says the dimensions of geometries that leave them to the numbers, as in `POINT(1 2 3)`, and writes the empty points of
-/// multi-points as points without numbers, [`NOTHING`]. O(bytes · depth of collections).
+/// Adds the dimensions of geometries that leave them to the numbers, as in `POINT(1 2 3)`, and replaces the empty points of
+/// multi-points by points with NaN coordinates, [`NOTHING`]. O(bytes · depth of collections).
 pub(super) fn plain(text: &str) -> Cow<'_, str> {
     let mut out = String::new();
     let mut copied = 0;
@@ -45,7 +45,7 @@ pub(super) fn plain(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// The dimensions that a geometry leaves to the numbers of its first position.
+/// Returns the dimensions that a geometry leaves to the numbers of its first position.
 fn dimensions(head: &str, body: &str) -> &'static str {
     if says_dimensions(last_word(head)) {
         return "";
@@ -62,12 +62,13 @@ fn last_word(text: &str) -> &str {
     &text[start..]
 }
 
-/// Returns true for `Z`, `M`, `ZM` and types that end so: those of plain geometries end in other letters.
+/// Returns true for `Z`, `M`, `ZM` and types with such a suffix; plain geometry types end in other letters.
 fn says_dimensions(word: &str) -> bool {
     word.ends_with(['Z', 'z', 'M', 'm'])
 }
 
-/// The numbers of the first position of a body; none if it has no position, or if an inner geometry says its dimensions.
+/// Returns the numbers of the first position of a body; `None` if it has no position, or if an inner geometry states its
+/// dimensions.
 fn first_position(body: &str) -> Option<&str> {
     let mut depth = 1_usize;
     let mut rest = body;
@@ -100,10 +101,10 @@ fn is_multi_point(head: &str) -> bool {
         .is_some_and(|end| end.eq_ignore_ascii_case(NAME))
 }
 
-/// A number that is none, as the crate reads it.
+/// NaN in the form that the crate reads.
 const NOTHING: &str = "+NaN";
 
-/// Writes numbers that are none as the crate reads them. O(bytes).
+/// Rewrites NaN in the form that the crate reads. O(bytes).
 pub(super) fn with_nothing(text: &str) -> Cow<'_, str> {
     let bytes = text.as_bytes();
     let is_number = |at: &usize| {
@@ -121,8 +122,8 @@ pub(super) fn with_nothing(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// The points of a multi-point, the empty ones without numbers, in brackets, and where its body ends; none if no point is empty. `word`
-/// ends with the dimensions.
+/// Returns the points of a multi-point in brackets, with NaN for empty ones, and the end of its body; `None` if no point is
+/// empty. `word` ends with the dimensions.
 fn points(body: &str, word: &str) -> Option<(String, usize)> {
     let is_empty = |point: &&str| point.trim_ascii().eq_ignore_ascii_case("EMPTY");
     let mut depth = 1_usize;
@@ -134,7 +135,7 @@ fn points(body: &str, word: &str) -> Option<(String, usize)> {
         }
         depth == 0
     })?;
-    // Commas stand between points only.
+    // Commas stand only between points.
     let all = || body[..end].split(',');
     if !all().any(|point| is_empty(&point)) {
         return None;

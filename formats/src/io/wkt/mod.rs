@@ -1,8 +1,8 @@
 //! Reading and writing well-known text, one geometry per line.
 //!
-//! The grammar is that of the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
-//! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not. Three numbers of a position without one of these
-//! are x, y and z, and four x, y, z and m. `SRID=2056;` may stand before a geometry, as PostGIS writes it.
+//! The grammar follows the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
+//! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in upper or lower case. Without these, three numbers of a
+//! position are x, y and z, and four are x, y, z and m. `SRID=2056;` may stand before a geometry, as PostGIS writes it.
 //!
 //! ```
 //! use twinedge_formats::io::{ReadError, wkt};
@@ -34,7 +34,7 @@ use super::write::{self, GeometryPiece, WriteError};
 use twinedge_geometry::Point;
 use twinedge_map::{Feature, Shape};
 
-/// Reads a map, handing the geometry of each line to `each` as a feature without a name.
+/// Reads a map, passing the geometry of each line to `each` as an unnamed feature.
 ///
 /// Blank lines and lines that start with `#` are skipped, and so is a byte order mark. Collections are flattened, empty
 /// geometries draw nothing, numbers beyond x and y are dropped and counted, and rings may be open. The reader is
@@ -42,8 +42,8 @@ use twinedge_map::{Feature, Shape};
 ///
 /// # Errors
 ///
-/// [`ReadError`] with the line, turned into `E`, and whatever `each` returns. Lines before the faulty one have been handed
-/// over by then.
+/// [`ReadError`] with the line, converted to `E`, and the errors of `each`. Lines before the faulty one have been passed on by
+/// then.
 pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -68,16 +68,16 @@ const WGS_84: i64 = 4326;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct GeometryLine {
-    /// Its number, counted from 1.
+    /// The line number, counted from 1.
     pub number: usize,
-    /// The number of the reference system, if the line says one.
+    /// The number of the reference system, if the line states one.
     pub srid: Option<i64>,
-    /// The geometry as the crate `wkt` has it.
+    /// The geometry in the type of the crate `wkt`.
     pub geometry: Wkt<f64>,
 }
 
-/// Reads a file without dropping anything. Otherwise as [`read`]; what numbers there are is not checked. A point whose coordinates are no
-/// numbers is empty.
+/// Reads a file without dropping anything. Otherwise like [`read`], but numbers are not checked. A point with NaN coordinates is
+/// empty.
 ///
 /// # Errors
 /// As for [`read`].
@@ -121,7 +121,8 @@ where
     Ok(())
 }
 
-/// The geometry, with points without numbers as empty ones. The recursion is as deep as collections are nested, which the brackets bound.
+/// Replaces points with NaN coordinates by empty ones. The recursion is as deep as collections are nested, which the brackets
+/// bound.
 fn emptied(geometry: Wkt<f64>) -> Wkt<f64> {
     let point = |point: ::wkt::types::Point<f64>| match point.coord() {
         Some(coord) if coord.x.is_nan() && coord.y.is_nan() => ::wkt::types::Point::empty(point.dimension()),
@@ -149,9 +150,8 @@ fn syntax(message: &str) -> ReadCause {
     ReadCause::Syntax { message: message.to_owned() }
 }
 
-/// Checks what the `wkt` crate does not: that nothing follows the geometry, and that its brackets are not nested so
-/// deep that a recursive parser runs out of stack. The text is taken as words, then one pair of brackets unless the
-/// last word is `EMPTY`.
+/// Checks that nothing follows the geometry, and that its brackets are not nested so deep that a recursive parser would exhaust
+/// the stack; the `wkt` crate does not. The text must be words, then one pair of brackets unless the last word is `EMPTY`.
 fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
     let is_empty_mark = |word: &str| word.eq_ignore_ascii_case("EMPTY");
     let (head, body) = text.split_at(text.find('(').unwrap_or(text.len()));
@@ -184,17 +184,16 @@ fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
     Err(error_in(line, syntax("expected ( or EMPTY, and a ) for every (")))
 }
 
-/// The shapes of one line.
 struct LineShapes {
     line: usize,
     shapes: Vec<Shape>,
     with_extra_dimensions: usize,
-    /// Points, lines and polygons without positions, which are not among the shapes.
+    /// The number of points, lines and polygons without positions, which are not among the shapes.
     empty: usize,
 }
 
 impl LineShapes {
-    /// Adds what a geometry inside `depth` collections draws. The recursion is as deep as they are nested.
+    /// Adds the shapes of a geometry inside `depth` collections. The recursion is as deep as they are nested.
     fn add(&mut self, geometry: Wkt<f64>, depth: usize) -> Result<(), ReadError> {
         if depth > MAX_NESTED_COLLECTIONS {
             return Err(error_in(self.line, ReadCause::TooDeep));
@@ -256,12 +255,11 @@ impl LineShapes {
     }
 }
 
-/// Writes features, the geometry of each on a line of its own; names are not written.
+/// Writes features, one geometry per line; names are not written.
 ///
-/// One shape is written as what it is, several of a kind as a multi-geometry, other mixtures and features without shapes as a
-/// collection. Numbers have as many digits as it takes to read the same ones again. Points, lines and rings are written as
-/// they are, so rings should be closed, as those of a [contour](twinedge_algorithm::contour) are. The writer is not buffered
-/// inside. O(points).
+/// One shape is written directly, several of a kind as a multi-geometry, other mixtures and features without shapes as a
+/// collection. Numbers have enough digits to be read back exactly. Points, lines and rings are written as they are, so rings
+/// should be closed, like the rings of a [contour](twinedge_algorithm::contour). The writer is not buffered inside. O(points).
 ///
 /// # Errors
 ///

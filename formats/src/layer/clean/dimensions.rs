@@ -1,4 +1,4 @@
-//! The further dimensions of points on new rings.
+//! Further dimensions of points on new rings.
 
 use super::super::model::{Feature, Geometry, Line, Position};
 use super::restored::key;
@@ -10,17 +10,17 @@ use twinedge_geometry::noding::NodingSummary;
 type Key = (u64, u64);
 type Known = FxHashMap<Key, Box<[f64]>>;
 
-/// The further dimensions of the points that were there before.
+/// The further dimensions of existing points.
 pub(super) struct Further {
     /// The rounding of the points, if they were rounded.
     noding: Option<NodingSummary>,
     of_all: Known,
     of_feature: Known,
-    /// The number of coordinates that a point of the feature in hand has beyond x and y, if all have as many.
+    /// The number of coordinates of the current feature's points beyond x and y, if it is equal for all.
     count: Option<usize>,
 }
 
-/// Notes a point where it was and where it was rounded to; the first of several at a place counts.
+/// Records a point at its position and at its rounded position; the first of several at a position counts.
 fn note(known: &mut Known, position: &Position, noding: Option<NodingSummary>) {
     known.entry(key(position.x, position.y)).or_insert_with(|| position.more.clone());
     if let Some(noding) = noding {
@@ -30,7 +30,7 @@ fn note(known: &mut Known, position: &Position, noding: Option<NodingSummary>) {
 }
 
 impl Further {
-    /// Notes the points of all features that have further dimensions. O(points), expected.
+    /// Records the points of all features with further dimensions. O(points), expected.
     pub(super) fn new(features: &[Cow<'_, Feature>], noding: Option<NodingSummary>) -> Self {
         let mut of_all = Known::default();
         for geometry in features.iter().filter_map(|feature| feature.geometry.as_ref()) {
@@ -43,7 +43,7 @@ impl Further {
         Self { noding, of_all, of_feature: Known::default(), count: None }
     }
 
-    /// Turns to a feature: its own points come first.
+    /// Switches to a feature, whose own points take precedence.
     pub(super) fn of_feature(&mut self, geometry: &Geometry) {
         self.of_feature.clear();
         self.count = None;
@@ -57,14 +57,14 @@ impl Further {
             note(known, position, noding);
         });
         match self.count {
-            // There is nothing to go by but what the geometry is said to have.
+            // Only the declared dimensions of the geometry are available.
             None => self.count = Some(geometry.dimensions.more()),
             Some(_) if !is_uniform => self.count = None,
             Some(_) => {}
         }
     }
 
-    /// The positions of a closed ring. O(points), expected.
+    /// Returns the positions of a closed ring. O(points), expected.
     pub(super) fn line(&self, ring: &[Point]) -> Line {
         let known = |p: &Point| {
             let key = key(p.x, p.y);
@@ -80,16 +80,16 @@ impl Further {
         ring.iter().zip(further).map(|(p, more)| Position { x: p.x, y: p.y, more: more.unwrap_or_default() }).collect()
     }
 
-    /// Gives points that are not known numbers between those before and after them on the ring, by the length of the way.
+    /// Interpolates numbers of unknown points between their neighbours on the ring, by distance along it.
     fn interpolate(&self, ring: &[Point], further: &mut [Option<Box<[f64]>>], count: usize) {
         let places: Vec<usize> = (0..further.len()).filter(|i| further[*i].is_some()).collect();
         let (Some(first), Some(last)) = (places.first(), places.last()) else {
-            // All points are new: as any other of the feature.
+            // All points are new: use any point of the feature.
             let any = self.of_feature.values().next().cloned().unwrap_or_else(|| vec![0.0; count].into());
             further.fill(Some(any));
             return;
         };
-        // The last point of the ring is the first: the way goes on behind it.
+        // The last point of the ring equals the first: the path continues after it.
         let steps = ring.len().saturating_sub(1).max(1);
         let wrapped = places.iter().copied().skip(1).chain([first + steps]);
         for (from, to) in places.iter().copied().zip(wrapped) {

@@ -1,4 +1,4 @@
-//! Quadrangles that close narrow spaces between two borders, between the stretches that face each other.
+//! Quadrangles that close narrow spaces between two borders, made from stretches that face each other.
 //!
 //! ```text
 //!   ───────p0─────────p1──────   a stretch of one border, with the space to its left
@@ -10,10 +10,10 @@ use twinedge_coverage::Finding;
 use twinedge_geometry::Point;
 use twinedge_map::Shape;
 
-/// A little more than the width, as places on borders are rounded.
+/// Slightly more than the width, as positions on borders are rounded.
 const TOLERANCE: f64 = 1.0 + 1e-9;
 
-/// The quadrangles for near misses of at most this width. O(k²) for the k stretches of each.
+/// Returns the quadrangles for near misses of at most this width. O(k²) for the k stretches of each.
 pub(super) fn fillers(near_misses: &[Finding], width: f64) -> Vec<Shape> {
     let of_one = |stretches: &[[Point; 2]]| {
         let quadrangles = stretches.iter().filter_map(|stretch| quadrangle(*stretch, stretches, width * TOLERANCE));
@@ -42,7 +42,7 @@ fn run_against([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y) < 0.0
 }
 
-/// The point of a segment that is nearest, rounded.
+/// Returns the nearest point of a segment, rounded.
 fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
     let (x, y) = (b.x - a.x, b.y - a.y);
     let part = ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);

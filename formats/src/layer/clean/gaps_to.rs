@@ -1,19 +1,19 @@
-//! The feature that gets the gaps that are filled.
+//! The feature that gets filled gaps.
 
 use super::super::model::{Feature, FieldKind, Layer, Shape, Value, kind_of};
 use std::sync::Arc;
 
-/// The feature that gets the gaps that are filled.
+/// The feature that gets filled gaps.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GapsTo {
-    /// One of these, by number: the neighbour among them with the longest common border, or else the first of them.
+    /// One of these, by number: the neighbour among them with the longest common border, or else the first.
     Features(Vec<usize>),
-    /// A new one with these attributes, behind the others. Without gaps to fill it is not made.
+    /// A new feature with these attributes, after all others. It is made only if gaps are filled.
     New(Vec<(Arc<str>, Value)>),
 }
 
-/// Why no feature can get the gaps.
+/// The reason why no feature can get the gaps.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GapsToError {
@@ -31,8 +31,8 @@ pub enum GapsToError {
 }
 
 impl GapsTo {
-    /// The features with this value in a column, or a new one with it if there are none. Features of lines and points are passed over.
-    /// O(attributes).
+    /// Selects the features with this value in a column, or a new feature with it if there are none. Features of lines and points
+    /// are ignored. O(attributes).
     ///
     /// ```
     /// use twinedge_formats::layer::clean::GapsTo;
@@ -63,7 +63,7 @@ impl GapsTo {
         let text = || Value::Text(value.to_owned());
         let of_kind = match field.kind {
             FieldKind::Text => Some(text()),
-            // Numbers and truth values as JSON writes them.
+            // Numbers and booleans in JSON notation.
             kind => serde_json::from_str(value).ok().map(Value::of_json).filter(|value| {
                 kind_of(value) == Some(kind) || (kind, kind_of(value)) == (FieldKind::Real, Some(FieldKind::Integer))
             }),
@@ -73,7 +73,7 @@ impl GapsTo {
     }
 }
 
-/// Returns true if there are polygons or nothing in a feature.
+/// Returns true if a feature contains polygons or nothing.
 fn can_receive(feature: &Feature) -> bool {
     feature.geometry.as_ref().is_none_or(|geometry| {
         matches!(geometry.shape, Shape::Polygon(_) | Shape::MultiPolygon(_)) || geometry.shape.is_empty()

@@ -1,4 +1,4 @@
-//! Vertices that borders lack, put into the rings where they are missing.
+//! Vertices that borders lack, inserted into the rings.
 
 use super::rebuild::Rings;
 use super::report::AddedVertex;
@@ -11,16 +11,15 @@ use twinedge_map::{PlanarMap, UnmatchedVertex};
 
 type Key = (u64, u64);
 
-/// The vertices that features lack.
 pub(super) struct Missing {
-    /// Those of which the border between two features is in want (C7).
+    /// The vertices missing on a border between two features (C7).
     pub(super) added: Vec<AddedVertex>,
-    /// By feature and ends of the segment, the smaller one first: all points on it, in order.
+    /// For each feature and segment, by its ends with the smaller one first: all points on it, in order.
     on_segments: FxHashMap<(usize, Key, Key), Vec<Point>>,
 }
 
 impl Missing {
-    /// By the vertices of the input that are not matched, and the map of it. O(n log n).
+    /// Collects them from the unmatched vertices of the input and its map. O(n log n).
     pub(super) fn new(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Self, CoverageError> {
         let mut added = Vec::new();
         for finding in mismatches(map, unmatched)? {
@@ -42,7 +41,7 @@ impl Missing {
         Ok(Self { added, on_segments })
     }
 
-    /// The rings of a feature with all points in them that were missing; none if none were.
+    /// Returns the rings of a feature with all missing points inserted; `None` if none are missing.
     pub(super) fn inserted(&self, feature: usize, polygons: &[Rings]) -> Option<Vec<Rings>> {
         let mut any = false;
         let mut with = |ring: &Vec<Point>| {

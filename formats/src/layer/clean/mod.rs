@@ -1,4 +1,4 @@
-//! Cleaning a layer of polygons: noding, then [`twinedge_coverage::clean`], then the polygons of the features that changed.
+//! Cleaning a layer of polygons: noding, then [`twinedge_coverage::clean`], then the polygons of the changed features.
 //!
 //! ```text
 //!   polygons ─► map, cut where they meet ─► faces, each of one feature ─► outlines ─► polygons
@@ -6,14 +6,13 @@
 //!                     what is the same as before stays as it is, to the byte ◄┘
 //! ```
 //!
-//! Ids, attributes, the order of features and foreign members stay. Of a feature whose outline is the same, so does the geometry.
-//! That of the others is made anew: rings are closed, without repeated points and spikes, valid by
-//! the rules of the OGC, and turn as those before. Where nothing but vertices of a neighbour was missing (C7), these are put into the rings, which stay as they are
-//! otherwise. Vertices that were there before keep their further dimensions; for the others these are interpolated
-//! along the ring.
+//! Ids, attributes, the order of features and foreign members stay. A feature with an unchanged outline keeps its geometry. Other
+//! geometries are rebuilt: rings are closed, without repeated points and spikes, valid by the rules of the OGC, and keep their
+//! direction. If only vertices of a neighbour were missing (C7), they are inserted into the otherwise unchanged rings. Existing
+//! vertices keep their further dimensions; for new ones these are interpolated along the ring.
 //!
-//! Narrow spaces between two features that are open to the outside or to a wider gap (C3) are filled if a width of gaps is given: quadrangles are drawn
-//! between the borders that face each other, and what they fill goes to a neighbour.
+//! Narrow spaces between two features that are open to the outside or to a wider gap (C3) are filled if a width of gaps is given:
+//! quadrangles are drawn between the borders that face each other, and their area goes to a neighbour.
 //!
 //! Lines and points are neither cut nor moved.
 
@@ -49,25 +48,25 @@ pub(super) use rebuild::Bounds;
 pub use rebuild::is_tidy;
 pub use report::{AddedVertex, CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
-/// The way in which a layer is cleaned.
+/// The options of cleaning a layer.
 #[derive(Clone, Debug, Default)]
 pub struct CleanOptions {
     /// The grid to which points are rounded. Without one nothing moves, unless borders cross where there is no point: then all
     /// points are rounded to the finest grid that the coordinates allow.
     pub snap: Option<Snap>,
-    /// The feature that gets what. The features that get gaps are those of [`gaps_to`](Self::gaps_to).
+    /// The assignment of faces to features. [`gaps_to`](Self::gaps_to) selects the features that get gaps.
     pub assign: Options,
-    /// Choose the [greatest width of gaps that are filled](Options::gap_width) by the gaps that there are ([`choose_gap_width`]).
+    /// True to choose the [greatest width of filled gaps](Options::gap_width) from the existing gaps ([`choose_gap_width`]).
     pub chooses_width: bool,
-    /// The feature that gets the gaps that are filled. Without one it is a neighbour.
+    /// The feature that gets filled gaps; by default a neighbour.
     pub gaps_to: Option<GapsTo>,
 }
 
-/// Why a layer could not be cleaned.
+/// The reason why a layer could not be cleaned.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CleanError {
-    /// There is no polygon.
+    /// The layer has no polygons.
     #[error("there is no polygon to clean")]
     NoPolygons,
     /// No map can be made of the polygons.
@@ -81,8 +80,8 @@ pub enum CleanError {
     Contour(#[from] ContourError),
 }
 
-/// Cleans a layer in place, and reports what was done. O(n log n) for most layers; see
-/// [`twinedge_coverage::clean::clean`] and [noding](twinedge_geometry::noding#cost).
+/// Cleans a layer in place, and reports the changes. O(n log n) for most layers; see [`twinedge_coverage::clean::clean`] and
+/// [noding](twinedge_geometry::noding#cost).
 ///
 /// Cleaning the result again changes nothing.
 ///
@@ -107,7 +106,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
     clean_part(layer, options, None)
 }
 
-/// As [`clean`], of a part of a layer with this largest coordinate, so that the finest grid is that of the whole.
+/// Cleans like [`clean`] a part of a layer with this largest coordinate, so that it uses the finest grid of the whole.
 fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -> Result<CleanReport, CleanError> {
     // A point outside of everything.
     let anchor = || largest.map(|most| twinedge_map::Shape::Point(Point::new(most, most)));
@@ -120,7 +119,7 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
         options.assign.gap_width = chosen.map(|chosen| chosen.width);
     }
     let options = &options;
-    // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
+    // Narrow spaces that are open to the outside are filled, as long as their number falls.
     if let Some(width) = options.assign.gap_width {
         let mut near_misses = done.near_misses(options.assign.window);
         while !near_misses.is_empty() {
@@ -160,7 +159,7 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
         let before = layer.features.get(number).unwrap_or(&nothing);
         let polygons = before.geometry.as_ref().map(polygons_of).unwrap_or_default();
         report.polygons += usize::from(!polygons.is_empty());
-        // A feature that was to get gaps, and got none.
+        // A feature that was selected for gaps and got none.
         let is_still_empty = before.geometry.is_none() && after.geometry.as_ref().is_none_or(|it| it.shape.is_empty());
         if before.geometry != after.geometry && !is_still_empty {
             let mut after = after.into_owned();
@@ -184,8 +183,8 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
     Ok(report)
 }
 
-/// The numbers of the features that are to get gaps, each of which has a geometry afterwards, if an empty one. A new one is put behind the
-/// others.
+/// Returns the numbers of the features selected for gaps, giving each a geometry, if necessary an empty one. A new feature is
+/// added after the others.
 fn receiving(features: &mut Vec<Cow<'_, Feature>>, to: GapsTo) -> Vec<usize> {
     let mut of_all =
         features.iter().filter_map(|feature| feature.geometry.as_ref()).map(|geometry| geometry.dimensions);
@@ -207,7 +206,7 @@ fn receiving(features: &mut Vec<Cow<'_, Feature>>, to: GapsTo) -> Vec<usize> {
 
 /// The result of one round of cleaning.
 struct Pass<'a> {
-    /// Those of which nothing changed are borrowed.
+    /// Unchanged features are borrowed.
     features: Vec<Cow<'a, Feature>>,
     changes: Vec<LayerChange>,
     added: Vec<AddedVertex>,
@@ -230,7 +229,7 @@ impl Pass<'_> {
     }
 }
 
-/// One round: noding, faces to features, outlines.
+/// Runs one round: noding, faces to features, outlines.
 fn pass<'a>(
     features: &[Cow<'a, Feature>],
     fillers: &[twinedge_map::Shape],
@@ -249,14 +248,14 @@ fn pass<'a>(
     let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
     let (noding, sliver_area) = (map.noding().copied(), cleaned.sliver_area);
     let changes = cleaned.changes.iter().map(LayerChange::from).collect();
-    // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
+    // A grid that was not requested is only a means: points move back to their original positions, if nothing crosses then.
     let restored = match (options.snap, noding) {
         (None, Some(noding)) if noding.cell > 0.0 => Some(Restoration::new(features, &noding)),
         _ => None,
     };
     let heirs = &options.assign.gaps_to;
     let mut made = outlined(features, heirs, &map, &cleaned, &missing, restored.as_ref())?;
-    // The map is not needed beside the one by which the outlines are judged, unless they are made once more.
+    // The map is dropped before the outlines are judged, unless they may be rebuilt.
     let kept = restored.is_some().then_some((map, cleaned));
     let mut found = judged(&made, options)?;
     if let Some((map, cleaned)) = kept.filter(|_| found.left.is_some_and(|left| !left.is_plane)) {
@@ -266,7 +265,6 @@ fn pass<'a>(
     Ok(Pass { features: made, changes, added: missing.added, noding, sliver_area, chosen, judged: found })
 }
 
-/// The features with their outlines.
 fn outlined<'a>(
     features: &[Cow<'a, Feature>],
     heirs: &[usize],
@@ -302,7 +300,7 @@ fn outlined<'a>(
     Ok(all)
 }
 
-/// The map of all polygons and then of the fillers, cut where they meet.
+/// Builds the map of all polygons followed by the fillers, cut where they meet.
 fn build(
     features: &[Cow<'_, Feature>],
     fillers: &[twinedge_map::Shape],
@@ -317,7 +315,7 @@ fn build(
     }
 }
 
-/// A builder with all polygons and then the fillers.
+/// Returns a builder with all polygons followed by the fillers.
 fn gather(features: &[Cow<'_, Feature>], fillers: &[twinedge_map::Shape]) -> Result<Builder, CleanError> {
     let mut builder = Builder::new();
     let mut any = false;
@@ -335,7 +333,7 @@ fn gather(features: &[Cow<'_, Feature>], fillers: &[twinedge_map::Shape]) -> Res
     Ok(builder)
 }
 
-/// The polygons of a feature, as the library takes them, with vertices where rings touch as the OGC allows.
+/// Returns the polygons of a feature for the library, with vertices added where rings touch as the OGC allows.
 fn shapes(feature: &Feature) -> Vec<twinedge_map::Shape> {
     let mut shapes = super::to_map(feature, &mut ReadSummary::default()).shapes;
     shapes.retain(|shape| matches!(shape, twinedge_map::Shape::Polygon(_)));
@@ -343,13 +341,12 @@ fn shapes(feature: &Feature) -> Vec<twinedge_map::Shape> {
     shapes
 }
 
-/// The rings of [`shapes`].
+/// Returns the rings of [`shapes`].
 fn with_touches(feature: &Feature) -> Vec<rebuild::Rings> {
     let rings = |shape| if let twinedge_map::Shape::Polygon(rings) = shape { rings } else { Vec::new() };
     shapes(feature).into_iter().map(rings).collect()
 }
 
-/// The findings of a layer.
 #[derive(Default)]
 struct Judgement {
     left: Option<Left>,
@@ -359,11 +356,11 @@ struct Judgement {
     invalid: Vec<Remaining>,
     wider_gaps: Vec<Finding>,
     accepted_gaps: Vec<Finding>,
-    /// The accepted places in which there is no gap.
+    /// The accepted places without a gap.
     unmet: Vec<Point>,
 }
 
-/// The findings of C1 … C7 afterwards, judged by the polygons that are written.
+/// Returns the findings of C1 … C7 afterwards, judged by the polygons that are written.
 fn judged(features: &[Cow<'_, Feature>], options: &CleanOptions) -> Result<Judgement, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();

@@ -1,4 +1,4 @@
-//! Cleaning a layer of any size: only the features around what is wrong are in memory, one neighbourhood after the other.
+//! Cleaning a layer of any size: only the features around faults are in memory, one neighbourhood at a time.
 //!
 //! ```text
 //!   ┌───┬───┬───┬───┐     the features that something is wrong with are the core of a neighbourhood; its window is the
@@ -8,14 +8,15 @@
 //!   └───┴───┴───┴───┘
 //! ```
 //!
-//! *Why that is the same as cleaning the whole.* In the end windows are disjoint, and each has the boxes of all features that change there. So a feature that meets
-//! a window and is not of its core changes nowhere. Inside of a window all faces, their claims and the features beside them are those of the whole; gaps and
-//! slivers that reach out of it stay ([`Options::window`](twinedge_coverage::clean::Options::window)). A gap that is to be filled lies in the box around the features beside it,
-//! and they are of the core, as its finding names them. Limits are those of the whole, as they are given, and so is the finest grid.
+//! *Why this equals cleaning the whole.* In the end windows are disjoint, and each contains the boxes of all features that change
+//! in it. So a feature that meets a window but is not in its core does not change. Inside a window, all faces, their claims and
+//! adjacent features equal those of the whole; gaps and slivers that reach out of it stay
+//! ([`Options::window`](twinedge_coverage::clean::Options::window)). A gap to be filled lies in the box around its neighbours,
+//! which are in the core, as its finding names them. The given limits apply to the whole, and so does the finest grid.
 //!
-//! *Exceptions.* Without an area of slivers that is given, the whole measures the parts of features anew in each round. Where borders cross, the whole
-//! is cut on the finest grid everywhere, and here only the neighbourhoods that have crossings; so points that are no farther apart than a cell of it may
-//! become one there and stay two here.
+//! *Exceptions.* Without a given area of slivers, cleaning the whole measures the parts of features anew in each round. If
+//! borders cross, the whole is cut on the finest grid everywhere, but here only neighbourhoods with crossings are; so points
+//! within a cell of each other may merge there and stay distinct here.
 
 use super::super::model::{Feature, Layer};
 use super::rebuild::polygons_of;
@@ -30,67 +31,68 @@ use twinedge_geometry::noding::Snap;
 /// The margin around windows, by the largest coordinate: 64 cells of the finest grid.
 const MARGIN: f64 = 64.0 / Snap::AUTO_CELLS as f64;
 
-/// The polygons of a feature: the corners of the box around them, and the number of their vertices.
+/// The extent of a feature's polygons: the corners of their box, and the number of their vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
-    /// The box; none if there are no polygons.
+    /// The box; `None` if there are no polygons.
     pub corners: Option<[Point; 2]>,
     /// The number of vertices.
     pub vertices: u32,
 }
 
-/// Features that are read when they are needed.
+/// Features that are read on demand.
 pub trait Source {
-    /// The reason why one could not be read or kept.
+    /// The error of reading or replacing a feature.
     type Error: From<CleanError>;
 
-    /// The extents of the polygons of all features, in order.
+    /// Returns the extents of the polygons of all features, in order.
     fn extents(&self) -> &[Extent];
 
-    /// Reads a feature as it was before.
+    /// Reads a feature in its original state.
     ///
     /// # Errors
-    /// That of the source.
+    /// The error of the source.
     fn read(&mut self, number: usize) -> Result<Feature, Self::Error>;
 
-    /// Keeps a feature as it is now; without one, as it was before.
+    /// Replaces a feature, or restores its original state if `feature` is `None`.
     ///
     /// # Errors
-    /// That of the source.
+    /// The error of the source.
     fn replace(&mut self, number: usize, feature: Option<&Feature>) -> Result<(), Self::Error>;
 }
 
-/// A neighbourhood that has more vertices than were allowed. Nothing in it was changed.
+/// A neighbourhood with more vertices than allowed. Nothing in it was changed.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TooLarge {
     /// The corners of the box around the features that would change.
     pub window: [Point; 2],
-    /// The features that would change, and perhaps others beside them, by number.
+    /// The features that would change, and perhaps adjacent ones, by number.
     pub features: Vec<usize>,
     /// The number of vertices of all features that meet the box.
     pub vertices: u64,
 }
 
-/// A layer that was cleaned by its neighbourhoods.
+/// A layer cleaned by its neighbourhoods.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Neighbourhoods {
-    /// The report, without what is left: that is for [`CleanReport::judge`] to say. Changes are in order of their kinds and places.
+    /// The report, without remaining findings: [`CleanReport::judge`] adds them. Changes are in order of their kinds and places.
     pub report: CleanReport,
-    /// The number of neighbourhoods that were cleaned.
+    /// The number of cleaned neighbourhoods.
     pub cleaned: usize,
     /// The greatest number of vertices of one of them.
     pub largest: u64,
-    /// Those that were not, by the place of their windows.
+    /// The neighbourhoods that were not cleaned, by the place of their windows.
     pub too_large: Vec<TooLarge>,
 }
 
-/// Cleans a layer by its neighbourhoods. `concerned` are sets of features with something wrong between them, by their numbers; a neighbourhood has at
-/// most so many vertices. The options need an area of slivers; gaps go to neighbours, the width of gaps is not chosen, and no grid is asked for.
+/// Cleans a layer by its neighbourhoods. `concerned` are sets of features with a fault between them, by number; a neighbourhood
+/// may have at most `most` vertices. The options must include an area of slivers; gaps go to neighbours, the width of gaps is not
+/// chosen, and no grid may be requested.
 ///
-/// Memory is O(features) for boxes, and what cleaning the largest neighbourhood takes. Time O(f log w) for f features and w neighbourhoods, each time that
-/// windows grow, and that of cleaning the neighbourhoods.
+/// Memory is O(features) for boxes, plus the cost of cleaning the largest neighbourhood. Time O(f log w) for f features and w
+/// neighbourhoods, each time that windows grow, plus the time to clean the neighbourhoods.
 ///
 /// ```
 /// use twinedge_coverage::clean::Options;
@@ -123,7 +125,7 @@ pub struct Neighbourhoods {
 /// ```
 ///
 /// # Errors
-/// Those of the source, and those of [`clean`](super::clean).
+/// The errors of the source, and of [`clean`](super::clean).
 pub fn clean_neighbourhoods<S: Source>(
     source: &mut S,
     concerned: &[Vec<usize>],
@@ -172,13 +174,13 @@ pub fn clean_neighbourhoods<S: Source>(
 }
 
 impl Extent {
-    /// The corners of the box around several. O(extents).
+    /// Returns the corners of the box around several extents. O(extents).
     #[must_use]
     pub fn around(all: &[Self]) -> Option<[Point; 2]> {
         around(all.iter().filter_map(|extent| extent.corners))
     }
 
-    /// That of the polygons of a feature. O(vertices).
+    /// Returns the extent of a feature's polygons. O(vertices).
     #[must_use]
     pub fn of(feature: &Feature) -> Self {
         let polygons = feature.geometry.as_ref().map(polygons_of).unwrap_or_default();
@@ -197,7 +199,7 @@ enum State {
 }
 
 struct Window {
-    /// The features that change, and those with which something is wrong.
+    /// The features that change, and the faulty ones.
     core: BTreeSet<usize>,
     corners: [Point; 2],
     state: State,
@@ -205,12 +207,11 @@ struct Window {
 
 type Known = GeomWithData<Rectangle<[f64; 2]>, usize>;
 
-/// The windows of all neighbourhoods, which do not meet.
+/// The disjoint windows of all neighbourhoods.
 struct Windows {
     all: FxHashMap<usize, Window>,
     tree: RTree<Known>,
     largest: f64,
-    /// The number of the next one.
     next: usize,
 }
 
@@ -221,7 +222,7 @@ impl Windows {
         Self { all: FxHashMap::default(), tree: RTree::new(), largest, next: 0 }
     }
 
-    /// Adds a window around some features, joined with all that it meets, and returns the features that these had changed.
+    /// Adds a window around some features, joined with all windows that it meets. Returns the features that these had changed.
     fn add(&mut self, extents: &[Extent], mut core: BTreeSet<usize>) -> Vec<usize> {
         let mut changed = Vec::new();
         let Some(mut corners) = around(core.iter().filter_map(|number| extents[*number].corners)) else {
@@ -240,7 +241,7 @@ impl Windows {
         changed
     }
 
-    /// A window that meets a box, but for the margin.
+    /// Returns a window that meets a box, apart from the margin.
     fn met_by(&self, corners: [Point; 2]) -> Option<usize> {
         self.tree.locate_in_envelope_intersecting(envelope(grown(corners, self.largest))).next().map(|met| met.data)
     }
@@ -251,7 +252,7 @@ impl Windows {
         Some(window)
     }
 
-    /// For each window that is not cleaned yet the features that meet it, in order.
+    /// Returns, for each uncleaned window, the features that meet it, in order.
     fn features_near(&self, extents: &[Extent]) -> Vec<(usize, Vec<usize>)> {
         let open = self.all.iter().filter(|(_, window)| matches!(window.state, State::Open));
         let tree = RTree::bulk_load(
@@ -311,12 +312,11 @@ fn envelope([low, high]: [Point; 2]) -> AABB<[f64; 2]> {
     AABB::from_corners([low.x, low.y], [high.x, high.y])
 }
 
-/// The corners of the box around boxes.
 fn around(boxes: impl Iterator<Item = [Point; 2]>) -> Option<[Point; 2]> {
     boxes.reduce(|[a, b], [c, d]| [Point::new(a.x.min(c.x), a.y.min(c.y)), Point::new(b.x.max(d.x), b.y.max(d.y))])
 }
 
-/// A box with the margin for this largest coordinate: points in it may move by a cell.
+/// Returns a box with the margin for this largest coordinate: points in it may move by a cell.
 fn grown([low, high]: [Point; 2], largest: f64) -> [Point; 2] {
     let margin = largest * MARGIN;
     [Point::new(low.x - margin, low.y - margin), Point::new(high.x + margin, high.y + margin)]
@@ -326,7 +326,7 @@ fn compare(a: Point, b: Point) -> std::cmp::Ordering {
     twinedge_geometry::predicates::compare_lexicographic(a, b)
 }
 
-/// Gives the features of a part the numbers that they have in the whole.
+/// Replaces the numbers of features in a part by their numbers in the whole.
 fn renumber(report: &mut CleanReport, numbers: &[usize]) {
     for change in &mut report.changes {
         for number in change.from.iter_mut().chain(&mut change.to) {

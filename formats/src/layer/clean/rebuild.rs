@@ -1,4 +1,4 @@
-//! The geometry of a feature, with other polygons.
+//! Replacing the polygons in the geometry of a feature.
 
 use super::super::model::{Feature, Geometry, Layer, Line, Members, Position, Shape, json_number};
 use super::dimensions::Further;
@@ -12,7 +12,6 @@ use twinedge_geometry::predicates::{Orientation, compare_lexicographic, orientat
 /// The rings of a polygon, the outer one first.
 pub(super) type Rings = Vec<Vec<Point>>;
 
-/// All polygons of a geometry.
 pub(super) fn polygons_of(geometry: &Geometry) -> Vec<Rings> {
     let mut found = Vec::new();
     // Adding zero turns −0 into 0.
@@ -27,26 +26,24 @@ pub(super) fn polygons_of(geometry: &Geometry) -> Vec<Rings> {
     found
 }
 
-/// The rings of an outline.
 pub(super) fn rings_of(Polygon { outer, mut holes }: Polygon) -> Rings {
     holes.insert(0, outer);
     holes
 }
 
-/// Returns true if polygons are the same, whatever the order of polygons and holes, and where rings start and which way they turn.
-/// O(n log n).
+/// Returns true if polygons are equal, up to the order of polygons and holes, and the start and direction of rings. O(n log n).
 pub(super) fn is_same(before: &[Rings], after: &[Polygon]) -> bool {
     let after = after.iter().map(|polygon| polygon.rings().map(<[Point]>::to_vec).collect());
     canonical(before.to_vec()).is_some_and(|before| canonical(after.collect()).as_ref() == Some(&before))
 }
 
-/// Returns true if all rings of polygons are closed and repeat no point, as those that cleaning makes. O(n log n).
+/// Returns true if all rings of polygons are closed and repeat no point, like rings made by cleaning. O(n log n).
 #[must_use]
 pub fn is_tidy(feature: &Feature) -> bool {
     feature.geometry.as_ref().is_none_or(|geometry| canonical(polygons_of(geometry)).is_some())
 }
 
-/// Polygons in a form that is the same for the same polygons; none if rings are open or repeat points.
+/// Returns polygons in a canonical form; `None` if rings are open or repeat points.
 fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
     for rings in &mut polygons {
         for (number, ring) in rings.iter_mut().enumerate() {
@@ -70,12 +67,12 @@ fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
     Some(polygons)
 }
 
-/// The number of the first corner of a ring from left to right, and of those above each other the lowest. O(n).
+/// Returns the index of the leftmost corner of a ring, the lowest on a tie. O(n).
 fn first_corner(ring: &[Point]) -> usize {
     (0..ring.len()).min_by(|a, b| compare_lexicographic(ring[*a], ring[*b])).unwrap_or_default()
 }
 
-/// Returns true if a ring that does not cross itself turns clockwise, however small its area is. O(n).
+/// Returns true if a ring that does not cross itself turns clockwise, even with a tiny area. O(n).
 fn is_clockwise(ring: &[Point]) -> bool {
     let ring = ring.strip_suffix(&ring[..ring.len().min(1)]).unwrap_or(ring);
     let (n, at) = (ring.len(), first_corner(ring));
@@ -93,7 +90,8 @@ fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
     points.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
 }
 
-/// Turns rings as those before: each as one of its kind, outer rings or holes, with which it shares a point, or else as the first one of its kind. O(n).
+/// Gives rings their former direction: each follows an old ring of its kind (outer or hole) that shares a point with it, or else
+/// the first of its kind. O(n).
 pub(super) fn wind_as(before: &[Rings], after: &mut [Rings]) {
     let key = |point: &Point| [point.x.to_bits(), point.y.to_bits()];
     for is_hole in [false, true] {
@@ -118,8 +116,8 @@ pub(super) fn wind_as(before: &[Rings], after: &mut [Rings]) {
     }
 }
 
-/// The geometry with these polygons in the place of its own; none if nothing is left. A polygon becomes a multi-polygon if there
-/// are several, and a multi-polygon stays one.
+/// Returns the geometry with its polygons replaced by these; `None` if nothing is left. A polygon becomes a multi-polygon if
+/// there are several, and a multi-polygon remains one.
 pub(super) fn replace(geometry: &Geometry, polygons: &[Rings], further: &mut Further) -> Option<Geometry> {
     let dimensions = geometry.dimensions;
     further.of_feature(geometry);
@@ -131,7 +129,7 @@ pub(super) fn replace(geometry: &Geometry, polygons: &[Rings], further: &mut Fur
             let mut made: Vec<Geometry> =
                 polygons.into_iter().map(|rings| Geometry::new(dimensions, Shape::Polygon(rings))).collect();
             let mut of_polygons = parts.iter().filter(|part| without_polygons(part).is_none());
-            // Of several polygons it is not known which one became which.
+            // The correspondence of several polygons is unknown.
             if let ([one], Some(part), None) = (&mut made[..], of_polygons.next(), of_polygons.next()) {
                 *one = with_members(part, std::mem::replace(&mut one.shape, Shape::Point(None)));
             }
@@ -145,7 +143,6 @@ pub(super) fn replace(geometry: &Geometry, polygons: &[Rings], further: &mut Fur
     shape.map(|shape| with_members(geometry, shape))
 }
 
-/// A shape in the place of that of a geometry.
 fn with_members(geometry: &Geometry, shape: Shape) -> Geometry {
     let mut made = Geometry { dimensions: geometry.dimensions, shape, members: geometry.members.clone() };
     let bounds = bounds([&made].into_iter());
@@ -153,7 +150,7 @@ fn with_members(geometry: &Geometry, shape: Shape) -> Geometry {
     made
 }
 
-/// A part of a collection without its polygons; none if nothing is left.
+/// Returns a part of a collection without its polygons; `None` if nothing is left.
 fn without_polygons(part: &Geometry) -> Option<Geometry> {
     match &part.shape {
         Shape::Polygon(_) | Shape::MultiPolygon(_) => None,
@@ -165,7 +162,7 @@ fn without_polygons(part: &Geometry) -> Option<Geometry> {
     }
 }
 
-/// The box around geometries, taken one by one.
+/// The box around geometries, accumulated one by one.
 #[derive(Default)]
 pub(in crate::layer) struct Bounds(Option<[f64; 4]>);
 
@@ -177,7 +174,7 @@ impl Bounds {
         });
     }
 
-    /// The box, as the member `bbox` has it.
+    /// Returns the box in the form of the member `bbox`.
     pub(in crate::layer) fn json(self) -> Option<serde_json::Value> {
         self.0.map(|bounds| bounds.into_iter().map(json_number).collect())
     }
@@ -189,7 +186,7 @@ fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_js
     bounds.json()
 }
 
-/// Brings the member `bbox` of a feature up to date, if it has one.
+/// Updates the member `bbox` of a feature, if it has one.
 pub(super) fn update_box(feature: &mut Feature) {
     update_member(&mut feature.members, bounds(feature.geometry.iter()));
 }
@@ -203,7 +200,7 @@ fn update_member(members: &mut Members, bounds: Option<serde_json::Value>) {
     }
 }
 
-/// Brings the member `bbox` of a layer up to date, if it has one.
+/// Updates the member `bbox` of a layer, if it has one.
 pub(super) fn update_box_of_layer(layer: &mut Layer) {
     let bounds = bounds(layer.features.iter().filter_map(|feature| feature.geometry.as_ref()));
     if let (Some(member), Some(bounds)) = (layer.header.members.get_mut("bbox"), bounds) {

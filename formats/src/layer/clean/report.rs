@@ -15,38 +15,38 @@ use twinedge_map::{Builder, FeatureId, Noding, Shape};
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct CleanReport {
-    /// The number of features that have polygons.
+    /// The number of features with polygons.
     pub polygons: usize,
     /// The summary of noding.
     pub noding: Option<NodingSummary>,
     /// The area below which gaps were filled and slivers given away.
     pub sliver_area: f64,
-    /// The greatest mean width of gaps that were filled, whatever their area.
+    /// The greatest mean width of gaps that were filled at any area.
     pub gap_width: Option<f64>,
     /// The choice of that width, if it was to be chosen and there was a clear one.
     pub chosen: Option<ChosenWidth>,
-    /// The changes of hands, in order.
+    /// The changes of ownership, in order.
     pub changes: Vec<LayerChange>,
-    /// The vertices of features that their neighbours lacked (C7), and have now: by the two features, then by place.
+    /// The vertices that features lacked of their neighbours (C7), and have now: by the two features, then by place.
     pub added: Vec<AddedVertex>,
-    /// The features that have another geometry than before, in order.
+    /// The features with a changed geometry, in order.
     pub features: Vec<FeatureChange>,
-    /// The number of the feature that was made for the gaps.
+    /// The number of the feature made for the gaps.
     pub made: Option<usize>,
-    /// The findings of C1 … C7 that are left, if there are any.
+    /// The remaining findings of C1 … C7, if there are any.
     pub left: Option<Left>,
-    /// Each thing that does, in order of the rules, the largest of a rule first.
+    /// Each remaining finding, in order of the rules, the largest of a rule first.
     pub remaining: Vec<Remaining>,
-    /// The gaps that are wider than the width that was asked for. They are left as they are, and break nothing.
+    /// The gaps wider than the requested width. They are kept, and break nothing.
     pub wider_gaps: Vec<Remaining>,
-    /// The gaps that were accepted by a point inside. They are left as they are, and break nothing.
+    /// The gaps accepted by a point inside. They are kept, and break nothing.
     pub accepted_gaps: Vec<Remaining>,
-    /// The accepted places in which there was no gap. It is not known of a layer that was cleaned by neighbourhoods.
+    /// The accepted places without a gap. Unknown for a layer cleaned by neighbourhoods.
     pub unmet: Vec<Point>,
 }
 
 impl CleanReport {
-    /// The features that changed, and those between which something was wrong that was mended; some several times. O(changes).
+    /// Returns the changed features, and features next to a fixed fault, possibly repeated. O(changes).
     #[must_use]
     pub fn touched(&self) -> Vec<usize> {
         let mut all: Vec<usize> = self.features.iter().map(|change| change.feature).collect();
@@ -60,12 +60,12 @@ impl CleanReport {
         all
     }
 
-    /// Takes what the report of another part of the same layer says of changes.
+    /// Adds the changes in the report of another part of the layer.
     pub(super) fn append(&mut self, other: Self) {
         self.changes.extend(other.changes);
         self.added.extend(other.added);
         self.features.extend(other.features);
-        // Only where points were rounded is there something to say.
+        // There is something to report only if points were rounded.
         let rounded = |noding: Option<NodingSummary>| noding.filter(|noding| noding.cell > 0.0);
         self.noding = match (rounded(self.noding), rounded(other.noding)) {
             (Some(mut all), Some(more)) => {
@@ -83,11 +83,11 @@ impl CleanReport {
         };
     }
 
-    /// Takes the report of cleaning the result once more, without what is left. O(n log n).
+    /// Adds the report of cleaning the result again, without the remaining findings. O(n log n).
     pub fn followed_by(&mut self, next: Self) {
         self.append(next);
         self.sort();
-        // Sorting is stable: of two changes of a feature the later one comes second.
+        // Sorting is stable: among two changes of a feature the later one comes second.
         self.features.dedup_by(|later, first| {
             let is_same = later.feature == first.feature;
             if is_same {
@@ -98,7 +98,7 @@ impl CleanReport {
         });
     }
 
-    /// Puts changes in order of their kinds and places, vertices and features as always.
+    /// Sorts changes by kind and place, and vertices and features in their usual order.
     pub(super) fn sort(&mut self) {
         self.changes.sort_by(|a, b| a.kind.cmp(&b.kind).then_with(|| compare_lexicographic(a.at, b.at)));
         let pair = |vertex: &AddedVertex| [vertex.to.min(vertex.of), vertex.to.max(vertex.of)];
@@ -106,8 +106,9 @@ impl CleanReport {
         self.features.sort_by_key(|change| change.feature);
     }
 
-    /// Takes what is left from an audit of the result by its tiles. If all neighbourhoods of the layer [were cleaned](super::clean_neighbourhoods), that
-    /// is what the report of cleaning the whole says; otherwise findings of all rules may be left. O(findings).
+    /// Sets the remaining findings from an audit of the result by its tiles. If all neighbourhoods of the layer [were
+    /// cleaned](super::clean_neighbourhoods), they equal the findings after cleaning the whole; otherwise findings of all rules
+    /// may remain. O(findings).
     pub fn judge(&mut self, outcome: &Outcome) {
         let found = outcome.coverage.as_ref();
         let count = |rule| found.map_or(0, |found| found.of(rule).count());
@@ -131,13 +132,13 @@ impl CleanReport {
     }
 }
 
-/// An area that changed hands. Features are named by their numbers, counted from 0.
+/// An area that changed hands. Features are given by number, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LayerChange {
-    /// Why.
+    /// The reason.
     pub kind: ChangeKind,
-    /// The features that had it.
+    /// The previous features.
     pub from: Vec<usize>,
     /// The feature that got it.
     pub to: Option<usize>,
@@ -149,7 +150,7 @@ pub struct LayerChange {
     pub at: Point,
 }
 
-/// A vertex that a feature has now, as its neighbour had it before. Features are named by their numbers, counted from 0.
+/// A vertex that a feature has got from its neighbour. Features are given by number, counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct AddedVertex {
@@ -157,35 +158,35 @@ pub struct AddedVertex {
     pub at: Point,
     /// The feature that lacked it.
     pub to: usize,
-    /// The neighbour, or the same feature: of another ring of its own.
+    /// The neighbour, or the same feature for another ring of its own.
     pub of: usize,
 }
 
-/// A feature that has another geometry than before.
+/// A feature with a changed geometry.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FeatureChange {
-    /// Its number, counted from 0.
+    /// The number, counted from 0.
     pub feature: usize,
-    /// The defects by the OGC before, each kind once.
+    /// The OGC defects before, each kind once.
     pub defects: Vec<DefectKind>,
-    /// The area that its rings enclosed; of one that was not valid, the area that it covered by even-odd count.
+    /// The area that its rings enclosed; for an invalid feature, the area that it covered by even-odd count.
     pub area_before: f64,
-    /// The area that they enclose now; 0 if nothing is left of it, and then it has no geometry.
+    /// The area that they enclose now; 0 if nothing is left, and then it has no geometry.
     pub area_after: f64,
-    /// The points of its rings, the repeated end of each included.
+    /// The number of points of its old rings, including the repeated end of each.
     pub points_before: usize,
-    /// Those that it has now.
+    /// The number of points of its new rings.
     pub points_after: usize,
-    /// The geometry that it had.
+    /// The old geometry.
     pub before: Option<Geometry>,
 }
 
-/// A thing that was left as it is. Features are named by their numbers, counted from 0.
+/// A remaining finding. Features are given by number, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Remaining {
-    /// The rule that it breaks, or would break if it were not as wide.
+    /// The rule that it breaks, or would break if it were narrower.
     pub rule: CoverageRule,
     /// The features involved.
     pub features: Vec<usize>,
@@ -198,7 +199,7 @@ pub struct Remaining {
 }
 
 impl Remaining {
-    /// C6: the first defect of a feature.
+    /// Makes a finding of C6 from the first defect of a feature.
     pub(super) fn invalid(feature: usize, defect: &Defect) -> Self {
         Self { rule: CoverageRule::Validity, features: vec![feature], area: 0.0, width: 0.0, at: defect.at }
     }
@@ -216,21 +217,21 @@ impl From<&Finding> for Remaining {
     }
 }
 
-/// The number of findings of C1 … C7 that are left.
+/// The numbers of remaining findings of C1 … C7.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Left {
-    /// True if borders meet at common vertices only; otherwise C1 … C4 are not known.
+    /// True if borders meet only at common vertices; otherwise C1 … C4 are unknown.
     pub is_plane: bool,
     /// C1.
     pub overlaps: usize,
-    /// C2: gaps that are larger and wider than those that are filled.
+    /// C2: gaps larger and wider than the filled ones.
     pub gaps: usize,
-    /// C3: borders that nearly meet, beside a space that is open to the outside or to a wider gap.
+    /// C3: borders that nearly meet, at a space that is open to the outside or to a wider gap.
     pub near_misses: usize,
-    /// C4: slivers that are all that there is of their feature.
+    /// C4: slivers that are the only part of their feature.
     pub slivers: usize,
-    /// C6: features that are not valid by the OGC.
+    /// C6: features invalid by the OGC.
     pub invalid: usize,
 }
 
@@ -248,7 +249,7 @@ impl From<&Change> for LayerChange {
 }
 
 impl FeatureChange {
-    /// By the shapes and polygons before, and the polygons after, the outer ring of each first.
+    /// Compares the old shapes and polygons with the new polygons, the outer ring of each first.
     pub(super) fn new(feature: usize, shapes: &[Shape], before: &[Vec<Vec<Point>>], after: &[Vec<Vec<Point>>]) -> Self {
         let area = |rings: &Vec<Vec<Point>>| {
             let areas = rings.iter().map(|ring| ring_area(ring.iter().copied()).abs());
@@ -271,7 +272,7 @@ impl FeatureChange {
     }
 }
 
-/// The area that polygons cover whose rings may cross: that of the faces inside an odd number of rings, on the finest grid.
+/// Returns the area covered by polygons whose rings may cross: the faces inside an odd number of rings, on the finest grid.
 fn covered(shapes: &[Shape]) -> Option<f64> {
     let mut builder = Builder::new();
     let feature =

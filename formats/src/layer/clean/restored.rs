@@ -1,4 +1,4 @@
-//! Points that were rounded to a grid, back where they were.
+//! Restoring points that were rounded to a grid.
 
 use super::super::model::Feature;
 use rustc_hash::FxHashMap;
@@ -7,16 +7,16 @@ use twinedge_algorithm::contour::Polygon;
 use twinedge_geometry::Point;
 use twinedge_geometry::noding::NodingSummary;
 
-/// The bits of the coordinates, −0 as 0.
+/// Returns the bits of the coordinates, with −0 as 0.
 pub(super) fn key(x: f64, y: f64) -> (u64, u64) {
     ((x + 0.0).to_bits(), (y + 0.0).to_bits())
 }
 
-/// By the middle of a cell, the first position of the input in it.
+/// The first input position in each cell, by the middle of the cell.
 pub(super) struct Restoration(FxHashMap<(u64, u64), Point>);
 
 impl Restoration {
-    /// Notes all positions. O(positions), expected.
+    /// Records all positions. O(positions), expected.
     pub(super) fn new(features: &[Cow<'_, Feature>], noding: &NodingSummary) -> Self {
         let mut first = FxHashMap::default();
         for geometry in features.iter().filter_map(|feature| feature.geometry.as_ref()) {
@@ -28,7 +28,6 @@ impl Restoration {
         Self(first)
     }
 
-    /// Puts the points of a polygon back.
     pub(super) fn polygon(&self, polygon: &mut Polygon) {
         for point in polygon.outer.iter_mut().chain(polygon.holes.iter_mut().flatten()) {
             if let Some(first) = self.0.get(&key(point.x, point.y)) {

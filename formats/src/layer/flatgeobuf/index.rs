@@ -1,7 +1,7 @@
-//! The index of `FlatGeobuf`: a tree of boxes, by which the features in a window are found without reading others.
+//! The index of `FlatGeobuf`: a tree of boxes that finds the features in a window without reading others.
 //!
-//! Features are numbered as they follow each other. So that their numbers are those of their leaves, the leaves must be in the order of the
-//! features, as all known writers have them; where they are not, that is an error.
+//! Features are numbered in file order. Leaves must be in the same order, so that both have equal numbers; all known writers do
+//! this, and anything else is an error.
 
 use super::super::each::EachGeometry;
 use super::super::error::{Cause, Place, ReadError};
@@ -18,7 +18,7 @@ use std::path::Path;
 #[derive(Clone, Copy)]
 struct Node {
     extent: Extent,
-    /// Of a leaf, the place of its feature after the index.
+    /// For a leaf, the offset of its feature after the index.
     offset: u64,
 }
 
@@ -28,7 +28,7 @@ pub(in crate::layer) struct IndexedFile {
     length: u64,
     header: Vec<u8>,
     tree: Tree,
-    /// The places where the index and the features begin.
+    /// The offsets of the index and of the features.
     index: u64,
     features: u64,
     root: Extent,
@@ -36,7 +36,7 @@ pub(in crate::layer) struct IndexedFile {
 }
 
 impl IndexedFile {
-    /// Opens a file; none, if it has no index.
+    /// Opens a file; `None` if it has no index.
     pub(in crate::layer) fn open(path: &Path) -> Result<Option<Self>, ReadError> {
         let file = File::open(path)?;
         let length = file.metadata()?.len();
@@ -54,27 +54,26 @@ impl IndexedFile {
         self.root
     }
 
-    /// All that the file says beside its features, without columns.
+    /// Returns everything in the file except features and columns.
     pub(in crate::layer) fn header(&self) -> Result<Header, ReadError> {
         Ok(of_header(&header_of(&self.header)?, Vec::new()))
     }
 
-    /// Returns true if the file says that all geometries are points.
+    /// Returns true if the file declares that all geometries are points.
     pub(in crate::layer) fn has_only_points(&self) -> Result<bool, ReadError> {
         Ok(matches!(header_of(&self.header)?.geometry_type(), Kind::Point | Kind::MultiPoint))
     }
 
-    /// The number of features.
     pub(in crate::layer) fn count(&self) -> u64 {
         self.tree.count()
     }
 
-    /// The numbers of bytes that were read, and that there are.
+    /// Returns the numbers of bytes read and in total.
     pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }
 
-    /// Hands over the geometries that may meet a window, with the numbers of their features in order. Memory O(largest feature).
+    /// Passes on the geometries that may meet a window, with the numbers of their features in order. Memory O(largest feature).
     pub(in crate::layer) fn read(
         &mut self,
         window: &Extent,
@@ -84,7 +83,7 @@ impl IndexedFile {
         let mut ahead = vec![(self.tree.level_count() - 1, 0, self.root)];
         while let Some((level, node, around)) = ahead.pop() {
             let below = self.tree.below(level, node);
-            // With the leaf after the last one, as a feature ends where the next one begins.
+            // Includes the leaf after the last one, as a feature ends where the next one begins.
             let to = if level == 1 { (below.end + 1).min(self.count()) } else { below.end };
             let nodes = self.nodes(level - 1, below.start..to)?;
             let mut met = Vec::new();
@@ -127,7 +126,7 @@ impl IndexedFile {
         Ok(bytes.chunks_exact(NODE as usize).map(node).collect())
     }
 
-    /// The geometry of the feature that lies between two places after the index, the second of which is the end of the file if there is none.
+    /// Reads the geometry of the feature between two offsets after the index; `None` as the second means the end of the file.
     fn feature(&mut self, number: u64, start: u64, end: Option<u64>) -> Result<Option<Geometry>, ReadError> {
         let place = Place::Feature(number as usize);
         let refused = |cause| content(place, cause);

@@ -1,8 +1,8 @@
-//! `FlatGeobuf`: a header, perhaps an index, and features one after the other.
+//! `FlatGeobuf`: a header, an optional index, and successive features.
 //!
-//! The crate `flatgeobuf` has the tables and their verifier. What lies around them is read and written here, since its reader
-//! panics at values and ends beyond the data, and at nodes of an index of one entry, allocates what a length claims, and its writer sorts
-//! features and has none without geometry.
+//! The crate `flatgeobuf` provides the tables and their verifier. The framing is read and written here: the crate's reader panics
+//! at values and ends beyond the data and at index nodes with one entry, and allocates the claimed length; its writer sorts
+//! features and requires geometries.
 //!
 //! Source: the specification at <https://flatgeobuf.org>, version 3.
 
@@ -19,10 +19,10 @@ pub(super) use index::IndexedFile;
 pub(super) use read::read;
 pub(super) use write::{losses, write};
 
-/// Members of the header that are texts.
+/// Text members of the header.
 const TEXTS: [&str; 3] = ["title", "description", "metadata"];
 
-/// Returns true if the ids are those that reading gives: the numbers of the features, counted from 0.
+/// Returns true if the ids equal those assigned by reading: the numbers of the features, counted from 0.
 pub(super) fn holds_ids(layer: &Layer) -> bool {
     let mut all = layer.features.iter().zip(0_u64..);
     all.all(|(feature, row)| feature.id.as_ref().is_none_or(|id| *id == Id::Number(row.into())))

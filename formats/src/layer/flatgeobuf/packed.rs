@@ -4,10 +4,11 @@ use super::super::extent::Extent;
 use super::super::model::{Geometry, Layer};
 use super::tree::Tree;
 
-/// The number of nodes below a node that other writers choose, too.
+/// The number of children of a node, also chosen by other writers.
 pub(super) const NODE_SIZE: u16 = 16;
 
-/// The boxes around all features; none, if there is nothing, or a feature has no position: an index cannot say where that is.
+/// Returns the boxes around all features; `None` if there are none, or a feature has no position, which an index cannot
+/// represent.
 pub(super) fn extents(layer: &Layer) -> Option<Vec<Extent>> {
     let all = layer.features.iter().map(|feature| feature.geometry.as_ref().map(extent).filter(Extent::is_known));
     all.collect::<Option<Vec<_>>>().filter(|all| !all.is_empty())
@@ -19,7 +20,7 @@ fn extent(geometry: &Geometry) -> Extent {
     extent
 }
 
-/// The index of features with these boxes and lengths.
+/// Returns the index of features with these boxes and lengths.
 pub(super) fn packed(extents: &[Extent], lengths: impl Iterator<Item = usize>) -> Vec<u8> {
     let tree = Tree::new(extents.len() as u64, NODE_SIZE.into());
     let offsets = lengths.scan(0, |end, length| Some(std::mem::replace(end, *end + length as u64)));

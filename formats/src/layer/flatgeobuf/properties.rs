@@ -1,4 +1,4 @@
-//! Attributes as `FlatGeobuf` has them: the number of a column, then a value of its type.
+//! Attributes in `FlatGeobuf`: the number of a column, then a value of its type.
 
 use super::super::error::Cause;
 use super::super::model::{Field, FieldKind, Value};
@@ -8,7 +8,6 @@ use std::sync::Arc;
 
 type Columns<'a> = Option<Vector<'a, ForwardsUOffset<Column<'a>>>>;
 
-/// The type of a column.
 pub(super) fn kind(column: Type) -> Result<FieldKind, Cause> {
     Ok(match column {
         Type::Bool => FieldKind::Bool,
@@ -24,7 +23,7 @@ pub(super) fn kind(column: Type) -> Result<FieldKind, Cause> {
     })
 }
 
-/// The values of a feature: of the columns of the header, null where there is none, or of columns of its own.
+/// Reads the values of a feature: of the columns of the header, with null for missing ones, or of its own columns.
 pub(super) fn attributes(
     bytes: &[u8],
     of_header: Columns<'_>,
@@ -50,7 +49,7 @@ pub(super) fn attributes(
     Ok(all)
 }
 
-/// The part that has not been read yet.
+/// The unread part.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {
@@ -60,7 +59,7 @@ impl<'a> Bytes<'a> {
         Ok(*first)
     }
 
-    /// Bytes with their number before them.
+    /// Reads bytes preceded by their number.
     fn counted(&mut self) -> Result<&'a [u8], Cause> {
         let count = u32::from_le_bytes(self.take()?);
         let too_many = Cause::TooMany { what: "bytes of a value", count: count.into() };
@@ -92,7 +91,7 @@ impl<'a> Bytes<'a> {
                 let json = serde_json::from_slice(self.counted()?);
                 Value::Json(json.map_err(|error| Cause::Invalid(format!("a value that is not JSON: {error}")))?)
             }
-            // A day alone has ten characters.
+            // A day without a time has ten characters.
             Type::DateTime => match self.text()? {
                 day if day.len() == "2026-01-31".len() => Value::Date(day),
                 time => Value::DateTime(time),
@@ -103,7 +102,6 @@ impl<'a> Bytes<'a> {
     }
 }
 
-/// The type of the column for values of a kind.
 pub(super) const fn column(kind: FieldKind) -> Type {
     match kind {
         FieldKind::Bool => Type::Bool,
@@ -116,12 +114,12 @@ pub(super) const fn column(kind: FieldKind) -> Type {
     }
 }
 
-/// Appends a value of a column, if it is one of that kind and not null; false if it is of another kind.
+/// Appends a non-null value of a column. Returns false if the value is of another kind.
 pub(super) fn append(number: u16, kind: FieldKind, value: &Value, out: &mut Vec<u8>) -> bool {
     let begin = out.len();
     out.extend(number.to_le_bytes());
     let mut counted = |bytes: &[u8]| {
-        // Values have less than 4 gigabytes: those of a feature have, which is checked.
+        // Values are shorter than 4 gigabytes, since the total size of a feature is checked.
         out.extend((bytes.len() as u32).to_le_bytes());
         out.extend(bytes);
     };

@@ -1,4 +1,4 @@
-//! Reading `FlatGeobuf` from a stream. Lengths and counts are believed only as far as there is data.
+//! Reading `FlatGeobuf` from a stream. Lengths and counts are trusted only as far as there is data.
 
 use super::super::crs::Crs;
 use super::super::each::Each;
@@ -16,13 +16,13 @@ use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
 use std::sync::Arc;
 
-/// The number of collections that may lie around a geometry.
+/// The maximum number of collections around a geometry.
 const NESTED: usize = 32;
 
-/// The largest header that the crate reads, too.
+/// The largest header, also the limit of the crate.
 const LARGEST_HEADER: u32 = 10 << 20;
 
-/// The newest version of the format that is known.
+/// The newest known version of the format.
 const VERSION: u8 = 3;
 
 pub(super) fn content(place: Place, cause: Cause) -> ReadError {
@@ -33,7 +33,7 @@ pub(super) fn invalid(message: impl Into<String>) -> Cause {
     Cause::Invalid(message.into())
 }
 
-/// Reads features, each handed to `each`. An index is skipped.
+/// Reads features, passing each to `each`. An index is skipped.
 pub(in crate::layer) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
     let buffer = header_bytes(reader)?;
@@ -83,7 +83,7 @@ pub(super) fn header_bytes(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> 
     Ok(buffer)
 }
 
-/// The header of a table that was read. O(columns).
+/// Parses the header of a table. O(columns).
 pub(super) fn header_of(buffer: &[u8]) -> Result<HeaderTable<'_>, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
     let header = size_prefixed_root_as_header_with_opts(&options(buffer), buffer);
@@ -94,7 +94,6 @@ pub(super) fn header_of(buffer: &[u8]) -> Result<HeaderTable<'_>, ReadError> {
     Ok(header)
 }
 
-/// The error for a stream that ends.
 fn truncated(error: io::Error, place: Place, what: &'static str) -> ReadError {
     match error.kind() {
         io::ErrorKind::UnexpectedEof => content(place, Cause::Truncated(what)),
@@ -103,11 +102,11 @@ fn truncated(error: io::Error, place: Place, what: &'static str) -> ReadError {
 }
 
 fn refused(error: &InvalidFlatbuffer) -> Cause {
-    // The rest says where in the tables.
+    // The rest of the message describes the place in the tables.
     invalid(error.to_string().lines().next().unwrap_or_default())
 }
 
-/// The size to which tables may expand: they can share vectors, so that a few bytes stand for many.
+/// Limits the size to which tables may expand: they can share vectors, so that a few bytes stand for many.
 fn options(bytes: &[u8]) -> VerifierOptions {
     VerifierOptions {
         max_depth: 2 * NESTED,
@@ -117,7 +116,7 @@ fn options(bytes: &[u8]) -> VerifierOptions {
     }
 }
 
-/// Reads a table with the length before it; false at the end of the stream. Memory grows with what is there.
+/// Reads a table with the length before it. Returns false at the end of the stream. Memory grows only with the available data.
 fn table(reader: &mut dyn Read, buffer: &mut Vec<u8>, place: Place, largest: Option<u32>) -> Result<bool, ReadError> {
     buffer.clear();
     reader.take(4).read_to_end(buffer)?;
@@ -145,7 +144,7 @@ fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), Rea
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
 }
 
-/// All that the header says beside the columns, and these.
+/// Converts the header, with the given columns.
 pub(super) fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
     let text = |text: Option<&str>| text.filter(|text| !text.is_empty()).map(str::to_owned);
     let crs = header.crs().map(|crs| Crs {
@@ -175,7 +174,7 @@ fn feature(header: &HeaderTable<'_>, body: &[u8], number: u64, fields: &[Field])
     })
 }
 
-/// The geometry of a feature, without its attributes.
+/// Returns the geometry of a feature, without its attributes.
 pub(super) fn geometry_of(header: &HeaderTable<'_>, body: &[u8]) -> Result<Option<Geometry>, Cause> {
     geometry(header, feature_table(body)?)
 }
@@ -222,7 +221,7 @@ fn shape(table: Table<'_>, kind: Kind, header: &HeaderTable<'_>, depth: usize) -
         }
         other => return Err(invalid(unread_geometry(other.0.into()))),
     };
-    // Parts have the numbers, and not the geometry that has parts.
+    // Parts have the numbers, but the geometry that contains them doesn't.
     let dimensions = match &shape {
         Shape::MultiPolygon(_) => parts().next().map_or(dimensions, |part| dimensions_of(header, part)),
         _ => dimensions,
@@ -245,7 +244,6 @@ fn line(table: Table<'_>, dimensions: Dimensions) -> Result<Line, Cause> {
     positions(table, dimensions)?.into_iter().map(finite).collect()
 }
 
-/// All positions of a table.
 fn positions(table: Table<'_>, dimensions: Dimensions) -> Result<Line, Cause> {
     let Some(xy) = table.xy() else { return Ok(Line::new()) };
     let more: Vec<Vector<'_, f64>> = match dimensions {
@@ -266,7 +264,7 @@ fn positions(table: Table<'_>, dimensions: Dimensions) -> Result<Line, Cause> {
     Ok((0..count).map(of).collect())
 }
 
-/// The positions of a table in parts, which it says where to end; one part, if it does not.
+/// Returns the positions of a table in parts, by the stated ends; one part if there are none.
 fn lines(table: Table<'_>, dimensions: Dimensions) -> Result<Vec<Line>, Cause> {
     let mut rest = line(table, dimensions)?.into_iter();
     let all = rest.len();

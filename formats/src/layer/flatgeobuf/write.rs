@@ -1,4 +1,4 @@
-//! Writing `FlatGeobuf`, in the order of the features, with an index if each of them is somewhere.
+//! Writing `FlatGeobuf`, in the order of the features, with an index if each feature has a location.
 
 use super::super::error::WriteError;
 use super::super::loss::{Loss, absent};
@@ -15,13 +15,12 @@ use flatbuffers::{FlatBufferBuilder, WIPOffset};
 use std::borrow::Cow;
 use std::io::Write;
 
-/// The version that is written.
 const MAGIC: &[u8; 8] = b"fgb\x03fgb\x00";
 
-/// The size of a table at most; the crate `flatbuffers` panics beyond 2 gigabytes.
+/// The maximum size of a table; the crate `flatbuffers` panics beyond 2 gigabytes.
 const LARGEST: usize = 1 << 30;
 
-/// The columns as they are written: one with values of another type than its own becomes text.
+/// Returns the columns as written: a column with values of another type becomes text.
 fn columns(layer: &Layer) -> Vec<(Field, FieldKind)> {
     let of_field = |field: Field| {
         let mut scratch = Vec::new();
@@ -35,7 +34,7 @@ fn columns(layer: &Layer) -> Vec<(Field, FieldKind)> {
     layer.fields().into_iter().map(of_field).collect()
 }
 
-/// The losses beside geometries and the reference system.
+/// Adds losses other than of geometries and the reference system.
 pub(in crate::layer) fn losses(layer: &Layer, found: &mut Vec<Loss>) {
     if !holds_ids(layer) {
         found.push(Loss::Ids(layer.features.iter().filter(|feature| feature.id.is_some()).count()));
@@ -57,7 +56,6 @@ pub(in crate::layer) fn losses(layer: &Layer, found: &mut Vec<Loss>) {
     }
 }
 
-/// Writes a layer.
 pub(in crate::layer) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError> {
     let impossible = |what: &str| WriteError::Impossible { format: Format::FlatGeobuf, what: what.to_owned() };
     let columns = columns(layer);
@@ -82,15 +80,15 @@ pub(in crate::layer) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), 
     out.write_all(MAGIC)?;
     out.write_all(&header(layer, &columns, kind, extents.as_ref().map_or(0, |_| NODE_SIZE)))?;
     if let Some(extents) = extents {
-        // Bodies are made twice, so that they need not be kept.
+        // Bodies are made twice instead of being kept.
         let lengths = layer.features.iter().map(|feature| Ok(body(feature)?.len()));
         out.write_all(&packed(&extents, lengths.collect::<Result<Vec<_>, WriteError>>()?.into_iter()))?;
     }
     layer.features.iter().try_for_each(|feature| Ok(out.write_all(&body(feature)?)?))
 }
 
-/// The kind of all geometries; unknown if they differ, and then each has its own. With heights or measures, geometries of one and of
-/// several parts have the kind of the latter, as GDAL writes them: its users know no type for differing kinds with heights.
+/// Returns the kind of all geometries; unknown if they differ, and then each has its own. With heights or measures, single and
+/// multiple geometries get the kind of the latter, as in GDAL, whose users have no type for mixed kinds with heights.
 fn common_kind(layer: &Layer) -> Kind {
     let all = || layer.features.iter().filter_map(|feature| feature.geometry.as_ref());
     let is_flat = all().all(|geometry| numbers(geometry) == (None, None));
@@ -102,7 +100,7 @@ fn common_kind(layer: &Layer) -> Kind {
     common(kind_of).or_else(|| common(kind_of_several).filter(|_| !is_flat)).unwrap_or(Kind::Unknown)
 }
 
-/// The kind of several such geometries in one.
+/// Returns the kind of several such geometries combined.
 const fn kind_of_several(shape: &Shape) -> Kind {
     match shape {
         Shape::Point(_) | Shape::MultiPoint(_) => Kind::MultiPoint,
@@ -112,7 +110,7 @@ const fn kind_of_several(shape: &Shape) -> Kind {
     }
 }
 
-/// The geometry as one of several parts, if that is the kind of the file.
+/// Returns the geometry as one with several parts, if that is the kind of the file.
 fn of_kind(geometry: &Geometry, kind: Kind) -> Cow<'_, Geometry> {
     let shape = match (&geometry.shape, kind) {
         (Shape::Point(point), Kind::MultiPoint) => Shape::MultiPoint(point.iter().cloned().map(Some).collect()),
@@ -182,7 +180,7 @@ fn header(layer: &Layer, columns: &[(Field, FieldKind)], geometry_type: Kind, in
     builder.finished_data().to_vec()
 }
 
-/// Notes the dimensions and the box of a geometry. The recursion is as deep as collections are nested.
+/// Collects the dimensions and the box of a geometry. The recursion is as deep as collections are nested.
 fn look(geometry: &Geometry, has_z: &mut bool, has_m: &mut bool, bounds: &mut Option<[f64; 4]>) {
     if let Shape::Collection(parts) = &geometry.shape {
         for part in parts {
@@ -198,7 +196,7 @@ fn look(geometry: &Geometry, has_z: &mut bool, has_m: &mut bool, bounds: &mut Op
     });
 }
 
-/// The places of heights and measures among the further numbers.
+/// Returns the indices of heights and measures among the further numbers.
 const fn numbers(geometry: &Geometry) -> (Option<usize>, Option<usize>) {
     use super::super::model::Dimensions;
     match geometry.dimensions {
@@ -237,7 +235,7 @@ fn table<'b>(builder: &mut FlatBufferBuilder<'b>, geometry: &Geometry) -> WIPOff
     Table::create(builder, &GeometryArgs { type_, parts, ..GeometryArgs::default() })
 }
 
-/// Lines one after the other, with their ends if there are several or an empty one.
+/// Writes successive lines, with their ends if there are several or an empty one.
 fn flat<'b>(
     builder: &mut FlatBufferBuilder<'b>,
     geometry: &Geometry,

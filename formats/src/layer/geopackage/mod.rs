@@ -1,4 +1,4 @@
-//! OGC `GeoPackage`: tables of `SQLite`, geometries as well-known binary behind a header.
+//! OGC `GeoPackage`: tables of `SQLite`, with geometries as well-known binary after a header.
 //!
 //! Source: "OGC `GeoPackage` Encoding Standard" (OGC 12-128r19), clauses 1 and 2.1.
 
@@ -11,7 +11,6 @@ pub(super) use write::{holds_ids, write};
 /// The beginning of the header of a geometry, and its version.
 const MAGIC: [u8; 3] = *b"GP\0";
 
-/// A name as SQL has it.
 fn quoted(name: &str) -> String {
     format!("\"{}\"", name.replace('"', "\"\""))
 }

@@ -1,4 +1,4 @@
-//! Reading a layer of a `GeoPackage`. The file is opened for reading only, and its schema is not trusted.
+//! Reading a layer of a `GeoPackage`. The file is opened read-only, and its schema is not trusted.
 
 use super::super::crs::Crs;
 use super::super::each::Each;
@@ -79,13 +79,13 @@ fn table(database: &Connection, wanted: Option<&str>) -> Result<String, ReadErro
     found.cloned().ok_or_else(|| ReadError::Layers { wanted: wanted.map(str::to_owned), layers: layers.clone() })
 }
 
-/// Returns true if the rows have numbers of their own, which those of views and of tables `WITHOUT ROWID` have not.
+/// Returns true if the rows have row ids, which views and tables `WITHOUT ROWID` don't.
 fn has_row_ids(database: &Connection, table: &str) -> Result<bool, ReadError> {
     let sql = "SELECT 1 FROM pragma_table_list(?1) WHERE schema = 'main' AND (type = 'view' OR wr)";
     Ok(database.query_row(sql, [table], |_| Ok(())).optional()?.is_none())
 }
 
-/// The primary key, and the columns besides it and the geometry.
+/// Returns the primary key, and the columns other than the key and the geometry.
 fn columns(database: &Connection, table: &str, geometry: &str) -> Result<(Option<String>, Vec<Field>), ReadError> {
     let mut statement = database.prepare("SELECT name, type, pk FROM pragma_table_info(?1)")?;
     let mut rows = statement.query([table])?;
@@ -102,7 +102,7 @@ fn columns(database: &Connection, table: &str, geometry: &str) -> Result<(Option
     Ok((key, fields))
 }
 
-/// The type of a column by its declaration, and the greatest number of characters.
+/// Returns the type of a column by its declaration, and the greatest number of characters.
 fn kind(declared: &str) -> (FieldKind, Option<usize>) {
     let declared = declared.to_ascii_uppercase();
     let (name, size) = declared.split_once('(').unwrap_or((&declared, ""));
@@ -118,7 +118,7 @@ fn kind(declared: &str) -> (FieldKind, Option<usize>) {
     (kind, size.trim_end_matches(')').trim().parse().ok())
 }
 
-/// A value as its type says, or as it is, as `SQLite` lets any value stand in any column.
+/// Converts a value to its declared type if possible, as `SQLite` permits any value in any column.
 fn value(kind: FieldKind, value: ValueRef<'_>) -> Result<Value, Cause> {
     Ok(match value {
         ValueRef::Null => Value::Null,
@@ -138,7 +138,7 @@ fn value(kind: FieldKind, value: ValueRef<'_>) -> Result<Value, Cause> {
 }
 
 fn crs(database: &Connection, srs: i64) -> Result<Option<Crs>, ReadError> {
-    // −1 and 0 stand for none that is known.
+    // −1 and 0 stand for unknown systems.
     if srs <= 0 {
         return Ok(None);
     }

@@ -1,4 +1,4 @@
-//! Writing a layer as a `GeoPackage` of its own.
+//! Writing a layer as a new `GeoPackage`.
 
 use super::super::crs::Crs;
 use super::super::error::WriteError;
@@ -20,7 +20,7 @@ impl From<rusqlite::Error> for WriteError {
 /// "GPKG", and version 1.3.
 const HEAD: &str = "PRAGMA application_id = 1196444487; PRAGMA user_version = 10300; PRAGMA journal_mode = OFF;";
 
-/// The tables that every `GeoPackage` has.
+/// The tables of every `GeoPackage`.
 const TABLES: &str = "
 CREATE TABLE gpkg_spatial_ref_sys (
   srs_name TEXT NOT NULL, srs_id INTEGER NOT NULL PRIMARY KEY, organization TEXT NOT NULL,
@@ -46,10 +46,11 @@ const WGS_84: &str = "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6
 AUTHORITY[\"EPSG\",\"7030\"]],AUTHORITY[\"EPSG\",\"6326\"]],PRIMEM[\"Greenwich\",0,AUTHORITY[\"EPSG\",\"8901\"]],\
 UNIT[\"degree\",0.0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],AUTHORITY[\"EPSG\",\"4326\"]]";
 
-/// The number under which a reference system without one is kept.
+/// The number of a reference system without its own number.
 const OWN: i64 = 100_000;
 
-/// Returns true if the ids can be primary keys, in whose order features are read: all features have one, and they are whole numbers that rise.
+/// Returns true if the ids can be primary keys, in whose order features are read: all features have one, and they are ascending
+/// integers.
 pub(in crate::layer) fn holds_ids(layer: &Layer) -> bool {
     layer.features.iter().all(|feature| key(feature).is_some()) && layer.features.is_sorted_by(|a, b| key(a) < key(b))
 }
@@ -69,7 +70,7 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
     transaction.execute_batch(TABLES)?;
     let srs = write_crs(&transaction, layer.header.crs.as_ref())?;
     let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    // Names that begin so belong to the format and to SQLite.
+    // Names with these prefixes are reserved by the format and by SQLite.
     let is_free =
         |name: &String| !["gpkg_", "rtree_", "sqlite_"].iter().any(|own| name.to_lowercase().starts_with(own));
     let table = layer.header.name.clone().or_else(stem).filter(|name| !name.is_empty() && is_free(name));
@@ -117,7 +118,7 @@ fn write_crs(database: &Connection, crs: Option<&Crs>) -> Result<i64, WriteError
         let sql = "INSERT INTO gpkg_spatial_ref_sys VALUES (?1, ?2, ?3, ?4, ?5, NULL)";
         database.execute(sql, params![name, id, organization, code, definition])
     };
-    // Every GeoPackage has this one.
+    // Every GeoPackage includes this system.
     let wgs_84 = 4326;
     insert("WGS 84 geodetic", wgs_84, "EPSG", wgs_84, WGS_84)?;
     let Some(crs) = crs else { return Ok(-1) };
@@ -163,18 +164,18 @@ fn geometries(layer: &Layer) -> impl Iterator<Item = &Geometry> {
     layer.features.iter().filter_map(|feature| feature.geometry.as_ref())
 }
 
-/// The kind of geometries of any kind.
+/// The kind that allows all geometries.
 const ANY: &str = "GEOMETRY";
 
-/// The one kind of the geometries, or that of any.
+/// Returns the common kind of the geometries, or [`ANY`].
 fn geometry_kind(layer: &Layer) -> String {
     let mut kinds = geometries(layer).map(|geometry| geometry.shape.name());
     let first = kinds.next();
     first.filter(|first| kinds.all(|kind| kind == *first)).unwrap_or(ANY).to_uppercase()
 }
 
-/// For heights and measures: 0 if none has them, 1 if all have, 2 if some have. Kinds that differ never must have them, as GDAL has
-/// it: its users know no type for that.
+/// Returns flags for heights and measures: 0 if no geometry has them, 1 if all have, 2 if some have. Mixed kinds never get 1, as
+/// in GDAL, whose users have no type for that.
 fn dimension_flags(layer: &Layer, is_mixed: bool) -> [i64; 2] {
     let has_z = |d: Dimensions| matches!(d, Dimensions::Xyz | Dimensions::Xyzm);
     let has_m = |d: Dimensions| matches!(d, Dimensions::Xym | Dimensions::Xyzm);
@@ -191,7 +192,6 @@ fn dimension_flags(layer: &Layer, is_mixed: bool) -> [i64; 2] {
     [flag(&has_z), flag(&has_m)]
 }
 
-/// Least and greatest coordinates.
 fn extent(layer: &Layer) -> Option<[f64; 4]> {
     let mut extent: Option<[f64; 4]> = None;
     for geometry in geometries(layer) {
@@ -203,7 +203,7 @@ fn extent(layer: &Layer) -> Option<[f64; 4]> {
     extent
 }
 
-/// A geometry behind its header, without envelope.
+/// Returns a geometry after its header, without an envelope.
 fn blob(geometry: &Geometry, srs: i64) -> Vec<u8> {
     const LITTLE: u8 = 1;
     const EMPTY: u8 = 1 << 4;

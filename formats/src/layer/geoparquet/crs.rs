@@ -1,4 +1,4 @@
-//! Reference systems as `GeoParquet` has them: PROJJSON, and none for longitude and latitude on WGS 84.
+//! Reference systems in `GeoParquet`: PROJJSON, and none for longitude and latitude on WGS 84.
 
 use super::super::crs::Crs;
 use super::super::epsg;
@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 /// The number of longitude and latitude on WGS 84.
 const WGS_84: i64 = 4326;
 
-/// The system of a definition in PROJJSON. The definition is kept if its number does not lead to one.
+/// Creates the system of a definition in PROJJSON. The definition is kept if its number does not lead to one.
 pub(super) fn of_projjson(json: &Json) -> Crs {
     let id = |key| json.pointer("/id").and_then(|id| id.get(key));
     let authority = id("authority").and_then(Json::as_str).unwrap_or_default();
@@ -21,8 +21,8 @@ pub(super) fn of_projjson(json: &Json) -> Crs {
     Crs { projjson: (!is_known).then(|| json.clone()), ..crs }
 }
 
-/// The system of Parquet's own type of geometries: a number (`srid:2056`, `EPSG:2056`), PROJJSON, or its key in the metadata. None for
-/// one that is not known.
+/// Creates the system of Parquet's own geometry type: a number (`srid:2056`, `EPSG:2056`), PROJJSON, or its key in the metadata.
+/// `None` for an unknown one.
 pub(super) fn of_native(text: Option<&str>, metadata: impl Fn(&str) -> Option<String>) -> Option<Crs> {
     let Some(text) = text else { return Some(Crs::epsg(WGS_84)) };
     let json = |text: &str| serde_json::from_str::<Json>(text).ok().filter(Json::is_object);
@@ -38,7 +38,7 @@ pub(super) fn of_native(text: Option<&str>, metadata: impl Fn(&str) -> Option<St
     }
 }
 
-/// The member `crs` of a column: none for longitude and latitude on WGS 84, null for a system that is not known.
+/// Returns the member `crs` of a column: `None` for longitude and latitude on WGS 84, null for an unknown system.
 pub(super) fn member(crs: Option<&Crs>) -> Option<Json> {
     match crs {
         Some(crs) if !crs.is_other() => None,
@@ -52,7 +52,7 @@ pub(in crate::layer) fn is_held(crs: &Crs) -> bool {
     !crs.is_other() || member(Some(crs)).is_some_and(|member| !member.is_null())
 }
 
-/// The definition of a system that the EPSG numbers.
+/// Returns the definition of a system with an EPSG number.
 fn of_code(crs: &Crs) -> Option<Json> {
     let (authority, code) = crs.code.as_ref()?;
     let text = authority.eq_ignore_ascii_case("EPSG").then(|| epsg::projjson(*code))??;

@@ -1,4 +1,4 @@
-//! The column of the geometries, as the metadata of a file describe it.
+//! The geometry column, as described by the metadata of a file.
 
 use super::super::crs::Crs;
 use super::super::error::Cause;
@@ -9,7 +9,6 @@ use parquet::file::metadata::FileMetaData;
 use parquet::schema::types::Type;
 use serde_json::Value as Json;
 
-/// The column of the geometries.
 pub(super) struct GeometryColumn {
     pub(super) name: String,
     /// The paths of the columns of the boxes of the geometries: least x, least y, greatest x, greatest y.
@@ -17,18 +16,18 @@ pub(super) struct GeometryColumn {
     pub(super) crs: Option<Crs>,
     /// The kind of edges, if they are not straight in the plane of the coordinates.
     pub(super) edges: Option<String>,
-    /// True if the metadata say that all geometries are points.
+    /// True if the metadata declare that all geometries are points.
     pub(super) has_only_points: bool,
 }
 
-/// The metadata of a file under a key.
+/// Returns the metadata of a file under a key.
 pub(super) fn entry_of(file: &FileMetaData, key: &str) -> Option<String> {
     let all = file.key_value_metadata().into_iter().flatten();
     all.into_iter().find(|entry| entry.key == key).and_then(|entry| entry.value.clone())
 }
 
 impl GeometryColumn {
-    /// The primary column of geometries; without metadata of `GeoParquet`, the first one of Parquet's own type.
+    /// Finds the primary geometry column; without metadata of `GeoParquet`, the first one of Parquet's own type.
     pub(super) fn of_file(metadata: &FileMetaData) -> Result<Self, Cause> {
         let value = |key: &str| entry_of(metadata, key);
         let Some(text) = value(GEO) else {
@@ -58,7 +57,7 @@ impl GeometryColumn {
             crs: match column.get("crs") {
                 None => crs::of_native(None, |_| None),
                 Some(Json::Null) => None,
-                // Not as the standard has it, but as some programs do.
+                // Not in the standard, but written by some programs.
                 Some(Json::String(text)) => crs::of_native(Some(text), value),
                 Some(json) => Some(crs::of_projjson(json)),
             },
@@ -81,14 +80,14 @@ impl GeometryColumn {
         Some(Self { name, covering: None, crs, edges, has_only_points: false })
     }
 
-    /// All that a file says beside its features, without columns.
+    /// Returns everything in the file except features and columns.
     pub(super) fn header(&self) -> Header {
         let edges = self.edges.as_ref().map(|edges| (EDGES.to_owned(), edges.as_str().into()));
         Header { crs: self.crs.clone(), members: edges.into_iter().collect(), ..Header::default() }
     }
 }
 
-/// Returns true if these names of types, of which there are some, are those of points, with whatever dimensions.
+/// Returns true if these type names are all of points, with any dimensions, and at least one is given.
 fn are_points(names: &[Json]) -> bool {
     let name = |name: &Json| name.as_str().and_then(|name| name.split(' ').next().map(str::to_owned));
     !names.is_empty() && names.iter().all(|one| matches!(name(one).as_deref(), Some("Point" | "MultiPoint")))

@@ -1,20 +1,20 @@
-//! The column of the ids of features, as the metadata of a file name it.
+//! The column of the ids of features, as named by the metadata of a file.
 //!
-//! `GeoParquet` leaves it to whoever writes. GDAL names a column of whole numbers in its own metadata, and so is it done here. Texts, which GDAL
-//! does not take for ids, are named in others.
+//! `GeoParquet` leaves ids to the writer. GDAL names an integer column in its own metadata, as done here. Text columns, which
+//! GDAL does not accept as ids, are named in separate metadata.
 
 use super::super::model::{Feature, FieldKind, Id, Layer, Value};
 use parquet::data_type::ByteArray;
 use parquet::file::metadata::KeyValue;
 use serde_json::{Value as Json, json};
 
-/// The key of the metadata of GDAL.
+/// The key of GDAL's metadata.
 const GDAL: &str = "gdal:schema";
 
-/// The key of the metadata that name a column of ids that are texts.
+/// The key of the metadata that name a text column of ids.
 const TEXTS: &str = "twinedge:id";
 
-/// The type of a column that holds the ids of all features; none if there is none, or no id.
+/// Returns the type of a column that holds the ids of all features; `None` if there is no such type, or no id.
 pub(in crate::layer) fn id_kind(layer: &Layer) -> Option<FieldKind> {
     let mut kinds = layer.features.iter().filter_map(|feature| feature.id.as_ref()).map(|id| match id {
         Id::Text(_) => Some(FieldKind::Text),
@@ -24,7 +24,7 @@ pub(in crate::layer) fn id_kind(layer: &Layer) -> Option<FieldKind> {
     kinds.all(|kind| kind == Some(first)).then_some(first)
 }
 
-/// The usual name of a column of ids of a type.
+/// Returns the usual name of a column of ids of a type.
 pub(super) const fn usual_name(kind: FieldKind) -> &'static str {
     match kind {
         FieldKind::Integer => "fid",
@@ -32,7 +32,7 @@ pub(super) const fn usual_name(kind: FieldKind) -> &'static str {
     }
 }
 
-/// The metadata that name the column.
+/// Returns the metadata that name the column.
 pub(super) fn metadata(kind: FieldKind, column: &str) -> KeyValue {
     match kind {
         FieldKind::Integer => KeyValue::new(GDAL.to_owned(), json!({"fid": column, "columns": {}}).to_string()),
@@ -40,7 +40,7 @@ pub(super) fn metadata(kind: FieldKind, column: &str) -> KeyValue {
     }
 }
 
-/// The column that metadata name, each handed out by its key.
+/// Returns the column named by the metadata, which are looked up by key.
 pub(super) fn named(metadata: impl Fn(&str) -> Option<String>) -> Option<String> {
     let of_gdal = || {
         let schema: Json = serde_json::from_str(&metadata(GDAL)?).ok()?;
@@ -49,7 +49,7 @@ pub(super) fn named(metadata: impl Fn(&str) -> Option<String>) -> Option<String>
     metadata(TEXTS).or_else(of_gdal).filter(|name| !name.is_empty())
 }
 
-/// The id that a value is; none for null. Other values than those of the two types are none, either.
+/// Converts a value to an id; `None` for null and for other types.
 pub(super) fn of_value(value: Value) -> Option<Id> {
     match value {
         Value::Integer(number) => Some(Id::Number(number.into())),

@@ -1,7 +1,7 @@
-//! The boxes of `GeoParquet`: the statistics of the column of boxes, or of Parquet's own type of geometries, say where the rows of a row group are, and the
-//! column of boxes says where each row is.
+//! The boxes of `GeoParquet`: the statistics of the column of boxes, or of Parquet's own geometry type, locate the rows of a row
+//! group, and the column of boxes locates each row.
 //!
-//! Of columns, those of the geometries and of the boxes are read, and no others.
+//! Only the columns of the geometries and of the boxes are read.
 
 use super::super::each::EachGeometry;
 use super::super::error::{Cause, Place, ReadError};
@@ -19,18 +19,18 @@ use parquet::record::Field as Cell;
 use std::fs::File;
 use std::path::Path;
 
-/// The number of values that are asked for at once.
+/// The number of values read at once.
 const READ: usize = 1 << 14;
 
 /// The codes of well-known binary.
 const POINT: i32 = 1;
 const MULTI_POINT: i32 = 4;
 
-/// The rows of a row group, and where they are.
+/// The rows of a row group, with their extent.
 struct Group {
     first: u64,
     rows: u64,
-    /// That of nothing, if it is not known where all of them are.
+    /// The box of nothing, if not all of them are located.
     extent: Extent,
     /// False if all geometries are null.
     has_geometries: bool,
@@ -46,7 +46,7 @@ pub(in crate::layer) struct IndexedFile {
 }
 
 impl IndexedFile {
-    /// Opens a file; none, if its row groups have no boxes.
+    /// Opens a file; `None` if its row groups have no boxes.
     pub(in crate::layer) fn open(path: &Path) -> Result<Option<Self>, ReadError> {
         let in_header = |cause| content(Place::Header, cause);
         let file = File::open(path)?;
@@ -68,39 +68,39 @@ impl IndexedFile {
         Ok(Some(Self { reader, column, groups, length, read: 0 }))
     }
 
-    /// All that the file says beside its features, without columns.
+    /// Returns everything in the file except features and columns.
     pub(in crate::layer) fn header(&self) -> Header {
         self.column.header()
     }
 
-    /// Returns true if the file says that all geometries are points.
+    /// Returns true if the file declares that all geometries are points.
     pub(in crate::layer) const fn has_only_points(&self) -> bool {
         self.column.has_only_points
     }
 
-    /// The number of features in the row groups that may meet a window.
+    /// Returns the number of features in the row groups that may meet a window.
     pub(in crate::layer) fn passed(&self, window: &Extent) -> u64 {
         self.groups.iter().filter(|group| group.extent.may_meet(window)).map(|group| group.rows).sum()
     }
 
-    /// The box around all geometries; that of nothing, if it is not known where some are.
+    /// Returns the box around all geometries; the box of nothing if some are not located.
     pub(in crate::layer) fn extent(&self) -> Extent {
         let mut extents = self.groups.iter().filter(|group| group.has_geometries).map(|group| group.extent);
         let around = |all: Extent, extent: Extent| extent.is_known().then(|| all.with(extent));
         extents.try_fold(Extent::NOTHING, around).unwrap_or(Extent::NOTHING)
     }
 
-    /// The number of features.
     pub(in crate::layer) fn count(&self) -> u64 {
         self.groups.iter().map(|group| group.rows).sum()
     }
 
-    /// The numbers of bytes of columns that were read, and of all there are.
+    /// Returns the numbers of column bytes read and in total.
     pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }
 
-    /// Hands over the geometries that may meet a window, with the numbers of their features in order. Memory O(pages of a row group).
+    /// Passes on the geometries that may meet a window, with the numbers of their features in order. Memory O(pages of a row
+    /// group).
     pub(in crate::layer) fn read(
         &mut self,
         window: &Extent,
@@ -117,7 +117,7 @@ impl IndexedFile {
             let mut boxes = boxes.transpose()?;
             let of_boxes = self.column.covering.iter().flatten().filter_map(|path| column_of(rows.metadata(), path));
             self.read += of_boxes.map(size).sum::<u64>();
-            // Geometries elsewhere are passed over, most of them with their pages.
+            // Geometries elsewhere are skipped, mostly with their pages.
             let mut geometries: Option<Geometries> = None;
             for (number, row) in (group.first..).zip(0..group.rows as usize) {
                 let place = Place::Feature(number as usize);
@@ -164,7 +164,7 @@ impl Geometries {
         }
     }
 
-    /// The geometry of a row that comes after those that were asked for; none if it is null.
+    /// Returns the geometry of a row after the ones already read; `None` if it is null.
     fn at(&mut self, row: usize) -> Result<Option<ByteArray>, ParquetError> {
         self.column.skip_records(row - self.next)?;
         self.next = row + 1;
@@ -183,7 +183,7 @@ struct Boxes {
     read: std::vec::IntoIter<Extent>,
 }
 
-/// A column of numbers, and the level at which one is there.
+/// A column of numbers, with the definition level of present values.
 struct Numbers {
     column: ColumnReader,
     most: i16,
@@ -200,7 +200,7 @@ impl Boxes {
         Ok(Self { sides: [x0?, y0?, x1?, y1?], read: Vec::new().into_iter() })
     }
 
-    /// The box of the next row; that of nothing, if it has none.
+    /// Returns the box of the next row, or the box of nothing.
     fn next(&mut self) -> Result<Extent, ParquetError> {
         if self.read.as_slice().is_empty() {
             let [x0, y0, x1, y1] = self.sides.each_mut().map(Numbers::next);
@@ -216,11 +216,11 @@ impl Boxes {
 }
 
 impl Numbers {
-    /// Further numbers, each between two others if it was rounded; none where it is null.
+    /// Reads further numbers, each as bounds that account for rounding; `None` for null.
     fn next(&mut self) -> Result<Vec<Option<[f64; 2]>>, ParquetError> {
         match &mut self.column {
             ColumnReader::DoubleColumnReader(column) => values(column, self.most, |number| [number; 2]),
-            // Some writers round to the nearest number of 32 bits.
+            // Some writers round to the nearest 32-bit number.
             ColumnReader::FloatColumnReader(column) => values(column, self.most, around),
             _ => Err(damaged("the column of boxes has no numbers")),
         }
@@ -245,7 +245,7 @@ fn damaged(what: &str) -> ParquetError {
     ParquetError::General(what.to_owned())
 }
 
-/// The neighbours of a number of 32 bits.
+/// Returns the neighbours of a 32-bit number.
 fn around(number: f32) -> [f64; 2] {
     [number.next_down(), number.next_up()].map(f64::from)
 }
@@ -258,12 +258,11 @@ fn place_of(group: &RowGroupMetaData, path: &[String]) -> Option<usize> {
     group.columns().iter().position(|column| column.column_path().parts() == path)
 }
 
-/// The number of bytes of a column.
 fn size(column: &ColumnChunkMetaData) -> u64 {
     u64::try_from(column.compressed_size()).unwrap_or_default()
 }
 
-/// Returns true if the statistics of a column of Parquet's own geometries say that all are points, with whatever dimensions.
+/// Returns true if the statistics of a column of Parquet's own geometries declare that all are points, with any dimensions.
 fn has_only_points(group: &RowGroupMetaData, geometry: &str) -> bool {
     let column = column_of(group, &[geometry.to_owned()]);
     let types = column.and_then(ColumnChunkMetaData::geo_statistics).and_then(|found| found.geospatial_types());
@@ -272,15 +271,16 @@ fn has_only_points(group: &RowGroupMetaData, geometry: &str) -> bool {
     })
 }
 
-/// The number of nulls in a column. Some writers leave out 0.
+/// Returns the number of nulls in a column. Some writers leave out 0.
 fn nulls(column: &ColumnChunkMetaData) -> u64 {
     column.statistics().and_then(Statistics::null_count_opt).unwrap_or_default()
 }
 
-/// The box around the rows of a row group, that of nothing if it is not known of all of them; none, if the file does not say.
+/// Returns the box around the rows of a row group, or the box of nothing if not all of them are located; `None` if the file does
+/// not state it.
 ///
-/// Statistics leave out rows without a box. They do not show a box across the antimeridian if other boxes reach farther to both sides: a geometry
-/// that lies outside of the box of its row group is refused when it is read.
+/// Statistics leave out rows without a box. They do not reveal a box across the antimeridian if other boxes reach farther to both
+/// sides: a geometry outside the box of its row group is refused when it is read.
 fn extent(group: &RowGroupMetaData, geometry: &str, covering: Option<&[Vec<String>; 4]>) -> Option<Extent> {
     let geometries = column_of(group, &[geometry.to_owned()]);
     let Some(paths) = covering else {
@@ -289,7 +289,7 @@ fn extent(group: &RowGroupMetaData, geometry: &str, covering: Option<&[Vec<Strin
     };
     let columns = paths.each_ref().map(|path| column_of(group, path));
     let [Some(x0), Some(y0), Some(x1), Some(y1)] = columns else { return None };
-    // A geometry that is null needs no box.
+    // A null geometry needs no box.
     let without_box = geometries.map_or(0, nulls);
     let all_null = u64::try_from(group.num_rows()).unwrap_or_default();
     if [x0, y0, x1, y1].into_iter().any(|column| nulls(column) > without_box || nulls(column) == all_null) {
@@ -306,7 +306,7 @@ fn extent(group: &RowGroupMetaData, geometry: &str, covering: Option<&[Vec<Strin
         _ => None,
     };
     let extent = Extent::new([least(x0)?, least(y0)?, greatest(x1)?, greatest(y1)?]);
-    // A side that is beyond the opposite one of all rows is that of a box whose corners are not in order.
+    // If a side is beyond the opposite side of all rows, it belongs to a box whose corners are not in order.
     let is_in_order = |low, high| least(low) <= least(high) && greatest(low) <= greatest(high);
     Some(if is_in_order(x0, x1) && is_in_order(y0, y1) { extent } else { Extent::NOTHING })
 }

@@ -4,24 +4,23 @@ use chrono::{DateTime, NaiveDate, NaiveDateTime, SecondsFormat};
 
 const DAY: &str = "%Y-%m-%d";
 
-/// Nanoseconds in a second.
 const SECOND: i128 = 1_000_000_000;
 
-/// The day so many days after the first of January 1970; none beyond the years 0 to 9999.
+/// Returns the day `days` days after 1 January 1970; `None` beyond the years 0 to 9999.
 pub(super) fn day(days: i64) -> Option<String> {
     let moment = DateTime::from_timestamp(days.checked_mul(86_400)?, 0)?;
     Some(moment.format(DAY).to_string()).filter(|text| is_usual(text))
 }
 
-/// The number of a day, if it is written as [`day`] writes it.
+/// Returns the number of a day in the notation of [`day`].
 pub(super) fn days(text: &str) -> Option<i32> {
     let date = NaiveDate::parse_from_str(text, DAY).ok()?;
     let days = date.signed_duration_since(NaiveDate::default()).num_days();
     i32::try_from(days).ok().filter(|_| day(days).as_deref() == Some(text))
 }
 
-/// The moment so many nanoseconds after the beginning of 1970, with as many digits as it needs: in UTC, or of a clock in a place that is not
-/// named.
+/// Returns the moment `nanoseconds` after the beginning of 1970, with the necessary number of digits: in UTC, or in an
+/// unspecified local time.
 pub(super) fn moment(nanoseconds: i128, is_utc: bool) -> Option<String> {
     let seconds = i64::try_from(nanoseconds.div_euclid(SECOND)).ok()?;
     let moment = DateTime::from_timestamp(seconds, nanoseconds.rem_euclid(SECOND) as u32)?;
@@ -30,7 +29,8 @@ pub(super) fn moment(nanoseconds: i128, is_utc: bool) -> Option<String> {
     Some(text).filter(|text| is_usual(text))
 }
 
-/// The microseconds since the beginning of 1970 of a moment, and whether it is in UTC, if it is written as [`moment`] writes it.
+/// Returns the microseconds of a moment since the beginning of 1970, and whether it is in UTC, if it is in the notation of
+/// [`moment`].
 pub(super) fn microseconds(text: &str) -> Option<(i64, bool)> {
     let is_utc = text.ends_with('Z');
     let parsed = NaiveDateTime::parse_from_str(text.trim_end_matches('Z'), "%Y-%m-%dT%H:%M:%S%.f").ok()?;

@@ -1,6 +1,6 @@
 //! Reading `GeoParquet`, row by row.
 //!
-//! The crate `parquet` panics at some files that are damaged. These panics are caught, and become errors.
+//! The crate `parquet` panics on some damaged files. These panics are caught and converted to errors.
 
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
@@ -23,7 +23,7 @@ pub(super) fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::GeoParquet, place, cause }
 }
 
-/// Asks the crate for something, at a place.
+/// Runs a call of the crate, reporting errors at a place.
 pub(super) fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetError>) -> Result<T, ReadError> {
     let answer = catch_unwind(AssertUnwindSafe(question));
     let answer = answer.unwrap_or_else(|_| Err(ParquetError::General("the file is damaged".to_owned())));
@@ -40,7 +40,6 @@ pub(super) fn ask<T>(place: Place, question: impl FnOnce() -> Result<T, ParquetE
     })
 }
 
-/// A column that is read.
 struct Column {
     of_file: TypePtr,
     role: Role,
@@ -53,7 +52,7 @@ enum Role {
     Attribute(Arc<str>),
 }
 
-/// Reads the features, each handed to `each`. Memory O(pages of a row group).
+/// Reads the features, passing each to `each`. Memory O(pages of a row group).
 pub(in crate::layer) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
     let file = File::open(path)?;
@@ -87,7 +86,7 @@ pub(in crate::layer) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header,
     Ok(header)
 }
 
-/// The columns that are read: all but that of the boxes.
+/// Returns the columns to read: all except the boxes.
 fn columns(schema: &Type, geometries: &GeometryColumn, ids: Option<&str>) -> Result<Vec<Column>, Cause> {
     let mut columns = Vec::new();
     for of_file in schema.get_fields() {

@@ -1,4 +1,4 @@
-//! Values of attributes: what Parquet has, and what a layer has.
+//! Values of attributes: conversion from Parquet to a layer.
 
 use super::super::error::Cause;
 use super::super::model::{FieldKind, Value, hex};
@@ -8,10 +8,9 @@ use parquet::record::Field;
 use parquet::schema::types::Type;
 use serde_json::Value as Json;
 
-/// Decimal numbers of up to so many digits are numbers of 64 bits, which come back with these digits. Those of more are texts.
+/// Decimal numbers of up to this number of digits become 64-bit numbers, which preserve these digits. Longer ones become texts.
 const DIGITS: i32 = 15;
 
-/// The type of the values of a column.
 pub(super) fn kind(column: &Type) -> FieldKind {
     if column.is_group() {
         return FieldKind::Json;
@@ -39,13 +38,12 @@ pub(super) fn kind(column: &Type) -> FieldKind {
     }
 }
 
-/// Returns true if a column, or a part of it, is of a type that is not read here.
+/// Returns true if a column, or a part of it, is of an unsupported type.
 pub(super) fn is_interval(column: &Type) -> bool {
     column.get_basic_info().converted_type() == ConvertedType::INTERVAL
         || column.is_group() && column.get_fields().iter().any(|part| is_interval(part))
 }
 
-/// The value of a row in a column.
 pub(super) fn value(field: Field, column: &Type) -> Result<Value, Cause> {
     let info = column.get_basic_info();
     match (field, info.logical_type_ref()) {
@@ -63,7 +61,7 @@ pub(super) fn value(field: Field, column: &Type) -> Result<Value, Cause> {
         (field @ Field::Decimal(_), _) if kind(column) == FieldKind::Real => {
             field.to_string().parse().map(Value::Real).map_err(|_| Cause::Invalid("a decimal number".to_owned()))
         }
-        // A number that is not finite stays one in a column of numbers. In lists it becomes null, as JSON has none.
+        // A non-finite number remains one in a column of numbers. In lists it becomes null, as JSON cannot represent it.
         (Field::Float16(number), _) => Ok(Value::Real(number.to_f64())),
         (Field::Float(number), _) => Ok(Value::Real(number.into())),
         (Field::Double(number), _) => Ok(Value::Real(number)),
@@ -74,7 +72,7 @@ pub(super) fn value(field: Field, column: &Type) -> Result<Value, Cause> {
     }
 }
 
-/// Moments of a type without that mark are in UTC.
+/// Returns true for UTC, the default of types without a mark.
 fn is_utc(logical: Option<&LogicalType>) -> bool {
     !matches!(logical, Some(LogicalType::Timestamp(of)) if !of.is_adjusted_to_u_t_c)
 }
@@ -87,7 +85,7 @@ fn beyond() -> Cause {
     Cause::Invalid("a day or a time beyond the years 0 to 9999".to_owned())
 }
 
-/// A value inside a list, a map or a structure, as JSON. The recursion is as deep as the schema.
+/// Converts a value inside a list, a map or a structure to JSON. The recursion is as deep as the schema.
 fn json(field: &Field) -> Result<Json, Cause> {
     let moment = |nanoseconds| moment::moment(nanoseconds, true).map(Json::from).ok_or_else(beyond);
     Ok(match field {
@@ -130,7 +128,7 @@ fn json(field: &Field) -> Result<Json, Cause> {
     })
 }
 
-/// A time of the day, as `12:30:00`.
+/// Returns a time of day, such as `12:30:00`.
 fn clock(nanoseconds: i128) -> Result<Json, Cause> {
     let text = moment::moment(nanoseconds, false).ok_or_else(beyond)?;
     Ok(text.split_once('T').map(|(_, time)| time).unwrap_or_default().into())

@@ -21,7 +21,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The rows of a row group: readers of a region skip whole groups by their boxes.
+/// The number of rows per row group: readers of a region skip whole groups by their boxes.
 const ROWS: usize = 1 << 16;
 
 impl From<ParquetError> for WriteError {
@@ -33,7 +33,7 @@ impl From<ParquetError> for WriteError {
     }
 }
 
-/// The columns as they are written: one with values of another type than its own becomes text.
+/// Returns the columns as written: a column with values of another type becomes text.
 fn columns(layer: &Layer) -> Vec<(Field, FieldKind)> {
     let of_field = |field: Field| {
         let values = || layer.features.iter().filter_map(|feature| feature.get(&field.name));
@@ -48,7 +48,7 @@ fn columns(layer: &Layer) -> Vec<(Field, FieldKind)> {
     layer.fields().into_iter().map(of_field).collect()
 }
 
-/// Returns true if a column of a type can hold a value as it is.
+/// Returns true if a column of a type can hold a value unchanged.
 fn fits(kind: FieldKind, value: &Value) -> bool {
     match (kind, value) {
         (FieldKind::Date, Value::Date(text)) => moment::days(text).is_some(),
@@ -64,7 +64,7 @@ fn fits(kind: FieldKind, value: &Value) -> bool {
     }
 }
 
-/// The microseconds of a moment, and whether it is in UTC.
+/// Returns the microseconds of a moment, and whether it is in UTC.
 fn moment_of(value: &Value) -> Option<(i64, bool)> {
     match value {
         Value::DateTime(text) => moment::microseconds(text),
@@ -72,13 +72,13 @@ fn moment_of(value: &Value) -> Option<(i64, bool)> {
     }
 }
 
-/// The losses beside geometries and the reference system.
+/// Adds losses other than of geometries and the reference system.
 pub(in crate::layer) fn losses(layer: &Layer, found: &mut Vec<Loss>) {
     let columns = columns(layer);
     for (field, kind) in &columns {
         let values = layer.features.iter().filter_map(|feature| feature.get(&field.name));
         let from = values.map(|value| kind_of(value).unwrap_or(*kind)).find(|from| from != kind);
-        // Whole numbers in a column of numbers are numbers.
+        // Integers in a column of numbers become numbers.
         if let Some(from) = from.filter(|from| (*from, *kind) != (FieldKind::Integer, FieldKind::Real)) {
             found.push(Loss::Type { column: field.name.to_string(), from, to: *kind });
         }
@@ -174,7 +174,7 @@ fn schema(
     Ok(Arc::new(Type::group_type_builder("schema").with_fields(fields).build()?))
 }
 
-/// The description of the column of geometries.
+/// Returns the description of the geometry column.
 fn metadata(layer: &Layer, geometry: &str, covering: &str) -> Json {
     let geometries = || layer.features.iter().filter_map(|feature| feature.geometry.as_ref());
     let is_flat = geometries().all(|one| one.dimensions == Dimensions::Xy);
@@ -183,7 +183,7 @@ fn metadata(layer: &Layer, geometry: &str, covering: &str) -> Json {
         Dimensions::Xyz => format!("{} Z", one.shape.name()),
         _ => one.shape.name().to_owned(),
     };
-    // Measures have no name in the list, and an empty list says nothing.
+    // Measures have no name in the list, and an empty list states nothing.
     let kinds: BTreeSet<String> = if has_measures { BTreeSet::new() } else { geometries().map(name).collect() };
     let of_side = |side: &str| json!([covering, side]);
     let boxes = json!({"xmin": of_side(SIDES[0]), "ymin": of_side(SIDES[1]), "xmax": of_side(SIDES[2]), "ymax": of_side(SIDES[3])});
@@ -200,7 +200,7 @@ fn metadata(layer: &Layer, geometry: &str, covering: &str) -> Json {
     json!({"version": "1.1.0", "primary_column": geometry, "columns": {geometry: column}})
 }
 
-/// The least and greatest coordinates of geometries; none without a position.
+/// Returns the least and greatest coordinates of geometries; `None` without a position.
 fn extent<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<[f64; 4]> {
     let mut extent: Option<[f64; 4]> = None;
     for geometry in geometries {
@@ -248,7 +248,7 @@ fn attribute(
     }
 }
 
-/// Writes the next column of a row group: a value of each row, or null.
+/// Writes the next column of a row group: one value per row, or null.
 fn column<T: DataType, R>(
     group: &mut SerializedRowGroupWriter<'_, File>,
     rows: &[R],

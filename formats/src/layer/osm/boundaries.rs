@@ -1,4 +1,4 @@
-//! A layer of boundaries, and what is wrong with the relations that make it.
+//! A layer of boundaries, and the faults of their relations.
 
 use super::elements::{Elements, OsmError, Relation, Role};
 use super::filter::TagFilter;
@@ -16,27 +16,28 @@ use twinedge_geometry::Point;
 /// The boundaries of a file.
 #[derive(Clone, Debug)]
 pub struct Boundaries {
-    /// A feature for each relation, in the order of their ids, with its tags as attributes. Its polygons are what its closed rings enclose,
-    /// whatever their roles.
+    /// One feature per relation, in order of ids, with its tags as attributes. Its polygons are the areas of its closed rings,
+    /// independent of their roles.
     pub layer: Layer,
     /// The outcome of O1 … O5.
     pub rules: Vec<RuleLine>,
-    /// The violations that were kept, in the order of the rules.
+    /// The kept violations, in the order of the rules.
     pub findings: Vec<Diagnosis>,
 }
 
 impl Boundaries {
-    /// The number of violations of O1 … O5, kept or not.
+    /// Returns the number of violations of O1 … O5, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.rules.iter().map(|rule| rule.violations).sum()
     }
 }
 
-/// Reads the relations of the types `boundary` and `multipolygon` that are asked for, from a file `.osm.pbf`. Up to `limit` violations of each rule are
-/// kept; all are counted.
+/// Reads the selected relations of types `boundary` and `multipolygon` from a file `.osm.pbf`. Up to `limit` violations of each
+/// rule are kept; all are counted.
 ///
-/// O(file) for each of three passes by all threads, and O(r²) for r rings of a relation whose boxes lie in each other. Memory O(nodes of what is asked for).
+/// O(file) for each of three passes by all threads, and O(r²) for r rings of a relation with nested boxes. Memory O(nodes of the
+/// selected relations).
 ///
 /// # Errors
 /// [`OsmError`].
@@ -67,7 +68,7 @@ struct Placed {
     depth: usize,
     /// The smallest ring around it.
     parent: Option<usize>,
-    /// It is known whether it is an outer ring or a hole.
+    /// True if it is known to be an outer ring or a hole.
     is_certain: bool,
 }
 
@@ -76,7 +77,7 @@ impl Placed {
         self.depth.is_multiple_of(2)
     }
 
-    /// The ways with the role of a ring that lies elsewhere.
+    /// Returns the ways whose role contradicts the position of the ring.
     fn wrong(&self, ring: &Ring, pieces: &[Piece<'_>]) -> Vec<i64> {
         let wrong = if self.is_outer() { Role::Inner } else { Role::Outer };
         let of_ring = ring.pieces.iter().map(|(piece, _)| &pieces[*piece]);
@@ -140,7 +141,7 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// The members that can be used, and whether these are all: O1 and O3.
+    /// Returns the usable members, and true if these are all. Checks O1 and O3.
     fn pieces(&mut self, number: usize, relation: &Relation) -> (Vec<Piece<'a>>, bool) {
         let elements = self.elements;
         let mut seen = FxHashSet::default();
@@ -185,7 +186,6 @@ impl<'a> Making<'a> {
         (pieces, is_complete)
     }
 
-    /// O5.
     fn role(&mut self, number: usize, relation: &Relation, ways: &[i64], place: &Placed) {
         let Some(first) = ways.first() else { return };
         self.findings.add(Kind::ROLE, || {
@@ -205,7 +205,7 @@ impl<'a> Making<'a> {
         });
     }
 
-    /// O4: one finding for each pair of relations.
+    /// Checks O4: one finding for each pair of relations.
     fn same_sides(&mut self) {
         let mut pairs: BTreeMap<[usize; 2], Vec<i64>> = BTreeMap::new();
         for ((way, _), numbers) in &self.sides {
@@ -244,7 +244,7 @@ impl<'a> Making<'a> {
     }
 }
 
-/// The place of each ring among the others.
+/// Returns the place of each ring among the others.
 fn placed(lines: Vec<Line>) -> Vec<Placed> {
     let extents: Vec<(Extent, f64)> = lines.iter().map(|line| (Extent::of(line), area(line).abs())).collect();
     let around = |inner: usize| {
@@ -267,7 +267,7 @@ fn placed(lines: Vec<Line>) -> Vec<Placed> {
     lines.into_iter().zip(places).map(place).collect()
 }
 
-/// The polygons: an outer ring each, counter-clockwise, with the holes right inside of it, clockwise.
+/// Returns the polygons: one outer ring each, counter-clockwise, with the holes directly inside it, clockwise.
 fn geometry(placed: Vec<Placed>) -> Option<Geometry> {
     let mut polygons: BTreeMap<usize, Vec<Line>> = BTreeMap::new();
     for (number, ring) in placed.iter().enumerate().filter(|(_, ring)| ring.is_certain && ring.is_outer()) {
@@ -297,7 +297,7 @@ fn turned(mut ring: Line, way: Ordering) -> Line {
     ring
 }
 
-/// As other programs write it.
+/// Returns the id in the notation of other programs.
 fn id(relation: &Relation) -> String {
     format!("relation/{}", relation.id)
 }
@@ -306,7 +306,6 @@ fn name(relation: &Relation) -> Option<&str> {
     relation.tags.iter().find(|(key, _)| key == "name").map(|(_, name)| name.as_str())
 }
 
-/// The relation in a sentence.
 fn said(relation: &Relation) -> String {
     let id = id(relation);
     name(relation).map_or_else(|| id.clone(), |name| format!("{} ({id})", plain(name)))
@@ -317,7 +316,7 @@ fn named(number: usize, relation: &Relation) -> FeatureName {
     FeatureName { number, label: said(relation), name: name(relation).map(str::to_owned), id: Some(id) }
 }
 
-/// Fit for a terminal.
+/// Makes a text safe for a terminal.
 fn plain(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -1,4 +1,4 @@
-//! The relations of a file that are asked for, with the ways and nodes that they need.
+//! The selected relations of a file, with their ways and nodes.
 
 use super::filter::TagFilter;
 use osmpbf::{BlobDecode, BlobReader, Element, ElementReader, RelMemberType};
@@ -16,24 +16,23 @@ pub enum OsmError {
     /// The file could not be read.
     #[error("{0}")]
     Io(#[from] io::Error),
-    /// The content is not what the format demands.
+    /// The content is not valid in the format.
     #[error("this is no .osm.pbf file, or a damaged one: {0}")]
     Content(String),
-    /// It needs an ability that is not here, such as to read several versions of an element.
+    /// The file needs an unsupported capability, such as reading several versions of an element.
     #[error("the file needs readers that know of {0}, which is not read here")]
     Needs(String),
-    /// No relation is asked for by these tags.
+    /// No relation has these tags.
     #[error("no relation of the type boundary or multipolygon has the tags {0}")]
     None(TagFilter),
 }
 
-/// The abilities that a file may demand of its readers, and this one has.
+/// The capabilities that a file may require and this reader has.
 const KNOWN: [&str; 2] = ["OsmSchema-V0.6", "DenseNodes"];
 
 /// The types of relations whose ways are borders.
 const TYPES: [&str; 2] = ["boundary", "multipolygon"];
 
-/// A relation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Relation {
     pub(super) id: i64,
@@ -42,26 +41,22 @@ pub(super) struct Relation {
     pub(super) members: Vec<Member>,
 }
 
-/// A way as a member of a relation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Member {
     pub(super) way: i64,
     pub(super) role: Role,
 }
 
-/// The role of a border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// None is said.
+    /// No role is stated.
     Any,
     Outer,
     Inner,
 }
 
-/// The elements of a file that are asked for.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Elements {
-    /// By id.
     pub(super) relations: Vec<Relation>,
     /// The nodes of ways, in order.
     pub(super) ways: FxHashMap<i64, Vec<i64>>,
@@ -69,7 +64,7 @@ pub(super) struct Elements {
 }
 
 impl Elements {
-    /// Three passes over the file, each by all threads.
+    /// Reads the file in three passes, each by all threads.
     pub(super) fn read(path: &Path, filter: &TagFilter) -> Result<Self, OsmError> {
         check_header(path)?;
         let mut relations = collect(path, |element, found| {
@@ -107,7 +102,6 @@ impl Elements {
     }
 }
 
-/// The relation, if it is asked for.
 fn relation_of(relation: &osmpbf::Relation<'_>, filter: &TagFilter) -> Option<Relation> {
     let tags: Vec<(&str, &str)> = relation.tags().collect();
     let is_border = tags.iter().any(|(key, value)| *key == "type" && TYPES.contains(value));
@@ -120,7 +114,7 @@ fn relation_of(relation: &osmpbf::Relation<'_>, filter: &TagFilter) -> Option<Re
             "" => Role::Any,
             "outer" => Role::Outer,
             "inner" => Role::Inner,
-            // Such as `label`: no border.
+            // A role such as `label` is no border.
             _ => return None,
         };
         Some(Member { way: member.member_id, role })
@@ -129,7 +123,7 @@ fn relation_of(relation: &osmpbf::Relation<'_>, filter: &TagFilter) -> Option<Re
     Some(Relation { id: relation.id(), tags: tags.iter().copied().map(owned).collect(), members: members.collect() })
 }
 
-/// All that a pass over the elements of a file finds, in no order.
+/// Collects all finds of a pass over the elements of a file, in any order.
 fn collect<T: Send>(path: &Path, find: impl Fn(Element<'_>, &mut Vec<T>) + Sync + Send) -> Result<Vec<T>, OsmError> {
     let file = io::BufReader::new(File::open(path)?);
     let one = |element: Element<'_>| {
@@ -144,7 +138,7 @@ fn collect<T: Send>(path: &Path, find: impl Fn(Element<'_>, &mut Vec<T>) + Sync 
     ask(|| ElementReader::new(file).par_map_reduce(one, Vec::new, both))
 }
 
-/// Refuses a file whose elements have other meanings than those that are read here.
+/// Refuses a file whose elements have meanings that this reader does not support.
 fn check_header(path: &Path) -> Result<(), OsmError> {
     let mut blobs = BlobReader::new(io::BufReader::new(File::open(path)?));
     let needed = ask(|| {
@@ -159,7 +153,7 @@ fn check_header(path: &Path) -> Result<(), OsmError> {
     unknown.map_or(Ok(()), |feature| Err(OsmError::Needs(feature)))
 }
 
-/// Asks the crate for something. It panics at some numbers that the format does not have.
+/// Runs a call of the crate, which panics at some numbers that the format does not have.
 fn ask<T>(question: impl FnOnce() -> osmpbf::Result<T>) -> Result<T, OsmError> {
     match catch_unwind(AssertUnwindSafe(question)) {
         Ok(answer) => answer.map_err(|error| OsmError::Content(error.to_string())),

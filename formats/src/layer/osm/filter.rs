@@ -1,10 +1,9 @@
-//! The relations that are asked for.
+//! The selection of relations.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// The relations that are asked for, by their tags: those that have every tag of a list. Text is `KEY=VALUE` or `KEY`, for any value, separated by
-/// commas.
+/// Selects the relations that have every tag of a list. Text is `KEY=VALUE` or `KEY`, for any value, separated by commas.
 ///
 /// ```
 /// use twinedge_formats::layer::osm::TagFilter;
@@ -24,7 +23,7 @@ pub struct TagFilter(Vec<(String, Option<String>)>);
 pub struct InvalidFilter(String);
 
 impl TagFilter {
-    /// Returns true if these tags have all that is asked for. O(tags · asked).
+    /// Returns true if these tags include every selected one. O(tags · selected).
     #[must_use]
     pub fn accepts(&self, tags: &[(impl AsRef<str>, impl AsRef<str>)]) -> bool {
         self.0.iter().all(|(key, value)| {

@@ -11,7 +11,7 @@ pub(super) const RULES: [[&str; 4]; 5] = [
     ["O5", "roles", "rings", "the ways of an outer ring are outer, those of a hole inner, or have no role"],
 ];
 
-/// A way to break a rule: the rule, its name, what usually causes it, what mends it.
+/// A way to break a rule: the rule, the name, the usual cause, the remedy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kind {
     rule: usize,
@@ -65,7 +65,7 @@ impl Kind {
     };
 }
 
-/// The findings, of which some are kept, and how many there are of each rule.
+/// The findings: the number for each rule, and the kept ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Findings {
     pub(super) kept: Vec<Diagnosis>,
@@ -75,7 +75,7 @@ pub(super) struct Findings {
 }
 
 impl Findings {
-    /// Keeps up to so many of each rule.
+    /// Keeps up to `cap` findings of each rule.
     pub(super) fn new(cap: usize) -> Self {
         Self { cap, ..Self::default() }
     }
@@ -104,7 +104,6 @@ impl Findings {
         });
     }
 
-    /// The outcome of each rule.
     pub(super) fn rules(&self) -> Vec<RuleLine> {
         let line = |(i, [id, name, unit, statement]): (usize, [&'static str; 4])| {
             let (checked, violations) = (self.checked[i], self.counts[i]);
@@ -114,7 +113,6 @@ impl Findings {
     }
 }
 
-/// The content of a finding.
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) message: String,
@@ -126,7 +124,6 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// About these features.
     pub(super) fn of(features: impl Into<Vec<FeatureName>>) -> Self {
         Self { features: features.into(), ..Self::default() }
     }

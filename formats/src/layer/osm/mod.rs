@@ -1,16 +1,17 @@
-//! Boundaries of `OpenStreetMap`: relations whose members are ways, read from `.osm.pbf`, and what only such a file can have wrong.
+//! Boundaries of `OpenStreetMap`: relations whose members are ways, read from `.osm.pbf`, and the faults that only such a file
+//! can have.
 //!
 //! ```text
 //!   file ─► relations ─► their ways ─► their nodes ─► rings ─► polygons ─► Layer
 //!                └──────────────┴────────────┴──────────┴──► O1 … O5
 //! ```
 //!
-//! Boundaries of one level are a coverage whose borders are shared: a way is a member of the relations on both of its sides. So a file says
-//! itself where relations overlap: two of them have the same side of a way (O4). What the polygons then are to one another is for the rules
-//! C1 … C7 of a coverage.
+//! Boundaries of one level are a coverage with shared borders: a way is a member of the relations on both of its sides. The file
+//! itself therefore shows where relations overlap: two of them have the same side of a way (O4). The rules C1 … C7 of a coverage
+//! judge the resulting polygons.
 //!
-//! The vocabulary is that of <https://wiki.openstreetmap.org/wiki/Relation:boundary> and <https://wiki.openstreetmap.org/wiki/Relation:multipolygon>;
-//! the format, that of <https://wiki.openstreetmap.org/wiki/PBF_Format>.
+//! The vocabulary follows <https://wiki.openstreetmap.org/wiki/Relation:boundary> and
+//! <https://wiki.openstreetmap.org/wiki/Relation:multipolygon>, and the format <https://wiki.openstreetmap.org/wiki/PBF_Format>.
 
 mod boundaries;
 mod elements;

@@ -1,7 +1,7 @@
-//! The rings that the ways of a relation make.
+//! The rings that the ways of a relation form.
 //!
-//! A segment that occurs twice bounds nothing, and is left out. Where more than two segments meet, those are joined between which the inside lies, so
-//! that rings do not cross there; and a ring that comes back to a point is cut in two.
+//! A segment that occurs twice bounds nothing and is left out. Where more than two segments meet, those with the inside between
+//! them are joined, so that rings do not cross there. A ring that returns to a point is split in two.
 //!
 //! ```text
 //!   ○─────────────○
@@ -17,26 +17,24 @@ use std::collections::VecDeque;
 use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 
-/// A way that is a member, with two or more nodes.
+/// A member way with two or more nodes.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub(super) way: i64,
     pub(super) role: Role,
     pub(super) nodes: &'a [i64],
-    /// The places of the nodes.
     pub(super) points: Vec<Point>,
 }
 
-/// A ring.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Ring {
-    /// Its points; the last is the first.
+    /// The points; the last equals the first.
     pub(super) points: Vec<Point>,
-    /// The numbers of its pieces, and for each whether it is passed from its first node to its last.
+    /// The numbers of its pieces, each with true if it runs from its first node to its last.
     pub(super) pieces: Vec<(usize, bool)>,
 }
 
-/// The nodes at which an odd number of pieces end, in order: no rings go through all of these.
+/// The nodes at which an odd number of pieces end, in order: no rings pass through all of these.
 pub(super) fn open_ends(pieces: &[Piece<'_>]) -> Vec<i64> {
     let mut ends: Vec<i64> =
         pieces.iter().flat_map(|piece| [piece.nodes[0], piece.nodes[piece.nodes.len() - 1]]).collect();
@@ -57,12 +55,10 @@ impl Segment {
     }
 }
 
-/// The segments of all pieces.
 struct Segments {
     points: Vec<Point>,
-    /// In order; none in the place of one that is left out.
+    /// In order, with none for a segment that is left out.
     all: Vec<Option<Segment>>,
-    /// The segments at each point.
     at: Vec<Vec<usize>>,
 }
 
@@ -81,7 +77,7 @@ impl Segments {
             let along: Vec<usize> = piece.points.iter().map(of_point).collect();
             for ends in along.windows(2).filter(|ends| ends[0] != ends[1]) {
                 let ends = [ends[0], ends[1]];
-                // Twice is not at all.
+                // A segment that occurs twice cancels out.
                 if let Some(first) = known.remove(&[ends[0].min(ends[1]), ends[0].max(ends[1])]) {
                     found.all[first] = None;
                 } else {
@@ -103,7 +99,7 @@ impl Segments {
         }
     }
 
-    /// Leaves out ways that lead nowhere: the shortest between points where an odd number of segments meet, until there are none of these.
+    /// Leaves out dead ends: the shortest paths between points where an odd number of segments meet, until no such points remain.
     fn leave_out_open(&mut self) {
         for start in 0..self.points.len() {
             if self.at[start].len().is_multiple_of(2) {
@@ -113,7 +109,7 @@ impl Segments {
             let mut by: FxHashMap<usize, usize> = FxHashMap::default();
             let mut ahead = VecDeque::from([start]);
             let odd = loop {
-                // Another one is in reach, since each segment has two ends.
+                // Another such point is reachable, since each segment has two ends.
                 let Some(at) = ahead.pop_front() else { break start };
                 if at != start && !self.at[at].len().is_multiple_of(2) {
                     break at;
@@ -134,7 +130,7 @@ impl Segments {
         }
     }
 
-    /// Returns true if the inside lies right below the direction to the right of a point. O(segments).
+    /// Returns true if the inside lies directly below the ray to the right of a point. O(segments).
     fn is_inside_right_of(&self, p: Point) -> bool {
         let crosses = |segment: &Segment| {
             let [a, b] = segment.ends.map(|end| self.points[end]);
@@ -144,7 +140,7 @@ impl Segments {
         self.all.iter().flatten().filter(|segment| crosses(segment)).count() % 2 == 1
     }
 
-    /// For each segment that ends at a point the one that follows there.
+    /// Maps each end of a segment to the segment that continues there.
     fn joined(&self) -> FxHashMap<(usize, usize), usize> {
         let mut joined = FxHashMap::default();
         for (point, at) in self.at.iter().enumerate() {
@@ -166,8 +162,8 @@ impl Segments {
     }
 }
 
-/// The rings. None passes through a point twice, and none crosses another one at a point. O(n log n) for n nodes, O(n) for each point where more
-/// than two segments meet, and for each way that leads nowhere.
+/// Returns the rings. None passes through a point twice, and none crosses another at a point. O(n log n) for n nodes, plus O(n)
+/// for each point where more than two segments meet and for each dead end.
 pub(super) fn rings(pieces: &[Piece<'_>]) -> Vec<Ring> {
     let mut segments = Segments::new(pieces);
     segments.leave_out_open();
@@ -176,7 +172,7 @@ pub(super) fn rings(pieces: &[Piece<'_>]) -> Vec<Ring> {
     let mut rings = Vec::new();
     for start in 0..segments.all.len() {
         let (Some(first), false) = (segments.all[start], used[start]) else { continue };
-        // The points on the way, each with the segment that leaves it.
+        // The points of the path, each with the segment that leaves it.
         let mut path: Vec<(usize, usize)> = Vec::new();
         let mut on_path: FxHashSet<usize> = FxHashSet::default();
         let (mut at, mut segment) = (first.ends[0], start);
@@ -203,7 +199,7 @@ pub(super) fn rings(pieces: &[Piece<'_>]) -> Vec<Ring> {
 }
 
 impl Segments {
-    /// The ring of points, each with the segment that leaves it.
+    /// Returns the ring of these points, each with the segment that leaves it.
     fn ring(&self, path: &[(usize, usize)]) -> Ring {
         let mut points: Vec<Point> = path.iter().map(|(point, _)| self.points[*point]).collect();
         points.extend(points.first().copied());

@@ -1,4 +1,4 @@
-//! Character sets of tables, by the names and numbers under which files have them.
+//! Character sets of tables, by their names and numbers in files.
 
 use super::super::error::Cause;
 use encoding_rs::{Encoding, WINDOWS_1252};
@@ -8,21 +8,20 @@ use oem_cp::code_table_type::TableType;
 /// The words before the number of a code page.
 const PREFIXES: [&str; 7] = ["CP", "OEM", "ANSI", "WINDOWS", "IBM", "ISO", "MS"];
 
-/// The character set of texts.
 #[derive(Clone, Debug)]
 pub(super) enum Charset {
-    /// A set that browsers know, too.
+    /// A set that browsers support.
     Encoding(&'static Encoding),
     /// A code page of DOS, by its number.
     Oem(u16, &'static TableType),
-    /// A name or number that is not known here. ASCII is the same in all of them.
+    /// An unknown name or number. ASCII is the same in all sets.
     Unknown(String),
-    /// The file names none: UTF-8 if a text is that, and otherwise Windows-1252.
+    /// The file names none: a text is UTF-8 if it is valid as such, and otherwise Windows-1252.
     Unnamed,
 }
 
 impl Charset {
-    /// By the content of `.cpg`, or else the mark in the table.
+    /// Returns the set from the content of `.cpg`, or else from the mark in the table.
     pub(super) fn of(label: Option<&str>, mark: u8) -> Self {
         match label.map(str::trim).filter(|label| !label.is_empty()) {
             Some(label) => Self::of_label(label).unwrap_or_else(|| Self::Unknown(label.to_owned())),
@@ -37,7 +36,7 @@ impl Charset {
         if let Some(encoding) = Encoding::for_label(label.as_bytes()) {
             return Some(Self::Encoding(encoding));
         }
-        // `CP932`, `OEM 850`, `ANSI 1252`, `ISO 8859-2`: the number tells.
+        // `CP932`, `OEM 850`, `ANSI 1252`, `ISO 8859-2`: the number decides.
         let separators = [' ', '-', '_'];
         let upper = label.to_ascii_uppercase();
         let prefix = PREFIXES.iter().find_map(|prefix| upper.strip_prefix(prefix));
@@ -80,7 +79,7 @@ impl Charset {
     }
 }
 
-/// The code page of a mark (language driver id). The numbers are those of dBASE and of Esri, as `dbfopen` of GDAL has them.
+/// Returns the code page of a mark (language driver id). The numbers follow dBASE and Esri, as in `dbfopen` of GDAL.
 const fn code_page(mark: u8) -> Option<u16> {
     Some(match mark {
         0x01 | 0x09 | 0x0B | 0x0D | 0x0F | 0x11 | 0x15 | 0x18 | 0x19 | 0x1B => 437,

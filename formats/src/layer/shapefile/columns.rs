@@ -1,20 +1,18 @@
-//! The limits of a Shapefile: one kind of geometries, and columns of fixed width with names of ten bytes.
+//! The limits of a Shapefile: one kind of geometry, and columns of fixed width with names of ten bytes.
 
 use super::super::loss::{Loss, absent};
 use super::super::model::{Dimensions, Field, FieldKind, Layer, Shape, Value, kind_of};
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// The bytes of a name.
 const NAME: usize = 10;
 
-/// The bytes of a text.
 const TEXT: usize = 254;
 
-/// The bytes of a number that is not whole, and its digits after the point.
+/// The bytes of a decimal number, and its digits after the point.
 const REAL: (usize, usize) = (24, 15);
 
-/// The kind of the geometries of a file, without dimensions.
+/// The kind of geometry of a file, without dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Base {
     Point,
@@ -23,7 +21,6 @@ pub(super) enum Base {
     Polygon,
 }
 
-/// The kind of the geometries of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShapeKind {
     pub(super) base: Base,
@@ -49,7 +46,7 @@ impl ShapeKind {
     }
 }
 
-/// The one kind that holds all geometries; otherwise, what a file cannot hold.
+/// Returns the one kind that holds all geometries, or else the part that a file cannot hold.
 pub(super) fn shape_kind(layer: &Layer) -> Result<ShapeKind, String> {
     let mut kind: Option<ShapeKind> = None;
     for geometry in layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
@@ -83,10 +80,9 @@ const fn name(base: Base) -> &'static str {
     }
 }
 
-/// A column of the table, as it is written.
+/// A column of the written table.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
-    /// The column of the layer.
     pub(super) source: Arc<str>,
     pub(super) name: String,
     /// `C`, `N`, `L` or `D`.
@@ -95,7 +91,7 @@ pub(super) struct Column {
     pub(super) decimals: u8,
 }
 
-/// The columns of the table, and what they cannot hold.
+/// Returns the columns of the table, and the values that they cannot hold.
 pub(super) fn plan(layer: &Layer, fields: &[Field]) -> (Vec<Column>, Vec<Loss>) {
     let mut losses = Vec::new();
     let mut renamed = Vec::new();
@@ -114,7 +110,7 @@ pub(super) fn plan(layer: &Layer, fields: &[Field]) -> (Vec<Column>, Vec<Loss>) 
     (columns, losses)
 }
 
-/// A name of at most ten bytes that no other column has, whatever the case.
+/// Returns a name of at most ten bytes that no other column has, ignoring case.
 fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let clean: String = name.chars().filter(|c| *c != '\0').collect();
     let cut = |length: usize| {
@@ -140,7 +136,7 @@ fn column(layer: &Layer, field: &Field, name: String, losses: &mut Vec<Loss>) ->
             losses.push(Loss::Type { column: field.name.to_string(), from: field.kind, to });
         }
     };
-    // Values that do not fit the type of the column make it a text.
+    // A column with values that do not fit its type becomes a text column.
     let fits = |value: &Value| match kind_of(value) {
         None => true,
         Some(FieldKind::Integer) => matches!(field.kind, FieldKind::Integer | FieldKind::Real),
@@ -182,7 +178,7 @@ fn column(layer: &Layer, field: &Field, name: String, losses: &mut Vec<Loss>) ->
     }
 }
 
-/// A number with so many digits after the point, if that is exactly the number.
+/// Returns a number with `decimals` digits after the point, if that is exactly the number.
 fn fixed(value: &Value, width: usize, decimals: usize) -> Option<String> {
     let number = match value {
         Value::Real(number) => *number,
@@ -193,7 +189,7 @@ fn fixed(value: &Value, width: usize, decimals: usize) -> Option<String> {
     (text.len() <= width && text.parse() == Ok(number)).then_some(text)
 }
 
-/// The digits of a day, as the table has them; empty for null.
+/// Returns the digits of a date, as in the table; empty for null.
 fn digits_of_date(value: &Value) -> Option<String> {
     let Value::Date(date) = value else { return Some(String::new()) };
     let digits: String = date.split('-').collect();
@@ -201,7 +197,7 @@ fn digits_of_date(value: &Value) -> Option<String> {
     is_date.then_some(digits)
 }
 
-/// The text of a value in its column, at most as wide as it.
+/// Returns the text of a value in its column, at most as wide as the column.
 pub(super) fn text(column: &Column, value: &Value) -> String {
     let width = usize::from(column.width);
     match (column.kind, value) {
@@ -224,7 +220,7 @@ pub(super) fn text(column: &Column, value: &Value) -> String {
     }
 }
 
-/// The columns and geometries that a Shapefile cannot hold.
+/// Adds the columns and geometries that a Shapefile cannot hold.
 pub(in crate::layer) fn losses(layer: &Layer, fields: &[Field], found: &mut Vec<Loss>) {
     found.extend(plan(layer, fields).1);
     let absent = absent(layer, fields.len());

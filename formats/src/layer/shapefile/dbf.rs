@@ -10,22 +10,19 @@ use std::sync::Arc;
 
 const VERSION: u8 = 3;
 
-/// The end of the list of columns.
 const END_OF_COLUMNS: u8 = 0x0D;
 
-/// The end of the file.
 const END: u8 = 0x1A;
 
-/// The mark of a record that is deleted.
+/// The mark of a deleted record.
 const DELETED: u8 = b'*';
 
-/// The bytes of the header before the columns, and of each of these.
+/// The size of the header before the columns, and of each column.
 const PART: usize = 32;
 
-/// The greatest size of the header and of a record.
+/// The largest size of the header and of a record.
 const LARGEST: usize = u16::MAX as usize;
 
-/// A column as the file has it.
 struct ReadColumn {
     name: Arc<str>,
     kind: u8,
@@ -33,18 +30,15 @@ struct ReadColumn {
     decimals: usize,
 }
 
-/// A table that is being read.
 pub(super) struct Table<R> {
     reader: R,
     columns: Vec<ReadColumn>,
     charset: Charset,
-    /// The number of records.
     pub(super) count: usize,
     record: Vec<u8>,
 }
 
 impl<R: BufRead> Table<R> {
-    /// Reads the header.
     pub(super) fn open(mut reader: R, charset: Option<&str>) -> Result<Self, ReadError> {
         let failed = |cause| content(Place::Header, cause);
         let invalid = |message: &str| failed(Cause::Invalid(format!("the table (.dbf): {message}")));
@@ -91,7 +85,6 @@ impl<R: BufRead> Table<R> {
         Ok(Self { reader, columns, charset, count, record: vec![0; record] })
     }
 
-    /// The columns.
     pub(super) fn fields(&self) -> Vec<Field> {
         let field = |column: &ReadColumn| Field {
             name: column.name.clone(),
@@ -109,7 +102,7 @@ impl<R: BufRead> Table<R> {
         self.columns.iter().map(field).collect()
     }
 
-    /// The mark of deletion of the next record, and its values; none after the last.
+    /// Returns the deletion mark and the values of the next record; none after the last.
     #[allow(clippy::type_complexity, reason = "a name for it would say no more")]
     pub(super) fn next(&mut self, number: usize) -> Result<Option<(bool, Vec<(Arc<str>, Value)>)>, ReadError> {
         if number >= self.count {
@@ -155,7 +148,7 @@ impl ReadColumn {
     }
 
     fn number(&self, bytes: &[u8]) -> Result<Value, Cause> {
-        // Stars stand for what had no room.
+        // A value too long for its column is written as stars.
         if bytes.contains(&b'*') {
             return Ok(Value::Null);
         }
@@ -173,7 +166,7 @@ impl ReadColumn {
     }
 }
 
-/// Refuses columns that have no room in a table.
+/// Refuses columns that do not fit in a table.
 pub(super) fn check_size(columns: &[Column]) -> Result<(), String> {
     let record: usize = columns.iter().map(|column| usize::from(column.width)).sum();
     match (columns.len() + 1) * PART + 1 {
@@ -185,12 +178,12 @@ pub(super) fn check_size(columns: &[Column]) -> Result<(), String> {
 
 /// Writes the table, in UTF-8.
 pub(super) fn write(layer: &Layer, columns: &[Column], out: &mut impl Write) -> io::Result<()> {
-    // A table has a column at least.
+    // A table has at least one column.
     let alone = [Column { source: "".into(), name: "FID".to_owned(), kind: b'N', width: 10, decimals: 0 }];
     let numbers_only = columns.is_empty();
     let columns = if numbers_only { &alone } else { columns };
     let width: usize = columns.iter().map(|column| usize::from(column.width)).sum();
-    // The day of the last change, which is no part of the content.
+    // The date of the last change is not part of the content.
     let mut header = vec![VERSION, 126, 1, 1];
     header.extend((layer.features.len() as u32).to_le_bytes());
     header.extend((((columns.len() + 1) * PART + 1) as u16).to_le_bytes());
@@ -216,7 +209,7 @@ pub(super) fn write(layer: &Layer, columns: &[Column], out: &mut impl Write) -> 
             } else {
                 feature.get(&column.source).map(|value| text(column, value)).unwrap_or_default()
             };
-            // The width counts bytes, and padding by `format!` characters.
+            // The width counts bytes; padding by `format!` counts characters.
             let padding = " ".repeat(width.saturating_sub(value.len()));
             let (before, after) = if column.kind == b'N' { (&*padding, "") } else { ("", &*padding) };
             write!(out, "{before}{value}{after}")?;

@@ -1,10 +1,11 @@
 //! Esri Shapefile: geometries in `.shp`, their index in `.shx`, attributes in `.dbf`, the reference system in `.prj`, the
 //! character set in `.cpg`.
 //!
-//! Read and written here, as the crate `shapefile` 0.9 cannot write features without geometry among others, and the crate
-//! `dbase` 0.8 reads columns of the type `F` with 32 bits and whole numbers as floating-point ones.
+//! Read and written here because the crate `shapefile` 0.9 cannot write features without geometry, among others, and the crate
+//! `dbase` 0.8 reads columns of type `F` with 32 bits and whole numbers as floating-point numbers.
 //!
-//! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress (fdd000326).
+//! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress
+//! (fdd000326).
 
 mod charset;
 mod columns;
@@ -30,21 +31,20 @@ use storage::ReadSeek;
 pub(super) use columns::losses;
 pub(super) use storage::Storage;
 
-/// The bytes of the header of `.shp` and `.shx`.
+/// The size of the header of `.shp` and `.shx`.
 const HEADER: usize = 100;
 
-/// The beginning of the header.
 const FILE_CODE: [u8; 4] = 9_994_i32.to_be_bytes();
 
 const VERSION: i32 = 1_000;
 
-/// The file of the same name with another extension, in small letters or capitals, if there is one.
+/// Returns the file of the same name with another extension, in lower or upper case, if it exists.
 fn beside(storage: Storage<'_>, path: &Path, extension: &str) -> Option<PathBuf> {
     let all = [extension.to_owned(), extension.to_ascii_uppercase()];
     all.iter().map(|extension| path.with_extension(extension)).find(|path| storage.has(path))
 }
 
-/// The text of a small file beside.
+/// Returns the text of a small file of the same name.
 fn text_beside(storage: Storage<'_>, path: &Path, extension: &str) -> io::Result<Option<String>> {
     const LARGEST: u64 = 1 << 20;
     let Some(path) = beside(storage, path, extension) else { return Ok(None) };
@@ -54,8 +54,8 @@ fn text_beside(storage: Storage<'_>, path: &Path, extension: &str) -> io::Result
     Ok(Some(text.trim_start_matches('\u{FEFF}').trim().to_owned()))
 }
 
-/// Reads the Shapefile of which `path` is a part. Records are read by the index if there is one. Those that the table marks as
-/// deleted are left out.
+/// Reads the Shapefile to which `path` belongs. Records are located by the index, if there is one. Records that the table marks
+/// as deleted are left out.
 pub(super) fn read(storage: Storage<'_>, path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let missing =
         |extension: &str| content(Place::Header, Cause::Missing(path.with_extension(extension).display().to_string()));
@@ -100,19 +100,16 @@ pub(super) fn read(storage: Storage<'_>, path: &Path, each: &mut Each<'_>) -> Re
     })
 }
 
-/// A record of `.shp`.
 struct Record {
     /// None for a null shape.
     geometry: Option<Geometry>,
 }
 
-/// The records of `.shp`.
 struct Shapes {
     file: BufReader<Box<dyn ReadSeek>>,
     length: u64,
-    /// The place where the next record begins.
     at: u64,
-    /// The places where records begin, from `.shx`.
+    /// The starts of the records, from `.shx`.
     index: Option<Vec<u64>>,
     buffer: Vec<u8>,
 }
@@ -126,7 +123,6 @@ impl Shapes {
         Ok(Self { file, length, at: HEADER as u64, index, buffer: Vec::new() })
     }
 
-    /// The geometry of the next record.
     fn next(&mut self, number: usize) -> Result<Option<Record>, ReadError> {
         let failed = |cause| content(Place::Feature(number), cause);
         let start = match &self.index {
@@ -178,7 +174,7 @@ fn read_index(storage: Storage<'_>, shx: &Path) -> Result<Vec<u64>, ReadError> {
     Ok(bytes.chunks_exact(8).map(start).collect())
 }
 
-/// Makes the files of a Shapefile: `.shp` at the path, and the others beside it.
+/// Makes the files of a Shapefile: `.shp` at the path, and the others next to it.
 pub(super) fn write(layer: &Layer, path: &Path) -> Result<Files, WriteError> {
     let impossible = |what| WriteError::Impossible { format: Format::Shapefile, what };
     let kind = shape_kind(layer).map_err(impossible)?;
@@ -198,7 +194,6 @@ pub(super) fn write(layer: &Layer, path: &Path) -> Result<Files, WriteError> {
     Ok(files)
 }
 
-/// The content of `.shp` and of `.shx`.
 fn write_shapes(layer: &Layer, kind: ShapeKind) -> Result<[Vec<u8>; 2], WriteError> {
     let too_large =
         || WriteError::Impossible { format: Format::Shapefile, what: "more than 4 gigabytes of geometries".to_owned() };

@@ -9,10 +9,10 @@ use super::super::model::{Dimensions, Geometry, Line, Position, Shape};
 use super::columns::{Base, ShapeKind};
 use super::rings::{polygons, written_rings};
 
-/// Measures below it are none, says the specification.
+/// Smaller measures mean "no data", according to the specification.
 const NO_DATA: f64 = -1e38;
 
-/// The part that is not read yet.
+/// The unread part.
 struct Bytes<'a> {
     rest: &'a [u8],
 }
@@ -29,7 +29,6 @@ impl<'a> Bytes<'a> {
         Ok(bytes.try_into().map(u32::from_le_bytes).unwrap_or_default())
     }
 
-    /// Numbers of a count that has been read.
     fn numbers(&mut self, count: usize, what: &'static str) -> Result<impl Iterator<Item = f64> + 'a, Cause> {
         let bytes = count.checked_mul(8).ok_or(Cause::TooMany { what, count: count as u64 })?;
         if bytes > self.rest.len() {
@@ -86,12 +85,12 @@ pub(super) fn parse(record: &[u8]) -> Result<Option<Geometry>, Cause> {
         z.extend(bytes.numbers(range + count, "heights")?.skip(range));
     }
     let mut m = Vec::new();
-    // Measures may be left out, except in a point with measure.
+    // Measures may be absent, except in a point with measure.
     if may_have_m && (!bytes.rest.is_empty() || code == 21) {
         let range = if is_point { 0 } else { 2 };
         m.extend(bytes.numbers(range + count, "measures")?.skip(range));
     }
-    // No measure at all is as if they were left out.
+    // If no position has a measure, the geometry has none.
     if has_z && m.iter().all(|m| *m <= NO_DATA) {
         m.clear();
     }
@@ -126,7 +125,7 @@ pub(super) fn parse(record: &[u8]) -> Result<Option<Geometry>, Cause> {
     Ok(Some(Geometry::new(dimensions, shape)))
 }
 
-/// The parts of a list of positions, by where each starts.
+/// Splits a list of positions at the starts of its parts.
 fn split(mut positions: Vec<Position>, starts: &[usize]) -> Result<Vec<Line>, Cause> {
     let mut lines = Vec::with_capacity(starts.len());
     for start in starts.iter().rev() {
@@ -142,7 +141,7 @@ fn split(mut positions: Vec<Position>, starts: &[usize]) -> Result<Vec<Line>, Ca
     Ok(lines)
 }
 
-/// Least and greatest coordinates, heights and measures.
+/// The smallest and largest coordinates, heights and measures.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Bounds([Option<(f64, f64)>; 4]);
 
@@ -169,7 +168,7 @@ impl Bounds {
         [low, high]
     }
 
-    /// The box, then the ranges of heights and of measures: 0 where there are none.
+    /// Appends the box, then the ranges of heights and of measures: 0 for an absent range.
     pub(super) fn append(&self, out: &mut Vec<u8>) {
         self.append_box(out);
         for number in [self.range(2), self.range(3)].into_iter().flatten() {
@@ -185,7 +184,7 @@ impl Bounds {
     }
 }
 
-/// Appends a record, whose geometry is of the kind of the file; none, and a geometry without positions, is a null shape.
+/// Appends a record, whose geometry is of the kind of the file. A missing geometry, and one without positions, is a null shape.
 pub(super) fn append(geometry: Option<&Geometry>, kind: ShapeKind, bounds: &mut Bounds, out: &mut Vec<u8>) {
     let Some(geometry) = geometry.filter(|geometry| !geometry.shape.is_empty()) else {
         out.extend(0_i32.to_le_bytes());
@@ -199,7 +198,7 @@ pub(super) fn append(geometry: Option<&Geometry>, kind: ShapeKind, bounds: &mut 
         Shape::MultiLine(lines) => lines.clone(),
         Shape::Polygon(rings) => written_rings([rings.as_slice()]),
         Shape::MultiPolygon(polygons) => written_rings(polygons.iter().map(Vec::as_slice)),
-        // The kind of the file was found without any.
+        // The kind of the file excludes collections.
         Shape::Collection(_) => Vec::new(),
     };
     let count: usize = lines.iter().map(Vec::len).sum();
@@ -243,7 +242,7 @@ pub(super) fn append(geometry: Option<&Geometry>, kind: ShapeKind, bounds: &mut 
         column(own.range(2), &|p| p.more.first().copied().filter(|_| has_z).unwrap_or_default());
     }
     if kind.has_m || kind.has_z {
-        // Below the least measure.
+        // Below the smallest measure.
         let none = 10.0 * NO_DATA;
         let measure = |p: &Position| p.more.get(m_at).copied().filter(|m| has_m && !m.is_nan());
         let range = if has_m { own.range(3) } else { [none; 2] };

@@ -4,8 +4,8 @@ use super::super::model::Line;
 use super::super::nesting::{Extent, area, direction, lies_in};
 use std::cmp::Ordering;
 
-/// The polygons of a list of rings, turned: outer rings are counter-clockwise and holes clockwise, as GeoJSON wants them, where the
-/// file has them as its format says. Each ring keeps its first point.
+/// Returns the polygons of a list of rings, reversed: outer rings become counter-clockwise and holes clockwise, as GeoJSON
+/// requires, if the file follows its format. Each ring keeps its first point.
 pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
     let mut polygons = grouped(rings);
     for ring in polygons.iter_mut().flatten() {
@@ -17,9 +17,9 @@ pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
     polygons
 }
 
-/// The polygons of a list of rings: one for each outer ring, in order, with the holes that lie in it and in no smaller one. A hole
-/// that lies in none is a polygon of its own, and so is every ring if none is an outer one. O(rings² · points) at worst, where
-/// boxes lie inside each other.
+/// Returns the polygons of a list of rings: one for each outer ring, in order, with the holes that lie in it and in no smaller
+/// one. A hole that lies in no outer ring is a polygon of its own, and so is every ring if none is an outer one. At worst
+/// O(rings² · points), if boxes lie inside each other.
 fn grouped(rings: Vec<Line>) -> Vec<Vec<Line>> {
     let (outer, inner): (Vec<Line>, Vec<Line>) =
         rings.into_iter().partition(|ring| direction(ring) != Ordering::Greater);
@@ -51,7 +51,7 @@ fn grouped(rings: Vec<Line>) -> Vec<Vec<Line>> {
     polygons
 }
 
-/// The rings of polygons, outer ones clockwise and holes counter-clockwise. Rings without points are left out.
+/// Returns the rings of polygons, outer ones clockwise and holes counter-clockwise. Rings without points are left out.
 pub(super) fn written_rings<'a>(polygons: impl IntoIterator<Item = &'a [Line]>) -> Vec<Line> {
     let mut written = Vec::new();
     for rings in polygons {

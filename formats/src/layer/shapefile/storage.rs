@@ -5,14 +5,14 @@ use std::fs::File;
 use std::io::{self, Cursor, ErrorKind, Read, Seek};
 use std::path::Path;
 
-/// The place where paths lead.
+/// The storage that paths refer to.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::layer) enum Storage<'a> {
     Memory(&'a Files),
     Disk,
 }
 
-/// Bytes that are read in any order.
+/// Bytes that can be read in any order.
 pub(in crate::layer) trait ReadSeek: Read + Seek {}
 
 impl<T: Read + Seek> ReadSeek for T {}
@@ -29,7 +29,6 @@ impl<'a> Storage<'a> {
         }
     }
 
-    /// A file, and its length.
     pub(in crate::layer) fn open(self, path: &Path) -> io::Result<(Box<dyn ReadSeek>, u64)> {
         match self {
             Self::Memory(files) => {

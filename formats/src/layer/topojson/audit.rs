@@ -7,10 +7,10 @@ use crate::topology_audit::{TopologyAudit, TopologyCounts};
 use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Unchecked};
 use twinedge_map::{places, validate_embedding};
 
-/// Judges the arcs of a file, and the polygons that are made of them. Up to `limit` violations are kept, those of the first rules
-/// before others; all are counted. The rules about faces need A1: where it is broken, they are reported as not checked.
+/// Judges the arcs of a file and the polygons that they form. Up to `limit` violations are kept, in the order of the rules;
+/// all are counted. The rules about faces need A1: if it is broken, they are reported as not checked.
 ///
-/// O(n log n) for n positions, and p more for p pairs of segments whose boxes meet, if arcs clash.
+/// O(n log n) for n positions, plus O(p) for p pairs of segments with overlapping boxes, if arcs clash.
 ///
 /// ```
 /// use twinedge_formats::layer::ReadError;
@@ -50,7 +50,7 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
     let theirs = report.violations().iter().map(|violation| {
         let records = violation.records().into_iter().flatten().map(|record| topology.name(record));
         let diagnosis = Diagnosis {
-            // Its fields are the numbers of half-edges.
+            // The fields are the numbers of half-edges.
             kind: Kind::Named { kind: violation.kind() },
             message: violation.named(|record| topology.name(record)).message(),
             ..violation.into()

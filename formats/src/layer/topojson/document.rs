@@ -1,4 +1,4 @@
-//! A file of TopoJSON: the arcs with their coordinates, and the objects as they are.
+//! A file of TopoJSON: the arcs with their coordinates, and the objects as JSON.
 
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Line, Members, Position};
@@ -9,25 +9,23 @@ use serde_json::error::Category;
 use std::fmt;
 use std::io::Read;
 
-/// A file, whose numbers are coordinates already.
+/// A file with its numbers turned into coordinates.
 #[derive(Debug, Default)]
 pub(super) struct Document {
     pub(super) transform: Transform,
     pub(super) arcs: Vec<Line>,
-    /// The objects by name.
     pub(super) objects: Members,
-    /// The other members.
     pub(super) members: Members,
 }
 
-/// The transformation of the numbers of a quantised file to coordinates.
+/// The transformation from the numbers of a quantised file to coordinates.
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 pub(super) struct Transform {
     scale: [f64; 2],
     translate: [f64; 2],
 }
 
-/// The transform that changes nothing.
+/// The identity.
 impl Default for Transform {
     fn default() -> Self {
         Self { scale: [1.0; 2], translate: [0.0; 2] }
@@ -41,12 +39,11 @@ impl Transform {
     }
 }
 
-/// An error of the format.
 pub(super) fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::TopoJson, place, cause }
 }
 
-/// The error for a coordinate that is too large for a number of 64 bits.
+/// Returns an error if a coordinate is too large for a 64-bit number.
 pub(super) fn check_finite(at: &Position) -> Result<(), Cause> {
     if at.x.is_finite() && at.y.is_finite() {
         return Ok(());
@@ -55,7 +52,7 @@ pub(super) fn check_finite(at: &Position) -> Result<(), Cause> {
 }
 
 impl Document {
-    /// Reads a file. O(bytes) time and memory; nesting is bounded by `serde_json`.
+    /// Reads a file. O(bytes) time and memory; `serde_json` limits the nesting.
     pub(super) fn read(reader: &mut dyn Read) -> Result<Self, ReadError> {
         let mut bytes = Vec::new();
         reader.read_to_end(&mut bytes)?;
@@ -75,13 +72,13 @@ fn cause(error: &serde_json::Error) -> Cause {
     if error.classify() == Category::Eof {
         return Cause::Truncated("the outermost object");
     }
-    // The place is given beside the message.
+    // The place is reported separately from the message.
     let message = error.to_string();
     let end = message.rfind(" at line ").unwrap_or(message.len());
     Cause::Invalid(message[..end].to_owned())
 }
 
-/// Quantised positions are differences to the position before them.
+/// Decodes quantised positions, each the difference to the position before it.
 fn decode(arc: &mut Line, transform: Option<&Transform>) -> Result<(), Cause> {
     let mut at = [0.0; 2];
     for position in arc {
@@ -95,7 +92,7 @@ fn decode(arc: &mut Line, transform: Option<&Transform>) -> Result<(), Cause> {
     Ok(())
 }
 
-/// The members of the outermost object as they are read.
+/// The members of the outermost object, as read.
 struct Raw {
     transform: Option<Transform>,
     arcs: Vec<Line>,
@@ -147,7 +144,6 @@ impl<'de> Deserialize<'de> for Raw {
     }
 }
 
-/// The arcs, as they are written.
 #[derive(serde::Deserialize)]
 #[serde(transparent)]
 struct Arcs(#[serde(deserialize_with = "lines")] Vec<Line>);
@@ -157,7 +153,6 @@ fn lines<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Line>, D::Err
     Ok(arcs.into_iter().map(|arc| arc.into_iter().map(|PositionText(position)| position).collect()).collect())
 }
 
-/// A position, as it is written.
 struct PositionText(Position);
 
 impl<'de> Deserialize<'de> for PositionText {

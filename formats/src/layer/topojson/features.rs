@@ -1,4 +1,4 @@
-//! An object of a file as features, their lines and rings put together from arcs.
+//! An object of a file as features, their lines and rings assembled from arcs.
 
 use super::super::crs::Crs;
 use super::super::each::Each;
@@ -11,12 +11,12 @@ use crate::io::MAX_NESTED_COLLECTIONS;
 use serde_json::Value as Json;
 use std::io::Read;
 
-/// The number of positions that features may have together: so many times those of all arcs, and so many more. Arcs are shared by a few
-/// features each, but a small file may name a long arc any number of times.
+/// The limit on the total number of positions of features: `TIMES` times the positions of all arcs, plus `MORE`. A few features
+/// share each arc, but a small file may name a long arc any number of times.
 const TIMES: u64 = 16;
 const MORE: u64 = 1 << 20;
 
-/// Reads the object of this name, or the only one. The parts of a collection are features, each handed to `each`.
+/// Reads the object of this name, or the only one. Each part of a collection is a feature and is passed to `each`.
 pub(in crate::layer) fn read(
     reader: &mut dyn Read,
     layer: Option<&str>,
@@ -43,7 +43,7 @@ pub(in crate::layer) fn read(
             for (number, part) in parts.into_iter().enumerate() {
                 take(number, part)?;
             }
-            // The members of the object are those of the layer.
+            // The members of the object become members of the layer.
             collection.shift_remove("type");
             for (name, value) in collection {
                 header.members.entry(name).or_insert(value);
@@ -55,7 +55,7 @@ pub(in crate::layer) fn read(
     Ok(header)
 }
 
-/// The name of the object to read.
+/// Returns the name of the object to read.
 pub(super) fn chosen(objects: &Members, wanted: Option<&str>) -> Result<String, ReadError> {
     let name = match wanted {
         Some(name) => objects.contains_key(name).then_some(name),
@@ -72,7 +72,6 @@ fn is_collection(object: &Members) -> bool {
     object.get("type").and_then(Json::as_str) == Some("GeometryCollection")
 }
 
-/// Puts features together.
 struct Reading<'a> {
     document: &'a Document,
     /// The number of positions that may still be added.
@@ -109,7 +108,7 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// The shape of a geometry, whose members for it are taken out; none, if its type is null. The recursion is as deep as
+    /// Returns the shape of a geometry and removes its members; none, if the type is null. The recursion is as deep as
     /// collections are nested.
     fn shape(&mut self, members: &mut Members, depth: usize) -> Result<Option<Shape>, Cause> {
         let kind = match members.shift_remove("type") {
@@ -140,7 +139,7 @@ impl<'a> Reading<'a> {
                 let mut geometries = Vec::new();
                 for part in parts {
                     let mut members = object_of(part)?;
-                    // A part that is null is no part.
+                    // A null part is skipped.
                     if let Some(shape) = self.shape(&mut members, depth + 1)? {
                         geometries.push(geometry(shape, members));
                     }
@@ -162,13 +161,13 @@ impl<'a> Reading<'a> {
         Ok(position)
     }
 
-    /// A line of arcs, each of which begins where the one before it ends.
+    /// Returns a line of arcs; each arc begins at the end of the one before it.
     fn line(&mut self, indices: &Json) -> Result<Line, Cause> {
         let mut line = Line::new();
         for (place, index) in indices.as_array().ok_or_else(no_list)?.iter().enumerate() {
             let index = index.as_i64().ok_or_else(|| Cause::Invalid(format!("{index} is no index of an arc")))?;
             let arcs = &self.document.arcs;
-            // The index ~i stands for arc i backwards.
+            // The index ~i means arc i backwards.
             let number = usize::try_from(if index < 0 { !index } else { index }).unwrap_or(usize::MAX);
             let arc = arcs.get(number).ok_or(Cause::NoSuchArc { index, arcs: arcs.len() })?;
             let positions = arc.len() as u64;

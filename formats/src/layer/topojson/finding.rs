@@ -15,7 +15,7 @@ pub(super) const RULES: [[&str; 4]; 4] = [
     ["A3", "used", "arcs", "some object uses the arc"],
 ];
 
-/// A way to break a rule: the rule, its name, what usually causes it, what mends it.
+/// A way to break a rule: the rule, the name, the usual cause, the remedy.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kind {
     rule: usize,
@@ -67,7 +67,7 @@ impl Kind {
         Self::new(3, "unused_arc", "an object or a polygon was removed, and its arcs were not", "remove the arc");
 }
 
-/// The findings, of which some are kept, and how many there are of each rule.
+/// The findings: the number for each rule, and the kept ones.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Findings {
     pub(super) kept: Vec<Diagnosis>,
@@ -76,7 +76,7 @@ pub(super) struct Findings {
 }
 
 impl Findings {
-    /// Keeps up to so many of each rule.
+    /// Keeps up to `cap` findings of each rule.
     pub(super) fn new(cap: usize) -> Self {
         Self { cap, ..Self::default() }
     }
@@ -99,7 +99,7 @@ impl Findings {
     }
 }
 
-/// The same with the names of its records and its places.
+/// Returns the same diagnosis with the names of its records and its places.
 pub(super) fn placed(diagnosis: Diagnosis, records: Vec<String>, places: Vec<Position>) -> Diagnosis {
     Diagnosis {
         records: Records::Names { records },

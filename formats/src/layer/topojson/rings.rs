@@ -1,4 +1,4 @@
-//! From the objects of a file to the polygons at the sides of its arcs.
+//! From the objects of a file to the polygons on the sides of its arcs.
 
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::Line;
@@ -12,13 +12,13 @@ use serde_json::Value as Json;
 use std::io::Read;
 use twinedge_geometry::Point;
 
-/// Reads the arcs, and how the object of this name, or the only one, is made of them. Of each rule A0 … A3 up to `limit` findings
-/// are kept; all are counted. The other objects are held to A1, and count for A3.
+/// Reads the arcs, and the structure of the object of this name, or of the only one. Of each rule A0 … A3 up to `limit` findings
+/// are kept; all are counted. The other objects are checked for A1 and counted for A3.
 ///
-/// O(n log n) for n bytes: no ring is put together.
+/// O(n log n) for n bytes: no ring is assembled.
 ///
 /// # Errors
-/// [`ReadError`], as for a layer, but for indices that lead nowhere, arcs that do not join and arcs that are repeated: these are findings.
+/// [`ReadError`], as for a layer, except that indices without an arc, arcs that do not join and repeated arcs are findings.
 pub fn read(reader: &mut dyn Read, layer: Option<&str>, limit: usize) -> Result<ArcTopology, ReadError> {
     let document = Document::read(reader)?;
     let name = chosen(&document.objects, layer)?;
@@ -51,7 +51,6 @@ pub fn read(reader: &mut dyn Read, layer: Option<&str>, limit: usize) -> Result<
     Ok(reading.finish(&document.arcs))
 }
 
-/// A feature, to be named.
 struct Whose<'a> {
     object: &'a str,
     number: usize,
@@ -74,10 +73,10 @@ impl Whose<'_> {
 
 /// The properties of an arc that rings need.
 struct ArcShape {
-    /// The place where it begins and ends; none if it has no positions.
+    /// The first and last point; none without positions.
     ends: Option<[Point; 2]>,
     has_length: bool,
-    /// Twice the area between it and the straight way back from its end.
+    /// Twice the area between the arc and the straight line back from its end.
     area: f64,
 }
 
@@ -103,17 +102,17 @@ struct Reading {
     topology: ArcTopology,
 }
 
-/// A chain of arcs that are there and join.
+/// A chain of existing arcs that join.
 struct Chain {
     half_edges: Vec<u32>,
-    /// The place where it begins and ends; none if there are no arcs.
+    /// The first and last point; none without arcs.
     ends: Option<[Point; 2]>,
-    /// Twice the area between it and the straight way back from its end.
+    /// Twice the area between the chain and the straight line back from its end.
     area: f64,
 }
 
 impl Reading {
-    /// Takes what a geometry is made of. The recursion is as deep as collections are nested.
+    /// Reads a geometry. The recursion is as deep as collections are nested.
     fn geometry(&mut self, json: &Json, whose: &Whose<'_>, depth: usize) -> Result<(), Cause> {
         let given = || json.get("arcs").ok_or_else(no_list);
         match json["type"].as_str() {
@@ -142,7 +141,7 @@ impl Reading {
         Ok(())
     }
 
-    /// A1 of a line or ring; none if it is broken.
+    /// Checks A1 for a line or ring; returns `None` for a broken one.
     fn chain(&mut self, indices: &Json, whose: &Whose<'_>) -> Result<Option<Chain>, Cause> {
         let mut chain = Chain { half_edges: Vec::new(), ends: None, area: 0.0 };
         let mut is_whole = true;
@@ -190,7 +189,7 @@ impl Reading {
         Ok(Some(chain).filter(|_| is_whole))
     }
 
-    /// Takes the rings of a polygon, the outer one first.
+    /// Reads the rings of a polygon, the outer one first.
     fn polygon(&mut self, rings: &Json, whose: &Whose<'_>, part: Option<usize>) -> Result<(), Cause> {
         let mut face = NIL;
         for (number, ring) in rings.as_array().ok_or_else(no_list)?.iter().enumerate() {
@@ -222,7 +221,7 @@ impl Reading {
                 face = self.topology.names.len() as u32;
                 self.topology.names.push(whose.name() + &part);
             }
-            // The polygon lies to the left of its outer ring counter-clockwise, and of those of its holes clockwise.
+            // The polygon lies to the left of its outer ring counter-clockwise, and to the left of its holes clockwise.
             let turned = u32::from((chain.area > 0.0) != (number == 0));
             for half_edge in chain.half_edges {
                 self.side((half_edge ^ turned) as usize, face, number == 0);
@@ -231,7 +230,7 @@ impl Reading {
         Ok(())
     }
 
-    /// Lays a polygon to the left of a half-edge (A2).
+    /// Assigns a polygon to the left side of a half-edge (A2).
     fn side(&mut self, half_edge: usize, face: u32, is_outer: bool) {
         let topology = &mut self.topology;
         let there = topology.label[half_edge];
@@ -249,7 +248,7 @@ impl Reading {
         topology.findings.add(Kind::SAME_SIDE, message, &ends.collect::<Vec<_>>());
     }
 
-    /// Judges arcs when all objects are read.
+    /// Judges the arcs after all objects are read.
     fn finish(self, arcs: &[Line]) -> ArcTopology {
         let Self { shape, used, mut topology } = self;
         let mut vertices: FxHashMap<[u64; 2], u32> = FxHashMap::default();
@@ -291,7 +290,7 @@ impl Reading {
 }
 
 impl ArcTopology {
-    /// Takes the positions between the ends of an arc with length.
+    /// Adds the positions between the ends of an arc with length.
     fn add_bends(&mut self, arc: &Line) {
         let mut points = arc.iter().map(|p| Point::new(p.x, p.y));
         let Some(mut before) = points.next() else { return };

@@ -9,34 +9,32 @@ use twinedge_map::Embedding;
 /// No half-edge, vertex or face.
 pub(super) const NIL: u32 = u32::MAX;
 
-/// The arcs that the polygons of an object are made of, as a half-edge structure: half-edge `2 · i` is arc `i`, and `2 · i + 1` is arc
-/// `i` backwards, index `~i`. Faces are polygons, those of a multi-polygon each for itself.
+/// The arcs of the polygons of an object, as a half-edge structure: half-edge `2 · i` is arc `i`, and `2 · i + 1` is arc `i`
+/// backwards, index `~i`. Faces are polygons, each polygon of a multi-polygon separately.
 ///
-/// Which polygon lies to the left of a half-edge, and which ring is the outer one, is what the file says. Which half-edge follows
-/// another around a face is not in the file: it is the next one in the order around the end. So a polygon that lies
-/// elsewhere than its arcs has a label that changes along a cycle (B1), and so on.
+/// The file states the polygon to the left of a half-edge, and the outer ring. It does not state the half-edge that follows
+/// another around a face: that is the next one in the order around the end. A polygon whose place differs from that of its arcs
+/// therefore has a label that changes along a cycle (B1), and so on.
 ///
 /// Points that repeat the one before them are no bends. Arcs without length, and those that no polygon uses, are no edges.
 #[derive(Debug, Default)]
 pub struct ArcTopology {
-    /// The distinct ends of arcs.
     pub(super) points: Vec<Point>,
-    /// Per arc its ends; nil for an arc that is no edge.
+    /// The ends of each arc; nil for an arc that is no edge.
     pub(super) ends: Vec<[u32; 2]>,
-    /// Per arc the place of its first bend, and then their number.
+    /// The index of the first bend of each arc; the last entry is the number of bends.
     pub(super) first_bend: Vec<usize>,
     pub(super) bends: Vec<Point>,
-    /// Per half-edge the polygon to its left; nil for none.
+    /// The polygon to the left of each half-edge; nil for none.
     pub(super) label: Vec<u32>,
-    /// Per half-edge whether it belongs to the outer ring of that polygon.
+    /// True for each half-edge on the outer ring of that polygon.
     pub(super) is_outer: Vec<bool>,
-    /// Per half-edge the one that follows it.
+    /// The next half-edge of each half-edge.
     pub(super) next: Vec<u32>,
-    /// Per face a half-edge of its outer cycle.
+    /// A half-edge of the outer cycle of each face.
     pub(super) outer: Vec<u32>,
     /// Faces with a half-edge of each inner cycle, sorted.
     pub(super) inner: Vec<(u32, u32)>,
-    /// The names of the faces.
     pub(super) names: Vec<String>,
     /// The number of indices in all objects.
     pub(super) indices: u64,
@@ -45,9 +43,9 @@ pub struct ArcTopology {
 }
 
 impl ArcTopology {
-    /// The name of a record: the index of an arc, `~` before it where it is backwards; the polygon; the coordinates of an end.
+    /// Returns the name of a record: the index of an arc, with `~` if it is backwards; the polygon; the coordinates of an end.
     ///
-    /// For [`Report::named`](twinedge::validate::Report::named). A record that is not there is named by its number.
+    /// For [`Report::named`](twinedge::validate::Report::named). A record that does not exist is named by its number.
     #[must_use]
     pub fn name(&self, record: Record) -> String {
         let found = match record {
@@ -59,7 +57,7 @@ impl ArcTopology {
         found.unwrap_or_else(|| record.index().to_string())
     }
 
-    /// The point to which a half-edge goes first.
+    /// Returns the first point after the origin of a half-edge.
     fn towards(&self, half_edge: usize) -> Point {
         if self.bends(half_edge) > 0 {
             return self.bend(half_edge, 0);
@@ -67,7 +65,7 @@ impl ArcTopology {
         self.points[self.ends[half_edge / 2][1 - half_edge % 2] as usize]
     }
 
-    /// Links each half-edge to the one that follows it: from its end on, the next one clockwise. O(n log n).
+    /// Links each half-edge to its next one: the next one clockwise around its end. O(n log n).
     pub(super) fn link(&mut self) {
         let mut around: Vec<(u32, u32)> = Vec::new();
         for (arc, ends) in self.ends.iter().enumerate() {
@@ -86,7 +84,7 @@ impl ArcTopology {
         }
     }
 
-    /// Finds the cycles of the faces. The one with the outer ring is the outer one. O(n log n).
+    /// Finds the cycles of the faces. The cycle with the outer ring is the outer one. O(n log n).
     pub(super) fn list(&mut self) {
         self.outer = vec![NIL; self.names.len()];
         let mut seen = vec![false; self.next.len()];
@@ -96,7 +94,7 @@ impl ArcTopology {
                 continue;
             }
             let (mut h, mut is_outer, mut is_new) = (start, false, false);
-            // `next` is a permutation, as each half-edge follows one other.
+            // `next` is a permutation, as each half-edge follows exactly one other.
             while !seen[h] {
                 (seen[h], is_new) = (true, true);
                 is_outer |= self.is_outer[h] && self.label[h] == face;
@@ -112,7 +110,6 @@ impl ArcTopology {
         self.inner.sort_unstable();
     }
 
-    /// The inner cycles of a face.
     fn inner_of(&self, face: usize) -> &[(u32, u32)] {
         let before = |face: usize| self.inner.partition_point(|(f, _)| (*f as usize) < face);
         &self.inner[before(face)..before(face.saturating_add(1))]
@@ -123,7 +120,7 @@ fn entry(column: &[u32], i: usize) -> Link {
     column.get(i).filter(|slot| **slot != NIL).map(|slot| *slot as usize)
 }
 
-/// Arcs with faces and their holes, as the polygons say. No polygon is the outside, so there is no unbounded face.
+/// Arcs with faces and their holes, as the polygons state. No polygon is the outside, so there is no unbounded face.
 impl View for ArcTopology {
     fn parts(&self) -> Parts {
         Parts::NONE.with(Part::Holes)
@@ -145,7 +142,7 @@ impl View for ArcTopology {
         self.ends[half_edge / 2][0] != NIL
     }
 
-    /// A polygon that has no side of an arc for itself is in the object twice, which is A2.
+    /// A polygon that owns no side of an arc occurs twice in the object, which is A2.
     fn is_face(&self, face: usize) -> bool {
         self.outer[face] != NIL || !self.inner_of(face).is_empty()
     }

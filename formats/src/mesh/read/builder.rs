@@ -1,15 +1,15 @@
-//! An indexed mesh in the making, as the readers fill it.
+//! An indexed mesh under construction by a reader.
 
 use super::error::{Cause, Failure, Position};
 use crate::mesh::IndexedMesh;
 
-/// Points and faces so far. Faces may list points that come later, so indices are checked at the end.
+/// The points and faces read up to this point. Faces may list points that come later, so indices are checked at the end.
 #[derive(Debug)]
 pub(super) struct Builder {
     points: Vec<[f64; 3]>,
     corners: Vec<u32>,
     offsets: Vec<u32>,
-    /// The largest index that a face lists, and where.
+    /// The largest index in a face, and its position.
     largest: Option<(u32, Position)>,
     /// The number of the first point in the format.
     first: i64,
@@ -20,9 +20,9 @@ impl Builder {
         Self { points: Vec::new(), corners: Vec::new(), offsets: vec![0], largest: None, first }
     }
 
-    /// Makes room for what a header announces, but for no more than `left` bytes can hold.
+    /// Reserves room for the counts of a header, but for no more than `left` bytes can hold.
     pub(super) fn reserve(&mut self, points: u64, faces: u64, sides: u64, left: usize) {
-        // A coordinate and an index have at least one byte and a blank in text, and four bytes in most binary files.
+        // In text, a coordinate or an index has at least one byte and a blank; in most binary files, four bytes.
         let fits = |count: u64, bytes: usize| usize::try_from(count).unwrap_or(usize::MAX).min(left / bytes);
         self.points.reserve(fits(points, 6));
         self.offsets.reserve(fits(faces, 6));
@@ -59,7 +59,6 @@ impl Builder {
         Ok(())
     }
 
-    /// The face is complete.
     #[inline]
     pub(super) fn face(&mut self, at: Position) -> Result<(), Failure> {
         if self.offsets.len() > IndexedMesh::MOST {

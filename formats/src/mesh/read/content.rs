@@ -1,10 +1,10 @@
-//! The format that a content has.
+//! Detecting the format from the content.
 
 use super::format::Format;
 
 impl Format {
-    /// The format that the content says. PLY and OFF start with their name, STL has its name or its length, and what
-    /// starts with a statement of OBJ is taken for that. O(length of the comments at the start).
+    /// Returns the format that the content indicates. PLY and OFF start with their name, STL has its name or its length, and
+    /// content that starts with a statement of OBJ is taken for OBJ. O(length of the comments at the start).
     #[must_use]
     pub fn of_content(bytes: &[u8]) -> Option<Self> {
         Self::ALL.iter().copied().find(|format| format.fits(bytes))

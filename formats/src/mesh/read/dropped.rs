@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// Something that a file holds and the mesh does not.
+/// A part of a file that the mesh does not hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Dropped {
@@ -12,7 +12,6 @@ pub struct Dropped {
     pub count: usize,
 }
 
-/// Counts what is dropped.
 #[derive(Debug, Default)]
 pub(super) struct Drops {
     list: Vec<Dropped>,
@@ -23,7 +22,7 @@ impl Drops {
         if count == 0 {
             return;
         }
-        // A reader has a handful of things to drop.
+        // A reader drops only a few kinds of parts.
         match self.list.iter_mut().find(|dropped| dropped.what == what) {
             Some(dropped) => dropped.count += count,
             None => self.list.push(Dropped { what: Cow::Borrowed(what), count }),
@@ -34,7 +33,7 @@ impl Drops {
         self.add(what, usize::from(condition));
     }
 
-    /// Adds something that is added once only.
+    /// Adds a part that occurs only once.
     pub(super) fn add_owned(&mut self, what: String, count: usize) {
         if count > 0 {
             self.list.push(Dropped { what: Cow::Owned(what), count });

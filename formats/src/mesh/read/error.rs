@@ -1,19 +1,19 @@
-//! Why a file could not be read, and where.
+//! The errors of reading a file, with their positions.
 
 use super::Format;
 use std::fmt;
 
-/// Why a mesh file could not be read.
+/// The error of reading a mesh file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
     /// The file or stream itself could not be read.
     #[error("cannot read the file")]
     Io(#[from] std::io::Error),
-    /// Neither the name nor the content says which format it is.
+    /// Neither the name nor the content indicates the format.
     #[error("neither the name nor the content of the file says which format it has")]
     UnknownFormat,
-    /// The content is not what the format demands.
+    /// The content violates the format.
     #[error("{format}, {position}: {cause}")]
     Content {
         /// The format that was expected.
@@ -47,18 +47,18 @@ impl fmt::Display for Position {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
-    /// Something else stands where this should.
+    /// Something else stands in this place.
     #[error("expected {what}, found `{found}`")]
     Expected {
-        /// The text that should stand there.
+        /// The expected text.
         what: &'static str,
-        /// The text that does, shortened.
+        /// The text found, shortened.
         found: Box<str>,
     },
-    /// The line or the file ends where this should follow.
+    /// The line or the file ends before this part.
     #[error("expected {what}, but there is nothing more")]
     Truncated {
-        /// The part that should follow.
+        /// The missing part.
         what: &'static str,
     },
     /// A coordinate is not a finite number.
@@ -67,19 +67,19 @@ pub enum Cause {
         /// The coordinate.
         found: f64,
     },
-    /// A face lists a point that there is not. The index is as in the file: OBJ counts from 1 (see
+    /// A face lists a point that does not exist. The index is as in the file: OBJ counts from 1 (see
     /// [`IndexZero`](Self::IndexZero)), or backwards from −1.
     #[error("a face lists point {index}, but there {}", number_of_points(*points))]
     IndexOutOfRange {
-        /// The index that the face lists.
+        /// The index in the face.
         index: i64,
-        /// The number of points; in OBJ, for a negative index, the number so far.
+        /// The number of points; in OBJ, for a negative index, the number at this line.
         points: usize,
     },
     /// A face of an OBJ file lists point 0.
     #[error("a face lists point 0, but OBJ counts points from 1")]
     IndexZero,
-    /// Part of the format that this reader does not read.
+    /// A part of the format that this reader does not support.
     #[error("{0} cannot be read")]
     Unsupported(&'static str),
     /// The header of a PLY file is malformed.
@@ -88,7 +88,7 @@ pub enum Cause {
     /// The header of a PLY file defines an element or property twice.
     #[error("an element or property is defined twice")]
     DefinedTwice,
-    /// The file lacks this: a PLY file in its header, an OBJ file altogether.
+    /// The file lacks this: a PLY file in its header, an OBJ file entirely.
     #[error("there is no {0}")]
     Missing(&'static str),
     /// There are more than 2³¹ − 2 points, corners or faces.
@@ -96,7 +96,7 @@ pub enum Cause {
     TooLarge,
 }
 
-/// An error of a reader, which does not know for itself which format it reads.
+/// An error of a reader that does not know which format it reads.
 #[derive(Debug)]
 pub(super) struct Failure {
     pub(super) position: Position,
@@ -117,10 +117,10 @@ fn number_of_points(points: usize) -> String {
     }
 }
 
-/// At most so many characters of a file are shown.
+/// The largest number of characters of a file in a message.
 const SHOWN: usize = 32;
 
-/// A piece of a file as it can be shown in a message.
+/// Returns a piece of a file in printable form.
 pub(super) fn excerpt(bytes: &[u8]) -> Box<str> {
     let start = &bytes[..bytes.len().min(4 * SHOWN)];
     let text = String::from_utf8_lossy(start);

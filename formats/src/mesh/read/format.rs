@@ -1,9 +1,9 @@
-//! The format that a file has.
+//! The format of a file.
 
 use std::fmt;
 use std::path::Path;
 
-/// A format of mesh files. Those whose feature is off are not there.
+/// A format of mesh files. Formats whose feature is off are absent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Format {
@@ -22,7 +22,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// All formats, those first whose content is easiest to tell.
+    /// All formats, those with the most distinctive content first.
     pub const ALL: &[Self] = &[
         #[cfg(feature = "off")]
         Self::Off,
@@ -34,7 +34,7 @@ impl Format {
         Self::Obj,
     ];
 
-    /// The name, which is also the extension of its files.
+    /// Returns the name, which is also the extension of its files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -49,7 +49,7 @@ impl Format {
         }
     }
 
-    /// The format that the name of a file says, in upper or lower case.
+    /// Returns the format that the name of a file indicates, ignoring case.
     ///
     /// ```
     /// # #[cfg(feature = "obj")] {
@@ -64,13 +64,13 @@ impl Format {
         Self::ALL.iter().copied().find(|format| extension.eq_ignore_ascii_case(format.name()))
     }
 
-    /// The number of the first point in files of the format, from which a message about a file counts: 1 in OBJ, else 0.
+    /// Returns the number of the first point in files of the format, from which messages count: 1 in OBJ, else 0.
     #[must_use]
     pub fn first_number(self) -> usize {
         usize::from(self.name() == "obj")
     }
 
-    /// Returns true if the content says the format for certain. That of an OBJ file may start with anything.
+    /// Returns true if the content identifies the format reliably. An OBJ file may start with anything.
     pub(super) fn is_certain(self) -> bool {
         self.name() != "obj"
     }

@@ -1,5 +1,5 @@
 //! From a file to a mesh.
-// Not all that the readers share is needed by each of them.
+// Not every reader needs all of the shared code.
 #![cfg_attr(
     not(all(feature = "obj", feature = "off", feature = "ply", feature = "stl")),
     allow(dead_code, reason = "some readers are off")
@@ -38,13 +38,13 @@ pub struct MeshFile {
     pub format: Format,
     /// The points and faces.
     pub mesh: IndexedMesh,
-    /// All else that it holds, in the order of its first occurrence.
+    /// All other content, in the order of its first occurrence.
     pub dropped: Vec<Dropped>,
 }
 
-/// Reads a file. Its content says which format it has where that is certain, or else its name.
+/// Reads a file. The content decides the format if it is certain, or else the name.
 ///
-/// The whole file is read into memory. O(length), and no memory for what a header only claims.
+/// The whole file is read into memory. O(length); a header with false counts claims no memory.
 ///
 /// # Errors
 ///
@@ -69,7 +69,7 @@ pub fn read_path(path: impl AsRef<Path>) -> Result<MeshFile, ReadError> {
     read_bytes(&bytes, format)
 }
 
-/// Reads a stream to its end, in this format, or in that which the content says.
+/// Reads a stream to its end, in this format, or in the format of its content.
 ///
 /// # Errors
 ///
@@ -80,12 +80,12 @@ pub fn read(mut reader: impl Read, format: Option<Format>) -> Result<MeshFile, R
     read_bytes(&bytes, format)
 }
 
-/// Reads the content of a file, in this format, or in that which the content says. O(length).
+/// Reads the content of a file, in this format, or in the format that it indicates. O(length).
 ///
 /// # Errors
 ///
-/// If the format is not known, or the content is malformed: truncated, not numbers, coordinates that are not finite, indices
-/// out of range, counts that lie. Text may be in UTF-16, if it begins with a byte order mark.
+/// If the format is not known, or the content is malformed: truncated, not numeric, or with coordinates that are not finite,
+/// indices out of range or false counts. Text may be in UTF-16, if it begins with a byte order mark.
 ///
 /// ```
 /// # #[cfg(feature = "obj")] {

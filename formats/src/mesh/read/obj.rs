@@ -1,8 +1,8 @@
 //! OBJ (Wavefront): <https://paulbourke.net/dataformats/obj/>.
 //!
-//! Read here and not by a crate, since this is about which points the *file* has: the well-kept reader (`tobj`) keeps only
-//! points that faces use, numbers them anew for each group and material, and says of an error neither the line nor the
-//! index. It is the second opinion in the tests.
+//! Read here and not by a crate, since the audit is about the points that the *file* has: the well-kept reader (`tobj`) keeps
+//! only points that faces use, renumbers them for each group and material, and reports an error without line and index. The tests
+//! use it as a second opinion.
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
@@ -34,7 +34,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure>
     Ok((mesh, drops.into_list()))
 }
 
-/// The name of a statement that is neither a point nor a face.
+/// Returns the name of a statement that is neither a point nor a face.
 fn what_is(statement: &[u8]) -> &'static str {
     match statement {
         b"vt" => "texture coordinates",
@@ -76,7 +76,7 @@ fn face(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<()
         let from_zero = match index {
             1.. => index - 1,
             0 => return Err(text.failed(Cause::IndexZero)),
-            // Counted back from the last point so far.
+            // Counted backwards from the latest point.
             _ => index.saturating_add_unsigned(points as u64),
         };
         if from_zero < 0 {

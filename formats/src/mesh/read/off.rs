@@ -1,7 +1,7 @@
 //! OFF (Object File Format of Geomview): <http://www.geomview.org/docs/html/OFF.html>.
 //!
-//! One point and one face on a line. What follows them on the line (colours, normals, texture coordinates) is dropped,
-//! whether the prefix of `OFF` announces it or not.
+//! There is one point or face per line. Any further content of the line (colours, normals, texture coordinates) is dropped,
+//! whether or not the prefix of `OFF` announces it.
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
@@ -28,7 +28,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure>
     let points: u64 = text.integer(word, "the number of points")?;
     let word = text.any_word();
     let faces: u64 = text.integer(word, "the number of faces")?;
-    // The number of edges, which most writers leave at 0, and which nobody needs.
+    // The number of edges is 0 in most files and not needed.
     text.skip_words();
     mesh.reserve(points, faces, 4, text.left());
 

@@ -1,7 +1,7 @@
 //! PLY (Stanford polygon file format), text and binary: <https://paulbourke.net/dataformats/ply/>.
 //!
-//! `ply-rs-bw` reads the header. The records are read here, straight into the mesh, so that an error can say its line or
-//! byte, a number may be written in any usual way, and nothing is kept of what is dropped.
+//! `ply-rs-bw` reads the header. The records are read here, straight into the mesh, so that an error can give its line or byte, a
+//! number may be written in any usual form, and dropped parts take no memory.
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
@@ -52,11 +52,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure>
     Ok((mesh.finish()?, drops.into_list()))
 }
 
-/// The header, and on which byte and line what follows it starts.
+/// Returns the header, and the byte and the line after it.
 fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failure> {
     let mut reader = Reader::new(bytes);
     let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(|error| {
-        // The first line says it; the others repeat the input.
+        // The first line has the message; the others repeat the input.
         let message = error.to_string();
         let first = message.lines().next().unwrap_or_default();
         let first =
@@ -139,7 +139,7 @@ fn drop_properties(element: &ElementDef, drops: &mut Drops, keep: impl Fn(&str) 
 }
 
 fn skip(records: &mut Records<'_>, element: &ElementDef) -> Result<(), Failure> {
-    // An element without properties takes no room, however many there are said to be.
+    // An element without properties takes no room, regardless of its stated count.
     if element.properties.is_empty() {
         return Ok(());
     }
@@ -165,7 +165,7 @@ impl Records<'_> {
         }
     }
 
-    /// A number of this type; every one of them is exact as `f64`.
+    /// Reads a number of this type; every one of them is exact as `f64`.
     #[inline]
     fn number(&mut self, kind: &ScalarType, what: &'static str) -> Result<f64, Failure> {
         match self {
@@ -183,7 +183,7 @@ impl Records<'_> {
                 let Some(found) = bytes.get(*at..*at + size) else {
                     return Err(Failure::new(Position::Byte(*at as u64), Cause::Truncated { what }));
                 };
-                // As little-endian bytes, with nothing above them.
+                // As little-endian bytes, with zeros above them.
                 let mut all = [0; 8];
                 all[..size].copy_from_slice(found);
                 if *big_endian {
@@ -209,17 +209,16 @@ impl Records<'_> {
     fn coordinate(&mut self, kind: &ScalarType) -> Result<f64, Failure> {
         let at = self.position();
         let found = self.number(kind, "a coordinate")?;
-        // Text knows its line only once it is there.
+        // Text knows its line only after reading the word.
         let at = if let Self::Text(text) = self { text.position() } else { at };
         if found.is_finite() { Ok(found) } else { Err(Failure::new(at, Cause::NotFinite { found })) }
     }
 
-    /// The index of a point, which may be negative by mistake.
+    /// Reads the index of a point, which may be negative by mistake.
     fn index(&mut self, kind: &ScalarType) -> Result<i64, Failure> {
         self.whole(kind, "the index of a point", i64::MIN)
     }
 
-    /// The length of a list.
     fn length(&mut self, kind: &ScalarType, what: &'static str) -> Result<i64, Failure> {
         self.whole(kind, what, 0)
     }
@@ -247,7 +246,7 @@ impl Records<'_> {
         }
     }
 
-    /// The number of words, or bytes, that are left.
+    /// Returns the number of words or bytes that are left.
     fn after(&mut self) -> usize {
         match self {
             Self::Text(text) => std::iter::from_fn(|| text.any_word()).count(),

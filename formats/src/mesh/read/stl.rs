@@ -1,10 +1,9 @@
 //! STL (stereolithography), text and binary: <https://www.fabbers.com/tech/STL_Format>.
 //!
-//! A file of loose triangles: corners at exactly the same coordinates become one point (and 0 is −0).
+//! A file of separate triangles: corners at exactly the same coordinates become one point (and 0 equals −0).
 //!
-//! Read here and not by a crate: the well-kept reader (`stl_io`) takes a binary file whose header starts with `solid` for
-//! text, and a text without name for binary; both are common. It says of an error no line. It is the second opinion in the
-//! tests.
+//! Read here and not by a crate: the well-kept reader (`stl_io`) takes a binary file whose header starts with `solid` for text,
+//! and a text without name for binary; both are common. It reports an error without a line. The tests use it as a second opinion.
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
@@ -15,25 +14,24 @@ use crate::mesh::IndexedMesh;
 
 /// The header of a binary file, and the number of triangles.
 const HEADER: usize = 84;
-/// A triangle: its normal, three points, two bytes for whatever.
+/// A triangle: its normal, three points, and two further bytes.
 const TRIANGLE: usize = 50;
 
 pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
     if is_text(bytes) { read_text(bytes) } else { read_binary(bytes) }
 }
 
-/// Returns true if it is a text. The first word does not tell: the header of a binary file is free, and may start with `solid`. So a
-/// file that is as long as a binary file must be is one.
+/// Returns true if it is a text. The first word does not decide: the header of a binary file is arbitrary, and may start with
+/// `solid`. A file of exactly the length of a binary file is therefore binary.
 pub(super) fn is_text(bytes: &[u8]) -> bool {
     is_named_solid(bytes) && expected_length(bytes) != Some(bytes.len() as u64)
 }
 
-/// Returns true if the first word is `solid`.
 pub(super) fn is_named_solid(bytes: &[u8]) -> bool {
     Text::new(bytes).any_word().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
-/// The length that a binary file has by its own account.
+/// Returns the length of a binary file according to its own count.
 pub(super) fn expected_length(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(HEADER - 4..HEADER)?.try_into().ok()?;
     Some(HEADER as u64 + TRIANGLE as u64 * u64::from(u32::from_le_bytes(count)))

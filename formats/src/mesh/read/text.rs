@@ -2,15 +2,15 @@
 
 use super::error::{Cause, Failure, Position, excerpt};
 
-/// Walks over the words of a text, and knows on which line it is. Whatever the bytes are, they are words or blanks.
+/// Walks over the words of a text, and counts its lines. Any bytes are words or blanks.
 #[derive(Debug)]
 pub(super) struct Text<'a> {
     bytes: &'a [u8],
     at: usize,
     line: u64,
-    /// From this byte to the end of the line is a comment.
+    /// The byte that starts a comment to the end of the line.
     comment: Option<u8>,
-    /// A line that ends with a backslash goes on in the next one.
+    /// True if a line that ends with a backslash continues in the next one.
     continued: bool,
 }
 
@@ -37,12 +37,11 @@ impl<'a> Text<'a> {
         Position::Line(self.line)
     }
 
-    /// The number of bytes that are left.
     pub(super) fn left(&self) -> usize {
         self.bytes.len() - self.at
     }
 
-    /// The next word of this line.
+    /// Returns the next word of this line.
     #[inline]
     pub(super) fn word(&mut self) -> Option<&'a [u8]> {
         loop {
@@ -73,7 +72,7 @@ impl<'a> Text<'a> {
         Some(&rest[..length])
     }
 
-    /// The next word of this line or a later one.
+    /// Returns the next word of this line or a later one.
     #[inline]
     pub(super) fn any_word(&mut self) -> Option<&'a [u8]> {
         loop {
@@ -92,7 +91,7 @@ impl<'a> Text<'a> {
         self.step_over_line_end()
     }
 
-    /// The number of words that are left on this line.
+    /// Returns the number of words that are left on this line.
     pub(super) fn skip_words(&mut self) -> usize {
         std::iter::from_fn(|| self.word()).count()
     }
@@ -121,7 +120,7 @@ impl<'a> Text<'a> {
         Failure::new(self.position(), cause)
     }
 
-    /// An error about this word, or about its absence.
+    /// Returns an error about this word, or about its absence.
     pub(super) fn expected(&self, what: &'static str, found: Option<&[u8]>) -> Failure {
         self.failed(match found {
             Some(word) => Cause::Expected { what, found: excerpt(word) },
@@ -129,21 +128,18 @@ impl<'a> Text<'a> {
         })
     }
 
-    /// The word as a coordinate.
     #[inline]
     pub(super) fn coordinate(&self, word: Option<&[u8]>) -> Result<f64, Failure> {
         let number = self.number(word, "a coordinate")?;
         if number.is_finite() { Ok(number) } else { Err(self.failed(Cause::NotFinite { found: number })) }
     }
 
-    /// The word as a number.
     #[inline]
     pub(super) fn number(&self, word: Option<&[u8]>, what: &'static str) -> Result<f64, Failure> {
         let parsed = word.and_then(|word| std::str::from_utf8(word).ok()).and_then(|word| word.parse().ok());
         parsed.ok_or_else(|| self.expected(what, word))
     }
 
-    /// The word as a whole number.
     #[inline]
     pub(super) fn integer<T: std::str::FromStr>(&self, word: Option<&[u8]>, what: &'static str) -> Result<T, Failure> {
         let parsed = word.and_then(|word| std::str::from_utf8(word).ok()).and_then(|word| word.parse().ok());
@@ -151,7 +147,8 @@ impl<'a> Text<'a> {
     }
 }
 
-/// The text of a file in UTF-16, which begins with a byte order mark; none of any other. What is no character becomes a replacement. O(bytes).
+/// Returns the text of a file in UTF-16, which begins with a byte order mark; none for any other file. Invalid characters become
+/// replacement characters. O(bytes).
 pub(super) fn of_utf16(bytes: &[u8]) -> Option<String> {
     let is_big = match bytes {
         [0xFE, 0xFF, ..] => true,

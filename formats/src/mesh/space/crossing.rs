@@ -1,7 +1,8 @@
 //! M10 crossing: two faces meet in common corners and common edges only.
 //!
-//! Pairs of faces whose boxes meet are found in an R-tree; these are tested as
-//! [CGAL does](https://doc.cgal.org/latest/Polygon_mesh_processing/group__PMP__intersection__grp.html): what adjacent faces share is none.
+//! An R-tree finds pairs of faces with overlapping boxes; these are tested as in
+//! [CGAL](https://doc.cgal.org/latest/Polygon_mesh_processing/group__PMP__intersection__grp.html): the corners and edges that
+//! adjacent faces share do not count.
 
 use super::super::{Finding, HalfEdgeMesh};
 use super::places::{Corner, Place, Places, axis_of, faces, turn};
@@ -12,13 +13,13 @@ use std::cmp::Ordering;
 
 type Boxed = GeomWithData<Rectangle<[f64; 3]>, usize>;
 
-/// Returns the numbers of faces that were checked, and of those that were not.
+/// Returns the numbers of checked and of unchecked faces.
 pub(super) fn check(mesh: &HalfEdgeMesh<'_>, places: &Places<'_>, found: &mut dyn FnMut(Finding)) -> (usize, usize) {
     let (judged, left_out): (Vec<usize>, Vec<usize>) = faces(mesh).partition(|face| is_convex(&places.corners(*face)));
     let boxed = |face: &usize| Boxed::new(Rectangle::from_aabb(around(&places.corners(*face))), *face);
     let tree = RTree::bulk_load(judged.iter().map(boxed).collect());
     for face in &judged {
-        // A triangle without area is judged by M9.
+        // Triangles without area belong to M9.
         let with_area = |face: usize| {
             let mut all = places.triangles(face);
             all.retain(|triangle| axis_of(triangle.map(|corner| corner.at)).is_some());
@@ -42,7 +43,7 @@ fn around(corners: &[Corner]) -> AABB<[f64; 3]> {
     AABB::from_points(corners.iter().map(|corner| &corner.at))
 }
 
-/// Returns true if the triangles from the first corner are what a face covers, as seen along some axis.
+/// Returns true if the triangles from the first corner cover the face exactly, as seen along some axis.
 fn is_convex(corners: &[Corner]) -> bool {
     let places: Vec<Place> = corners.iter().map(|corner| corner.at).collect();
     let count = places.len();
@@ -55,7 +56,7 @@ fn is_convex(corners: &[Corner]) -> bool {
     count == 3 || axis_of_face(&places).is_none() || (0..3).any(is_convex_along)
 }
 
-/// An axis along which the corners of a face do not lie on a line.
+/// Returns an axis along which the corners of a face do not lie on a line.
 fn axis_of_face(places: &[Place]) -> Option<usize> {
     let [first, others @ ..] = places else { return None };
     others.windows(2).find_map(|pair| axis_of([*first, pair[0], pair[1]]))

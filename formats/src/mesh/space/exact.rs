@@ -1,19 +1,18 @@
 //! Sums of products of three numbers, exactly.
 //!
-//! Source: J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational
-//! Geometry 18 (1997), 305–363: a sum is kept as an expansion, numbers that do not overlap, the smallest first.
+//! Source: J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete &
+//! Computational Geometry 18 (1997), 305–363: a sum is kept as an expansion of numbers that do not overlap, the smallest first.
 
 use super::places::{Place, sign};
 use std::cmp::Ordering;
 
-/// A sum.
 #[derive(Default)]
 pub(super) struct Sum {
     parts: Vec<f64>,
 }
 
 impl Sum {
-    /// Adds a number. O(parts), of which there are at most about 40.
+    /// Adds a number. O(parts), with at most about 40 parts.
     fn add(&mut self, number: f64) {
         let mut carried = number;
         self.parts.retain_mut(|part| {
@@ -46,19 +45,20 @@ impl Sum {
         }
     }
 
-    /// The sign: that of the largest part.
+    /// Returns the sign of the largest part, which is the sign of the sum.
     pub(super) fn sign(&self) -> Ordering {
         sign(self.parts.last().copied().unwrap_or_default())
     }
 }
 
-/// A product, and what its rounding lost.
+/// Returns a product and its rounding error.
 fn product(a: f64, b: f64) -> [f64; 2] {
     let high = a * b;
     [high, a.mul_add(b, -high)]
 }
 
-/// The sign of the volume inside of triangles that face outwards: by rounded numbers if that is certain, or else exactly. O(triangles).
+/// Returns the sign of the volume inside triangles that face outwards: by rounded numbers if they decide it, or else exactly.
+/// O(triangles).
 pub(super) fn sign_of_volume(triangles: &[[Place; 3]]) -> Ordering {
     let (mut sum, mut size) = (0.0, 0.0);
     for [a, b, c] in triangles {

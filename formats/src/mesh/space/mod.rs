@@ -1,8 +1,8 @@
-//! Rules about the places of the points of a mesh, M9 … M11, which are checked if they are asked for.
+//! Optional rules about the coordinates of the points of a mesh, M9 … M11.
 //!
-//! Points at the same place count as one, as in files that repeat a point for each texture. A face with more than three sides is taken as the
-//! triangles between its first corner and its other sides. All signs are exact, unless products of coordinates leave the range of numbers
-//! of 64 bits.
+//! Points at the same place count as one, as in files that repeat a point for each texture. A face with more than three sides is
+//! taken as the triangles between its first corner and its other sides. All signs are exact, unless products of coordinates
+//! exceed the range of 64-bit numbers.
 
 mod area;
 mod crossing;
@@ -15,8 +15,8 @@ use super::space_rule::{SpaceOutcome, SpaceRule};
 use super::{Finding, Findings, HalfEdgeMesh, Kind};
 use places::Places;
 
-/// Checks rules. O(n) expected for M9; O(n log n + k) for M10, for k pairs of faces whose boxes meet; O(n) for M11, and O(n) for each component that
-/// faces inwards.
+/// Checks rules. O(n) expected for M9; O(n log n + k) for M10, for k pairs of faces with overlapping boxes; O(n) for M11, plus
+/// O(n) for each component that faces inwards.
 pub(super) fn check(mesh: &HalfEdgeMesh<'_>, rules: &[SpaceRule], findings: &mut Findings) -> Vec<SpaceOutcome> {
     let mut asked = rules.to_vec();
     asked.sort_unstable();

@@ -1,7 +1,7 @@
-//! M11 outward: the faces of a closed component face outwards, or inwards where it is the wall of a cavity in another one.
+//! M11 outward: the faces of a closed component face outwards, or inwards if it is the wall of a cavity in another one.
 //!
-//! A component is closed if each of its edges is joined. It faces outwards if the volume inside is positive by the order of corners. One that does
-//! not is a cavity if a ray from it leaves the others more often than it enters them.
+//! A component is closed if each of its edges is joined. It faces outwards if the volume inside is positive by the order of
+//! corners. One that faces inwards is a cavity if a ray from it leaves the other components more often than it enters them.
 
 use super::super::half_edges::NIL;
 use super::super::{Finding, HalfEdgeMesh};
@@ -12,10 +12,9 @@ use petgraph::unionfind::UnionFind;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// The number of rays that are tried from a component until one passes no edge and no corner.
+/// The number of rays that are tried from a component until one avoids all edges and corners.
 const RAYS: usize = 64;
 
-/// A closed component.
 struct Component {
     first_face: usize,
     faces: usize,
@@ -38,7 +37,7 @@ pub(super) fn check(mesh: &HalfEdgeMesh<'_>, places: &Places<'_>, found: &mut dy
     components.len()
 }
 
-/// The components that are closed, by their first faces. O(corners), but for the inverse of Ackermann's function.
+/// Returns the closed components, by their first faces. O(corners), up to the inverse of Ackermann's function.
 fn closed(mesh: &HalfEdgeMesh<'_>, places: &Places<'_>) -> Vec<Component> {
     let mut joined = UnionFind::new(mesh.mesh().face_count());
     let mut is_open = vec![false; mesh.mesh().face_count()];
@@ -63,8 +62,8 @@ fn closed(mesh: &HalfEdgeMesh<'_>, places: &Places<'_>) -> Vec<Component> {
     components.into_values().filter(|(_, is_closed)| *is_closed).map(|(component, _)| component).collect()
 }
 
-/// Returns true if a component lies inside of others: the first ray that passes none of their edges and corners leaves them more often than it
-/// enters them.
+/// Returns true if a component lies inside others: the first ray that avoids all of their edges and corners leaves them more
+/// often than it enters them.
 fn is_inside(triangles: &[[Place; 3]], others: &[&[[Place; 3]]]) -> bool {
     let all = || others.iter().copied().flatten();
     let corners = all().flatten().chain(triangles.iter().flatten());
@@ -82,8 +81,8 @@ fn is_inside(triangles: &[[Place; 3]], others: &[&[[Place; 3]]]) -> bool {
     false
 }
 
-/// 1 if a segment leaves through a triangle that faces outwards, −1 if it enters, 0 if it does not meet it; none if that depends on an edge
-/// or a corner.
+/// Returns 1 if a segment leaves through a triangle that faces outwards, −1 if it enters, 0 if it misses the triangle; none if an
+/// edge or a corner would decide.
 fn passed([p, q]: [Place; 2], triangle: [Place; 3]) -> Option<i64> {
     let (from, to) = (side(triangle, p), side(triangle, q));
     if from == to && from.is_ne() {

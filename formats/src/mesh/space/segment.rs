@@ -5,8 +5,8 @@ use std::cmp::Ordering;
 
 /// Returns true if a segment and a triangle with area have a point in common.
 ///
-/// Source: P. Guigue, O. Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates", Journal of Graphics
-/// Tools 8 (2003), 25–32: an edge that does not lie in the plane meets the triangle if it does not see two sides from different sides.
+/// Source: P. Guigue, O. Devillers, "Fast and Robust Triangle-Triangle Overlap Test Using Orientation Predicates", Journal of
+/// Graphics Tools 8 (2003), 25–32: an edge outside the plane meets the triangle unless it sees two sides from different sides.
 pub(super) fn meets([p, q]: [Place; 2], triangle: [Place; 3]) -> bool {
     let sides = [side(triangle, p), side(triangle, q)];
     match sides {
@@ -19,7 +19,7 @@ pub(super) fn meets([p, q]: [Place; 2], triangle: [Place; 3]) -> bool {
     }
 }
 
-/// The sides on which the line through two places passes the sides of a triangle.
+/// Returns the sides on which the line through two places passes the sides of a triangle.
 pub(super) fn sides_seen([p, q]: [Place; 2], [a, b, c]: [Place; 3]) -> [Ordering; 3] {
     [[a, b], [b, c], [c, a]].map(|[from, to]| side([p, q, from], to))
 }
@@ -33,18 +33,18 @@ fn meets_in_plane([p, q]: [Place; 2], triangle: [Place; 3]) -> bool {
     };
     let crosses = |[a, b]: [Place; 2]| {
         let across = |[p, q]: [Place; 2], [a, b]: [Place; 2]| turn([p, q, a], axis) != turn([p, q, b], axis);
-        // Ends that touch are inside, or seen from the other segment.
+        // Ends that touch lie inside, or are found from the other segment.
         across([p, q], [a, b]) && across([a, b], [p, q])
     };
     is_inside(p) || is_inside(q) || [[a, b], [b, c], [c, a]].into_iter().any(crosses)
 }
 
-/// Returns true if two triangles with area have more in common than the corners and edges that they share.
+/// Returns true if two triangles with area have a common point outside their common corners and edges.
 pub(super) fn cross(one: &[Corner; 3], other: &[Corner; 3]) -> bool {
     let is_in = |corner: &Corner, triangle: &[Corner; 3]| triangle.iter().any(|it| it.number == corner.number);
     let places = |triangle: &[Corner; 3]| triangle.map(|corner| corner.at);
     let shared: Vec<Corner> = one.iter().filter(|corner| is_in(corner, other)).copied().collect();
-    // The side of a triangle opposite of what is shared.
+    // The corners of a triangle that are not shared.
     let free = |triangle: &[Corner; 3], than: &[Corner; 3]| -> Vec<Place> {
         triangle.iter().filter(|corner| !is_in(corner, than)).map(|corner| corner.at).collect()
     };
@@ -56,7 +56,7 @@ pub(super) fn cross(one: &[Corner; 3], other: &[Corner; 3]) -> bool {
             };
             meet(one, other) || meet(other, one)
         }
-        // Both are convex: whatever they have in common, the way to it from the shared corner leads out through one of the opposite sides.
+        // Both are convex, so the segment from the shared corner to any common point leads out through one of the opposite sides.
         [_] => [(one, other), (other, one)].into_iter().any(|(triangle, than)| match free(triangle, than)[..] {
             [p, q] => meets([p, q], places(than)),
             _ => false,
