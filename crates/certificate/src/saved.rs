@@ -10,8 +10,8 @@ use twinedge::validate::{BoundaryPlace, Link, Parts, Start, View};
 
 /// A structure with every part, and its ranks, as columns of 32-bit numbers: the files of a certificate.
 ///
-/// Records keep their numbers from the structure, so slots may be vacant: then the first column of their kind contains `u32::MAX
-/// - 1`. A certificate is a [`View`] and contains its own labels. The numbers may be arbitrary.
+/// Records keep their numbers from the structure, so slots may be vacant: then the first column of their kind contains
+/// `u32::MAX - 1`. A certificate is a [`View`] and contains its own labels. The numbers may be arbitrary.
 ///
 /// ```
 /// use twinedge::validate::Table;
