@@ -1,5 +1,5 @@
-//! Work that may be divided: among the threads of the current pool with the feature `rayon`, otherwise on one thread. The result
-//! is bit-for-bit equal.
+//! Work that may be divided: among the threads of the current pool with the feature `rayon`, otherwise on one. Results are equal
+//! to the bit.
 
 use core::cmp::Ordering;
 #[cfg(debug_assertions)]

@@ -1,5 +1,5 @@
-//! The columns of certificates have the file names of the proof, in the order of its tables. Also tests a reference to columns,
-//! and columns without points.
+//! The columns of certificates have the file names of the proof, in the order of its tables. Also tests references, and columns
+//! without points.
 
 use twinedge_certificate::{Column, Columns, Labels, LabelsError};
 
