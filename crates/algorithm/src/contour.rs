@@ -20,8 +20,7 @@
 //! rings), rings of a polygon meet only at single vertices, and its interior is connected. Parts of the set that meet only at
 //! vertices are separate polygons; a hole that touches the outer ring, or another hole, remains a hole.
 //!
-//! Cutting needs no geometry: the parts of the set are found across its inner edges, each has one counter-clockwise ring, and
-//! others are holes.
+//! Cutting needs no geometry: parts are found across inner edges, and each has one counter-clockwise ring; others are holes.
 //!
 //! Source for the rules: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 6.1.11.
 
@@ -102,8 +101,7 @@ pub enum ContourError {
     NotPlane(FaceKey),
 }
 
-/// Returns the contour of a set of faces; repetitions have no effect. Expected O(half-edges of the faces); unordered faces are
-/// sorted first.
+/// Returns the contour of a set of faces. Expected O(half-edges of the faces); sorts unordered or repeated faces first.
 ///
 /// On a map that is not plane, the rings follow the links and may cross.
 ///

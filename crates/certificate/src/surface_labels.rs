@@ -12,8 +12,8 @@ impl Labels {
     /// Makes the labels of a structure on closed surfaces. Also returns the sum of the genera of its components.
     ///
     /// If the structure keeps all rules of [`Expectation::surface`](twinedge::validate::Expectation::surface),
-    /// [`check_surface`](super::check_surface) passes with both; otherwise it never does. Holes and an unbounded face are
-    /// ignored.
+    /// [`check_surface`](super::check_surface) passes with both; otherwise it never does. Lists of holes and an unbounded face
+    /// are ignored.
     ///
     /// Cost: O(n). The labels take 12 bytes for each half-edge, and 4 more if there are several components.
     ///

@@ -79,8 +79,8 @@ pub struct Finding {
     /// The area of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss
     /// without ends where they move apart; 0 for a mismatch.
     pub area: f64,
-    /// The mean width: twice the area divided by the length of the borders. The width of a strip, half that of a disk or square,
-    /// 0 for a mismatch.
+    /// The mean width: twice the area divided by the length of the borders. It is the width of a strip, and half the width of a
+    /// disk or square. 0 for a mismatch.
     pub width: f64,
     /// The length of the borders involved: all around the faces, both sides of a near miss, or the segments that lack a vertex.
     pub length: f64,
@@ -130,8 +130,7 @@ pub struct Limits {
     /// The greatest width of a near miss, and of a reported gap unless `lake_width` is set. By default gaps of all widths are
     /// found, and a near miss is at most as wide as a hundredth of the median length of the edges.
     pub gap_width: Option<f64>,
-    /// The greatest width of a reported gap. Wider ones are accepted lakes: counted, and searched for near misses. Default:
-    /// `gap_width`.
+    /// The greatest width of a reported gap. Wider ones are lakes, counted and searched for near misses. Default: `gap_width`.
     pub lake_width: Option<f64>,
     /// A point inside each gap that is accepted at any width.
     pub accepted_gaps: Vec<Point>,

@@ -99,8 +99,7 @@ pub fn on_one_circle(triangle: [Point; 3], d: Point) -> bool {
 
 /// Compares two points from left to right, and from the bottom up on a tie. O(1).
 ///
-/// This is the order of a slightly leaning sweep line, which meets one point at a time. Returns `Equal` if a NaN coordinate would
-/// decide.
+/// This is the order of a slightly leaning sweep line, which meets one point at a time. `Equal` if NaN would decide.
 #[inline]
 #[must_use]
 pub fn compare_lexicographic(a: Point, b: Point) -> Ordering {
@@ -175,8 +174,8 @@ pub enum Endpoint {
 
 /// Classifies the meeting of the closed segments `a b` and `c d`. O(1).
 ///
-/// A segment of length zero counts as a point: it touches a segment whose interior contains it, and shares an endpoint with one
-/// that ends there.
+/// A segment of length zero is a point: it touches a segment whose interior contains it, and shares an endpoint with one that
+/// ends there.
 ///
 /// ```
 /// use twinedge_geometry::Point;

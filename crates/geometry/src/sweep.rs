@@ -1,5 +1,4 @@
-//! One pass of a sweep line over points and straight segments: decides whether they are plane, and finds the segment below each
-//! point.
+//! One pass of a sweep line over points and straight segments: decides if they are plane, and finds the segment below each point.
 //!
 //! A vertical line runs from left to right. The *status* lists the segments that it currently crosses, from the bottom up; it
 //! changes only where the line passes a point of the drawing. If the drawing is plane, the status is always in order, so binary
@@ -180,8 +179,7 @@ impl<'a> Line<'a> {
             let (i, j) = (rank[u as usize], rank[v as usize]);
             (i.min(j), i.max(j))
         };
-        // Counting sort, two entries ahead: after summation, `first[i + 1]` is the start of the segments of event i, then moves
-        // to their end.
+        // Counting sort, two entries ahead: after summation, `first[i + 1]` starts the segments of event i, then moves on.
         let mut first = vec![0; points.len() + 2];
         for segment in segments {
             first[span(segment).0 as usize + 2] += 1;

@@ -1,5 +1,4 @@
-//! Work that may be divided: among the threads of the current pool with the feature `rayon`, otherwise on one. Results are equal
-//! to the bit.
+//! Divided work: among the threads of the current pool with the feature `rayon`, otherwise on one. Results are equal.
 
 use core::cmp::Ordering;
 #[cfg(debug_assertions)]

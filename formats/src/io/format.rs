@@ -234,8 +234,8 @@ fn is_wkb(head: &[u8]) -> bool {
     head.get(..5).is_some_and(is_wkb_header) || bytes.is_some_and(|bytes| is_wkb_header(&bytes))
 }
 
-/// Returns true if these are a byte order and a type of geometry: 1 to 7, or a curve up to 12, with dimensions as thousands (ISO) or in the
-/// three highest bits (EWKB).
+/// Returns true if these are a byte order and a type of geometry: 1 to 7, or a curve up to 12, with dimensions as thousands (ISO)
+/// or in the three highest bits (EWKB).
 fn is_wkb_header(bytes: &[u8]) -> bool {
     const DIMENSIONS: u32 = 0b111 << 29;
     let kind = match *bytes {

@@ -39,7 +39,8 @@ pub(super) enum Exchange {
     AddedFace(usize),
     /// The next half-edges of two half-edges are exchanged. `prev` is updated.
     Nexts(usize, usize),
-    /// The next half-edges of three that end at one vertex are permuted cyclically; with the labels, each resulting cycle is one boundary component.
+    /// The next half-edges of three that end at one vertex are permuted cyclically; with the labels, each resulting cycle is one
+    /// boundary component.
     Turned { half_edges: [usize; 3], with_labels: bool },
     /// The second of two cycles gets the label of the first, and its own list entry is removed.
     Joined([usize; 2]),

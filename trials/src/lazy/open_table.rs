@@ -9,9 +9,9 @@ use twinedge_certificate::Column;
 
 /// A table of a size, in which the cells that were read have values.
 ///
-/// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and opens
-/// it again after the last one. The runs of a reader thus go through all tables, and one run covers all tables that agree with it in
-/// the cells read.
+/// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and
+/// opens it again after the last one. The runs of a reader thus go through all tables, and one run covers all tables that agree
+/// with it in the cells read.
 pub(super) struct OpenTable {
     parts: Parts,
     vertices: Records,

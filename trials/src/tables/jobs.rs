@@ -193,8 +193,8 @@ fn open_borders() -> Job {
     twins_or_nil("twin or nil, next; open borders", OPEN, (1 + 6 + 3) * 24)
 }
 
-/// [`open_borders`] claimed to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If two adjacent
-/// sides were one edge, the other two would join the same vertices.
+/// [`open_borders`] claimed to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3!
+/// ways. If two adjacent sides were one edge, the other two would join the same vertices.
 fn one_disc() -> Job {
     let asked = OPEN.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
     twins_or_nil("twin or nil, next; asked for: a square", asked, 6)

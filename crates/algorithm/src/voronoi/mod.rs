@@ -29,9 +29,8 @@
 //! # Why `spade`
 //!
 //! The triangulation comes from the crate `spade` rather than `delaunator`; both were measured. `delaunator` (1.1) is faster, 70
-//! ms against 90 ms for 10^5 random points, but tests circles in rounded arithmetic, so its result is not always Delaunay; drops
-//! points that differ by at most 2^-51; and for collinear points returns their order. `spade` (2.15) decides exactly and keeps
-//! every point.
+//! against 90 ms for 10^5 random points, but rounds its tests of circles, so its result is not always Delaunay; drops points that
+//! differ by at most 2^-51; and for collinear points returns their order. `spade` (2.15) decides exactly and keeps all.
 //!
 //! Sources: M. de Berg et al., "Computational Geometry", 3rd edition, chapters 7 and 9; G. Voronoï, "Nouvelles applications
 //! des paramètres continus à la théorie des formes quadratiques", Journal für die reine und angewandte Mathematik 134 (1908)

@@ -239,8 +239,7 @@ fn golden_polygons_have_the_known_least_numbers() {
     assert_eq!(at_most_four_times_the_least(&star).1, 4);
 }
 
-/// A comb with k teeth upwards has 2 (k − 1) reflex corners, and at least k pieces: the base joins a tooth, by diagonals between
-/// gaps.
+/// A comb with k teeth has 2 (k − 1) reflex corners, and at least k pieces: the base joins a tooth, by diagonals between gaps.
 #[test]
 fn combs_stars_and_spirals_keep_the_bounds() {
     for teeth in [2, 3, 10, 200] {

@@ -33,8 +33,7 @@ pub struct Cleaned {
 
 /// Gives each face to at most one feature: see [the module](super).
 ///
-/// O(r · n log n) for n half-edges and faces, each counted once for each feature that covers it, and r rounds, few unless slivers
-/// adjoin.
+/// O(r · n log n) for n half-edges and faces, each counted once for each feature that covers it, and (few) r rounds.
 ///
 /// ```
 /// use twinedge_coverage::clean::{ChangeKind, Options, clean};

@@ -48,7 +48,8 @@ pub struct ChosenWidth {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Source: J. C. Gower, G. J. S. Ross, "Minimum Spanning Trees and Single Linkage Cluster Analysis", Applied Statistics 18 (1969), 54–64.
+/// Source: J. C. Gower, G. J. S. Ross, "Minimum Spanning Trees and Single Linkage Cluster Analysis", Applied Statistics 18
+/// (1969), 54–64.
 ///
 /// # Errors
 /// [`CoverageError::NotPlane`].

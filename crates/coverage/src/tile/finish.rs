@@ -36,7 +36,7 @@ pub struct Outcome {
     pub defects: Vec<(u32, Vec<Defect>)>,
     /// Features not given to every tile that meets their box, or have a different box in another of these tiles.
     pub not_given: Vec<u32>,
-    /// False if `V − E + F = 1 + C` does not hold for the sums, or for no or several unbounded faces (T3); `None` if faces are
+    /// False if `V − E + F = 1 + C` does not hold for the sums, or for not exactly one unbounded face (T3); `None` if faces are
     /// unknown.
     pub adds_up: Option<bool>,
 }

@@ -49,8 +49,7 @@ impl Summary {
     /// O(n log n) for the features that come near the tile.
     ///
     /// # Errors
-    /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) for a larger coordinate than
-    /// announced.
+    /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) for larger coordinates.
     pub fn cut<'f>(
         grid: &Grid,
         tile: Tile,

@@ -141,9 +141,8 @@ impl Grid {
 
     /// Returns the position nearest to a point, among positions in the same pixel. For a grid point, this is its pixel's centre.
     ///
-    /// If a pixel is one step, halves are rounded up, as in pixels. Otherwise `-p` has the position opposite to `p`, so that
-    /// segments with opposite ends still meet at the origin: halves become even positions, or next to a pixel's border lead away
-    /// from it.
+    /// If a pixel is one step, halves are rounded up. Otherwise `-p` has the position opposite to `p`, so that segments with
+    /// opposite ends still meet at the origin: halves become even positions, or next to a pixel's border lead away from it.
     pub(super) fn steps(&self, p: Point) -> Steps {
         let shift = self.pixels.shift;
         [p.x, p.y].map(|x| {

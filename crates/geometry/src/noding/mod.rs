@@ -2,8 +2,7 @@
 //!
 //! Segments drawn by hand or read from files cross, touch and overlap. [`node`] cuts them wherever they meet and rounds the cuts
 //! to a grid. The result is the exact drawing of a plane graph in `f64` coordinates: every point is on the grid, edges are
-//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input within
-//! reach.
+//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input.
 //!
 //! ```
 //! use twinedge_geometry::Point;
@@ -108,16 +107,14 @@ pub struct NodingSummary {
     pub collapsed: usize,
     /// The number of distinct input points minus the number of vertices made from them.
     pub merged: usize,
-    /// The number of rounds in which chains were bent, see [the module](self). 0 if nothing met or nearly met a segment's
-    /// interior.
+    /// The rounds in which chains were bent, see [the module](self). 0 if nothing met or nearly met a segment's interior.
     pub rounds: usize,
     /// The largest move of a point of the input, in x and in y.
     pub largest_move: [f64; 2],
 }
 
 impl NodingSummary {
-    /// Returns the vertex for an input point: the middle of its cell, halves rounded up, or the unrounded point. −0 becomes 0.
-    /// O(1).
+    /// Returns the vertex for an input point: its cell's middle, halves rounded up, or the point itself. −0 becomes 0. O(1).
     ///
     /// ```
     /// use twinedge_geometry::Point;

@@ -4,7 +4,8 @@
 //! is left out when a file is read, and rebuilt when one is written. With its statistics, a window is read without other row
 //! groups.
 //!
-//! Sources: "`GeoParquet` Specification" 1.1.0 (<https://geoparquet.org>); "Parquet Logical Type Definitions", GEOMETRY and GEOGRAPHY.
+//! Sources: "`GeoParquet` Specification" 1.1.0 (<https://geoparquet.org>); "Parquet Logical Type Definitions", GEOMETRY and
+//! GEOGRAPHY.
 
 mod crs;
 mod geometry_column;
