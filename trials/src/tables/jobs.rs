@@ -252,7 +252,7 @@ fn every_field_of_an_edge() -> Job {
     Job { from: 4, ..job("every field of an edge, as in textbooks", 2, TEXTBOOK_LEAVING, vec![all], 2 * 2) }
 }
 
-/// One vertex and two faces: a loop. A choice of the leaving half-edge, the outer half-edge, and the outer face, if its list has
+/// A loop with one vertex and two faces: a choice of the leaving and the outer half-edge, and of the outer face, if its list has
 /// room.
 fn every_field_of_a_loop() -> Job {
     let assignments = LISTS.map(|lists| {
