@@ -50,8 +50,7 @@ impl<'a, T: Cell> Column<'a, T> {
         Self { cells, first: 0, step: 1, len: cells.len() }
     }
 
-    /// Returns the column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` and so on. A stride may be
-    /// negative.
+    /// Returns the column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` …. A stride may be negative.
     ///
     /// # Errors
     /// [`ColumnsError::OutOfSlice`] if one of these is not in the slice.
@@ -104,8 +103,7 @@ impl<'a, T: Cell> Column<'a, T> {
         if position < self.len { self.at(position) } else { None }
     }
 
-    /// Returns one more than the largest link, and 0 without links: the number of records that the links lead to, if none
-    /// dangles. O(n).
+    /// Returns one more than the largest link, and 0 without links: the number of targets, if none dangles. O(n).
     #[must_use]
     pub fn slots(&self) -> usize {
         (0..self.len).filter_map(|i| self.link(i)).max().map_or(0, |largest| largest.saturating_add(1))

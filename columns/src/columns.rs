@@ -24,8 +24,7 @@ pub trait OnView {
 /// ([`by_target`](Self::by_target)), that needs [`adapt::Targets`](twinedge::validate::adapt::Targets), and if faces keep
 /// nothing, [`adapt::FaceLabels`](twinedge::validate::adapt::FaceLabels).
 ///
-/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. Each query reads a link, with one
-/// bounds check.
+/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. A query checks one bound.
 ///
 /// ```
 /// use twinedge_columns::{Column, Columns};
@@ -301,8 +300,7 @@ impl<'a, T: Cell> Columns<'a, T> {
             return Some(self.fastest(on));
         }
         let target = |h| self.form.target(h);
-        // The usual forms. All others answer through one indirect call for each link, so that few forms are compiled with
-        // adapters.
+        // The usual forms. All others answer through one indirect call for each link, to compile few forms with adapters.
         let plain = self.form.map::<_, true>(|column| column.cells());
         let adapted: Box<dyn View + '_> = match (plain, by_target) {
             (Some(form), false) => return Some(on.on(FaceLabels::one_cycle(form)?)),

@@ -1,9 +1,7 @@
-//! Half-edge structures of other languages, for the validator of [`twinedge`]: links in columns of integers, and the promises of
-//! known libraries.
+//! Half-edge structures of other languages, for the validator of [`twinedge`]: links in columns, and promises of libraries.
 //!
 //! [`Columns`] is a [`View`](twinedge::validate::View) of slices: arrays of numpy, fields of an array of C structs, the columns
-//! of a file. [`Preset`] has the [`Expectation`](twinedge::validate::Expectation) for the structures of a library, with its
-//! source.
+//! of a file. [`Preset`] has the [`Expectation`](twinedge::validate::Expectation) for a library, with its source.
 //!
 //! The crate needs no `std`, and allocates memory only for the adapters that some columns need (see [`Columns::validate`]).
 

@@ -50,8 +50,7 @@ const MESH: Expectation = Expectation::surface().open();
 
 presets! {
     /// `CGAL::Surface_mesh`. The manual: each edge is two half-edges; a half-edge keeps a face, a vertex, the next and the
-    /// previous one; a vertex and a face keep one; a half-edge without face is on the border. `next` and `prev` follow the border
-    /// there.
+    /// previous one; a vertex and a face keep one; a half-edge without face is on the border, where `next` and `prev` follow it.
     ///
     /// A half-edge keeps its target, and a vertex one that *arrives*: answer `leaving` with its next, which is on the border if
     /// the vertex's half-edge is. The documentation is ambiguous about the half-edge of a border vertex: `halfedge(v)`
@@ -69,13 +68,13 @@ presets! {
         from "OpenMesh, The Halfedge Data Structure, and OpenMesh/Core/Mesh/PolyConnectivity.hh, is_boundary and adjust_outgoing_halfedge"
         MESH.border_kept();
     /// `CGAL::Arrangement_2` of bounded curves, in the plane. The manual: a half-edge has its face to its left; the half-edges
-    /// around a face form chains (CCBs); a face has at most one outer one, the one unbounded face none, and any number of inner
-    /// ones and isolated vertices.
+    /// around a face form chains (CCBs); a face has at most one outer one, the one unbounded face none, and any inner ones and
+    /// isolated vertices.
     ///
-    /// A half-edge keeps its target, and a vertex one that arrives: answer `leaving` with its twin. The records of CCBs and
-    /// isolated vertices keep an iterator into the list of their face, which is no position, so there are no
-    /// [`places`](twinedge::validate::Part::Places). Unbounded curves, which have several unbounded faces and a fictitious one,
-    /// are excluded.
+    /// A half-edge keeps its target, and a vertex one that arrives: answer `leaving` with its twin. Records of CCBs and isolated
+    /// vertices keep an iterator into their face's list, which is no position, so there are no
+    /// [`places`](twinedge::validate::Part::Places). Unbounded curves, with several unbounded faces and a fictitious one, are
+    /// excluded.
     Arrangement2 "arrangement_2"
         from "CGAL, user manual of 2D Arrangements, section Representation of Arrangements: The Dcel, and CGAL/Arr_dcel_base.h"
         Expectation::plane();
@@ -89,8 +88,7 @@ presets! {
         from "trimesh, reference of Trimesh, faces, is_winding_consistent and is_watertight"
         MESH.triangles();
     /// `compas.datastructures.Mesh`, "open or closed surface meshes". A dictionary has the face of each pair of vertices, or
-    /// `None` along a border, so there are no parallel edges; `add_face` drops a vertex that follows itself, so there are no
-    /// loops.
+    /// `None` along a border, so there are no parallel edges; `add_face` drops a vertex that follows itself, so no loops.
     ///
     /// This equals `is_valid` (half-edges have their faces and vertices, faces their half-edges, no edge has none) and
     /// `is_manifold` ("the faces incident to a vertex form a closed or an open fan"), except that the latter is also false for a

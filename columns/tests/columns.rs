@@ -116,8 +116,7 @@ fn pillow() -> Table {
         .unwrap()
 }
 
-/// Two triangles, one inside the other, and an isolated vertex between them, with records of boundary components but without
-/// places.
+/// Two triangles, one inside the other, and an isolated vertex between them, with boundary components but without places.
 ///
 /// ```text
 ///   face 0                 vertices 0 1 2, half-edges 0 2 4 inside and 1 3 5 outside

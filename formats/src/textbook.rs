@@ -26,9 +26,8 @@
 //!
 //! There is a line for each record, in any order; columns are separated by white space or `|`. The first letter of the name, `v`,
 //! `f` or `e` in either case, decides the table of the line. Lines that start with `Vertex`, `Face`, `Edge` or `Half-edge` are
-//! headings, lines of dashes are rules, and `#` starts a comment. Coordinates of a vertex are optional. `nil` or `-` is no link,
-//! and `?` a link to a record that does not exist. An isolated vertex has the incident edge `nil`, and its name is listed among
-//! the inner components of its face.
+//! headings, lines of dashes are rules, and `#` starts a comment. Coordinates are optional. `nil` or `-` is no link, and `?` a
+//! link to a record that does not exist. An isolated vertex has the edge `nil`, and is listed as an inner component of its face.
 //!
 //! Source: M. de Berg et al., "Computational Geometry", 3rd edition, section 2.2.
 
@@ -227,8 +226,7 @@ impl Column {
         Self { places: live.iter().copied().zip(0..).collect(), live, names }
     }
 
-    /// Twins share the number of their edge: half the index of the even one, if every edge is numbered this way, or else their
-    /// order.
+    /// Twins share the number of their edge: half the index of the even one, if that numbers every edge, or else their order.
     fn of_half_edges<V: View + ?Sized>(view: &V) -> Self {
         let mut column = Self::new("e", view.half_edge_slots(), |h| view.is_half_edge(h));
         if column.live.iter().all(|h| view.twin(*h) == Some(*h ^ 1)) {

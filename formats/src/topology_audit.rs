@@ -3,8 +3,7 @@
 use crate::diagnosis::{Diagnosis, RuleLine, write_list};
 use std::fmt;
 
-/// The findings of an audit. `Display` prints all of it as text; with the feature `serde` it is serialized in the form of
-/// `docs/report.md`:
+/// The findings of an audit. `Display` prints it as text; with the feature `serde` it is serialized as in `docs/report.md`:
 ///
 /// ```text
 /// {

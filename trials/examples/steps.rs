@@ -101,8 +101,7 @@ impl Subject for Recorder {
     }
 }
 
-/// Returns true if the record can be compared with the proved operator, which knows no keys: an operator was called, without
-/// stale keys.
+/// Returns true if the record is comparable with the proved operator, which has no keys: a call without stale keys.
 fn comparable(outcome: StepOutcome, recorder: &Recorder) -> bool {
     outcome != StepOutcome::Skipped && !recorder.line.contains("stale")
 }

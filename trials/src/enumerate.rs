@@ -50,13 +50,11 @@ pub trait TableCells {
     #[must_use]
     fn cells(&self, parts: Parts) -> Vec<Cell>;
 
-    /// Returns every possible value of the cell: nil, the index of every slot of the target kind, the one past the end, and
-    /// `usize::MAX`. O(n).
+    /// Returns every possible value of the cell: nil, every slot of the target kind, the one past the end, `usize::MAX`. O(n).
     #[must_use]
     fn values(&self, cell: Cell) -> Vec<Value>;
 
-    /// Sets a cell and returns its old value. `None`, without any change, if there is no such cell or it cannot hold a value of
-    /// this kind. O(1).
+    /// Sets a cell and returns its old value. `None`, without any change, for an absent cell or a value of another kind. O(1).
     fn set(&mut self, cell: Cell, value: Value) -> Option<Value>;
 
     /// Derives the origin of each half-edge from the links, as the origin of the next of its twin, and adds a vertex for each
@@ -232,8 +230,7 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
 }
 
 /// Calls `visit` with the table after each change of one cell to another of its [values](TableCells::values), and with that cell
-/// and value. Cells of parts that are not stored are left alone. At the end the table is unchanged. O(n) changes for each of the
-/// O(n) cells.
+/// and value. Cells of parts that are not stored are left alone. It ends unchanged. O(n) changes for each of the O(n) cells.
 ///
 /// ```
 /// use twinedge_trials::enumerate::for_each_corruption;

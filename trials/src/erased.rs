@@ -7,8 +7,7 @@ use twinedge::program::{CallOf, HandleOf, Refusal, Subject};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
 
-/// A structure of any type whose handles are keys: a [`Dcel`](twinedge::dcel::Dcel) over any store, or one that passes its calls
-/// on to a `Dcel`.
+/// A structure of any type whose handles are keys: a [`Dcel`](twinedge::dcel::Dcel) over any store, or a wrapper of a `Dcel`.
 ///
 /// An engine that tries several of them is compiled once, not for each. Each query is a call through a pointer.
 ///

@@ -63,8 +63,7 @@ pub fn forms() -> Vec<Form> {
 
 /// Returns the same planar subdivision as a structure of this form keeps it. O(n) for n rows and list entries.
 ///
-/// The given table has every part, and boundary components that name their faces. Parts that the form does not store are nil or
-/// vacant.
+/// The given table has every part, and boundary components that name their faces. Parts not in the form are nil or vacant.
 ///
 /// - Without boundary components, half-edges name their face, and faces the half-edges and isolated vertices where their
 ///   boundary components start.
@@ -154,8 +153,7 @@ fn unlist_inner(table: &mut Table, f: usize) {
     }
 }
 
-/// Removes the records for boundary components: half-edges name their face instead, and faces the starts of their boundary
-/// components.
+/// Removes the records for boundary components: half-edges name their face instead, and faces name starts.
 fn drop_boundaries(table: &mut Table) {
     let boundaries = std::mem::take(&mut table.boundaries);
     let record = |b: Link| boundaries.get(b?).copied().flatten();
@@ -192,8 +190,7 @@ fn without_face(table: &Table, parts: Parts, f: usize) -> Option<Table> {
     Some(open)
 }
 
-/// Returns the table without the half-edges of one cycle, and without the face that it encloses: the twins of these
-/// half-edges then have no twin.
+/// Returns the table without the half-edges of one cycle, and without the face that it encloses: its twins lose theirs.
 fn without_cycle(table: &Table, b: usize) -> Option<Table> {
     let boundary = table.boundaries.get(b)?.as_ref()?;
     let of_it = |h: usize| table.half_edges[h].as_ref().is_some_and(|row| row.boundary == Some(b));

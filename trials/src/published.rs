@@ -75,8 +75,7 @@ pub(crate) fn plane(n: usize) -> u128 {
 /// OEIS A000168, A006300, A006298).
 pub(crate) const BY_GENUS: [&[u64]; 6] = [&[1], &[2], &[9, 1], &[54, 20], &[378, 307, 21], &[2916, 4280, 966]];
 
-/// Returns the number of simple triangulations of the sphere with this number of vertices, mirror images taken together (OEIS
-/// A000109).
+/// Returns the number of simple triangulations of the sphere with this number of vertices, mirror images together (OEIS A000109).
 pub(crate) fn spheres(vertices: usize) -> Option<u64> {
     [1, 1, 1, 2, 5, 14, 50, 233].get(vertices.checked_sub(3)?).copied()
 }
@@ -87,8 +86,8 @@ pub(crate) fn tutte(vertices: usize) -> Option<u64> {
 }
 
 /// Returns the number of simple triangulations of a disc, rooted at its border (Brown, *Enumeration of triangulations of the
-/// disk*, 1964): with n inner and m + 3 outer vertices, 2 (2m + 3)! (4n + 2m + 1)! / ((m + 2)! m! n! (3n + 2m + 3)!). `None` for
-/// numbers that do not fit.
+/// disk*, 1964): with n inner and m + 3 outer vertices, 2 (2m + 3)! (4n + 2m + 1)! / ((m + 2)! m! n! (3n + 2m + 3)!). `None`
+/// beyond.
 pub(crate) fn brown(outer: usize, inner: usize) -> Option<u64> {
     let (m, n) = (outer.checked_sub(3)? as u128, inner as u128);
     if m + n > 6 {

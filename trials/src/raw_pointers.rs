@@ -2,8 +2,7 @@
 //!
 //! It shares only the meaning of the operators with [`Dcel`](twinedge::dcel::Dcel). No boundary component has a record: a
 //! half-edge stores the face to its left and whether it is on the outer cycle of that face, and an isolated vertex stores its
-//! face. Handles are numbers that are never used again. Operators search where another structure would keep records, so that most
-//! are O(n).
+//! face. Handles are numbers that are never used again. Operators search where others would keep records, so that most are O(n).
 //!
 //! # Why the unsafe here is sound
 //!

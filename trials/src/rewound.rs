@@ -11,8 +11,7 @@ use twinedge::{delegate_subject, delegate_view};
 /// The largest number of changes to undo.
 const LONGEST: usize = 12;
 
-/// A [`History`] as a subject: after each operator, some changes are undone and redone, and compared with earlier copies of the
-/// structure.
+/// A [`History`] as a subject: after each operator, some changes are undone and redone, and compared with earlier copies.
 ///
 /// After each of these steps the written records are validated. At the end of each way back, a change fails on purpose: nothing
 /// of it remains, undone changes can be redone, and its keys never name anything.

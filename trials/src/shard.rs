@@ -6,8 +6,7 @@ use thiserror::Error;
 
 /// One of N parts of the same work, counted from 0. The parts are disjoint, and together they are the whole work.
 ///
-/// The part of a piece of work depends on the piece alone, not on threads or machines. If there are more parts than pieces, some
-/// parts are empty.
+/// The part of a piece depends on the piece alone, not on threads or machines. With more parts than pieces, some are empty.
 ///
 /// ```
 /// use twinedge_trials::Shard;

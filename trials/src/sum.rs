@@ -18,8 +18,7 @@ pub trait Outcome: Clone {
     /// Returns true if the part was not finished.
     fn is_interrupted(&self) -> bool;
 
-    /// Returns the reasons for a failure; empty for a success. Counts are compared with the published ones only if this is the
-    /// whole work.
+    /// Returns the reasons for a failure; empty for a success. Counts are compared with published ones only for the whole work.
     fn reasons(&self) -> Vec<String>;
 
     /// Adds the findings of another part.
@@ -122,8 +121,7 @@ impl SumError {
 /// The number of missing parts that are named.
 const NAMED: usize = 10;
 
-/// Returns the outcome of the whole work from the outcomes of all its parts, in any order. All counts equal those of a single run
-/// of the whole work.
+/// Returns the outcome of the whole work from those of all parts, in any order. All counts equal those of a single run.
 ///
 /// ```
 /// use twinedge_trials::tables::TablesWork;

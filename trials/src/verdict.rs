@@ -87,8 +87,7 @@ impl Checker for FastPath {
     }
 }
 
-/// Returns the report of the library's validator on a structure. The pointer lets it be compiled once, and not for every
-/// structure.
+/// Returns the report of the library's validator on a structure. The pointer lets it be compiled only once.
 pub(crate) fn judge(structure: &dyn View, expectation: &Expectation) -> Report {
     validate(structure, expectation, Collect::First)
 }

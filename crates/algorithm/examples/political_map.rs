@@ -1,5 +1,4 @@
-//! The political map of the world: the contour of a country, its neighbours, the country at a coordinate, a colouring, and the
-//! countries on a route.
+//! The political map of the world: the contour of a country, its neighbours, one at a coordinate, a colouring, and a route.
 //!
 //! ```text
 //! cargo run -p twinedge-algorithm --example political_map

@@ -58,8 +58,7 @@ pub fn face_centroid(map: &PlanarMap, face: FaceKey) -> Result<Option<Point>, St
     Ok(of_faces(map, &[face]))
 }
 
-/// Returns the centroid of all faces that a feature covers; `None` if it covers nothing. O(faces of the map · log + half-edges of
-/// those covered).
+/// Returns the centroid of all faces that a feature covers, if any. O(faces of the map · log + half-edges of those covered).
 #[must_use]
 pub fn feature_centroid(map: &PlanarMap, feature: FeatureId) -> Option<Point> {
     let faces: Vec<Face<'_>> = faces_of(map, feature).into_iter().filter_map(|f| map.dcel().face(f).ok()).collect();

@@ -9,8 +9,7 @@ pub fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item
     map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
 }
 
-/// Returns true if a feature seems to cover the unbounded face, which never happens on a plane map: its extent is unknown then.
-/// O(log n + leaking features).
+/// Returns true if a feature seems to cover the unbounded face, unlike on any plane map: its extent is unknown. O(log n + those).
 ///
 /// ```
 /// use twinedge_algorithm::claims::leaks;

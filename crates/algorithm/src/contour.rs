@@ -2,8 +2,7 @@
 //!
 //! Edges between two faces of the set vanish; so do lines and isolated vertices inside it. The remaining half-edges have a face
 //! of the set on their left and another face on their right. From the end of such a half-edge the outline continues along the
-//! same wedge of the set. So at a vertex where parts of the set meet like the black fields of a chessboard, it stays with its own
-//! part:
+//! same wedge of the set. So where parts of the set meet like black fields of a chessboard, it stays with its own part:
 //!
 //! ```text
 //!   ┌───────┐               ┌───────────┐
@@ -21,8 +20,7 @@
 //! rings), rings of a polygon meet only at single vertices, and its interior is connected. Parts of the set that meet only at
 //! vertices are separate polygons; a hole that touches the outer ring, or another hole, remains a hole.
 //!
-//! Cutting needs no geometry: the parts of the set are found across its inner edges, each part has one counter-clockwise ring,
-//! and all its other rings are holes.
+//! Cutting needs no geometry: parts are found across inner edges, and each has one counter-clockwise ring; others are holes.
 //!
 //! Source for the rules: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 6.1.11.
 
@@ -103,8 +101,7 @@ pub enum ContourError {
     NotPlane(FaceKey),
 }
 
-/// Returns the contour of a set of faces; repetitions have no effect. O(half-edges of the faces), expected; faces not in order of
-/// their indices are sorted first.
+/// Returns the contour of a set of faces. Expected O(half-edges of the faces); sorts unordered or repeated faces first.
 ///
 /// On a map that is not plane, the rings follow the links and may cross.
 ///
@@ -271,8 +268,7 @@ impl Parts {
         !self.contains(h.twin().face())
     }
 
-    /// Returns the half-edge after a half-edge on the contour: the next one clockwise around its target, across the faces of the
-    /// set.
+    /// Returns the next half-edge on the contour: the next one clockwise around its target, across the faces of the set.
     fn after<'a>(&self, h: HalfEdge<'a>) -> HalfEdge<'a> {
         let mut next = h.next();
         // The walk reaches an edge to a face outside the set before it returns to the twin of `h`.

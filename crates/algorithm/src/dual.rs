@@ -242,8 +242,7 @@ view! {
 }
 
 /// Returns the features of a map as a graph, joined where they have a [common border](super::neighbours), weighted by the length
-/// of the border; the number of a node is [`FeatureId::index`]. If two features overlap, the length is the mean of the lengths
-/// from both sides.
+/// of the border; the number of a node is [`FeatureId::index`]. For overlapping features, the length is the mean from both sides.
 ///
 /// O(edges · k² · log) for edges with up to k features on a side.
 ///
@@ -318,8 +317,7 @@ impl Add for Cost {
     }
 }
 
-/// Returns the best route between two features across borders; `None` if there is none, or if one of them is not a feature of the
-/// map.
+/// Returns the best route between two features across borders; `None` if there is none, or if one is not a feature of the map.
 ///
 /// O(edges of the map · log), plus the cost of [`borders`].
 ///

@@ -187,8 +187,7 @@ fn whole(map: &PlanarMap, vertex: Vertex<'_>) -> Result<Whole, LatticeError> {
     }
 }
 
-/// Counts a face. For the unbounded face, the area is minus the area of all others, and the number of points inside is
-/// meaningless.
+/// Counts a face. For the unbounded face, the area is minus the area of all others, and the number of points meaningless.
 fn count(map: &PlanarMap, face: Face<'_>) -> Result<LatticeCount, LatticeError> {
     let mut count = LatticeCount { area_doubled: 0, interior: 0, boundary: 0, holes: face.inner_count() as i128 };
     for boundary in face.boundaries() {
@@ -251,8 +250,7 @@ fn corner_points(map: &PlanarMap, h: HalfEdge<'_>) -> Result<i128, LatticeError>
         (true, true) => i128::from(turn > 0),
         (true, false) | (false, true) => 0,
         (false, false) => {
-            // Neither is above the row, so the corner contains everything above it or nothing. Opposite directions lie on the
-            // row.
+            // Neither is above the row, so the corner contains everything above it or nothing. Opposites lie on the row.
             let below = turn > 0 || turn == 0 && ax < 0 && bx > 0;
             -i128::from(!below)
         }
@@ -270,8 +268,7 @@ fn gcd(mut a: i128, mut b: i128) -> i128 {
 fn floor_sum(mut n: i128, mut m: i128, mut a: i128, mut b: i128) -> i128 {
     let mut sum: i128 = 0;
     loop {
-        // The integer parts of slope and height form a triangle and a rectangle. The rest is a triangle under a line with a slope
-        // and a height below one.
+        // The integer parts of slope and height form a triangle and a rectangle. The rest is a triangle below one.
         sum = sum.wrapping_add((n * (n - 1) / 2).wrapping_mul(a.div_euclid(m))).wrapping_add(n * b.div_euclid(m));
         (a, b) = (a.rem_euclid(m), b.rem_euclid(m));
         let top = a * n + b;

@@ -180,8 +180,7 @@ fn neighbour_feature(map: &PlanarMap, other: FeatureId, border: &[HalfEdge<'_>])
     Neighbour { shared: shared.value(), ..neighbour(map, other, border) }
 }
 
-/// Returns the faces that meet a face at a vertex but along no edge, in order of their indices. O(n log n) for the n half-edges
-/// that leave its vertices.
+/// Returns the faces that meet a face only at a vertex, in order of their indices. O(n log n) for n half-edges there.
 ///
 /// ```
 /// use twinedge_algorithm::neighbours::touching_face;

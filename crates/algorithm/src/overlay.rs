@@ -135,8 +135,7 @@ impl Overlay {
         self.features[operand as usize].get(feature.index()).copied()
     }
 
-    /// Returns the faces of an operation on two features, one of each map. A feature that does not exist covers nothing. O(faces
-    /// + features of each).
+    /// Returns the faces of an operation on two features, one of each map. Absent ones cover nothing. O(faces + features).
     ///
     /// [`contour::of_faces`](super::contour::of_faces) converts them to polygons.
     pub fn faces(&self, operation: Operation, left: FeatureId, right: FeatureId) -> impl Iterator<Item = FaceKey> + '_ {

@@ -14,8 +14,7 @@ use twinedge::validate::{BoundaryPlace, Link, Start, View};
 /// [`Expectation::plane`](twinedge::validate::Expectation::plane).
 ///
 /// The labels may be invalid, even of incorrect length, and the structure may be anything, as for
-/// [`validate`](twinedge::validate::validate). A failed check does not imply a broken structure: the labels may belong to another
-/// one.
+/// [`validate`](twinedge::validate::validate). A failed check does not imply a broken structure: the labels may be another's.
 ///
 /// Cost: O(n) for n slots and list entries. Only failures allocate memory.
 ///
@@ -37,8 +36,7 @@ pub fn check<V: View + ?Sized, C: Columns>(view: &V, labels: &C) -> Result<(), V
     failures.into_result()
 }
 
-/// Returns true if all tests pass, like [`check`] without the failures. Stops at the first failing test, reading no further
-/// records.
+/// Returns true if all tests pass, like [`check`] without the failures. Stops reading at the first failing test.
 ///
 /// Cost: O(n) for n slots and list entries. No memory is allocated.
 ///
@@ -97,8 +95,7 @@ pub(super) fn scan<V: View + ?Sized, C: Columns>(s: &Answers<'_, V, C>, noted: &
 }
 
 impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
-    /// Checks that the links of a half-edge, its neighbours and its origin fit together. Runs further tests while `passes`
-    /// returns true.
+    /// Checks that the links of a half-edge, its neighbours and its origin fit together. Runs tests while `passes` returns true.
     #[inline(always)]
     pub(super) fn links_ok(
         &self,
@@ -165,8 +162,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
         !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b))
     }
 
-    /// `h` is the start of an inner boundary component of the unbounded face, or of a face whose outer cycle starts with a lower
-    /// rank.
+    /// `h` starts an inner boundary component of the unbounded face, or of a face whose outer cycle starts with a lower rank.
     fn is_root(&self, h: usize, b: usize) -> bool {
         let lies_lower = |f| self.outer(f).is_none_or(|outer| self.is_lower(self.cycle_start(outer), h));
         self.cycle_start(b) == Some(h) && self.is_inner(b) && self.boundary_face(b).is_some_and(lies_lower)
@@ -212,8 +208,7 @@ impl<V: View + ?Sized, C: Columns> Answers<'_, V, C> {
             })
     }
 
-    /// Without stored boundary components: the half-edges and vertices named by the face are on its boundary components, in
-    /// order.
+    /// Without stored boundary components: the half-edges and vertices named by the face are on its components, in order.
     pub(super) fn face_starts_ok(&self, f: usize) -> bool {
         if !self.by_name() {
             return true;

@@ -18,8 +18,7 @@ const REACH: i64 = 1 << 53;
 /// Checks the labels of a structure and a drawing of it. If all tests pass, the structure keeps R1 … T4, and is drawn in the
 /// plane with straight edges between the points numbered like its vertices.
 ///
-/// Cost: O(n) for n slots, list entries and darts. Orientations are exact, in 128 bits. It is total, like
-/// [`check`](super::check()).
+/// Cost: O(n) for n slots, list entries and darts. Exact orientations in 128 bits. Total, like [`check`](super::check()).
 ///
 /// # Errors
 /// The failed tests.

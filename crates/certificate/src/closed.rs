@@ -18,8 +18,7 @@ use crate::NIL;
 use alloc::vec::Vec;
 use twinedge::validate::{BoundaryPlace, Link, Part, View};
 
-/// Returns the links of a structure on surfaces as columns, giving each half-edge a twin and a boundary component. Added boundary
-/// components have no face.
+/// Returns the links of a structure on surfaces as columns, with added twins and boundary components without face.
 pub(super) fn closed<V: View + ?Sized>(view: &V) -> Result<Labels, LabelsError> {
     let mut made = Labels::of_links(view)?;
     if !view.parts().has(Part::Faces) {

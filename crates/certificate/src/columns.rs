@@ -128,8 +128,7 @@ impl Column {
     }
 }
 
-/// The additions of a certificate to a structure: the rank of each half-edge, and a column for each link that the structure does
-/// not store.
+/// The additions of a certificate: the rank of each half-edge, and a column for each link that the structure does not store.
 ///
 /// The numbers may be arbitrary: [`check`](super::check()) decides. Unneeded columns are empty. In a column `u32::MAX` is nil.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -155,8 +154,7 @@ impl Labels {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum LabelsError {
-    /// The structure stores faces, but no lists of inner boundary components, or no unbounded face: it does not determine how its
-    /// components lie in the plane.
+    /// The structure stores faces without inner boundary components or unbounded face: its nesting is undetermined.
     NoContainment,
     /// This half-edge names another face than its boundary component does. A certificate would not cover the name.
     FaceOfHalfEdge(usize),

@@ -169,8 +169,7 @@ impl Labels {
         self.put(Column::BoundaryPlace, b, i);
     }
 
-    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Every other cycle bounds
-    /// its own face.
+    /// Puts one cycle of each component, and all isolated vertices, into an unbounded face, number 0. Others have their own.
     fn invent_faces<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let outside = outsides(&Answers::new(view, self))?;
         self.column_mut(Column::FaceOuter).push(NIL);
@@ -340,8 +339,7 @@ impl Ranks {
     }
 }
 
-/// Computes ranks: from the unbounded face to the components in it, and from the start of an outer cycle to the components in its
-/// face.
+/// Computes ranks: from the unbounded face to its components, and from the start of an outer cycle to the components in its face.
 fn ranks<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<u32>, LabelsError> {
     let mut ranks = Ranks::new(s)?;
     for f in (0..s.faces).filter(|f| s.is_face(*f) && s.outer(*f).is_none()) {

@@ -31,8 +31,7 @@
 //!
 //! If a structure does not store a [`Part`](twinedge::validate::Part), the [`Labels`] contain it: `prev`, the half-edge kept by a
 //! vertex, places, boundary components, faces. As with ranks, only the tests give them meaning. If half-edges and faces name each
-//! other, two more tests, [`Test::FaceNameOk`] and [`Test::FaceStartsOk`], compare these names with the boundary components of
-//! the labels.
+//! other, two more tests, [`Test::FaceNameOk`] and [`Test::FaceStartsOk`], compare these with the labels' boundary components.
 //!
 //! A structure with faces must store [holes](twinedge::validate::Part::Holes) and the [unbounded
 //! face](twinedge::validate::Part::UnboundedFace): otherwise it does not determine how its components lie in the plane.
@@ -41,8 +40,7 @@
 //!
 //! [`Labels::of_surface`] and [`check_surface`] do this for structures on closed surfaces, especially meshes, with the sum of the
 //! genera. If the genus is not 0, Euler's formula does not imply that a vertex has one rotation and a face one cycle; positions
-//! do. A [`SurfaceCertificate`] contains the structure and its labels as columns, and may be open: cycles along the border are
-//! marked as holes.
+//! do. A [`SurfaceCertificate`] has the structure and labels as columns, and may be open: border cycles are marked as holes.
 //!
 //! # Drawings
 //!

@@ -37,8 +37,7 @@ pub fn check_surface<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: 
     failures.into_result()
 }
 
-/// Returns true if all tests pass, like [`check_surface`] without the failures. Stops at the first failing test, reading no
-/// further records.
+/// Returns true if all tests pass, like [`check_surface`] without the failures. Stops reading at the first failing test.
 ///
 /// O(n). No memory is allocated.
 ///
@@ -69,8 +68,7 @@ fn run<V: View + ?Sized, C: Columns>(view: &V, labels: &C, genus: usize, noted: 
 pub(super) struct Surface<'a, V: ?Sized, C = Labels>(pub(super) Answers<'a, V, C>);
 
 impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
-    /// Runs every test except for the genus. An open surface may have holes: boundary components without a face. Returns
-    /// `None` if the check ended early.
+    /// Runs every test except for the genus. Open surfaces may have holes, without a face. `None` if the check ended early.
     #[inline(always)]
     pub(super) fn scan(&self, open: bool, noted: &mut impl Noted) -> Option<Sums> {
         let mut sums = Sums::default();
@@ -143,8 +141,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
             || self.0.origin(h).and_then(named) == Some(h) && self.0.twin(h).is_some_and(|t| !self.is_in_hole(t))
     }
 
-    /// Returns the component of the half-edge. The last entry of the column applies to all later half-edges, so one entry
-    /// suffices for one component.
+    /// Returns the component of the half-edge. The last entry applies to all later half-edges: one suffices for one component.
     #[inline(always)]
     fn component(&self, h: usize) -> Link {
         let component = self.0.labels.column(Column::HalfEdgeComponent);
@@ -212,8 +209,7 @@ impl<V: View + ?Sized, C: Columns> Surface<'_, V, C> {
     }
 }
 
-/// The links of a half-edge, the half-edge kept by its vertex, the next half-edge around the vertex, its boundary component and
-/// the start of the component.
+/// The links of a half-edge, the half-edge kept by its vertex, the next one around it, its boundary component and its start.
 #[derive(Clone, Copy)]
 struct Star {
     links: [Link; 3],

@@ -4,8 +4,7 @@ use core::fmt;
 
 macro_rules! tests {
     ($($(#[$doc:meta])* $test:ident $name:literal of $records:literal,)*) => {
-        /// A test of a certificate, applied to each record of one kind. `proofs/coq/CERTIFICATE.md` uses the same
-        /// [names](Self::name).
+        /// A test of a certificate, for each record of one kind. `proofs/coq/CERTIFICATE.md` has the same [names](Self::name).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Test {
@@ -32,8 +31,7 @@ macro_rules! tests {
 }
 
 tests! {
-    /// The number of ranks equals the number of slots for half-edges, and slot numbers fit into 32 bits. Otherwise nothing else
-    /// is tested.
+    /// The numbers of ranks and of half-edge slots are equal, and slot numbers fit into 32 bits. Otherwise it ends.
     Readable "readable" of "",
     /// `twin(twin(h)) = h`, and `twin(h) ≠ h`.
     TwinOk "twin_ok" of "half-edges",

@@ -8,8 +8,7 @@ use twinedge_geometry::sweep::sweep_plane;
 /// For a single ring of at most this many points, all pairs of segments are tried.
 const FEW: usize = if cfg!(test) { 4 } else { 12 };
 
-/// Returns, for each ring, the rings that contain it, in order; `None` if two rings meet or a ring meets itself. O(n log n) for n
-/// points.
+/// For each ring, the rings that contain it, in order; `None` if rings meet or a ring meets itself. O(n log n) for n points.
 pub(super) fn containers(rings: &[Ring]) -> Option<Vec<Vec<usize>>> {
     match rings {
         [] => return Some(Vec::new()),

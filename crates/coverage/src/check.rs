@@ -35,8 +35,7 @@ impl Coverage {
         self.findings.iter().filter(move |finding| finding.rule == rule)
     }
 
-    /// Returns the points of [`Limits::accepted_gaps`] that lie in no accepted gap of the checked map, usually by mistake. O(n
-    /// log n).
+    /// Returns the points of [`Limits::accepted_gaps`] that lie in no accepted gap of the map, usually by mistake. O(n log n).
     #[must_use]
     pub fn unmet_places(&self, map: &PlanarMap, limits: &Limits) -> Vec<Point> {
         let faces: FxHashSet<FaceKey> = self.accepted_gaps.iter().flat_map(|gap| &gap.faces).copied().collect();
@@ -54,8 +53,7 @@ pub enum CoverageError {
     NotPlane(#[from] NotPlane),
 }
 
-/// Finds violations of C1 … C5. C6 is checked on shapes, C7 on the map's input: [`defects`](super::defects),
-/// [`mismatches`](super::mismatches).
+/// Finds violations of C1 … C5. For C6 and C7 see [`defects`](super::defects), [`mismatches`](super::mismatches).
 ///
 /// With the feature `rayon`, runs on the threads of the current pool. O(n log n + c) for n half-edges and faces, each counted
 /// once for each feature that covers it, and c pairs of outside edges whose boxes come within the width.

@@ -79,7 +79,7 @@ pub struct Finding {
     /// The area of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss
     /// without ends where they move apart; 0 for a mismatch.
     pub area: f64,
-    /// The mean width: twice the area divided by the length of the borders. This is the width of a strip, and half the width of a
+    /// The mean width: twice the area divided by the length of the borders. It is the width of a strip, and half the width of a
     /// disk or square. 0 for a mismatch.
     pub width: f64,
     /// The length of the borders involved: all around the faces, both sides of a near miss, or the segments that lack a vertex.
@@ -90,8 +90,7 @@ pub struct Finding {
     pub corner: Point,
     /// The faces that make it up; empty for a near miss or a mismatch, and in audits by tiles.
     pub faces: Vec<FaceKey>,
-    /// For a near miss, the stretches of borders that face each other; for a mismatch, the segments that lack a vertex; otherwise
-    /// empty.
+    /// For a near miss, the stretches of facing borders; for a mismatch, the segments that lack a vertex; otherwise empty.
     pub stretches: Vec<[Point; 2]>,
     /// The missing vertices of a mismatch, in order of their coordinates; otherwise empty.
     pub missing: Vec<MissingVertex>,
@@ -131,8 +130,7 @@ pub struct Limits {
     /// The greatest width of a near miss, and of a reported gap unless `lake_width` is set. By default gaps of all widths are
     /// found, and a near miss is at most as wide as a hundredth of the median length of the edges.
     pub gap_width: Option<f64>,
-    /// The greatest width of a reported gap. A wider one is accepted as a lake: it is counted, and searched for near misses.
-    /// Default: `gap_width`.
+    /// The greatest width of a reported gap. Wider ones are lakes, counted and searched for near misses. Default: `gap_width`.
     pub lake_width: Option<f64>,
     /// A point inside each gap that is accepted at any width.
     pub accepted_gaps: Vec<Point>,

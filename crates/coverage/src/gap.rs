@@ -19,8 +19,8 @@ pub(crate) struct Gaps {
     pub(super) wider: Vec<Finding>,
     /// The gaps accepted by a point inside.
     pub(super) accepted: Vec<Finding>,
-    /// The outside, and the gaps searched for near misses: for each of their faces, by index, the index of a representative face
-    /// of the same space.
+    /// The outside, and the gaps searched for near misses: for each of their faces, by index, a representative face of the same
+    /// space.
     pub(super) spaces: FxHashMap<usize, usize>,
 }
 

@@ -52,8 +52,7 @@ pub fn mismatches(map: &PlanarMap, unmatched: &[UnmatchedVertex]) -> Result<Vec<
     Ok(by_pairs(apart(map, unmatched, snapped)))
 }
 
-/// Returns the unmatched vertices around which the two features do not overlap. `snapped` returns the location of a point on the
-/// map.
+/// Returns the unmatched vertices around which the two features do not overlap. `snapped` locates a point on the map.
 pub(crate) fn apart(
     map: &PlanarMap,
     unmatched: &[UnmatchedVertex],

@@ -300,8 +300,7 @@ fn facing([a, b]: [Point; 2], [c, d]: [Point; 2], width: f64) -> Option<Stretch>
     (is_between && widths[0] <= width && widths[1] <= width).then_some(Stretch { from, to, widths, is_long, other: 0 })
 }
 
-/// Returns the range of a segment, in fractions of its length, with another segment at right angles to it; `None` if they run in
-/// opposite directions.
+/// Returns the range of a segment, as fractions, with another at right angles to it; `None` for opposite directions.
 fn opposite([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(f64, f64)> {
     let u = minus(b, a);
     let part = |p: Point| dot(minus(p, a), u) / dot(u, u);

@@ -109,8 +109,7 @@ pub(crate) fn mean_width(area: f64, length: f64) -> f64 {
     if length > 0.0 { 2.0 * area / length } else { 0.0 }
 }
 
-/// Returns a point inside a bounded face: the middle of the longest horizontal stretch inside it at some height, up to rounding.
-/// O(n log n) for its n half-edges.
+/// Returns a point inside a bounded face: the rounded middle of the longest stretch at some height. O(n log n) for n half-edges.
 pub(crate) fn point_inside(map: &PlanarMap, face: Face<'_>) -> Option<Point> {
     let mut heights: Vec<f64> = face.outer()?.half_edges().map(|h| map.point(h.origin().index()).y).collect();
     heights.sort_by(f64::total_cmp);

@@ -11,8 +11,7 @@ use twinedge::dcel::{Face, FaceKey};
 use twinedge_geometry::threads;
 use twinedge_map::PlanarMap;
 
-/// Returns the slivers, and the area below which a thin part is a sliver. O(n + half-edges of the faces of each feature),
-/// expected.
+/// Returns the slivers, and the largest area of a sliver. O(n + half-edges of the faces of each feature), expected.
 pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) -> (Vec<Finding>, f64) {
     let parts_of = |keys: &[FaceKey]| {
         let own: Vec<Face<'_>> = keys.iter().filter_map(|key| map.dcel().face(*key).ok()).collect();

@@ -9,8 +9,7 @@ use twinedge_map::Shape;
 
 /// Adds a vertex to each ring that another ring of the same feature touches between two vertices, if the polygons are valid by
 /// the rules of the OGC. Such a touch is no fault, but edges of a map must meet at their ends. The vertex lies exactly on the
-/// segment, so nothing moves. Returns true if there was such a place. O(n log n), as long as few boxes of segments meet; O(1) for
-/// a single ring.
+/// segment, so nothing moves. Returns true if there was such a place. O(n log n), if few boxes meet; O(1) for one ring.
 ///
 /// ```
 /// use twinedge_coverage::insert_touches;

@@ -10,8 +10,7 @@
 //!   intersection intersection outside shell  nested        shells        disconnected
 //! ```
 //!
-//! The terms come from the JTS Topology Suite and its descendants (GEOS, PostGIS, shapely, QGIS). Exact predicates make all
-//! decisions.
+//! The terms follow the JTS Topology Suite and descendants (GEOS, PostGIS, shapely, QGIS). Exact predicates make all decisions.
 //!
 //! All polygons of a feature are taken as one multi-polygon. An open ring is a defect, and counts as closed for the other kinds.
 //! Consecutive repeated points count once; the builder of a map reports them.
@@ -83,8 +82,7 @@ pub struct Defect {
 /// Returns all defects of the shapes of a feature, each location once, in order of their kinds. Rings that cross or touch
 /// themselves have no inside, so nesting is checked only if there are none.
 ///
-/// O(n log n + p + r · k) for n points, p pairs of segments whose boxes meet, and r rings with k segments each at the height of
-/// one of their points.
+/// O(n log n + p + r · k) for n points, p pairs of overlapping boxes, and r rings with k segments each at the height of a point.
 ///
 /// ```
 /// use twinedge_coverage::{DefectKind, defects};

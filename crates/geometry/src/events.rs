@@ -13,8 +13,7 @@ pub(super) struct Event {
 
 /// Sorts the points lexicographically, and equal points by number.
 ///
-/// Divides the width into one strip per point, distributes the points, and sorts each strip. O(n) for evenly spread points, O(n
-/// log n) at worst.
+/// Distributes the points to one strip each on average, and sorts each strip. O(n) for evenly spread points, O(n log n) at worst.
 pub(super) fn sorted(points: &[Point]) -> Vec<Event> {
     let (left, right) = points.iter().fold((f64::MAX, f64::MIN), |(left, right), p| (left.min(p.x), right.max(p.x)));
     let per_width = if left < right { points.len() as f64 / (right - left) } else { 0.0 };

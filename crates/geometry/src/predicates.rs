@@ -14,8 +14,7 @@
 //! comparison with a bound is spoilt. Upwards, a difference is at most 2^501, a product 2^1002, the sum of a handful of them
 //! under 2^1006, below 2^1024, the limit of doubles.
 //!
-//! The range leaves a margin: among millions of nearly collinear triples, the first incorrect results came with coordinates of
-//! about 2^-490 and 2^513.
+//! The range leaves a margin: in millions of nearly collinear triples, the first errors came at about 2^-490 and 2^513.
 //!
 //! Source: J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates",
 //! Discrete & Computational Geometry 18 (1997) 305-363.
@@ -100,8 +99,7 @@ pub fn on_one_circle(triangle: [Point; 3], d: Point) -> bool {
 
 /// Compares two points from left to right, and from the bottom up on a tie. O(1).
 ///
-/// This is the order of a sweep line that leans a little, so that no two different points are met at once. Returns `Equal` if a
-/// NaN coordinate would decide.
+/// This is the order of a slightly leaning sweep line, which meets one point at a time. `Equal` if NaN would decide.
 #[inline]
 #[must_use]
 pub fn compare_lexicographic(a: Point, b: Point) -> Ordering {
@@ -176,8 +174,8 @@ pub enum Endpoint {
 
 /// Classifies the meeting of the closed segments `a b` and `c d`. O(1).
 ///
-/// A segment of length zero counts as a point: it touches a segment whose interior contains it, and shares an endpoint with a
-/// segment that starts or ends there.
+/// A segment of length zero is a point: it touches a segment whose interior contains it, and shares an endpoint with one that
+/// ends there.
 ///
 /// ```
 /// use twinedge_geometry::Point;

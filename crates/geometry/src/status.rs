@@ -23,11 +23,9 @@ pub(super) struct Gap {
     pub(super) above: u32,
 }
 
-/// The strands under the sweep line, in order: a balanced search tree and a list in one, named by handles that stay valid until
-/// their strand is removed.
+/// The strands under the sweep line, in order: a balanced search tree and a list in one, with handles valid until removal.
 ///
-/// Only [`locate`](Self::locate) compares. All other methods use handles, so they also work if the strands are out of order, as
-/// after a crossing.
+/// Only [`locate`](Self::locate) compares. Other methods use handles, even out of order, as after a crossing.
 ///
 /// The tree is a treap (Seidel and Aragon, "Randomized search trees", Algorithmica 16 (1996) 464-497): a search tree by position
 /// that is a heap by a priority. The priority is a hash of the handle, so nothing is stored, nothing is random, and the expected
@@ -201,8 +199,7 @@ impl Status {
     }
 }
 
-/// Returns the priority of a node: its handle, multiplied by the golden ratio (times 2^32, made odd) and folded, twice. This is
-/// injective, so there are no ties.
+/// A node's priority: its handle, multiplied by the golden ratio (times 2^32, odd) and folded, twice. Injective, so without ties.
 fn priority(handle: u32) -> u32 {
     let fold = |x: u32| (x ^ (x >> 16)).wrapping_mul(0x9e37_79b1);
     let x = fold(fold(handle));

@@ -1,5 +1,4 @@
-//! One pass of a sweep line over a drawing of points and straight segments: decides whether it is plane, and finds the segment
-//! below each point.
+//! One pass of a sweep line over points and straight segments: decides if they are plane, and finds the segment below each point.
 //!
 //! A vertical line runs from left to right. The *status* lists the segments that it currently crosses, from the bottom up; it
 //! changes only where the line passes a point of the drawing. If the drawing is plane, the status is always in order, so binary
@@ -16,9 +15,8 @@
 //!      e ________|____
 //! ```
 //!
-//! The line leans a little, by less than any angle of the drawing, so that it passes the points in lexicographic order and no
-//! segment is parallel to it: a vertical segment starts at its lower end and is the steepest segment in the status. There are no
-//! special cases.
+//! The line leans a little, by less than any angle of the drawing, so it passes points in lexicographic order and no segment is
+//! parallel to it: a vertical segment starts at its lower end and is the steepest segment in the status. No case is special.
 //!
 //! # Why every fault is found
 //!
@@ -59,8 +57,7 @@ use crate::steps::count_step;
 pub struct Sweep {
     /// For each query the segment directly below the point, if there is one. A guess if there is a clash.
     pub below: Vec<Option<u32>>,
-    /// A reason why the drawing is not plane, or `None`. It is one of the [`clashes`](super::crossing::clashes), not always the
-    /// leftmost.
+    /// A fault of the drawing, or `None`. It is one of the [`clashes`](super::crossing::clashes), perhaps not the leftmost.
     pub clash: Option<Clash>,
 }
 
@@ -182,8 +179,7 @@ impl<'a> Line<'a> {
             let (i, j) = (rank[u as usize], rank[v as usize]);
             (i.min(j), i.max(j))
         };
-        // Counting sort, two entries ahead: after summation, `first[i + 1]` is the start of the segments of event i, and filing
-        // moves it to their end.
+        // Counting sort, two entries ahead: after summation, `first[i + 1]` starts the segments of event i, then moves on.
         let mut first = vec![0; points.len() + 2];
         for segment in segments {
             first[span(segment).0 as usize + 2] += 1;

@@ -1,5 +1,4 @@
-//! Work that may be divided: among the threads of the current pool with the feature `rayon`, otherwise on one thread. The result
-//! is bit-for-bit equal.
+//! Divided work: among the threads of the current pool with the feature `rayon`, otherwise on one. Results are equal.
 
 use core::cmp::Ordering;
 #[cfg(debug_assertions)]

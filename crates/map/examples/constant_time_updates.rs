@@ -103,8 +103,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The new vertex, the two new half-edges, their neighbours, and the vertex that keeps the new edge.
 const ADDED_VERTEX: &[&str] = &["e1,1", "e1,2", "e4,1", "e4,2", "e5,1", "e5,2", "v2", "v5"];
-/// The new edge, the new face, the half-edges next to its ends, and the half-edges of the shorter new cycle, whose face has
-/// changed.
+/// The new edge, the new face, the half-edges next to its ends, and those of the shorter cycle, with a changed face.
 const ADDED_EDGE: &[&str] = &["e1,2", "e3,2", "e4,1", "e5,2", "e6,1", "e6,2", "f2", "f3"];
 /// The removed edge, the half-edges next to it, its ends, and the face, in which one of them is now isolated.
 const REMOVED_EDGE: &[&str] = &["e2,1", "e2,2", "e3,1", "e4,2", "f1", "v3", "v4"];

@@ -1,7 +1,6 @@
 //! Locating points and the borders ahead: points and lines on a map of the world.
 //!
-//! Builds the map of all countries and an index, and finds the country of a point and the borders that a flight crosses. Every
-//! answer is exact, and asserted.
+//! Builds the map of all countries, then finds the country of a point and the borders on a flight. Answers are exact.
 //!
 //! ```text
 //! cargo run -p twinedge-map --example where_am_i

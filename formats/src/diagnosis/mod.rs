@@ -8,8 +8,8 @@
 //!   coverage::Finding ───┘
 //! ```
 //!
-//! Each audit keeps its typed findings, and converts each to a [`Diagnosis`] for writing. [`RuleLine`] is the outcome of a rule,
-//! [`Document`] an audit as JSON.
+//! Each audit keeps typed findings, written as [`Diagnosis`]. [`RuleLine`] is the outcome of a rule, [`Document`] an audit as
+//! JSON.
 
 #[cfg(feature = "serde")]
 mod document;

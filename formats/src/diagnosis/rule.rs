@@ -6,7 +6,8 @@ use twinedge::validate::{Report, Rule, RuleOutcome, Unchecked};
 /// The outcome of a rule. `Display` prints it in one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RuleLine {
-    /// The id: `R1` and so on; `P0` … `P4` of PostGIS, `A0` … `A3` of TopoJSON, `O1` … `O5` of `OpenStreetMap`, `X1` … `X6` between layers, `M9` … `M11` of meshes.
+    /// The id: `R1` and so on; `P0` … `P4` of PostGIS, `A0` … `A3` of TopoJSON, `O1` … `O5` of `OpenStreetMap`, `X1` … `X6`
+    /// between layers, `M9` … `M11` of meshes.
     pub id: &'static str,
     /// The name.
     pub name: &'static str,

@@ -6,8 +6,7 @@ use core::fmt;
 use std::io;
 use thiserror::Error;
 
-/// The greatest number of geometry collections that a reader accepts around a geometry. RFC 7946 advises against nesting them at
-/// all; the bound limits the stack.
+/// The greatest number of geometry collections that a reader accepts around a geometry, to limit the stack.
 pub const MAX_NESTED_COLLECTIONS: usize = 32;
 
 /// A place in a text.
@@ -15,8 +14,7 @@ pub const MAX_NESTED_COLLECTIONS: usize = 32;
 pub struct TextPlace {
     /// The line, counted from 1.
     pub line: usize,
-    /// The byte of the line, counted from 1; 0 stands for the line break before it. A byte order mark is not counted. `None` if
-    /// the reader knows only the line.
+    /// The byte of the line, from 1; 0 is the line break before it. A byte order mark is not counted. `None` if unknown.
     pub column: Option<usize>,
 }
 
@@ -144,8 +142,7 @@ pub enum ReadCause {
     /// The text is not UTF-8.
     #[error("not UTF-8")]
     NotUtf8,
-    /// The text breaks the grammar of its format. In GeoJSON, this includes a `"type"` that is not a string, which `serde_json`
-    /// does not distinguish.
+    /// The text breaks the grammar of its format. In GeoJSON, this includes a `"type"` that is not a string.
     #[error("syntax error: {message}")]
     Syntax {
         /// A description of the error and the expected input.
@@ -178,8 +175,7 @@ pub enum ReadCause {
         /// The number of numbers in it.
         numbers: usize,
     },
-    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also arrays and objects nested more
-    /// than about 128 deep.
+    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also about 128 arrays or objects.
     #[error("nested too deep")]
     TooDeep,
     /// The first bytes belong to a known format that is not supported.

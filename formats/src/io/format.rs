@@ -4,8 +4,7 @@ use super::json_head::JsonHead;
 use core::fmt;
 use std::path::Path;
 
-/// A format of maps and layers. [`read`](super::read()) reads the text formats; `twinedge-formats` reads all of them, with
-/// attributes.
+/// A format of maps and layers. [`read`](super::read()) reads the text formats; `twinedge-formats` reads all, with attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[expect(clippy::exhaustive_enums, reason = "the compiler names what a new format needs, in other crates, too")]
 pub enum Format {
@@ -137,8 +136,7 @@ impl Format {
         }
     }
 
-    /// Returns the format of a file, by its content and its name. Content of several GeoJSON objects is newline-delimited, even
-    /// with the extension `.geojson`.
+    /// Returns the format of a file, by its content and its name. Several GeoJSON objects are always newline-delimited.
     ///
     /// ```
     /// use twinedge_formats::io::Format;
@@ -194,8 +192,7 @@ pub(super) fn is_sqlite(head: &[u8]) -> bool {
     head.starts_with(b"SQLite format 3\0")
 }
 
-/// Returns true if a database has an application id of `GeoPackage` (since version 1.2, in 1.0 and in 1.1), or defines the table
-/// that every `GeoPackage` has.
+/// Returns true if a database has an application id of `GeoPackage` (from version 1.0, 1.1, or later), or such a table.
 pub(super) fn is_geopackage(head: &[u8]) -> bool {
     const TABLE: &[u8] = b"gpkg_contents";
     matches!(head.get(68..72), Some(b"GPKG" | b"GP10" | b"GP11")) || head.windows(TABLE.len()).any(|word| word == TABLE)
@@ -234,8 +231,8 @@ fn is_wkb(head: &[u8]) -> bool {
     head.get(..5).is_some_and(is_wkb_header) || bytes.is_some_and(|bytes| is_wkb_header(&bytes))
 }
 
-/// Returns true if these are a byte order and a type of geometry: 1 to 7, or a curve up to 12, with dimensions as thousands (ISO) or in the
-/// three highest bits (EWKB).
+/// Returns true if these are a byte order and a type of geometry: 1 to 7, or a curve up to 12, with dimensions as thousands (ISO)
+/// or in the three highest bits (EWKB).
 fn is_wkb_header(bytes: &[u8]) -> bool {
     const DIMENSIONS: u32 = 0b111 << 29;
     let kind = match *bytes {

@@ -1,5 +1,4 @@
-//! The beginning of a JSON text, scanned without a parser: the members of its outermost object, and whether another object
-//! follows.
+//! The beginning of a JSON text, scanned without a parser: the members of its outermost object, and any following object.
 
 /// The parsed beginning of a JSON text, which may be cut anywhere.
 #[derive(Debug, Default)]

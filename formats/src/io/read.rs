@@ -16,9 +16,8 @@ const HEAD: u64 = 1 << 16;
 /// Without a given format, the content decides ([`Format::of_content`]). Content of a known but unsupported format is an error
 /// that names the format and explains how to convert it, even if a format is given.
 ///
-/// The reader is buffered inside. Faults may appear only after some features have been passed on; `each` can stop reading with an
-/// error of its own, which is then returned. Time O(bytes); memory O(largest feature), for well-known text O(longest line), plus
-/// 64 KiB.
+/// The reader is buffered inside. Faults may appear only after some features have been passed on; `each` can stop reading with
+/// its own error, which is returned. Time O(bytes); memory O(largest feature), for well-known text O(longest line), plus 64 KiB.
 ///
 /// ```
 /// use twinedge_formats::io;

@@ -3,8 +3,7 @@
 use super::model::{Geometry, Layer, Line, Shape};
 use std::borrow::Cow;
 
-/// Returns the layer with all rings closed, by repeating the first position of an open ring as its last. O(positions), with a
-/// copy if a ring is open.
+/// Returns the layer with all rings closed, repeating the first position of open ones. O(positions); copies only open rings.
 pub(super) fn closed(layer: &Layer) -> Cow<'_, Layer> {
     let mut layer = Cow::Borrowed(layer);
     if open_rings(&layer) > 0 {

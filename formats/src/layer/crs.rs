@@ -56,8 +56,7 @@ impl Crs {
         Self { member: Some(member), ..code.map_or_else(Self::default, Self::epsg) }
     }
 
-    /// Creates the system of a definition in well-known text, with its number if the text equals Esri's definition of an EPSG
-    /// system.
+    /// Creates the system of a well-known text, with its number if the text equals Esri's definition of an EPSG system.
     #[must_use]
     pub fn of_wkt(wkt: String) -> Self {
         let code = epsg::code(&wkt);
@@ -95,8 +94,7 @@ impl Crs {
         epsg::wkt(code.or((!self.is_other()).then_some(WGS_84))?)
     }
 
-    /// Returns the unit of lengths of a projected system, in the plural, if its definition names metres or feet. O(length of the
-    /// definition).
+    /// Returns the unit of lengths of a projected system, in the plural, if it is metres or feet. O(length of the definition).
     ///
     /// ```
     /// use twinedge_formats::layer::Crs;

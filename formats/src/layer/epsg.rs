@@ -1,7 +1,6 @@
 //! Reference systems of the EPSG, in Esri's definitions for `.prj`, and in PROJJSON.
 //!
-//! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), written by PROJ; see `data/esri_wkt.py` and
-//! `data/projjson.py`.
+//! Source: the EPSG Geodetic Parameter Dataset (IOGP, <https://epsg.org>), by PROJ; see `data/esri_wkt.py`, `data/projjson.py`.
 
 #[cfg(feature = "epsg")]
 use flate2::read::GzDecoder;
@@ -48,8 +47,7 @@ fn of_code(table: &[u8], wanted: i64) -> Option<String> {
     find(table, |code, definition| (code == wanted).then(|| definition.to_owned()))
 }
 
-/// Returns the number of the system with this definition, up to the last digits of numbers: older programs wrote more or fewer of
-/// them.
+/// Returns the number of the system with this definition, up to the last digits of numbers: older programs wrote more or fewer.
 pub(super) fn code(wanted: &str) -> Option<i64> {
     #[cfg(not(feature = "epsg"))]
     return is_like(wanted.trim(), WGS_84.1).then_some(WGS_84.0);

@@ -35,9 +35,9 @@ fn present<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<&'de Raw
     <&RawValue>::deserialize(deserializer).map(Some)
 }
 
-/// Returns the edits that turn a GeoJSON text with `count` features into a layer in which some features have another geometry, in
-/// order, without overlaps. Features beyond `count` are new. Everything between the edits stays: white space, digits of numbers,
-/// the order of members.
+/// Returns the edits that turn a GeoJSON text with `count` features into a layer with other geometries of some features, in
+/// order, without overlaps. Features beyond `count` are new. The rest stays: white space, digits of numbers, the order of
+/// members.
 ///
 /// Returns `None` if the text has no place for an edit, such as a second feature in an object that is a feature, or if it is not
 /// GeoJSON with this number of features; then the layer must be rewritten.

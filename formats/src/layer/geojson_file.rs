@@ -79,8 +79,7 @@ pub enum FileError {
 }
 
 impl GeoJsonFile {
-    /// Opens a file and reads all of it twice, once to pass on its features. `scratch` is an empty file that can be read and
-    /// written. O(bytes).
+    /// Opens a file and reads it twice, once to pass on features. `scratch` is an empty file to read and write. O(bytes).
     ///
     /// # Errors
     /// [`FileError`], and the errors of `each`.

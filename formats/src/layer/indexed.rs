@@ -97,8 +97,7 @@ impl Indexed {
         }
     }
 
-    /// Returns the corners of the box around all features, as stated by the file; `None` if there are none, or the file does not
-    /// state it.
+    /// Returns the corners of the box around all features, as stated by the file; `None` if not stated, or without features.
     #[must_use]
     pub fn corners(&self) -> Option<[Point; 2]> {
         let Extent { low, high } = Some(self.extent()).filter(Extent::is_known)?;

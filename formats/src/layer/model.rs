@@ -67,8 +67,7 @@ pub struct Geometry {
     pub dimensions: Dimensions,
     /// The positions.
     pub shape: Shape,
-    /// Further members of its object in GeoJSON, including `bbox`. Those of the outermost geometry of a feature in TopoJSON are
-    /// members of the feature.
+    /// Further members of its object in GeoJSON, including `bbox`. In TopoJSON, a feature has its outermost geometry's.
     pub members: Members,
 }
 
@@ -388,8 +387,7 @@ impl Layer {
     }
 
     /// Returns the columns: those of the header, followed by further columns of features, in order. The type of a column outside
-    /// the header is the type of its values, or text if they differ; integers and other numbers together are numbers.
-    /// O(attributes), expected.
+    /// the header is the type of its values, or text if they differ; integers among numbers are numbers. Expected O(attributes).
     #[must_use]
     pub fn fields(&self) -> Vec<Field> {
         let mut fields = self.header.fields.clone();

@@ -20,16 +20,13 @@ pub struct ReadOptions {
     pub format: Option<Format>,
     /// The name of the layer to read from a file with several. The layers of TopoJSON are its objects.
     pub layer: Option<String>,
-    /// The files to which paths refer, in memory. Without them, paths refer to the disk. `GeoPackage` and `GeoParquet` are read
-    /// from disk only.
+    /// The files to which paths refer, in memory. Otherwise paths refer to the disk, as always for `GeoPackage` and `GeoParquet`.
     pub files: Option<Arc<Files>>,
 }
 
-/// Reads a layer and passes on its features in the order of the file. A format with several files is read from `path`, any other
-/// from `reader`.
+/// Reads a layer and passes on its features in the order of the file. Several files are read from `path`, one from `reader`.
 ///
-/// Features are passed on as they are read, so an error may follow some of them. Memory O(largest feature), plus the index of a
-/// Shapefile.
+/// Features are passed on as they are read, before any error. Memory O(largest feature), plus the index of a Shapefile.
 ///
 /// # Errors
 /// [`ReadError`], and any error that `each` returns.

@@ -2,8 +2,7 @@
 //!
 //! Counts are trusted only as far as the data can hold them.
 //!
-//! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; the documentation of PostGIS for the
-//! extended form.
+//! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; for the extended form, PostGIS.
 
 use super::crs::Crs;
 use super::each::Each;

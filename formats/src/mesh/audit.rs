@@ -37,9 +37,8 @@ pub struct MeshAudit {
 /// The expectation is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that with further claims:
 /// rules M1 … M8. If some faces cannot be joined, some of these rules cannot be checked, and the report says so.
 ///
-/// `collect` limits the findings of each kind, and the violations, that are kept. All findings are counted; violations as
-/// [`Collect`] says. Time and memory are linear in points and corners (expected, and up to the inverse of Ackermann's function).
-/// It accepts every mesh.
+/// `collect` limits the findings of each kind, and the violations, that are kept. All are counted; violations as [`Collect`]
+/// says. Time and memory are linear in points and corners (expected, up to the inverse of Ackermann's function), for any mesh.
 ///
 /// ```
 /// use twinedge::validate::Collect;
@@ -69,8 +68,7 @@ pub fn audit(mesh: &IndexedMesh, expectation: &Expectation, collect: Collect) ->
 
 /// Like [`audit`], and also checks rules about the coordinates of the points: M9 … M11.
 ///
-/// In addition O(n log n + k) for k pairs of faces with overlapping boxes (M10), and O(n) for each component that faces inwards
-/// (M11).
+/// In addition O(n log n + k) for k pairs of faces with overlapping boxes (M10), and O(n) per component that faces inwards (M11).
 ///
 /// ```
 /// use twinedge::validate::Collect;

@@ -7,12 +7,10 @@ use twinedge_map::Embedding;
 
 pub(super) const NIL: u32 = u32::MAX;
 
-/// The half-edges of an [`IndexedMesh`]: one for each corner, with the corner's number, from its vertex to the next one of the
-/// face.
+/// The half-edges of an [`IndexedMesh`]: one for each corner, with its number, from its vertex to the next one of the face.
 ///
 /// Faces that are degenerate or repeat others are left out: their slots are vacant. Where an edge cannot be joined (three faces,
-/// flipped faces), its half-edges have no twin. The mesh is borrowed, not copied: this adds 8 bytes for each corner, 4 for each
-/// vertex and 1 for each face.
+/// flipped faces), its half-edges have no twin. The mesh is borrowed: this adds 8 bytes per corner, 4 per vertex and 1 per face.
 ///
 /// As a [`View`], `next`, `prev` and the faces come straight from the lists, so that L2, B1, F1 and F2 hold by construction. The
 /// validator judges the joining: L1, L3, V1, V2 and T3.

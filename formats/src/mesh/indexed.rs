@@ -1,7 +1,6 @@
 //! Points, and faces as lists of point numbers.
 
-/// A mesh as files hold it: points, and faces that list the points around them. It may have any fault except an index out of
-/// range.
+/// A mesh as in files: points, and faces that list the points around them. Any fault is possible except an index out of range.
 ///
 /// The lists of all faces lie in one array, the *corners*. `offsets` has the start of each face.
 ///

@@ -30,8 +30,7 @@ struct Side {
 impl<'a> HalfEdgeMesh<'a> {
     /// Joins the faces of a mesh to half-edges and reports the parts that cannot be joined.
     ///
-    /// Of faces that repeat each other, the first is kept. If two are back to back, their order therefore decides whether the
-    /// remaining one fits its neighbours.
+    /// Of faces that repeat each other, the first is kept. Of two back to back, the order therefore decides which one must fit.
     ///
     /// `collect` limits the findings of each kind that are kept; all are counted. Time and memory are linear in points and
     /// corners (expected, since a hash table is used, and up to the inverse of Ackermann's function). It accepts every mesh.
@@ -197,8 +196,7 @@ impl<'a> HalfEdgeMesh<'a> {
         self.check_fans(&suspects, findings);
     }
 
-    /// Returns the number of half-edges that the rotation around the origin of `start` reaches through twins, one way and then
-    /// the other.
+    /// Returns the number of half-edges that the rotation around the origin of `start` reaches through twins, both ways.
     fn reached(&self, start: u32) -> u32 {
         let mut reached = 1;
         let mut h = start;

@@ -1,8 +1,7 @@
 //! P2 with broken links: finds the face that contains an isolated node from the lines and their face columns alone.
 //!
 //! A ray from the node to the right crosses lines. The node is inside a face if the ray crosses an odd number of the lines that
-//! have the face on one side only. Those lines must close, with an even number of them at every end; otherwise the result is
-//! unknown for the face.
+//! have the face on one side only. Those lines must close, with an even number of them at every end; otherwise nothing is known.
 
 use super::finding::{Finding, Findings};
 use super::topology::Topology;

@@ -1,7 +1,6 @@
 //! The lines of a topology alone: they can be judged despite broken links.
 //!
-//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Without such a node, the end
-//! is a vertex without node.
+//! A line ends at the node that its edge names, if it lies there, or else at any node at that point. Else it has no node.
 
 use super::topology::Topology;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -80,8 +79,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p pairs of segments with overlapping
-    /// boxes, if lines clash.
+    /// Judges G1, and G4 for the parts that pass G1. O(n log n) for n points, plus O(p) for p pairs of boxes, if lines clash.
     pub(super) fn judge(&mut self, collect: Collect) -> Drawing {
         let edges = |lines: &Self| lines.is_line.iter().filter(|is_line| **is_line).count() as u64;
         let nodes = self.is_vertex.iter().take(self.topology.nodes.len());
@@ -135,8 +133,7 @@ impl<'a> Lines<'a> {
         without_line.chain(self.odd_ends().into_keys()).collect()
     }
 
-    /// Maps each face to the vertices with an odd number of ends of lines that have this face on one side only. Faces without
-    /// such vertices are absent.
+    /// Maps each face to the vertices with an odd number of ends of lines with this face on one side. Others are absent.
     pub(super) fn odd_ends(&self) -> BTreeMap<u32, BTreeSet<u32>> {
         let mut odd: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
         for (edge, [left, right]) in self.topology.sides.iter().enumerate() {

@@ -126,8 +126,7 @@ impl<'a> Mender<'a> {
         self.only(&["P2", "P4", "B2"]).then(|| set_containing(node, face))
     }
 
-    /// Returns the node at an end of an edge: the one at the end of the line, or else the row required by all edges that name its
-    /// id.
+    /// Returns the node at an end of an edge: the one at the end of the line, or the row required by all edges with its id.
     fn end(&self, half_edge: usize) -> Option<String> {
         let (edge, side) = (half_edge / 2, half_edge % 2);
         let topology = self.topology;
@@ -150,8 +149,7 @@ impl<'a> Mender<'a> {
         })
     }
 
-    /// Returns the node at an end of an edge, if the line ends at a node other than the named one, and the links lead there as
-    /// well.
+    /// Returns the node at an end of an edge, if the line ends at a node other than the named one, and the links lead there.
     fn end_by_links(&self, edge: i64, side: usize) -> Option<String> {
         let slot = self.topology.edges.slot(edge)? as usize;
         let half_edge = 2 * slot + side;

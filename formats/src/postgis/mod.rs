@@ -22,9 +22,8 @@
 //! | P4 cached | `mbr` is the box around the edges of its face, and null for face 0; `abs_next_left_edge` and `abs_next_right_edge` are the values without sign |
 //!
 //! One broken link hides no fault elsewhere. If it prevents rules of the validator, G1 and G4 are checked for the lines alone,
-//! which end at the nodes at their ends, and `mbr` is judged for all faces around which the lines close. [`audit`] counts the
-//! records for which a rule was not checked. Repeated points within a line are legal, and are counted. Layers and the table
-//! `relation` are not read.
+//! which end at the nodes at their ends, and `mbr` for all faces with closed lines. [`audit`] counts the records for which a rule
+//! was not checked. Repeated points within a line are legal, and are counted. The table `relation` and layers are not read.
 //!
 //! Sources: the documentation of PostGIS 3.3, chapter 9; ISO 13249-3 (SQL/MM), topology-geometry; for COPY and its binary format
 //! the documentation of `PostgreSQL` 15.

@@ -24,8 +24,7 @@ pub fn is_copy(beginning: &[u8]) -> bool {
 /// Ids have 4 or 8 bytes. Of each rule P0 … P4 up to `limit` findings are kept; all are counted. Lines are kept as their bends:
 /// points that repeat the one before them are counted and dropped.
 ///
-/// O(n) for n rows and points, or O(n log n) if the ids are sparse. Memory grows with the actual content of the streams, not with
-/// the stated lengths.
+/// O(n) for n rows and points, or O(n log n) if the ids are sparse. Memory grows with the content, not with stated lengths.
 ///
 /// # Errors
 /// [`ReadError::Content`] if the streams are malformed, with byte, table, row and column; and [`ReadError::Io`].

@@ -1,11 +1,9 @@
 //! The commands for `psql` to write a topology.
 
-/// Returns commands for `psql` that write the nodes, faces and edges of a topology to its standard output, as three binary COPY
-/// streams.
+/// Returns commands for `psql` that write the nodes, faces and edges of a topology to standard output, as binary COPY streams.
 ///
-/// They run in one read-only transaction, on one snapshot, so simultaneous edits do no harm. It needs the right to SELECT from
-/// the three tables, and runs on replicas. At the first error `psql` stops, and the stream ends early, which
-/// [`read`](super::read) reports.
+/// They run in one read-only transaction, on one snapshot, unharmed by edits. They need the right to SELECT from the tables, and
+/// runs on replicas. At the first error `psql` stops, and the stream ends early, which [`read`](super::read) reports.
 ///
 /// The name is quoted, so any name is allowed.
 ///

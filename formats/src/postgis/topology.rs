@@ -12,8 +12,7 @@ pub(super) const NULL: u32 = u32::MAX;
 /// A column that names no existing record.
 pub(super) const UNKNOWN: u32 = u32::MAX - 1;
 
-/// A topology as the database keeps it: half-edge `2 · i` is the edge of row `i` in the direction of its line, `2 · i + 1` the
-/// same edge backwards.
+/// A topology as in the database: half-edge `2 · i` is the edge of row `i` in the direction of its line, `2 · i + 1` backwards.
 ///
 /// As a [`View`] it has origins, twins, `next` and faces; `prev`, leaving half-edges and the lists of the faces are not stored.
 /// Rows that break P0, and faces that break P3, are no records of the view.

@@ -34,8 +34,7 @@ const DEFINITIONS: &str = "<defs>\
 <marker id=\"tip\" orient=\"auto\" markerUnits=\"userSpaceOnUse\" markerWidth=\"6\" markerHeight=\"6\" refX=\"4\" refY=\"2\">\
 <path d=\"M0 0L4 2L0 4Z\" fill=\"#64748b\"/></marker></defs>\n";
 
-/// Draws a map, plane or not. O(n log n) time and O(n) text for the size n of the map, and O(v² + m²) time for v violations and m
-/// names.
+/// Draws a map, plane or not. O(n log n) time and O(n) text for a map of size n, and O(v² + m²) time for v violations, m names.
 ///
 /// ```
 /// use twinedge_map::{Builder, Shape};

@@ -14,8 +14,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// Returns a panel for these bounds, with margins, whose longer side has this length in pixels. `whole` means that it shows
-    /// the whole map.
+    /// Returns a panel for these bounds, with margins, whose longer side has this length. `whole`: it shows the whole map.
     pub(super) fn new(bounds: Bounds, longer: f64, margin: f64, whole: bool) -> Self {
         let span = bounds.longer();
         let scale = if span > 0.0 { (longer - 2.0 * margin) / span } else { 1.0 };

@@ -21,8 +21,7 @@ pub(super) fn widest(map: &PlanarMap, frame: &Frame, face: Face<'_>) -> Option<L
     widest_between(heights(&sides), &sides)
 }
 
-/// Returns the widest stretch inside these rings, by the even-odd rule, at one of a few heights of the largest of them. O(points
-/// · log).
+/// Returns the widest stretch inside these rings, by the even-odd rule, at one of a few heights of the largest. O(points · log).
 pub(super) fn widest_within(frame: &Frame, rings: &[Vec<Point>]) -> Option<LabelSpot> {
     let sides_of = |ring: &Vec<Point>| -> Vec<Side> {
         let at = |p: &Point| frame.at(*p);

@@ -1,7 +1,6 @@
 //! The layout of a picture: a panel for the main part of a map, and insets for the others.
 //!
-//! If distant islands would make everything else small, the part with the most vertices is drawn large, and the others in insets
-//! below it.
+//! If distant islands would make everything else small, the part with the most vertices is large, and others in insets below.
 //!
 //! ```text
 //!   ┌────────────────┐

@@ -11,8 +11,7 @@ use twinedge_map::PlanarMap;
 /// The width of a letter and the height of a name, in pixels.
 const LETTER: f64 = 5.2;
 const HEIGHT: f64 = 11.0;
-/// There is one name next to its feature per `ROOM` square pixels; with less than `ROOM / ONE_IN` square pixels per feature there
-/// are none.
+/// One name stands next to its feature per `ROOM` square pixels; none with less than `ROOM / ONE_IN` square pixels per feature.
 const ROOM: f64 = 20_000.0;
 const ONE_IN: f64 = 8.0;
 /// The distances from its feature at which a name may be placed.

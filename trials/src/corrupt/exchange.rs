@@ -1,8 +1,7 @@
 //! Corruptions of several fields at once.
 //!
 //! Changing a single field usually changes a count, which is enough for a validator that only counts. Most of these corruptions
-//! keep the number of links of each kind and their targets. The others, which join or move cycles, update all links to the
-//! changed records.
+//! keep the number of links of each kind and their targets. The others join or move cycles, and update all links to them.
 
 use crate::enumerate::{Cell, TableCells};
 use std::mem::swap;
@@ -39,7 +38,7 @@ pub(super) enum Exchange {
     AddedFace(usize),
     /// The next half-edges of two half-edges are exchanged. `prev` is updated.
     Nexts(usize, usize),
-    /// The next half-edges of three that end at one vertex are permuted cyclically; with the labels, each resulting cycle is one boundary component.
+    /// Permutes the nexts of three half-edges that end at one vertex; with the labels, each cycle is then one boundary component.
     Turned { half_edges: [usize; 3], with_labels: bool },
     /// The second of two cycles gets the label of the first, and its own list entry is removed.
     Joined([usize; 2]),
@@ -417,8 +416,7 @@ fn label_cycles(table: &mut Table, parts: Parts) -> Option<()> {
     gone.iter().rev().try_for_each(|entry| unlist(table, *entry, true))
 }
 
-/// Removes an entry from the list of its face, or the face if it is the outer one, and optionally its record. `None` if a face
-/// with holes would be removed.
+/// Removes an entry from the list of its face, or the face for the outer one, and optionally its record. `None` with holes.
 fn unlist(table: &mut Table, entry: Entry, with_record: bool) -> Option<()> {
     match entry.place {
         BoundaryPlace::Outer if table.inner_count(entry.face) > 0 => return None,

@@ -209,8 +209,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Counts one corruption: `answer` is the verdict of the validator, or the message of a panic; `broken` is the first broken rule
-/// by the reference.
+/// Counts one corruption: `answer` is the validator's verdict or panic message, `broken` the reference's first broken rule.
 fn tally(answer: &Result<Verdict, String>, broken: Option<Rule>, time: Duration) -> Tally {
     let (alarm, named) = match *answer {
         Ok(verdict) => (verdict.is_alarm(), verdict.broken),

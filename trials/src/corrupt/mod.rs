@@ -1,9 +1,8 @@
 //! All single corruptions of all small maps, and pairs of them.
 //!
-//! The maps are all planar subdivisions of up to N edges and N + 1 vertices: with one component or several, nested, with isolated
-//! vertices. The structure makes them; their tables are taken in two forms, with records for boundary components and as in
-//! textbooks. Every field is set to nil, to every slot of the target kind (one of them vacant), to the slot past the end, and to
-//! the largest number.
+//! The maps are all planar subdivisions of up to N edges and N + 1 vertices: with one or several components, nested, with
+//! isolated vertices. The structure makes them; tables have two forms, with records for boundary components and as in textbooks.
+//! Every field is set to nil, to every slot of the target kind (one vacant), to the slot past the end, and to the largest number.
 //!
 //! Changing a single field usually changes a count. Corruptions that keep the counts are therefore added. They exchange the
 //! contents of two cells of a kind, two whole records, the bounded faces of two cycles, the lists of two faces (with and without
@@ -60,8 +59,7 @@ struct Specimens {
 /// Sets every field of every small map of a structure to every other value, and compares a validator with the reference.
 ///
 /// A validation that takes longer than [`HUNG`] counts as hung. One that does not return within a minute cannot be stopped:
-/// `hangs` is then called with the findings up to that point. It should end the process, like [`abort`]; otherwise the call never
-/// returns.
+/// `hangs` is then called with the findings. It should end the process, like [`abort`]; otherwise the call never returns.
 ///
 /// Time and memory grow about twelvefold with each edge; see [`CorruptWork::estimate`].
 ///

@@ -7,8 +7,7 @@ use std::time::{Duration, Instant};
 /// The time after which a validation counts as hung.
 pub const HUNG: Duration = Duration::from_secs(1);
 
-/// The number of times that a validation is timed before it counts as hung: the machine may be busy, or the program may have been
-/// suspended.
+/// The number of times that a validation is timed before it counts as hung: the machine may be busy, or the program suspended.
 const TRIES: usize = 3;
 
 /// The time between two looks, and the number of consecutive looks that must find a thread in the same validation before it is
@@ -81,8 +80,7 @@ impl<A: Copy + Send> Watch<A> {
         watched
     }
 
-    /// Runs `work` under the watch. If a validation does not return, calls `hangs`, which should end the program: a thread cannot
-    /// be stopped.
+    /// Runs `work` under watch. If a validation does not end, calls `hangs`, which should end the program, as a thread cannot be.
     pub(super) fn during<T>(&self, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
         self.during_with(PAUSE, work, hangs)
     }

@@ -15,8 +15,7 @@ const BRANCHES: usize = 4096;
 const SEED: u64 = 1975;
 
 impl LazyWork {
-    /// Returns the approximate number of runs of all judges, and the number of runs that one core of this machine does per
-    /// second.
+    /// Returns the approximate number of runs of all judges, and the number that one core of this machine does per second.
     ///
     /// Random branches of the tree of all runs are followed, all in step. Of the branches that are one choice longer, 4,096
     /// random ones are kept, and each stands for an equal share of all. A run that ends there counts with the same weight. The
@@ -24,8 +23,7 @@ impl LazyWork {
     /// less than for single random paths (D. Knuth, *Estimating the efficiency of backtrack programs*, 1975), since short runs
     /// are counted and not drawn: R. Vaisman and D. Kroese, *Stochastic enumeration method for counting trees*, 2017.
     ///
-    /// It takes some seconds. In all cases so far, the estimated and the actual number of runs differ by less than a factor of
-    /// two.
+    /// It takes seconds. In all cases so far, the estimated and actual numbers of runs differ by less than a factor of two.
     ///
     /// # Errors
     /// [`LazyError`], as for [`lazy()`](crate::lazy()).

@@ -99,11 +99,9 @@ pub(super) enum Entries {
     Ordered(usize),
 }
 
-/// Returns the columns of the labels of this work: for the links that its tables do not store, and for the numbers that are
-/// always labels.
+/// Returns the columns of the labels of this work: for links that its tables do not store, and numbers that are always labels.
 ///
-/// A link leads to each slot or to the one past the end, as in tables. Ranks, up to as many as half-edges, and nil can be in any
-/// order.
+/// A link leads to each slot or to the one past the end, as in tables. Ranks, as many as half-edges, and nil have any order.
 ///
 /// # Errors
 /// [`LazyError::NoCertificates`].

@@ -16,16 +16,14 @@
 //!
 //! Each run counts the tables that it covers: the product of the numbers of values of the unread cells. The sum must be the
 //! number of all tables, so that none is left out and none is judged twice. For closed surfaces, and for the plane without holes,
-//! a recount of the maps determines the number of valid tables, for any of M1 … M8, and the number of accepted ones must equal
-//! it.
+//! a recount of the maps determines the number of valid tables, for any of M1 … M8, which accepted ones must equal.
 //!
 //! # Certificates
 //!
 //! With [`LazyWork::certificates`] the [checker of certificates](twinedge_certificate) is judged: labels are cells as well, and
 //! so are the lengths of their columns. Each table that the reference accepts must pass with the labels made for it: no valid
-//! table is without certificate. The checker goes through all tables with all labels, and the reference judges each table that
-//! passes with some labels: no invalid table has a certificate. Finally the reference goes through them before the checker; both
-//! must accept the same number.
+//! table is without certificate. The checker goes through all tables with all labels, and the reference judges each that passes
+//! with some labels: no invalid table has a certificate. Finally the reference goes first; both must accept the same number.
 //!
 //! A checker compares ranks with ranks, and positions with positions, and uses these numbers for nothing else. One run therefore
 //! covers all numbers in the same order.

@@ -9,9 +9,8 @@ use twinedge_certificate::Column;
 
 /// A table of a size, in which the cells that were read have values.
 ///
-/// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and opens
-/// it again after the last one. The runs of a reader thus go through all tables, and one run covers all tables that agree with it in
-/// the cells read.
+/// The first read of a cell gives it its first value. [`runs`](Self::runs) then advances the last cell to its next value, and
+/// opens it again after the last one. The runs thus go through all tables, and one covers those that agree in the cells read.
 pub(super) struct OpenTable {
     parts: Parts,
     vertices: Records,
@@ -29,8 +28,7 @@ pub(super) struct OpenTable {
     held: RefCell<Vec<usize>>,
     /// The number of tables that agree with the choices.
     agreeing: Cell<u128>,
-    /// The slots with a cell that was read, and the targets of links. The others of their kind are interchangeable. `None`
-    /// where no slots are.
+    /// The slots with a cell that was read, and the targets of links. Others are interchangeable. `None` where no slots are.
     told_apart: Option<Cell<Slots>>,
 }
 
@@ -111,8 +109,7 @@ impl Domain {
         (ways.len() < usize::from(OPEN)).then_some(Self { ways, all, leads_to: Vec::new(), order_of: None })
     }
 
-    /// The domain of a link to slots of this kind: nil, each slot, and the one past the end. For starts, there are slots of two
-    /// kinds.
+    /// The domain of a link to slots of this kind: nil, each slot, and the one past the end. Starts have slots of two kinds.
     fn links(slots: &[(Kind, usize)], matters: bool) -> Option<Self> {
         let mut leads_to = vec![None];
         for (kind, count) in slots {
@@ -248,8 +245,7 @@ impl OpenTable {
         self.agreeing.get()
     }
 
-    /// Calls `run`, which reads the table, until every table was in one run, or `run` returns false. Cells read earlier keep
-    /// their values.
+    /// Calls `run`, which reads the table, until all tables had a run, or `run` returns false. Earlier cells keep their values.
     pub(super) fn runs(&self, mut run: impl FnMut(&Self) -> bool) {
         let before = self.choices.borrow().len();
         while run(self) && self.advance(before) {}
@@ -284,8 +280,7 @@ impl OpenTable {
         branches
     }
 
-    /// Returns the branches with one more choice than this one, for the next cell of the reader; empty where it reads no other
-    /// cell.
+    /// Returns the branches with one more choice than this one, for the next cell of the reader, or none after the last.
     pub(super) fn longer(&self, branch: &Branch, read: impl FnOnce(&Self)) -> Vec<Branch> {
         self.enter(branch);
         read(self);
@@ -343,8 +338,7 @@ impl OpenTable {
         }
     }
 
-    /// Gives the cell the first value from this one on, skipping values that an interchangeable slot represents; false without
-    /// such a value.
+    /// Gives the cell the first value from this one on, skipping those of interchangeable slots; false without such a value.
     fn choose_from(&self, cell: usize, first: u8) -> bool {
         let values = first..self.domains[cell].ways.len() as u8;
         let value = values.into_iter().find(|value| self.agreeing_with(cell, *value) > 0);
@@ -372,8 +366,7 @@ impl OpenTable {
         }
     }
 
-    /// Returns the number of tables that agree with the cells read and with this value of an open cell; 0 if another value
-    /// represents it.
+    /// Returns the number of tables that agree with the cells read and this value of an open cell; 0 if another represents it.
     fn agreeing_with(&self, cell: usize, value: u8) -> u128 {
         let (agreeing, Domain { ways, all, order_of, .. }) = (self.agreeing.get(), &self.domains[cell]);
         match order_of {
@@ -396,8 +389,7 @@ impl OpenTable {
         self.domains[cell].leads_to.get(usize::from(value)).copied().flatten()
     }
 
-    /// Returns the number of slots that the value represents: 1 if the slot was told apart from all others, and 0 if another slot
-    /// represents it.
+    /// The number of slots that the value represents: 1 for a slot told apart from all others, 0 if another represents it.
     fn stands_for(&self, cell: usize, value: u8) -> u128 {
         let (Some(told_apart), Some((kind, slot))) = (&self.told_apart, self.leads_to(cell, value)) else { return 1 };
         let told_apart = self.with_owner(told_apart.get(), cell)[kind as usize];

@@ -33,11 +33,9 @@ impl Order {
         before(place / 2).midpoint(after)
     }
 
-    /// Returns the number of the `agreeing` tables that also have a number at this place, out of `all` possible numbers; 0 if
-    /// there is no such place.
+    /// The number of the `agreeing` tables that also have a number at this place, out of `all` numbers; 0 without such a place.
     ///
-    /// The distinct numbers already read can be chosen in a binomial number of ways from all possible ones, and the next one can
-    /// be any of these.
+    /// The distinct numbers read can be chosen in a binomial number of ways, and the next one can be any of these.
     pub(super) fn agreeing(&self, agreeing: u128, all: u128, place: usize) -> u128 {
         let count = self.count as u128;
         match place % 2 {

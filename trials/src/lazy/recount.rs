@@ -211,9 +211,8 @@ mod tests {
 
     #[test]
     fn two_triangles_are_glued_in_as_many_ways_as_there_are_cubic_maps() {
-        // Two cycles of three half-edges in 40 ways, and 15 pairings. By duality these are the rooted cubic maps with two
-        // vertices, with 5! numberings of the other half-edges each: 4 in the plane (A002005), one of them the theta graph, and 1
-        // on the torus.
+        // Two cycles of three in 40 ways, and 15 pairings. By duality these are the rooted cubic maps with two vertices, with 5!
+        // numberings of the other half-edges each: 4 in the plane (A002005) with the theta graph, 1 on the torus.
         let triangles = Expectation::surface().triangles().no_unused_vertices().closed();
         let count = |expectation, vertices| right(&work(expectation, Parts::NONE, [vertices, 6])).unwrap();
         let (sphere, torus) = (count(triangles, 3), count(triangles, 1));

@@ -54,8 +54,7 @@ impl<'a> Side<'a> {
         ]
     }
 
-    /// The sides: valid tables have labels that pass; tables with labels that pass are valid; and valid tables with labels that
-    /// pass, in the same number.
+    /// The sides: valid tables have labels that pass; tables with such labels are valid; and both together, in the same number.
     fn of_certificates(work: &'a LazyWork, checker: &'a dyn Acceptor) -> Vec<Self> {
         let passes =
             || -> Judge<'a> { Box::new(|table| checker.passes(table, LazyLabels::new(table), &work.expectation)) };

@@ -71,8 +71,7 @@ impl LazyWork {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LazyError {
-    /// There are more tables than can be counted, about 10^38, or more than 15 slots of a kind. Tables with different labels
-    /// count as different.
+    /// There are more than about 10^38 tables, counted with different labels, or more than 15 slots of a kind.
     #[error("there are more than 10^38 tables of this size, or more than {MOST_SLOTS} slots of a kind")]
     TooMany,
     /// Certificates claim a plane subdivision, or closed surfaces of a genus, and nothing else. In the plane, tables with faces

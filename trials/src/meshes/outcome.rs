@@ -111,8 +111,7 @@ rows! {
         count refused: u64 = "refused" 12;
         /// The number of times that the structure was not called, as there was nothing to choose from.
         count skipped: u64;
-        /// The number of times that the structure lacked the operator, or room for it. After eight consecutive times it is not
-        /// tried on the same map any more.
+        /// The number of times that the structure lacked the operator, or room for it. After eight in a row it is skipped.
         count not_supported: u64 = "not supported" 13;
     }
 }

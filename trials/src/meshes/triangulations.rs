@@ -26,8 +26,7 @@ impl Triangulation {
         if border().next().is_some() { border().collect() } else { opposite.keys().copied().collect() }
     }
 
-    /// Returns the triangles with the vertices named in the order in which they are met from a root: the same for isomorphic
-    /// ones.
+    /// Returns the triangles with the vertices named in the order met from a root: the same for isomorphic ones.
     fn rooted(opposite: &Opposite, root: (usize, usize)) -> Vec<[usize; 3]> {
         let mut names = BTreeMap::from([(root.0, 0), (root.1, 1)]);
         let mut queue = vec![root];

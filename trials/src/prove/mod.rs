@@ -44,13 +44,11 @@ use twinedge::program::Subject;
 
 /// Grows every small map of a structure and tries every operator with every argument on each.
 ///
-/// A panic of the structure is caught and reported; meanwhile the panic hook of the process is replaced by a silent one. Time and
-/// memory grow about ninefold with each edge; see [`ProveWork::estimate`]. All parts of the work grow the same maps, which takes
-/// about a tenth of the whole.
+/// A panic of the structure is caught and reported; meanwhile the process has a silent panic hook. Time and memory grow about
+/// ninefold with each edge; see [`ProveWork::estimate`]. All parts grow the same maps, in about a tenth of the time.
 ///
 /// # Errors
-/// [`StructureError::Lacks`], if maps of this structure cannot be told apart; [`StructureError::InvalidStart`], if its empty map
-/// already breaks a rule.
+/// [`StructureError::Lacks`], if maps cannot be told apart; [`StructureError::InvalidStart`], if the empty map breaks a rule.
 ///
 /// # Incomplete structures
 /// Maps are grown by `add_isolated_vertex`, `connect` and `split_vertex`. If one of them answers

@@ -1,8 +1,7 @@
 //! Counting planar subdivisions without making one, so without operators, canonical forms and validators.
 //!
-//! A face contains a multiset of components, each with contents in its bounded faces. A subdivision consists of the
-//! contents of the unbounded face. Let S(x, y) count the contents of a face by edges and vertices, and T(x, y) one component with
-//! the contents of its faces:
+//! A face contains a multiset of components, each with contents in its bounded faces. A subdivision consists of the contents of
+//! the unbounded face. Let S(x, y) count the contents of a face by edges and vertices, and T(x, y) one component with contents:
 //!
 //! ```text
 //!   S = Π (1 − xⁱ yʲ)^(−tᵢⱼ)                               multisets (Euler's transform)

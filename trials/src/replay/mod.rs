@@ -14,8 +14,7 @@ use twinedge::validate::{Collect, Link, Report, Table, validate};
 pub struct Step {
     /// The operator.
     pub op: Op,
-    /// The chosen arguments, by their indices before the step; `None` for a stale handle. `None` as a whole if there was nothing
-    /// to choose from.
+    /// The chosen arguments, by their indices before the step; `None` for a stale handle, and as a whole if there were none.
     pub call: Option<Call<Link, Link, Link>>,
     /// Its outcome; the message if it panicked. No step follows a panic.
     pub outcome: Result<After, String>,

@@ -116,8 +116,7 @@ fn live_half_edges(table: &Table) -> Vec<usize> {
     (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect()
 }
 
-/// Rotates the next half-edges of two or three half-edges, with their `prev`. They usually end at the same vertex, so that L3
-/// holds.
+/// Rotates the next half-edges of two or three half-edges, with their `prev`. Usually of the same vertex, so that L3 holds.
 fn rotate_next(table: &mut Table, random: &mut Random) {
     let mut around = live_half_edges(table);
     shuffle(&mut around, random);

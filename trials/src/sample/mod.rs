@@ -1,10 +1,9 @@
 //! Random tables, valid or invalid.
 //!
-//! These continue beyond all small tables: maps of several components with nesting, vacant rows and records in random order. They
-//! come from random programs, and from random rotation systems with random containment. The latter may have handles (T3),
-//! components nested in themselves (T2), no outside or two (T1), and two merged vertices (V2), which programs never make. Most of
-//! them are then damaged, usually with unchanged counts: two cells, two records, two cycles or the lists of two faces are
-//! exchanged.
+//! Beyond all small tables, these are maps of several components with nesting, vacant rows and records in random order. They come
+//! from random programs, and from random rotation systems with random containment. The latter may have handles (T3), components
+//! nested in themselves (T2), no outside or two (T1), and two merged vertices (V2), which programs never make. Most of them are
+//! then damaged, usually with unchanged counts: two cells, two records, two cycles or the lists of two faces are exchanged.
 //!
 //! Each rule except T4 is often the first broken one. T4 follows from the others.
 

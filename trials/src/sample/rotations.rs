@@ -69,8 +69,7 @@ impl Rotations {
         self.back[other] = h;
     }
 
-    /// Returns a half-edge with the corner before it on the same cycle as the corners next to `a`, whose twin has no rotation
-    /// yet.
+    /// Returns a half-edge with the corner before it on the cycle of the corners next to `a`, whose twin has no rotation yet.
     fn on_cycle_with(&self, a: usize, random: &mut Random) -> usize {
         let mut corners = vec![a];
         let mut h = self.turn[a];

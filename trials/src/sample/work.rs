@@ -39,8 +39,7 @@ impl SampleWork {
     }
 }
 
-/// Returns one table: the map that a random program makes, or random rotations with random containment, damaged up to three
-/// times.
+/// Returns one table: the map of a random program, or random rotations with random containment, damaged up to three times.
 fn table(random: &mut Random) -> Table {
     let mut table = if random.below(5) == 0 { made_by_program(random) } else { subdivision(random) };
     for _ in 0..[0, 1, 1, 2, 2, 3][random.below(6)] {

@@ -49,12 +49,10 @@ pub trait Comparable: Sync {
     fn name(&self) -> &'static str;
 
     /// Runs a program on the structure and on the reference, [`PointerModel`](twinedge::program::PointerModel), and compares them
-    /// after each operator, like [`conformance::run`](twinedge::program::conformance::run). A panic is caught. The costs are
-    /// stated there.
+    /// after each operator, like [`conformance::run`](twinedge::program::conformance::run). A panic is caught. Costs as there.
     fn compare(&self, program: &Program, progress: &dyn Progress) -> Comparison;
 
-    /// Returns a regression test of this program, or the program as a Rust expression if the structure has no
-    /// [`source`](Structure::source).
+    /// Returns a regression test of this program, or a Rust expression without a [`source`](Structure::source).
     fn to_rust(&self, message: &str, program: &Program) -> String;
 }
 

@@ -2,11 +2,9 @@
 //!
 //! The reference, [`PointerModel`](twinedge::program::PointerModel), is written from the definitions of the operators. After each
 //! operator the structure must have the same outcome (applied, refused for the same reason, or skipped), and it must be valid and
-//! isomorphic, including nesting, with handles that agree. Programs use stale handles on purpose. The first program that fails,
-//! or panics, is made small.
+//! isomorphic, including nesting, with equal handles. Programs use stale handles. The first that fails, or panics, is made small.
 //!
-//! Any reports of operators beyond handles are specific to a structure. [`ReportAudit`](crate::ReportAudit) checks them for
-//! `Dcel`.
+//! Reports of operators beyond handles are specific to a structure. [`ReportAudit`](crate::ReportAudit) checks those of `Dcel`.
 
 mod in_step;
 mod outcome;

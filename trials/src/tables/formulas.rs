@@ -41,8 +41,7 @@ pub(crate) fn maps_with_leaving(edges: u128, vertices: u128) -> u128 {
     pairings(edges) * (1..=vertices).map(named).sum::<u128>()
 }
 
-/// Returns the number of connected plane maps on labelled half-edges. A rooted one has no symmetry, so it can be labelled in (2n
-/// − 1)! ways with its root first.
+/// Returns the number of connected plane maps on labelled half-edges. A rooted one has (2n − 1)! labellings with its root first.
 pub(crate) fn connected_plane_maps(edges: u128) -> u128 {
     rooted(edges as usize) * factorial(2 * edges - 1)
 }

@@ -193,8 +193,8 @@ fn open_borders() -> Job {
     twins_or_nil("twin or nil, next; open borders", OPEN, (1 + 6 + 3) * 24)
 }
 
-/// [`open_borders`] claimed to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If two adjacent
-/// sides were one edge, the other two would join the same vertices.
+/// [`open_borders`] claimed to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3!
+/// ways. If two adjacent sides were one edge, the other two would join the same vertices.
 fn one_disc() -> Job {
     let asked = OPEN.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
     twins_or_nil("twin or nil, next; asked for: a square", asked, 6)
@@ -252,7 +252,7 @@ fn every_field_of_an_edge() -> Job {
     Job { from: 4, ..job("every field of an edge, as in textbooks", 2, TEXTBOOK_LEAVING, vec![all], 2 * 2) }
 }
 
-/// One vertex and two faces: a loop. A choice of the leaving half-edge, the outer half-edge, and the outer face, if its list has
+/// A loop with one vertex and two faces: a choice of the leaving and the outer half-edge, and of the outer face, if its list has
 /// room.
 fn every_field_of_a_loop() -> Job {
     let assignments = LISTS.map(|lists| {

@@ -69,8 +69,7 @@ impl Acceptor for AnySides {
 #[test]
 fn what_is_asked_for_is_judged_and_counted() {
     let surface = Expectation::surface();
-    // Among the maps of two edges, a torus with one face of four sides: one rooted map, with 3! numberings of the other
-    // half-edges.
+    // With two edges, a torus with one face of four sides: one rooted map, 3! numberings of the other half-edges.
     assert_eq!(accepted(work(surface.sides(4).genus(1), MAP, [1, 4, 0, 0])), 6 * 4);
     // An edge between two vertices is simple, a loop is not, and two loops are not connected.
     assert_eq!(accepted(work(surface.simple().components(1), MAP, [2, 2, 0, 0])), 2);

@@ -35,8 +35,7 @@ const fn genus(genus: usize) -> Expectation {
 fn labels_pass_if_and_only_if_the_plane_is_right() {
     let plane = Expectation::plane();
     assert_eq!(accepted(work(plane, Parts::ALL, [1, 0, 1, 1])), (1, 1));
-    // An edge: the half-edge that leaves vertex 0, and the one at which the cycle starts. The other one has a greater rank, out
-    // of 0, 1 and nil.
+    // An edge: the half-edge that leaves vertex 0, and the start of the cycle. The other rank is greater, out of 0, 1 and nil.
     assert_eq!(accepted(work(plane, Parts::ALL, [2, 2, 1, 1])), (2 * 2, 2 * 2 * 3));
     // A loop: the half-edge that it keeps, the inner cycle, and the numbers of both boundary components and faces.
     assert_eq!(accepted(work(plane, Parts::ALL, [1, 2, 2, 2])), (16, 16 * 3));
@@ -50,8 +49,8 @@ fn labels_pass_if_and_only_if_the_plane_is_right() {
 
 #[test]
 fn labels_pass_if_and_only_if_the_surface_has_the_genus() {
-    // An edge. No turn is compared, in any of 1 + 3 + 9 columns; the step and the rank grow; the component, which is one of two
-    // half-edges, occurs once or twice.
+    // An edge. No turn is compared, in 1 + 3 + 9 ways; the step and the rank grow; the component, one of two, occurs once or
+    // twice.
     assert_eq!(accepted(work(genus(0), RECORDS, [2, 2, 1, 1])), (4, 4 * (1 + 3 + 9) * 3 * 3 * 2 * 2));
     assert_eq!(accepted(work(genus(1), RECORDS, [2, 2, 1, 1])), (0, 0));
     assert_eq!(accepted(work(genus(0), MAP.with(Part::Faces), [1, 2, 0, 2])).0, 2 * 2);

@@ -5,8 +5,7 @@ use twinedge_geometry::predicates::{Orientation, compare_angle, orientation};
 use twinedge_map::edit::EditError;
 use twinedge_map::{Embedding, PlanarMap};
 
-/// Returns true if the corner that appears at the origin of `h` when `h` is removed, between the half-edges before and after it,
-/// is at most a straight angle.
+/// Returns true if removing `h` leaves at most a straight angle at its origin, between the half-edges before and after it.
 fn stays_convex(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let [v, a, b] = [h.origin(), h.clockwise().target(), h.counter_clockwise().target()].map(|v| map.point(v.index()));
     match orientation(v, a, b) {
@@ -34,8 +33,8 @@ pub fn is_essential(map: &PlanarMap, half_edge: HalfEdgeKey) -> Result<bool, Sta
 /// equal. O(1) for each edge, plus O(length of the shorter cycle) for each removed edge.
 ///
 /// # Errors
-/// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key, or for an edge that is named twice and removed. Earlier
-/// edges have been processed then.
+/// [`EditError::NotPlane`]; [`EditError::Operator`] for a stale key, or an edge named twice and removed, after processing the
+/// earlier ones.
 pub fn remove_inessential(map: &mut PlanarMap, edges: &[HalfEdgeKey]) -> Result<Vec<HalfEdgeKey>, EditError> {
     let mut kept = Vec::new();
     for h in edges {

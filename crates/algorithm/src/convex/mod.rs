@@ -43,8 +43,7 @@
 //! polygon has at most 2r + 1, while every decomposition has at least ⌈r / 2⌉ + 1: at most four times the minimum. (With holes
 //! the theorem does not promise the factor of four.)
 //!
-//! Edges that dangle in the face, holes that touch each other or the outer boundary, and isolated vertices all bound the pieces:
-//! they are never inside a piece.
+//! Edges that dangle in the face, holes that touch a boundary, and isolated vertices are never inside a piece.
 //!
 //! Sources: S. Hertel and K. Mehlhorn, "Fast triangulation of simple polygons", FCT 1983, LNCS 158, 207-218; J. O'Rourke,
 //! "Computational Geometry in C", 2nd edition, section 2.5. The triangulation is the constrained Delaunay triangulation of

@@ -1,8 +1,7 @@
 //! The circumcentre of three points, computed with twice the precision of a double.
 //!
 //! If two of three points are close to each other, or all are nearly collinear, the determinant of the three nearly vanishes
-//! compared with its products. Then the exact predicate guarantees only the sign, not the value, and centres would be off by
-//! metres.
+//! compared with its products. Then the exact predicate guarantees only the sign, so centres are off by metres.
 
 use twinedge_geometry::Point;
 

@@ -7,13 +7,11 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 use twinedge_map::PlanarMap;
 
-/// Makes a map of distinct points and of segments that connect all points. Returns `None` unless the drawing is plane with convex
-/// faces: every bounded face is convex, and the outside surrounds a convex polygon or, if the segments enclose nothing, a chain
-/// along a line.
+/// Makes a map of distinct points and of segments that connect all points. `None` unless the drawing is plane and convex: every
+/// bounded face is convex, and the outside surrounds a convex polygon or, if the segments enclose nothing, a chain along a line.
 ///
-/// This implies that the drawing is plane. Euler's formula makes the topology planar. Each face covers its part of the plane
-/// once, adjacent to the faces across its edges, so together they cover the inside of the polygon evenly. The border is covered
-/// once, so all of it is.
+/// This implies that the drawing is plane. Euler's formula makes the topology planar. Each face covers its part once, next to the
+/// faces across its edges, so they cover the inside of the polygon evenly. The border is covered once, so all of it is.
 ///
 /// Vertices and segments keep their order. O(n log n).
 pub(super) fn connected(points: Vec<Point>, segments: &[[u32; 2]]) -> Result<Option<PlanarMap>, VoronoiError> {

@@ -32,8 +32,7 @@ pub enum VoronoiError {
         /// The second coordinate.
         y: f64,
     },
-    /// The bounds are no box: a coordinate is not finite or beyond 2^202, or the first corner is not below and to the left of the
-    /// second.
+    /// No box: a coordinate is not finite or beyond 2^202, or the first corner is not below and to the left of the second.
     #[error("the bounds must be the lower left and the upper right corner of a box, with coordinates up to 2^202")]
     Bounds,
     /// A site lies outside the bounds.

@@ -29,9 +29,8 @@
 //! # Why `spade`
 //!
 //! The triangulation comes from the crate `spade` rather than `delaunator`; both were measured. `delaunator` (1.1) is faster, 70
-//! ms against 90 ms for 10^5 random points, but tests circles in rounded arithmetic, so its result is not always Delaunay; it
-//! drops points that differ by at most 2^-51; and for collinear points it returns only their order. `spade` (2.15) decides
-//! exactly and keeps every point.
+//! against 90 ms for 10^5 random points, but rounds its tests of circles, so its result is not always Delaunay; drops points that
+//! differ by at most 2^-51; and for collinear points returns their order. `spade` (2.15) decides exactly and keeps all.
 //!
 //! Sources: M. de Berg et al., "Computational Geometry", 3rd edition, chapters 7 and 9; G. Voronoï, "Nouvelles applications
 //! des paramètres continus à la théorie des formes quadratiques", Journal für die reine und angewandte Mathematik 134 (1908)
@@ -89,8 +88,7 @@ pub struct Voronoi {
     pub cells: Vec<FaceKey>,
     /// The lower left and the upper right corner of the box that closes the unbounded cells.
     pub bounds: [Point; 2],
-    /// The sites without their own cell, each with the site whose cell it shares: only from [`voronoi_merging`]. Equal sites are
-    /// not listed.
+    /// Sites without a cell, each with the site whose cell it shares: only from [`voronoi_merging`]. Equal sites are not listed.
     pub merged: Vec<[usize; 2]>,
 }
 
@@ -126,8 +124,7 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
     diagram(&placed, bounds::bounds(sites, bounds)?)?.ok_or_else(|| placed.too_close())
 }
 
-/// Computes a Voronoi diagram in which sites share a cell if doubles cannot distinguish their cells. [`Voronoi::merged`] names
-/// them.
+/// Computes a Voronoi diagram in which sites share a cell that doubles cannot distinguish. [`Voronoi::merged`] names them.
 ///
 /// Neighbouring sites are merged, the closest first, up to twice the distance each time, until there is a diagram: no site is
 /// merged with one much farther away than necessary.

@@ -108,8 +108,7 @@ fn pieces(rings: &[&[[f64; 2]]]) -> usize {
     checked(&mut map, &covered)[0].pieces.len()
 }
 
-/// The minimum number of convex pieces, without new vertices, of a simple polygon: tries every set of diagonals that do not
-/// cross, smallest first.
+/// The minimum number of convex pieces, without new vertices, of a simple polygon: tries every set of diagonals, smallest first.
 fn least(ring: &[Point]) -> usize {
     let n = ring.len();
     let next = |i: usize| (i + 1) % n;
@@ -240,8 +239,7 @@ fn golden_polygons_have_the_known_least_numbers() {
     assert_eq!(at_most_four_times_the_least(&star).1, 4);
 }
 
-/// A comb with k teeth upwards has 2 (k − 1) reflex corners, and k pieces are the minimum: the base joins a tooth, by diagonals
-/// between neighbouring gaps.
+/// A comb with k teeth has 2 (k − 1) reflex corners, and at least k pieces: the base joins a tooth, by diagonals between gaps.
 #[test]
 fn combs_stars_and_spirals_keep_the_bounds() {
     for teeth in [2, 3, 10, 200] {

@@ -1,5 +1,4 @@
-//! The columns of certificates have the file names of the proof, in the order of its tables. Also tests a reference to columns,
-//! and columns without points.
+//! The columns of certificates have the proof's file names, in the order of its tables. Also references, and no points.
 
 use twinedge_certificate::{Column, Columns, Labels, LabelsError};
 

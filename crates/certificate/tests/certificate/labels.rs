@@ -48,8 +48,7 @@ fn every_small_map_in_every_form_has_labels() {
     assert_eq!((maps, certificates), (537, 8592));
 }
 
-/// With the labels of the original map, a corruption that passes is valid; and a valid corruption is another map, with labels of
-/// its own.
+/// With the labels of the original map, a corruption that passes is valid; and a valid one is another map, with its own labels.
 #[test]
 fn a_corruption_passes_only_if_the_rules_hold() {
     let (mut wrong, mut right, mut other_maps) = (0, 0, 0);

@@ -141,8 +141,8 @@ fn a_corruption_of_an_open_mesh_passes_only_if_the_rules_hold() {
     assert_eq!((wrong, right), (5111, 94));
 }
 
-/// Two triangles with a common vertex, and a border that passes it twice: the rules hold, as each rotation is one orbit, but it
-/// is no surface.
+/// Two triangles with a common vertex, and a border through it twice: the rules hold, as each rotation is one orbit, but it is no
+/// surface.
 #[test]
 fn a_border_that_passes_a_vertex_twice_is_refused() {
     let mut table = opened(&textbook_mesh(5, &[[0, 1, 2], [0, 3, 4]]), &[], Border::NoFace);
@@ -175,8 +175,7 @@ fn a_record_without_face_is_no_hole() {
     assert_eq!(tests(&table), [Test::SurfaceBoundaryOk]);
 }
 
-/// Single numbers of the certificate of an open mesh are changed: if it passes, it has the same counts, except for values that a
-/// whole column determines.
+/// Changes single numbers of the certificate of an open mesh: if it passes, only counts of whole columns may differ.
 #[test]
 fn a_changed_number_is_found_or_is_as_good() {
     let table = opened(&textbook_mesh(9, &torus([3, 3])), &[4, 5, 11], Border::NoTwin);

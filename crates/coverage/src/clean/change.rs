@@ -49,8 +49,7 @@ pub struct Options {
     pub lake_width: Option<f64>,
     /// A point inside each gap that is left as it is, independent of width and area.
     pub accepted_gaps: Vec<Point>,
-    /// The area below which gaps are filled, and thin parts of features given away. Default: a thousandth of the median area of
-    /// all parts.
+    /// The area below which gaps are filled, and thin parts given away. Default: a thousandth of the median area of all parts.
     pub sliver_area: Option<f64>,
     /// The thinness below which a small part of a feature is a sliver, as for [coverages](crate::Limits).
     pub thinness: f64,

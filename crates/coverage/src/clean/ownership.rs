@@ -80,8 +80,7 @@ impl<'m> Ownership<'m> {
         }
     }
 
-    /// Returns the accepted neighbour with the longest common border, the first on a tie; `None` if there is none. O(half-edges
-    /// of the region · log).
+    /// Returns the accepted neighbour with the longest common border, or the first, if any. O(half-edges of the region · log).
     pub(super) fn neighbour(&self, region: &Region<'m>, is_asked: impl Fn(FeatureId) -> bool) -> Option<FeatureId> {
         let mut common: BTreeMap<FeatureId, Sum> = BTreeMap::new();
         for h in border(&region.faces) {

@@ -33,8 +33,7 @@ pub struct Cleaned {
 
 /// Gives each face to at most one feature: see [the module](super).
 ///
-/// O(r · n log n) for n half-edges and faces, each counted once for each feature that covers it, and r rounds, which are few
-/// unless slivers are neighbours.
+/// O(r · n log n) for n half-edges and faces, each counted once for each feature that covers it, and (few) r rounds.
 ///
 /// ```
 /// use twinedge_coverage::clean::{ChangeKind, Options, clean};
@@ -61,8 +60,7 @@ pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageErro
 }
 
 /// Cleans like [`clean`], treating all features from number `fillers` on as fillers. Fillers get nothing: faces that only fillers
-/// claim go to the neighbour with the longest common border. So a gap that is open to the outside can be closed by drawing the
-/// area to fill.
+/// claim go to the neighbour with the longest common border. This closes gaps open to the outside, by drawing the area to fill.
 ///
 /// ```
 /// use twinedge_coverage::clean::{Options, clean_with_fillers};

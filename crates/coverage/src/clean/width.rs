@@ -24,8 +24,7 @@ pub struct ChosenWidth {
     pub next: f64,
 }
 
-/// Chooses the width up to which gaps are errors, by the mean widths of gaps and of the parts of features. Returns `None` if
-/// there is no clear one.
+/// Chooses the width up to which gaps are errors, by the mean widths of gaps and of the parts of features. `None` if unclear.
 ///
 /// The widths are sorted, with the median width of the parts of features at the upper end. Going down, gaps are lakes until a
 /// width is ten times as large as the next one; all gaps below this step are errors. This is single linkage of the logarithms of
@@ -49,7 +48,8 @@ pub struct ChosenWidth {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Source: J. C. Gower, G. J. S. Ross, "Minimum Spanning Trees and Single Linkage Cluster Analysis", Applied Statistics 18 (1969), 54–64.
+/// Source: J. C. Gower, G. J. S. Ross, "Minimum Spanning Trees and Single Linkage Cluster Analysis", Applied Statistics 18
+/// (1969), 54–64.
 ///
 /// # Errors
 /// [`CoverageError::NotPlane`].

@@ -236,8 +236,7 @@ fn sorted<'a>(features: impl Iterator<Item = &'a FeatureId>) -> Vec<FeatureId> {
     all
 }
 
-/// Groups edges of one class that are connected at vertices, in order of the first of each group. O(edges + rotations of their
-/// vertices), expected.
+/// Groups edges of one class that are connected at vertices, in order of their first. Expected O(edges + rotations of vertices).
 fn chains<'a, C: Clone + Eq + std::hash::Hash>(edges: &[(HalfEdge<'a>, C)]) -> Vec<(C, Vec<HalfEdge<'a>>)> {
     let mut at_vertex: FxHashMap<(usize, &C), Vec<usize>> = FxHashMap::default();
     for (number, (h, class)) in edges.iter().enumerate() {

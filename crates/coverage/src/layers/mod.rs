@@ -36,8 +36,7 @@ use twinedge::dcel::Face;
 use twinedge_algorithm::claims::features_of;
 use twinedge_map::{FeatureId, PlanarMap};
 
-/// Returns the features of each layer that cover a face, in order. The first `count` features of the map belong to the first
-/// layer.
+/// Returns the features of each layer that cover a face, in order. The first `count` features are the first layer.
 fn split(map: &PlanarMap, face: Face<'_>, count: usize) -> [Vec<FeatureId>; 2] {
     let (here, there) = features_of(map, face).partition(|one| one.index() < count);
     [here, there]

@@ -39,8 +39,7 @@ impl Claimed {
     }
 }
 
-/// Finds features that are alike. `faces` contains the faces of each. O(faces, each counted for each feature that covers it),
-/// expected.
+/// Finds features that are alike. `faces` contains the faces of each. Expected O(faces), counted for each feature.
 pub(super) fn compare(claimed: &mut [Claimed], faces: Vec<Vec<u32>>) {
     let mut first = FxHashMap::default();
     for ((place, one), faces) in (0..).zip(claimed).zip(faces) {
@@ -51,8 +50,7 @@ pub(super) fn compare(claimed: &mut [Claimed], faces: Vec<Vec<u32>>) {
 /// Adds up the entries of two concatenated lists, for each feature with the same box. Features remain alike if they were alike in
 /// both. Entries of completely seen features that are like no other are dropped. This is safe in any order of merging: all tiles
 /// of the box had the feature with this box, so an entry with another box that meets one of them is never completely seen, and is
-/// reported. Features of the same number whose boxes share no tile are not detected: that would take an entry for each feature.
-/// O(n log n), expected.
+/// reported. Features of the same number whose boxes share no tile are not detected. O(n log n), expected.
 pub(super) fn add_up(claimed: &mut Vec<Claimed>) {
     claimed.sort_by_key(Claimed::key);
     // With the feature that it is like in each of the two lists.

@@ -105,8 +105,7 @@ fn is_left(p: Point, q: Point, corner: Point) -> bool {
 
 /// Compares the places where two edges of a plane drawing pass a line: from the bottom up, or from left to right. O(1).
 pub(super) fn compare_along(side: Side, e: Ends, f: Ends) -> Ordering {
-    // The order of two edges is constant along them, so it is decided at the later of their starts; if they start together, at an
-    // end of one of them.
+    // The order of two edges is constant along them, so it is decided at the later start; at equal starts, at an end.
     if side.is_upright() {
         let [[p, q], [r, s]] = [e, f];
         match compare_lexicographic(p, r) {

@@ -13,8 +13,7 @@
 //!    …        until no piece is bent
 //! ```
 //!
-//! Both sides of a seam have the same pieces, made from one list. The list contains only cut edges, so it is short if borders are
-//! meant to meet at vertices.
+//! Both sides of a seam have the same pieces, made from one list. It has only cut edges: few, if borders meet at vertices.
 
 use super::clip::Bounds;
 use super::ends::{Ends, compare_edges, compare_points};
@@ -153,8 +152,7 @@ impl Cuts {
     }
 
     /// Returns the corners of a box around all features that must be given to a tile, and around the edges of `features` near it,
-    /// infinite where the grid ends. Data outside the box has no influence on the cuts in the tile, if `features` are all
-    /// features of the tile. O(points).
+    /// infinite where the grid ends. The rest does not influence the cuts, if `features` are all of the tile. O(points).
     #[must_use]
     pub fn window<'f>(&self, grid: &Grid, tile: Tile, features: impl IntoIterator<Item = &'f Feature>) -> [Point; 2] {
         let margin = 2.0 * self.margin();

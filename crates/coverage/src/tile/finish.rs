@@ -34,11 +34,10 @@ pub struct Outcome {
     pub uncut: Option<BuildError>,
     /// The features whose shapes are invalid by the rules of the OGC (C6), by number.
     pub defects: Vec<(u32, Vec<Defect>)>,
-    /// The numbers of features that were not given to every tile that meets their box, or have a different box in another of
-    /// these tiles.
+    /// Features not given to every tile that meets their box, or have a different box in another of these tiles.
     pub not_given: Vec<u32>,
-    /// False if `V − E + F = 1 + C` does not hold for the sums, or there is not exactly one unbounded face (T3); `None` if faces
-    /// are unknown.
+    /// False if `V − E + F = 1 + C` does not hold for the sums, or for not exactly one unbounded face (T3); `None` if faces are
+    /// unknown.
     pub adds_up: Option<bool>,
 }
 
@@ -55,8 +54,7 @@ impl Outcome {
 }
 
 impl Outcome {
-    /// Returns the outcome with the coverage of the cut map, if edges meet other than at vertices and tiles do not contradict
-    /// each other.
+    /// Returns the outcome with the coverage of the cut map, if edges meet elsewhere and tiles do not contradict each other.
     #[must_use]
     pub fn with_cut(self, cut: Self) -> Self {
         if self.needs_cut() { Self { coverage: cut.coverage, ..self } } else { self }
@@ -68,8 +66,7 @@ impl Outcome {
         !self.crossings.is_empty() && self.seams.is_empty() && self.not_given.is_empty()
     }
 
-    /// Returns the outcomes of R1 … G5, as in the report of the whole map. The rules that building from features guarantees were
-    /// checked during the build.
+    /// Returns the outcomes of R1 … G5, as in the report of the whole map. Building from features guarantees some of them.
     pub fn rules(&self) -> impl Iterator<Item = (Rule, RuleOutcome)> + use<> {
         let Counts { vertices, half_edges, edges, faces, outer_boundaries, inner_boundaries, .. } = self.counts;
         let isolated = self.counts.isolated_vertices;

@@ -7,8 +7,7 @@ use super::pieces::Pieces;
 use super::side::Side;
 use twinedge_geometry::Point;
 
-/// Returns the approximate area of each piece that does not extend to infinity: crossings of edges and the border are rounded.
-/// O(n).
+/// Returns the approximate area of each piece not extending to infinity: crossings of edges and the border are rounded. O(n).
 pub(super) fn areas(local: &Local<'_>, pieces: &Pieces) -> Vec<f64> {
     let mut twice = vec![0.0; pieces.faces.len()];
     let origin = local.parts.first().map_or_else(|| local.bounds.any_point(), |part| part.ends[0]);

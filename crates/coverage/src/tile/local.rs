@@ -29,8 +29,7 @@ pub(super) struct Local<'a> {
     pub(super) parts: Vec<Part>,
     /// The part of each half-edge, by index.
     pub(super) part_of: Vec<u32>,
-    /// The contacts counter-clockwise from the lower left corner: the side, the part, and true if its first half-edge enters
-    /// there.
+    /// The contacts counter-clockwise from the lower left corner: the side, the part, true if its first half-edge enters.
     pub(super) contacts: Vec<(Side, u32, bool)>,
 }
 

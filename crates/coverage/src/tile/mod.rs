@@ -1,10 +1,9 @@
 //! Maps in tiles: each tile of a grid is audited alone, and the summaries add up to the audit of the whole map.
 //!
 //! A [`Grid`] divides a map that is too large for one machine, or shared by several workers. [`Summary::new`] summarizes a tile
-//! from the features that meet it. [`Summary::merge`] combines two summaries, in any order. [`Summary::finish`] turns the summary
-//! of all tiles into the audit of the whole map: the counts, whether the map is a planar subdivision, and the findings of C1 …
-//! C7, with the same features and locations and, up to rounding, the same areas, widths and lengths. [`audit`] does all of this
-//! on one machine.
+//! from its features. [`Summary::merge`] combines two summaries, in any order. [`Summary::finish`] turns the summary of all tiles
+//! into the audit of the whole map: the counts, whether the map is a planar subdivision, and the findings of C1 … C7, with the
+//! same features and locations and, up to rounding, the same areas, widths and lengths. [`audit`] does this on one machine.
 //!
 //! ```
 //! use twinedge_coverage::{CoverageRule, Limits};
@@ -37,15 +36,13 @@
 //! A tile is given all features whose boxes meet it, whole, with their numbers in the map; [`Grid::tiles_of`] assigns features to
 //! tiles. So a tile knows which features cover its faces even where it has no edge, and neighbours must agree. [`Summary::new`]
 //! takes edges as they are: they should meet only at shared endpoints. If they do not, this is detected, and the map is audited
-//! again with edges cut where they meet: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes the summaries that determine
-//! the coverage.
+//! with cut edges: [`Cuts`] are found tile by tile, and [`Summary::cut`] makes the summaries that determine the coverage.
 //!
 //! # What a summary holds
 //!
 //! Records inside a tile are counted. Records cut by the border are listed: *contacts*, where an edge passes a side of a tile, in
-//! order along the side, with the component and the two cycles of the edge; and the pieces of faces between them. When two tiles
-//! share a side, their contacts are matched, and components, cycles and faces are joined by union-find. Records no longer cut by
-//! any border are counted.
+//! order along the side, with the component and the two cycles of the edge; and the pieces of faces between them. Contacts of a
+//! shared side are matched, and components, cycles and faces are joined by union-find. Records no longer cut are counted.
 //!
 //! | also listed | reason | dropped |
 //! | --- | --- | --- |

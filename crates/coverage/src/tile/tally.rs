@@ -20,8 +20,7 @@ use twinedge::dcel::{HalfEdge, Vertex};
 use twinedge_map::{BuildError, Builder, Embedding as _, Feature, FeatureId, UnmatchedVertex};
 
 impl Summary {
-    /// Creates the summary of a tile. `features` are all features that meet it, with their numbers in the whole; others have no
-    /// effect.
+    /// Creates the summary of a tile. `features` are all that meet it, with their numbers in the whole; others have no effect.
     ///
     /// O(n log n) for the features that meet the tile.
     ///
@@ -50,8 +49,7 @@ impl Summary {
     /// O(n log n) for the features that come near the tile.
     ///
     /// # Errors
-    /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) if a coordinate is larger than
-    /// announced.
+    /// [`TileError`]; with [`BuildError::OutOfReach`](twinedge_map::BuildError::OutOfReach) for larger coordinates.
     pub fn cut<'f>(
         grid: &Grid,
         tile: Tile,

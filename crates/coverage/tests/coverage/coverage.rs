@@ -284,8 +284,7 @@ fn slanted_borders_are_as_far_apart_as_they_are() {
     }
 }
 
-/// A lake between 0 and 1 has a narrow arm, and a strip between 1 and 2 is open to the outside. A feature on the other side of 1
-/// is no neighbour.
+/// The lake of 0 and 1 has a narrow arm, and a strip between 1 and 2 is open to the outside. A feature beyond 1 is no neighbour.
 ///
 /// ```text
 ///   0000 1 222222

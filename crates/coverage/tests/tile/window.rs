@@ -38,8 +38,7 @@ fn complete(mut cuts: Cuts, features: &[(u32, &Feature)]) -> Cuts {
     cuts
 }
 
-/// Compares the summaries of all tiles, made from all features and from the features in windows. Returns the fraction of features
-/// in windows.
+/// Compares the summaries of all tiles, made from all features and from the features in windows. Returns the fraction in windows.
 fn compare(features: &[Feature], grid: &Grid) -> f64 {
     let none = Cuts::new(largest(features)).expect("finite");
     let numbered: Vec<(u32, &Feature)> = (0..).zip(features).collect();

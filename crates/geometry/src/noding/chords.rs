@@ -63,8 +63,7 @@ pub(super) struct Chord {
     pub(super) first_is_left: bool,
 }
 
-/// Returns the arrangement of these segments in the block. None may end inside, and no two may overlap. At most `most` crossings
-/// are listed.
+/// Arranges these segments in the block. None may end inside, and no two may overlap. Lists at most `most` crossings.
 ///
 /// Cost: O(m log m) for m segments, and O(1) for each crossing.
 pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &[u32], most: usize) -> Chords {
@@ -91,8 +90,7 @@ pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &
     if !pairs.is_empty() {
         return Chords::Cross { pairs, all: true };
     }
-    // A chord whose ends are neighbours on the border has all others on one side. If there are two such chords, all others lie
-    // between them.
+    // A chord whose ends are neighbours on the border has all others on one side. Between two such chords lie all others.
     let mut lone = (0..ends.len()).filter(|&i| ends[i].chord == ends[(i + 1) % ends.len()].chord);
     match (lone.next(), lone.next(), lone.next()) {
         (Some(i), Some(_), None) => {

@@ -10,10 +10,9 @@ const ENOUGH: u64 = 64;
 
 /// Estimates the number of cuts where two segments cross; `None` if there are too few crossings. O(1).
 ///
-/// The pairs come from a fixed pseudo-random sequence. With s crossings found, the relative error is typically 1 / √s. A segment
-/// is cut once in a pixel, by any number of others. So if many crossings share few pixels, as in lines through one point, each of
-/// those pixels has at most one cut per segment; the number of pixels is estimated from the numbers found once and found twice
-/// (A. Chao, 1984).
+/// The pairs are a fixed pseudo-random sequence. With s crossings found, the relative error is typically 1 / √s. A segment is cut
+/// once in a pixel, by any number of others. So if many crossings share few pixels, as for lines through one point, each has at
+/// most one cut per segment; the number of pixels is estimated from the numbers found once and found twice (A. Chao, 1984).
 pub(super) fn crossing_cuts(pixels: Pixels, segments: &[Segment]) -> Option<u64> {
     let count = segments.len() as u64;
     let mut state = 0_u64;

@@ -15,8 +15,7 @@ const _: () = assert!(Snap::AUTO_CELLS == 1 << (REACH - SPARE), "the documented 
 /// The smallest positive double is 2^-1074.
 const SMALLEST: i32 = -1074;
 
-/// The greatest number of cells if their width is no power of two: up to there, rounding their centres to doubles moves them by
-/// less than an eighth of a cell.
+/// The greatest number of cells if their width is no power of two: rounding moves their centres by less than an eighth of a cell.
 const MOST_DECIMAL: f64 = (1_u64 << 49) as f64;
 
 /// The exact width of a cell: `numerator / denominator * 2^exponent`.
@@ -140,12 +139,10 @@ impl Grid {
         self.cell.width
     }
 
-    /// Returns the position nearest to a point, among positions in the same pixel. For a point of the grid, this is the centre of
-    /// its pixel.
+    /// Returns the position nearest to a point, among positions in the same pixel. For a grid point, this is its pixel's centre.
     ///
-    /// If a pixel is one step, halves are rounded up, as in pixels. Otherwise `-p` has the position opposite to `p`, so that
-    /// segments through the origin with opposite ends still meet there: halves are rounded to even positions, and next to the
-    /// border of a pixel away from it.
+    /// If a pixel is one step, halves are rounded up. Otherwise `-p` has the position opposite to `p`, so that segments with
+    /// opposite ends still meet at the origin: halves become even positions, or next to a pixel's border lead away from it.
     pub(super) fn steps(&self, p: Point) -> Steps {
         let shift = self.pixels.shift;
         [p.x, p.y].map(|x| {

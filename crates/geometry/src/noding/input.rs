@@ -7,8 +7,7 @@ use crate::point::Point;
 #[non_exhaustive]
 pub enum Snap {
     /// Chosen so that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50 cells:
-    /// coordinates keep some 15 decimal digits. For longitudes up to 180, a cell is 2^-42 degrees, or 25 nanometres on the
-    /// ground.
+    /// coordinates keep some 15 decimal digits. For longitudes up to 180, a cell is 2^-42 degrees, or 25 nanometres.
     #[default]
     Auto,
     /// This width. If it has up to 22 decimal places, the decimal number counts instead of the double nearest to it: the points
@@ -67,8 +66,7 @@ pub enum NodingError {
         /// The first part of the input with such a coordinate.
         at: Input,
     },
-    /// A coordinate is more than 2^53 cells, or 2^49 cells whose width is no power of two, or the nearest grid point is not
-    /// finite.
+    /// A coordinate is more than 2^53 cells, or 2^49 cells whose width is no power of two, or its grid point is not finite.
     #[error("{at} has a coordinate out of reach of the grid")]
     OutOfRange {
         /// The first part of the input with the coordinate of the largest magnitude.

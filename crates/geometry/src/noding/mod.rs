@@ -2,8 +2,7 @@
 //!
 //! Segments drawn by hand or read from files cross, touch and overlap. [`node`] cuts them wherever they meet and rounds the cuts
 //! to a grid. The result is the exact drawing of a plane graph in `f64` coordinates: every point is on the grid, edges are
-//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input within reach
-//! of the grid.
+//! distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite input.
 //!
 //! ```
 //! use twinedge_geometry::Point;
@@ -62,9 +61,8 @@
 //! # Cost
 //!
 //! O((n + k) log n) in practice, for n segments and k visits of hot pixels. Collinear segments have up to n² visits, but as their
-//! chains are ranges of one chain, O(n) time and memory suffice (see `runs.rs`). Pairs of segments that pass each other closely,
-//! or cross in the same pixel, do not count: stars, fans, bundles and spirals are not quadratic (see `search.rs` and
-//! `chords.rs`).
+//! chains are ranges of one chain, O(n) time and memory suffice (see `runs.rs`). Pairs that pass closely, or cross in the same
+//! pixel, do not count: stars, fans, bundles and spirals are not quadratic (see `search.rs` and `chords.rs`).
 //!
 //! With the feature `rayon`, searching and sorting are divided among the threads of the current pool, with the same result.
 
@@ -109,16 +107,14 @@ pub struct NodingSummary {
     pub collapsed: usize,
     /// The number of distinct input points minus the number of vertices made from them.
     pub merged: usize,
-    /// The number of rounds in which chains were bent, see [the module](self). If 0, no segment met or nearly met anything
-    /// between its ends.
+    /// The rounds in which chains were bent, see [the module](self). 0 if nothing met or nearly met a segment's interior.
     pub rounds: usize,
     /// The largest move of a point of the input, in x and in y.
     pub largest_move: [f64; 2],
 }
 
 impl NodingSummary {
-    /// Returns the vertex for an input point: the middle of its cell, with halves rounded up; the point itself if nothing was
-    /// rounded. −0 becomes 0. O(1).
+    /// Returns the vertex for an input point: its cell's middle, halves rounded up, or the point itself. −0 becomes 0. O(1).
     ///
     /// ```
     /// use twinedge_geometry::Point;
@@ -161,8 +157,7 @@ struct ChainRange {
 pub struct Noded {
     /// The vertices: distinct points of the grid, in lexicographical order.
     pub points: Vec<Point>,
-    /// The edges, as pairs of indices of points, the smaller one first; distinct, in lexicographical order. They meet only at
-    /// common ends.
+    /// The edges, as pairs of indices of points, the smaller one first; distinct, in lexicographical order, meeting only at ends.
     pub segments: Vec<[u32; 2]>,
     /// The counts and measures of the noding.
     pub summary: NodingSummary,
@@ -242,8 +237,7 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
 /// Nodes like [`node`], with at most `cuts` cuts: n segments may cross n² / 2 times, which would exhaust memory.
 ///
 /// A segment is cut once at each vertex between its ends. Overlapping collinear segments count as one. A sample of pairs is tried
-/// first; if it predicts more than twice the allowed cuts, noding does not begin. Otherwise it stops at the limit. Memory is O(n
-/// + cuts).
+/// first; if it predicts more than twice the limit, noding does not begin. Otherwise it stops there. Memory is O(n + cuts).
 ///
 /// ```
 /// use twinedge_geometry::Point;
@@ -340,8 +334,7 @@ fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingE
     Ok(Noded { points, segments, summary, pool, ranges, vertex_of_point })
 }
 
-/// Returns the edges in lexicographical order, each once. O(n + v) for v vertices, plus the cost of sorting the edges at each
-/// vertex.
+/// Returns the edges in lexicographical order, each once. O(n + v) for v vertices, plus sorting the edges at each.
 fn distinct_edges<I: Iterator<Item = [u32; 2]>>(edges: impl Fn() -> I, vertices: usize) -> Vec<[u32; 2]> {
     // After summation, `first[v + 1]` is the start of the edges of vertex v; filing moves it to their end.
     let mut first = vec![0_usize; vertices + 2];

@@ -212,8 +212,7 @@ impl Pixels {
     }
 }
 
-/// Returns `d * part / whole`, exactly: the integer part, rounded down, and the remainder over `whole`. Requires `part < whole <=
-/// 2^111` and `|d| <= 2^54`.
+/// Returns `d * part / whole`, rounded down, and the remainder over `whole`. Requires `part < whole <= 2^111` and `|d| <= 2^54`.
 ///
 /// Long division: consumes `d` from the top, using the number of bits for which the remainder has room.
 fn scale(d: i64, part: u128, whole: u128) -> (i64, u128) {

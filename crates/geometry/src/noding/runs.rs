@@ -58,8 +58,7 @@ pub(super) fn join(segments: Vec<Segment>) -> Runs {
     runs
 }
 
-/// Returns the numbers that occur more than once, and some others: a bit table much larger than the list of numbers filters the
-/// candidates.
+/// Returns the numbers that occur more than once, and some others: a bit table much larger than the list filters candidates.
 fn repeated(numbers: &[u64]) -> FxHashSet<u64> {
     let words = numbers.len().div_ceil(4).next_power_of_two();
     let mut seen = vec![0_u64; words];

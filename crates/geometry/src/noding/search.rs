@@ -221,8 +221,7 @@ impl Search<'_> {
         }
     }
 
-    /// Searches a block whose crossings are among its vertices. Vertices beyond the block may be listed, so one pixel may have
-    /// many.
+    /// Searches a block whose crossings are among its vertices. Vertices beyond it may be listed, so one pixel may have many.
     fn look_for_visits(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) {
         let are_few = vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS;
         if are_few || block.low == block.high {

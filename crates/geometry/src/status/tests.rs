@@ -11,8 +11,7 @@ fn beside(height: f64) -> Point {
     Point::new(1.0, height)
 }
 
-/// Returns the handles from the bottom up in the tree. Checks that the tree has valid parents and priorities, and agrees with the
-/// list.
+/// Returns the handles from the bottom up in the tree. Checks that it has valid parents and priorities, and agrees with the list.
 fn in_order(status: &Status) -> Vec<u32> {
     let node = |handle: u32| &status.nodes[handle as usize];
     let (mut order, mut path, mut next) = (Vec::new(), Vec::new(), status.root);

@@ -117,8 +117,7 @@ pub(crate) fn all_clashes(points: &[Grid], segments: &[[u32; 2]]) -> Vec<Clash> 
     all
 }
 
-/// The segment directly below a point of a plane drawing: the highest of all segments that pass below, in the lexicographic
-/// sense.
+/// The segment directly below a point of a plane drawing: the highest of those that pass below, lexicographically.
 pub(crate) fn segment_below(points: &[Grid], segments: &[[u32; 2]], q: Grid) -> Option<u32> {
     (0..)
         .zip(segments)

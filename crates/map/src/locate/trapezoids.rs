@@ -29,8 +29,8 @@
 //! Rebuilding a deep graph would gain nothing: in a random order, the chance that any point takes more than 3 λ ln (n + 1)
 //! questions is below 2 / (n + 1)^(0.22 λ − 3).
 //!
-//! Sources: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 6
-//! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
+//! Sources: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 6 (after K.
+//! Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
 //! Computational Geometry 2003, 211-219.
 
 use super::lists::Lists;

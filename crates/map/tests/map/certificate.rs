@@ -182,8 +182,7 @@ fn a_changed_entry_is_found_or_as_good() {
         }
         found.push((column.name(), caught, as_good));
     }
-    // Ranks are arbitrary growing numbers. A dart of a vertex may be any dart that starts there, and the contents of vacant slots
-    // are ignored.
+    // Ranks are arbitrary growing numbers. A vertex may keep any dart from it, and vacant slots are ignored.
     let as_good: Vec<_> = found.iter().filter(|(_, _, as_good)| *as_good > 0).map(|(name, ..)| *name).collect();
     assert_eq!(as_good, ["dart_rank", "half_edge_dart", "vertex_dart", "face_dart"], "{found:?}");
     assert!(found.iter().all(|(_, caught, _)| *caught > 0), "{found:?}");

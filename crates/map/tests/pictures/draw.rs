@@ -1,5 +1,5 @@
-//! Scenes as SVG for use in a page of text: without a style sheet, with lines in the colour of the text and transparent fills,
-//! readable on light and dark.
+//! Scenes as SVG for a page of text: without style sheet, in the colour of the text with transparent fills, readable on light and
+//! dark.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -27,8 +27,7 @@ pub fn names_other_crs(crs: &JsonValue) -> bool {
     !crs.is_null() && is_other(name.unwrap_or_default())
 }
 
-/// Looks for a text at the end of a path of keys: empty if there is another value; `None` for null. All other parts of the value
-/// are skipped.
+/// Looks for a text at the end of a path of keys: empty if there is another value; `None` for null. Other parts are skipped.
 pub(super) struct TextAt(pub(super) &'static [&'static str]);
 
 /// The path to the name of a coordinate reference system.

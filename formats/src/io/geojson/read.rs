@@ -45,8 +45,7 @@ pub enum Part {
 /// error of its own, which is then returned. Time O(bytes); memory O(largest feature).
 ///
 /// # Errors
-/// [`ReadError`], converted to `E`, and the errors of `each`. Anything but white space after the end of the object is
-/// [`ReadCause::Trailing`].
+/// [`ReadError`], converted to `E`, and the errors of `each`. Content after the end of the object is [`ReadCause::Trailing`].
 pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -71,8 +70,7 @@ where
 /// sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), with a record separator before each. Line breaks and record
 /// separators count as white space, which is optional between objects.
 ///
-/// The features of all objects are passed to `each` in the order of the file. Otherwise like [`read`]; an empty file is a map
-/// without features.
+/// Like [`read`], with the features of all objects in the order of the file. An empty file is a map without features.
 ///
 /// ```
 /// use twinedge_formats::io::{ReadError, geojson};

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-/// Splits off a reference system before a geometry, as PostGIS writes it: `SRID=2056;POINT(1 2)`. `None` if `SRID=` is not
-/// followed by a number.
+/// Splits off a reference system before a geometry, as PostGIS writes it: `SRID=2056;POINT(1 2)`. `None` without a number.
 pub(super) fn split_srid(text: &str) -> Option<(Option<i64>, &str)> {
     const MARK: &str = "SRID=";
     let Some((_, rest)) = text.split_at_checked(MARK.len()).filter(|(mark, _)| mark.eq_ignore_ascii_case(MARK)) else {
@@ -67,8 +66,7 @@ fn says_dimensions(word: &str) -> bool {
     word.ends_with(['Z', 'z', 'M', 'm'])
 }
 
-/// Returns the numbers of the first position of a body; `None` if it has no position, or if an inner geometry states its
-/// dimensions.
+/// Returns the numbers of the first position of a body; `None` without a position, or if an inner geometry states dimensions.
 fn first_position(body: &str) -> Option<&str> {
     let mut depth = 1_usize;
     let mut rest = body;

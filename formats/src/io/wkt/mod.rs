@@ -42,8 +42,7 @@ use twinedge_map::{Feature, Shape};
 ///
 /// # Errors
 ///
-/// [`ReadError`] with the line, converted to `E`, and the errors of `each`. Lines before the faulty one have been passed on by
-/// then.
+/// [`ReadError`] with the line, converted to `E`, and the errors of `each`. Earlier lines have been passed on by then.
 pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -76,8 +75,7 @@ pub struct GeometryLine {
     pub geometry: Wkt<f64>,
 }
 
-/// Reads a file without dropping anything. Otherwise like [`read`], but numbers are not checked. A point with NaN coordinates is
-/// empty.
+/// Reads a file without dropping anything, like [`read`], but without checking numbers. A point with NaN coordinates is empty.
 ///
 /// # Errors
 /// As for [`read`].
@@ -121,8 +119,7 @@ where
     Ok(())
 }
 
-/// Replaces points with NaN coordinates by empty ones. The recursion is as deep as collections are nested, which the brackets
-/// bound.
+/// Replaces points with NaN coordinates by empty ones. The recursion is as deep as the brackets.
 fn emptied(geometry: Wkt<f64>) -> Wkt<f64> {
     let point = |point: ::wkt::types::Point<f64>| match point.coord() {
         Some(coord) if coord.x.is_nan() && coord.y.is_nan() => ::wkt::types::Point::empty(point.dimension()),

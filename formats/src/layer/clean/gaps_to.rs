@@ -31,8 +31,7 @@ pub enum GapsToError {
 }
 
 impl GapsTo {
-    /// Selects the features with this value in a column, or a new feature with it if there are none. Features of lines and points
-    /// are ignored. O(attributes).
+    /// Selects the features with this value in a column, or else a new feature with it. Ignores lines and points. O(attributes).
     ///
     /// ```
     /// use twinedge_formats::layer::clean::GapsTo;

@@ -183,8 +183,7 @@ fn clean_part(layer: &mut Layer, options: &CleanOptions, largest: Option<f64>) -
     Ok(report)
 }
 
-/// Returns the numbers of the features selected for gaps, giving each a geometry, if necessary an empty one. A new feature is
-/// added after the others.
+/// Returns the numbers of the features selected for gaps, giving each a geometry, possibly empty. A new one is added last.
 fn receiving(features: &mut Vec<Cow<'_, Feature>>, to: GapsTo) -> Vec<usize> {
     let mut of_all =
         features.iter().filter_map(|feature| feature.geometry.as_ref()).map(|geometry| geometry.dimensions);

@@ -19,8 +19,7 @@ pub(super) fn days(text: &str) -> Option<i32> {
     i32::try_from(days).ok().filter(|_| day(days).as_deref() == Some(text))
 }
 
-/// Returns the moment `nanoseconds` after the beginning of 1970, with the necessary number of digits: in UTC, or in an
-/// unspecified local time.
+/// Returns the moment `nanoseconds` after the beginning of 1970, with the necessary digits: in UTC, or in some local time.
 pub(super) fn moment(nanoseconds: i128, is_utc: bool) -> Option<String> {
     let seconds = i64::try_from(nanoseconds.div_euclid(SECOND)).ok()?;
     let moment = DateTime::from_timestamp(seconds, nanoseconds.rem_euclid(SECOND) as u32)?;
@@ -29,8 +28,7 @@ pub(super) fn moment(nanoseconds: i128, is_utc: bool) -> Option<String> {
     Some(text).filter(|text| is_usual(text))
 }
 
-/// Returns the microseconds of a moment since the beginning of 1970, and whether it is in UTC, if it is in the notation of
-/// [`moment`].
+/// Returns the microseconds of a moment since the beginning of 1970, and whether it is in UTC, if written as in [`moment`].
 pub(super) fn microseconds(text: &str) -> Option<(i64, bool)> {
     let is_utc = text.ends_with('Z');
     let parsed = NaiveDateTime::parse_from_str(text.trim_end_matches('Z'), "%Y-%m-%dT%H:%M:%S%.f").ok()?;

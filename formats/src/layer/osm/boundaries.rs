@@ -16,8 +16,7 @@ use twinedge_geometry::Point;
 /// The boundaries of a file.
 #[derive(Clone, Debug)]
 pub struct Boundaries {
-    /// One feature per relation, in order of ids, with its tags as attributes. Its polygons are the areas of its closed rings,
-    /// independent of their roles.
+    /// One feature per relation, by id, with its tags as attributes. Its polygons are the areas of closed rings, in any role.
     pub layer: Layer,
     /// The outcome of O1 … O5.
     pub rules: Vec<RuleLine>,
@@ -33,11 +32,10 @@ impl Boundaries {
     }
 }
 
-/// Reads the selected relations of types `boundary` and `multipolygon` from a file `.osm.pbf`. Up to `limit` violations of each
-/// rule are kept; all are counted.
+/// Reads selected relations of types `boundary` and `multipolygon` from `.osm.pbf`. Keeps up to `limit` violations per rule;
+/// counts all.
 ///
-/// O(file) for each of three passes by all threads, and O(r²) for r rings of a relation with nested boxes. Memory O(nodes of the
-/// selected relations).
+/// O(file) in three passes by all threads, and O(r²) for r rings of a relation with nested boxes. Memory O(selected nodes).
 ///
 /// # Errors
 /// [`OsmError`].

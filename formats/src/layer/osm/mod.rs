@@ -1,14 +1,12 @@
-//! Boundaries of `OpenStreetMap`: relations whose members are ways, read from `.osm.pbf`, and the faults that only such a file
-//! can have.
+//! Boundaries of `OpenStreetMap`: relations whose members are ways, read from `.osm.pbf`, and the faults of only such files.
 //!
 //! ```text
 //!   file ─► relations ─► their ways ─► their nodes ─► rings ─► polygons ─► Layer
 //!                └──────────────┴────────────┴──────────┴──► O1 … O5
 //! ```
 //!
-//! Boundaries of one level are a coverage with shared borders: a way is a member of the relations on both of its sides. The file
-//! itself therefore shows where relations overlap: two of them have the same side of a way (O4). The rules C1 … C7 of a coverage
-//! judge the resulting polygons.
+//! Boundaries of one level are a coverage with shared borders: a way is a member of the relations on both of its sides. So the
+//! file itself shows where relations overlap: two of them have the same side of a way (O4). The rules C1 … C7 judge the polygons.
 //!
 //! The vocabulary follows <https://wiki.openstreetmap.org/wiki/Relation:boundary> and
 //! <https://wiki.openstreetmap.org/wiki/Relation:multipolygon>, and the format <https://wiki.openstreetmap.org/wiki/PBF_Format>.

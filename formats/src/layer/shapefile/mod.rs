@@ -1,11 +1,9 @@
-//! Esri Shapefile: geometries in `.shp`, their index in `.shx`, attributes in `.dbf`, the reference system in `.prj`, the
-//! character set in `.cpg`.
+//! Esri Shapefile: geometries in `.shp`, index in `.shx`, attributes in `.dbf`, system in `.prj`, character set in `.cpg`.
 //!
 //! Read and written here because the crate `shapefile` 0.9 cannot write features without geometry, among others, and the crate
 //! `dbase` 0.8 reads columns of type `F` with 32 bits and whole numbers as floating-point numbers.
 //!
-//! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress
-//! (fdd000326).
+//! Sources: "ESRI Shapefile Technical Description" (1998); dBASE III files by the Library of Congress (fdd000326).
 
 mod charset;
 mod columns;
@@ -54,8 +52,7 @@ fn text_beside(storage: Storage<'_>, path: &Path, extension: &str) -> io::Result
     Ok(Some(text.trim_start_matches('\u{FEFF}').trim().to_owned()))
 }
 
-/// Reads the Shapefile to which `path` belongs. Records are located by the index, if there is one. Records that the table marks
-/// as deleted are left out.
+/// Reads the Shapefile to which `path` belongs. The index, if any, locates records. Records marked as deleted are left out.
 pub(super) fn read(storage: Storage<'_>, path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let missing =
         |extension: &str| content(Place::Header, Cause::Missing(path.with_extension(extension).display().to_string()));

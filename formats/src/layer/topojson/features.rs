@@ -108,8 +108,7 @@ impl<'a> Reading<'a> {
         })
     }
 
-    /// Returns the shape of a geometry and removes its members; none, if the type is null. The recursion is as deep as
-    /// collections are nested.
+    /// Returns the shape of a geometry and removes its members; none, if the type is null. The recursion follows the nesting.
     fn shape(&mut self, members: &mut Members, depth: usize) -> Result<Option<Shape>, Cause> {
         let kind = match members.shift_remove("type") {
             Some(Json::String(kind)) => kind,

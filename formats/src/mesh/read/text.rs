@@ -147,8 +147,7 @@ impl<'a> Text<'a> {
     }
 }
 
-/// Returns the text of a file in UTF-16, which begins with a byte order mark; none for any other file. Invalid characters become
-/// replacement characters. O(bytes).
+/// Returns the text of a file in UTF-16 with a byte order mark, or `None`. Invalid characters are replaced. O(bytes).
 pub(super) fn of_utf16(bytes: &[u8]) -> Option<String> {
     let is_big = match bytes {
         [0xFE, 0xFF, ..] => true,

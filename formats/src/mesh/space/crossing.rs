@@ -1,8 +1,8 @@
 //! M10 crossing: two faces meet in common corners and common edges only.
 //!
-//! An R-tree finds pairs of faces with overlapping boxes; these are tested as in
-//! [CGAL](https://doc.cgal.org/latest/Polygon_mesh_processing/group__PMP__intersection__grp.html): the corners and edges that
-//! adjacent faces share do not count.
+//! An R-tree finds pairs of faces with overlapping boxes; tested as in
+//! [CGAL](https://doc.cgal.org/latest/Polygon_mesh_processing/group__PMP__intersection__grp.html): excluding shared corners and
+//! edges.
 
 use super::super::{Finding, HalfEdgeMesh};
 use super::places::{Corner, Place, Places, axis_of, faces, turn};

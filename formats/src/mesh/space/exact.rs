@@ -57,8 +57,7 @@ fn product(a: f64, b: f64) -> [f64; 2] {
     [high, a.mul_add(b, -high)]
 }
 
-/// Returns the sign of the volume inside triangles that face outwards: by rounded numbers if they decide it, or else exactly.
-/// O(triangles).
+/// Returns the sign of the volume inside triangles that face outwards: by rounded numbers, or else exactly. O(triangles).
 pub(super) fn sign_of_volume(triangles: &[[Place; 3]]) -> Ordering {
     let (mut sum, mut size) = (0.0, 0.0);
     for [a, b, c] in triangles {

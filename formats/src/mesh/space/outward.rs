@@ -62,8 +62,8 @@ fn closed(mesh: &HalfEdgeMesh<'_>, places: &Places<'_>) -> Vec<Component> {
     components.into_values().filter(|(_, is_closed)| *is_closed).map(|(component, _)| component).collect()
 }
 
-/// Returns true if a component lies inside others: the first ray that avoids all of their edges and corners leaves them more
-/// often than it enters them.
+/// Returns true if a component lies inside others: the first ray past their edges and corners leaves them more often than it
+/// enters.
 fn is_inside(triangles: &[[Place; 3]], others: &[&[[Place; 3]]]) -> bool {
     let all = || others.iter().copied().flatten();
     let corners = all().flatten().chain(triangles.iter().flatten());
@@ -81,8 +81,7 @@ fn is_inside(triangles: &[[Place; 3]], others: &[&[[Place; 3]]]) -> bool {
     false
 }
 
-/// Returns 1 if a segment leaves through a triangle that faces outwards, −1 if it enters, 0 if it misses the triangle; none if an
-/// edge or a corner would decide.
+/// 1 if a segment leaves through a triangle that faces outwards, −1 if it enters, 0 if it misses; `None` at an edge or corner.
 fn passed([p, q]: [Place; 2], triangle: [Place; 3]) -> Option<i64> {
     let (from, to) = (side(triangle, p), side(triangle, q));
     if from == to && from.is_ne() {

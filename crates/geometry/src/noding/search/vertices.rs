@@ -31,8 +31,7 @@ impl<'a> Vertices<'a> {
         Self { given: self.given, added: self.added.clone(), before: self.len() }
     }
 
-    /// Adds the vertices added by a parallel search. Returns a function from their numbers there to their numbers here; `None` if
-    /// there are too many.
+    /// Adds the vertices of a parallel search. Returns a function from their numbers there to those here; `None` for too many.
     pub(super) fn take(&mut self, other: &Self) -> Option<impl Fn(u32) -> u32 + use<>> {
         let (before, moved) = (other.before as u32, (self.len() - other.before) as u32);
         self.added.extend_from_slice(&other.added[other.before - other.given.len()..]);

@@ -26,8 +26,7 @@ fn segment(map: &mut PlanarMap, from: [f64; 2], to: [f64; 2], source: &mut impl 
     let _ = map.insert_segment(from, to);
 }
 
-/// A square of 8 × 8 with vertices all along it, cut by chords, so that it is connected. Each face has its own owner, which its
-/// parts inherit.
+/// A square of 8 × 8 with vertices all along it, cut by chords, so that it is connected. Parts inherit each face's owner.
 fn base(source: &mut impl Choose) -> (PlanarMap, Named) {
     let mut map = PlanarMap::new();
     let by = Named::of(&mut map);

@@ -131,8 +131,7 @@ fn g5_no_face_above_an_open_boundary() {
     assert_eq!(report.violations(), [Violation::Unlisted { vertex: 3, face: 0 }], "{report}");
 }
 
-/// Three triangles side by side around vertex 0, without half-edges on the border. All angles are checked, from every starting
-/// number.
+/// Three triangles side by side around vertex 0, without half-edges on the border. All angles, from every starting number.
 ///
 /// ```text
 ///    3 ─── 2

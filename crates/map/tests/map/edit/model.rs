@@ -44,8 +44,7 @@ impl Model {
         self.vertices.remove(&p);
     }
 
-    /// Returns true if a vertex can go straight to another point with nothing in the way of it and of its edges, which are looked
-    /// for in the whole map.
+    /// Returns true if a vertex can go straight to another point with nothing of the whole map in the way of it and its edges.
     pub(crate) fn way_is_free(&self, from: Grid, to: Grid) -> bool {
         let stars: Vec<Grid> =
             self.edges.iter().filter(|ends| ends.contains(&from)).map(|e| other_end(e, from)).collect();
