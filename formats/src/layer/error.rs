@@ -51,7 +51,10 @@ pub enum ReadError {
     #[error("the format is not recognised: {}", what_is_read())]
     Unrecognised,
     /// The crate was built without the feature that reads this format.
-    #[error("{0} is read with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
+    #[error(
+        "{0} is read with the feature `{feature}` of twinedge-formats, which is off (the program has it with `--features full`)",
+        feature = .0.feature()
+    )]
     FeatureOff(Format),
     /// The layer is in an archive that could not be unpacked.
     #[error(transparent)]
@@ -84,6 +87,11 @@ pub enum ArchiveError {
     /// No file in the archive has the name of a layer.
     #[error("the archive has no layer of a format that is read here")]
     NoLayer,
+    /// The crate was built without the feature that unpacks archives.
+    #[error(
+        "archives are unpacked with the feature `archive` of twinedge-formats, which is off (the program has it with `--features full`)"
+    )]
+    FeatureOff,
 }
 
 /// Lists the formats that this build reads, and the command that converts to one of them.
@@ -229,7 +237,10 @@ pub enum WriteError {
         what: String,
     },
     /// The crate was built without the feature that writes this format.
-    #[error("{0} is written with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
+    #[error(
+        "{0} is written with the feature `{feature}` of twinedge-formats, which is off (the program has it with `--features full`)",
+        feature = .0.feature()
+    )]
     FeatureOff(Format),
     /// The format can be read but not written.
     #[error("{0} is read here, but not written")]

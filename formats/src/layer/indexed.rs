@@ -40,15 +40,28 @@ use twinedge_geometry::Point;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Indexed {
-    file: Inner,
+    file: Box<dyn Windows + Send>,
     features: u64,
 }
 
-enum Inner {
-    #[cfg(feature = "flatgeobuf")]
-    FlatGeobuf(super::flatgeobuf::IndexedFile),
-    #[cfg(feature = "geoparquet")]
-    GeoParquet(Box<super::geoparquet::IndexedFile>),
+/// A file whose features in a window are found by their boxes.
+pub(super) trait Windows {
+    /// The box around all features, as the file states it.
+    fn extent(&self) -> Extent;
+    fn header(&self) -> Result<Header, ReadError>;
+    fn has_only_points(&self) -> Result<bool, ReadError>;
+    /// The number of features whose boxes are examined one by one to read a window.
+    fn passed(&self, window: &Extent) -> u64;
+    fn read(
+        &mut self,
+        window: &Extent,
+        is_wanted: &mut dyn FnMut(u64) -> bool,
+        each: &mut EachGeometry<'_>,
+    ) -> Result<(), ReadError>;
+    /// The number of features.
+    fn count(&self) -> u64;
+    /// The number of bytes read, and of all.
+    fn bytes(&self) -> [u64; 2];
 }
 
 /// The numbers of features and bytes of a file, as read and in total.
@@ -75,32 +88,21 @@ impl Indexed {
             return Ok(None);
         }
         let head = beginning(&mut File::open(path)?)?;
-        let file = match format_of(&head, Some(path), options) {
+        let file: Option<Box<dyn Windows + Send>> = match format_of(&head, Some(path), options) {
             #[cfg(feature = "flatgeobuf")]
-            Ok(Format::FlatGeobuf) => super::flatgeobuf::IndexedFile::open(path)?.map(Inner::FlatGeobuf),
+            Ok(Format::FlatGeobuf) => super::flatgeobuf::IndexedFile::open(path)?.map(|file| Box::new(file) as _),
             #[cfg(feature = "geoparquet")]
-            Ok(Format::GeoParquet) => {
-                super::geoparquet::IndexedFile::open(path)?.map(|file| Inner::GeoParquet(Box::new(file)))
-            }
+            Ok(Format::GeoParquet) => super::geoparquet::IndexedFile::open(path)?.map(|file| Box::new(file) as _),
             // Faults of other files are found when they are read as a whole.
             _ => None,
         };
         Ok(file.map(|file| Self { file, features: 0 }))
     }
 
-    fn extent(&self) -> Extent {
-        match &self.file {
-            #[cfg(feature = "flatgeobuf")]
-            Inner::FlatGeobuf(file) => file.extent(),
-            #[cfg(feature = "geoparquet")]
-            Inner::GeoParquet(file) => file.extent(),
-        }
-    }
-
     /// Returns the corners of the box around all features, as stated by the file; `None` if not stated, or without features.
     #[must_use]
     pub fn corners(&self) -> Option<[Point; 2]> {
-        let Extent { low, high } = Some(self.extent()).filter(Extent::is_known)?;
+        let Extent { low, high } = Some(self.file.extent()).filter(Extent::is_known)?;
         Some([low, high])
     }
 
@@ -109,12 +111,7 @@ impl Indexed {
     /// # Errors
     /// [`ReadError`].
     pub fn header(&self) -> Result<Header, ReadError> {
-        match &self.file {
-            #[cfg(feature = "flatgeobuf")]
-            Inner::FlatGeobuf(file) => file.header(),
-            #[cfg(feature = "geoparquet")]
-            Inner::GeoParquet(file) => Ok(file.header()),
-        }
+        self.file.header()
     }
 
     /// Returns true if the file declares that all geometries are points.
@@ -122,25 +119,14 @@ impl Indexed {
     /// # Errors
     /// [`ReadError`].
     pub fn has_only_points(&self) -> Result<bool, ReadError> {
-        match &self.file {
-            #[cfg(feature = "flatgeobuf")]
-            Inner::FlatGeobuf(file) => file.has_only_points(),
-            #[cfg(feature = "geoparquet")]
-            Inner::GeoParquet(file) => Ok(file.has_only_points()),
-        }
+        self.file.has_only_points()
     }
 
     /// Returns the number of features whose boxes are examined one by one to [read](Self::read) a window: for `GeoParquet` all
     /// features of the row groups that meet it; for `FlatGeobuf` none, as its index locates each feature. O(row groups).
     #[must_use]
-    #[cfg_attr(not(feature = "geoparquet"), expect(unused_variables, reason = "nothing else is looked through"))]
     pub fn passed(&self, [low, high]: [Point; 2]) -> u64 {
-        match &self.file {
-            #[cfg(feature = "flatgeobuf")]
-            Inner::FlatGeobuf(_) => 0,
-            #[cfg(feature = "geoparquet")]
-            Inner::GeoParquet(file) => file.passed(&Extent { low, high }),
-        }
+        self.file.passed(&Extent { low, high })
     }
 
     /// Passes on the geometries of all wanted features that may meet the closed box between two corners, with their numbers in
@@ -160,23 +146,13 @@ impl Indexed {
             *count += 1;
             each(number, geometry);
         };
-        match &mut self.file {
-            #[cfg(feature = "flatgeobuf")]
-            Inner::FlatGeobuf(file) => file.read(&window, is_wanted, &mut counted),
-            #[cfg(feature = "geoparquet")]
-            Inner::GeoParquet(file) => file.read(&window, is_wanted, &mut counted),
-        }
+        self.file.read(&window, is_wanted, &mut counted)
     }
 
     /// Returns the numbers of features and bytes read so far.
     #[must_use]
     pub fn amount(&self) -> Amount {
-        let (of_features, [bytes, of_bytes]) = match &self.file {
-            #[cfg(feature = "flatgeobuf")]
-            Inner::FlatGeobuf(file) => (file.count(), file.bytes()),
-            #[cfg(feature = "geoparquet")]
-            Inner::GeoParquet(file) => (file.count(), file.bytes()),
-        };
+        let (of_features, [bytes, of_bytes]) = (self.file.count(), self.file.bytes());
         Amount { features: self.features, of_features, bytes, of_bytes }
     }
 }

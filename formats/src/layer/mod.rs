@@ -29,13 +29,16 @@
 
 #[cfg(feature = "archive")]
 mod archive;
+#[cfg(not(feature = "archive"))]
+#[path = "without_archives.rs"]
+mod archive;
 pub mod clean;
 mod closed;
 mod crs;
 mod each;
 mod epsg;
 mod error;
-#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
+#[cfg_attr(not(any(feature = "flatgeobuf", feature = "geoparquet")), allow(dead_code, reason = "no file has boxes"))]
 mod extent;
 mod files;
 #[cfg(feature = "flatgeobuf")]
@@ -56,8 +59,8 @@ mod geojson_scan;
 mod geopackage;
 #[cfg(feature = "geoparquet")]
 mod geoparquet;
-#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
 mod indexed;
+mod integers;
 #[cfg(any(feature = "geojson", feature = "topojson"))]
 mod json;
 mod loss;
@@ -65,9 +68,7 @@ mod losses;
 mod model;
 #[cfg(any(feature = "geojson", feature = "topojson"))]
 mod names;
-#[cfg(any(feature = "osm", feature = "shapefile"))]
 mod nesting;
-#[cfg(feature = "osm")]
 pub mod osm;
 mod overlay;
 mod read;
@@ -84,8 +85,9 @@ mod wkt;
 mod write;
 
 pub use crate::io::Format;
+pub use archive::{Unpacked, unpack};
 #[cfg(feature = "archive")]
-pub use archive::{Unpacked, UnpackedFiles, unpack, unpack_bytes, zip};
+pub use archive::{UnpackedFiles, unpack_bytes, zip};
 pub use crs::Crs;
 pub use each::{Each, EachGeometry};
 pub use error::{ArchiveError, Cause, Place, ReadError, WriteError};
@@ -94,8 +96,8 @@ pub use files::Files;
 pub use geojson_edit::{Edit, edited, edits};
 #[cfg(feature = "geojson")]
 pub use geojson_file::{FileError, GeoJsonFile};
-#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
 pub use indexed::{Amount, Indexed};
+pub use integers::{IntegerColumn, write_integers};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{

@@ -50,7 +50,6 @@ pub fn read(
     each: &mut Each<'_>,
 ) -> Result<Header, ReadError> {
     let head = beginning(reader)?;
-    #[cfg(feature = "archive")]
     if let Some(unpacked) =
         super::archive::unpack(&head, &mut head.as_slice().chain(&mut *reader), path, options.layer.as_deref())?
     {
@@ -94,7 +93,6 @@ pub fn read(
 }
 
 /// Reads a file from an archive. An archive inside it is not unpacked.
-#[cfg(feature = "archive")]
 fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut file = BufReader::new(File::open(path)?);
     let head = beginning(&mut file)?;

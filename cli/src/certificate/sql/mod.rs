@@ -4,7 +4,6 @@
 //! Parquet.
 
 mod csv_file;
-mod parquet_file;
 mod tables;
 
 use super::folder::Claim;
@@ -12,7 +11,8 @@ use super::notes::Notes;
 use crate::status::Failure;
 use std::fmt::Write as _;
 use std::path::Path;
-use tables::{NAMES, Table, TableColumn, tables};
+use tables::{NAMES, Table, tables};
+use twinedge_formats::layer::{IntegerColumn, write_integers};
 
 /// An engine for which `check.sql` is written.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -53,10 +53,13 @@ pub(super) fn write(folder: &Path, claim: &Claim, notes: &Notes, engine: Engine)
     if !matches!(engine, Engine::Postgres) {
         sql += &integers(&tables);
     }
-    for table in tables {
+    for mut table in tables {
         match engine {
             Engine::Postgres => csv_file::write(folder, table)?,
-            Engine::Duckdb | Engine::Spark => parquet_file::write(folder, table, &metadata)?,
+            Engine::Duckdb | Engine::Spark => {
+                let path = folder.join(format!("{}.parquet", table.name));
+                write_integers(&path, table.name, &mut table.columns, &metadata)?;
+            }
         }
     }
     sql += LINKS;
@@ -114,7 +117,7 @@ fn header(engine: Engine, table: &Table<'_>) -> String {
 /// judged. `PostgreSQL` reads nothing but integers into its tables.
 fn integers(tables: &[Table<'_>]) -> String {
     let of_table = |Table { name, columns }: &Table<'_>| {
-        let is_integer = |column: &TableColumn<'_>| format!("lower(typeof({})) LIKE '%int%'", column.name);
+        let is_integer = |column: &IntegerColumn<'_>| format!("lower(typeof({})) LIKE '%int%'", column.name);
         let all = columns.iter().map(is_integer).collect::<Vec<_>>().join("\n    AND ");
         format!("SELECT '{name}' AS record FROM (SELECT * FROM {name}_file LIMIT 1) f\nWHERE NOT ({all})")
     };

@@ -3,19 +3,12 @@
 use crate::certificate::folder::{Claim, Folder};
 use twinedge::validate::View;
 use twinedge_certificate::{Certificate, Column, Drawing, Labels, VACANT};
+use twinedge_formats::layer::IntegerColumn;
 
 /// A table: its name, and its columns, all of the same length.
 pub(super) struct Table<'a> {
     pub(super) name: &'static str,
-    pub(super) columns: Vec<TableColumn<'a>>,
-}
-
-/// A column of a table, from the first row to the last.
-pub(super) struct TableColumn<'a> {
-    pub(super) name: &'static str,
-    /// True if the column holds links that may be nil.
-    pub(super) is_nullable: bool,
-    pub(super) values: Box<dyn Iterator<Item = Option<i64>> + 'a>,
+    pub(super) columns: Vec<IntegerColumn<'a>>,
 }
 
 /// A column of the certificate under its name in a table.
@@ -174,7 +167,7 @@ fn sides(drawing: &Drawing) -> Table<'_> {
 }
 
 fn points(drawing: &Drawing) -> Table<'_> {
-    let axis = |name, axis: usize| TableColumn {
+    let axis = |name, axis: usize| IntegerColumn {
         name,
         is_nullable: false,
         values: Box::new(drawing.points.iter().map(move |point| Some(point[axis]))),
@@ -183,14 +176,14 @@ fn points(drawing: &Drawing) -> Table<'_> {
 }
 
 /// A column of numbers of records or places.
-fn required<'a>(name: &'static str, numbers: impl Iterator<Item = usize> + 'a) -> TableColumn<'a> {
-    TableColumn { name, is_nullable: false, values: Box::new(numbers.map(|number| i64::try_from(number).ok())) }
+fn required<'a>(name: &'static str, numbers: impl Iterator<Item = usize> + 'a) -> IntegerColumn<'a> {
+    IntegerColumn { name, is_nullable: false, values: Box::new(numbers.map(|number| i64::try_from(number).ok())) }
 }
 
 /// The entries of these records in a column of the certificate.
-fn of<'a>(labels: &'a Labels, source: &Source, records: impl Iterator<Item = usize> + 'a) -> TableColumn<'a> {
+fn of<'a>(labels: &'a Labels, source: &Source, records: impl Iterator<Item = usize> + 'a) -> IntegerColumn<'a> {
     let Source { name, column, is_nullable } = *source;
     let numbers = labels.column(column);
     let value = move |i: usize| Some(numbers[i]).filter(|number| !is_nullable || *number != u32::MAX).map(i64::from);
-    TableColumn { name, is_nullable, values: Box::new(records.map(value)) }
+    IntegerColumn { name, is_nullable, values: Box::new(records.map(value)) }
 }

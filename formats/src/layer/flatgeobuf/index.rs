@@ -49,32 +49,34 @@ impl IndexedFile {
         found.root = found.nodes(found.tree.level_count() - 1, 0..1)?[0].extent;
         Ok(Some(found))
     }
+}
 
-    pub(in crate::layer) const fn extent(&self) -> Extent {
+impl Windows for IndexedFile {
+    fn extent(&self) -> Extent {
         self.root
     }
 
     /// Returns everything in the file except features and columns.
-    pub(in crate::layer) fn header(&self) -> Result<Header, ReadError> {
+    fn header(&self) -> Result<Header, ReadError> {
         Ok(of_header(&header_of(&self.header)?, Vec::new()))
     }
 
     /// Returns true if the file declares that all geometries are points.
-    pub(in crate::layer) fn has_only_points(&self) -> Result<bool, ReadError> {
+    fn has_only_points(&self) -> Result<bool, ReadError> {
         Ok(matches!(header_of(&self.header)?.geometry_type(), Kind::Point | Kind::MultiPoint))
     }
 
-    pub(in crate::layer) fn count(&self) -> u64 {
+    fn count(&self) -> u64 {
         self.tree.count()
     }
 
     /// Returns the numbers of bytes read and in total.
-    pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
+    fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }
 
     /// Passes on the geometries that may meet a window, with the numbers of their features in order. Memory O(largest feature).
-    pub(in crate::layer) fn read(
+    fn read(
         &mut self,
         window: &Extent,
         is_wanted: &mut dyn FnMut(u64) -> bool,
@@ -111,6 +113,13 @@ impl IndexedFile {
         Ok(())
     }
 
+    /// None: the index locates each feature.
+    fn passed(&self, _: &Extent) -> u64 {
+        0
+    }
+}
+
+impl IndexedFile {
     fn nodes(&mut self, level: usize, nodes: Range<u64>) -> Result<Vec<Node>, ReadError> {
         let at = self.index + (self.tree.start(level) + nodes.start) * NODE;
         let bytes = self.bytes_at(at, (nodes.end - nodes.start) * NODE, Place::Header, "the index")?;

@@ -67,40 +67,42 @@ impl IndexedFile {
         }
         Ok(Some(Self { reader, column, groups, length, read: 0 }))
     }
+}
 
+impl Windows for IndexedFile {
     /// Returns everything in the file except features and columns.
-    pub(in crate::layer) fn header(&self) -> Header {
-        self.column.header()
+    fn header(&self) -> Result<Header, ReadError> {
+        Ok(self.column.header())
     }
 
     /// Returns true if the file declares that all geometries are points.
-    pub(in crate::layer) const fn has_only_points(&self) -> bool {
-        self.column.has_only_points
+    fn has_only_points(&self) -> Result<bool, ReadError> {
+        Ok(self.column.has_only_points)
     }
 
     /// Returns the number of features in the row groups that may meet a window.
-    pub(in crate::layer) fn passed(&self, window: &Extent) -> u64 {
+    fn passed(&self, window: &Extent) -> u64 {
         self.groups.iter().filter(|group| group.extent.may_meet(window)).map(|group| group.rows).sum()
     }
 
     /// Returns the box around all geometries; the box of nothing if some are not located.
-    pub(in crate::layer) fn extent(&self) -> Extent {
+    fn extent(&self) -> Extent {
         let mut extents = self.groups.iter().filter(|group| group.has_geometries).map(|group| group.extent);
         let around = |all: Extent, extent: Extent| extent.is_known().then(|| all.with(extent));
         extents.try_fold(Extent::NOTHING, around).unwrap_or(Extent::NOTHING)
     }
 
-    pub(in crate::layer) fn count(&self) -> u64 {
+    fn count(&self) -> u64 {
         self.groups.iter().map(|group| group.rows).sum()
     }
 
     /// Returns the numbers of column bytes read and in total.
-    pub(in crate::layer) const fn bytes(&self) -> [u64; 2] {
+    fn bytes(&self) -> [u64; 2] {
         [self.read, self.length]
     }
 
     /// Passes on the geometries that may meet a window, with their feature numbers in order. Memory O(pages of a row group).
-    pub(in crate::layer) fn read(
+    fn read(
         &mut self,
         window: &Extent,
         is_wanted: &mut dyn FnMut(u64) -> bool,

@@ -12,9 +12,12 @@
 //! <https://wiki.openstreetmap.org/wiki/Relation:multipolygon>, and the format <https://wiki.openstreetmap.org/wiki/PBF_Format>.
 
 mod boundaries;
+#[cfg_attr(not(feature = "osm"), allow(dead_code, reason = "no file is read"))]
 mod elements;
 mod filter;
 mod finding;
+#[cfg(feature = "osm")]
+mod pbf;
 mod rings;
 
 pub use boundaries::{Boundaries, read};
