@@ -115,7 +115,6 @@ impl Census {
         census
     }
 
-    /// Keeps a map if it is new.
     fn meet(&mut self, found: Discovery) {
         let code = self.canonizer.subdivision(found.runner.subject());
         if code.is_some_and(|code| self.seen.insert(code)) {

@@ -37,7 +37,6 @@ pub enum Value {
     BoundaryPlace(Option<BoundaryPlace>),
 }
 
-/// A reference to the stored value.
 enum Stored<'a> {
     Link(&'a mut Link),
     Start(&'a mut Option<Start>),

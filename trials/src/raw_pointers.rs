@@ -154,7 +154,6 @@ impl Half {
         self.prev().twin()
     }
 
-    /// Makes `n` follow on its cycle.
     fn join(self, n: Self) {
         self.next.set(Some(n));
         n.prev.set(Some(self));
@@ -205,7 +204,6 @@ impl Half {
     }
 }
 
-/// A corner with its handle resolved.
 type Spot = Corner<Half, Link<Vertex>>;
 
 fn vertex_of(spot: Spot) -> Link<Vertex> {

@@ -80,7 +80,6 @@ struct Changes {
 }
 
 impl Changes {
-    /// Returns the records that only the first one has.
     fn between(one: &Records, other: &Records) -> Self {
         let has_not = |b: &&BoundaryKey| !other.boundaries.contains_key(*b);
         Self {
@@ -108,7 +107,6 @@ impl Change {
     }
 }
 
-/// Asserts that a report is true.
 #[track_caller]
 fn reports<T: Copy + PartialEq + std::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");

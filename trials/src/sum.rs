@@ -118,7 +118,6 @@ impl SumError {
     }
 }
 
-/// The number of missing parts that are named.
 const NAMED: usize = 10;
 
 /// Returns the outcome of the whole work from those of all parts, in any order. All counts equal those of a single run.

@@ -206,7 +206,6 @@ pub(super) fn nils(n: usize) -> Result<Vec<u32>, LabelsError> {
     column(n, NIL).ok_or(LabelsError::OutOfMemory)
 }
 
-/// Returns the previous half-edge of each half-edge.
 fn prevs<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut prev = nils(view.half_edge_slots())?;
     for h in (0..prev.len()).filter(|h| view.is_half_edge(*h)) {
@@ -217,7 +216,6 @@ fn prevs<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     Ok(prev)
 }
 
-/// Returns a half-edge that leaves each vertex.
 fn kept<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut leaving = nils(view.vertex_slots())?;
     for h in (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)) {
@@ -247,7 +245,6 @@ fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
 
 /// Ranks of half-edges, cycle by cycle: each follows its predecessor on the cycle, or its twin, except the starting half-edges.
 pub(super) struct Ranks {
-    /// The rank of each half-edge, or nil.
     pub(super) rank: Vec<u32>,
     count: u32,
     /// Half-edges at which cycles will be entered.

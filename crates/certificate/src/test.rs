@@ -162,7 +162,6 @@ impl Noted for UntilFailure {
     }
 }
 
-/// The failures of each test so far.
 pub(super) struct Failures([Option<Failure>; Test::ALL.len()]);
 
 impl Failures {

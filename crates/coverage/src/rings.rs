@@ -41,9 +41,7 @@ impl Ring {
 /// A kind of contact between two rings, or between two parts of one ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Contact {
-    /// They cross or overlap.
     Crossing,
-    /// A ring visits a point twice.
     SelfTouch,
     /// Two rings share a point without crossing there.
     Touch,
@@ -53,9 +51,7 @@ pub(super) enum Contact {
 pub(super) struct Meet {
     pub(super) contact: Contact,
     pub(super) at: Point,
-    /// The two rings; equal if a ring meets itself.
     pub(super) rings: [usize; 2],
-    /// The segment of each ring that meets the other.
     pub(super) segments: [usize; 2],
 }
 
@@ -81,7 +77,6 @@ impl Segments<'_> {
     }
 }
 
-/// Rings with an index of their segments.
 pub(super) struct Rings<'a> {
     all: &'a [Ring],
     segments: &'a Segments<'a>,

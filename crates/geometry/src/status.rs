@@ -16,7 +16,6 @@ pub(super) struct Strand {
     pub(super) companion: u32,
 }
 
-/// A place between two neighbours.
 #[derive(Clone, Copy)]
 pub(super) struct Gap {
     pub(super) below: u32,
@@ -33,7 +32,6 @@ pub(super) struct Gap {
 pub(super) struct Status {
     nodes: std::vec::Vec<Node>,
     root: u32,
-    /// Free nodes, chained through `above`.
     free: u32,
 }
 

@@ -130,7 +130,6 @@ struct Darts {
     ahead: Vec<u32>,
     face: Vec<u32>,
     rank: Vec<u32>,
-    /// One dart by half-edge, vertex and face.
     of_half_edge: Vec<u32>,
     of_vertex: Vec<u32>,
     of_face: Vec<u32>,
@@ -258,7 +257,6 @@ impl Darts {
         }
     }
 
-    /// Fills a face, starting at one of its darts.
     fn fill(&mut self, from: usize, face: usize, rank: &mut u32) {
         if let Some(of_face) = self.of_face.get_mut(face) {
             *of_face = from as u32;

@@ -29,7 +29,6 @@ enum Node {
         /// One bit for each of the 64 features; 0 only in the empty set.
         bits: u64,
     },
-    /// Neither side is empty.
     Branch {
         prefix: u32,
         /// The bit in which the features of the two sides differ.
@@ -69,7 +68,6 @@ pub(super) enum SetOperation {
     Differing,
 }
 
-/// All sets that have occurred.
 #[derive(Clone, Debug)]
 pub(super) struct FeatureTries {
     /// Indexed by the number of the set.
@@ -83,7 +81,6 @@ impl Default for FeatureTries {
     }
 }
 
-/// Clears the bits of a number below `width`.
 const fn above(number: u32, width: u32) -> u32 {
     if width >= u32::BITS { 0 } else { number >> width << width }
 }
@@ -207,7 +204,6 @@ pub(super) struct Members<'a> {
     nodes: &'a [Node],
     /// The nodes after the current leaf, the next one last.
     rest: [SetId; DEPTH],
-    /// The number of entries of `rest` in use.
     left: usize,
     /// The upper bits of the features of the current leaf.
     prefix: u32,

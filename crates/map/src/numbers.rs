@@ -1,6 +1,5 @@
 //! 32-bit slot numbers in columns: nil, disjoint sets, the cycles of a permutation.
 
-/// Nil in a column.
 pub(crate) const NIL: u32 = u32::MAX;
 
 /// Allocates `n` copies of `value`; `None` if memory runs out.

@@ -30,11 +30,9 @@ struct SavedMap<D, C> {
     /// Each set of features in use, in ascending order.
     sets: Vec<Vec<u32>>,
     faces: Vec<usize>,
-    /// The set that runs along each edge.
     edges: Vec<usize>,
     summary: BuildSummary,
     noding: Option<NodingSummary>,
-    /// The removed features, in ascending order.
     #[serde(default)]
     removed: Vec<u32>,
     /// The certificate of the drawing, if it was saved.
@@ -49,7 +47,6 @@ pub struct Certified<'m> {
     drawing: Drawing,
 }
 
-/// An error in the saved form of a map.
 #[derive(Debug, Error)]
 enum LoadError {
     #[error("form {0} of a map is not known")]

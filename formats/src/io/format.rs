@@ -41,7 +41,6 @@ const fn row(format: Format, name: &'static str, extensions: &'static [&'static 
     Row { format, name, extensions, feature }
 }
 
-/// The registry, in the order of the variants.
 const ROWS: [Row; Format::ALL.len()] = [
     row(Format::GeoJson, "GeoJSON", &["geojson"], "geojson"),
     row(

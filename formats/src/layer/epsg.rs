@@ -62,7 +62,6 @@ pub(super) fn code(wanted: &str) -> Option<i64> {
 
 /// Returns true if two definitions are equal up to the last digits of numbers.
 fn is_like(one: &str, other: &str) -> bool {
-    /// The relative tolerance of numbers.
     const DIGITS: f64 = 1e-9;
     const ENDS: [char; 3] = [',', '[', ']'];
     let is_same = |(a, b): (&str, &str)| {

@@ -19,7 +19,6 @@ use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::io::{self, Cursor, ErrorKind, Read};
 
-/// The number of bytes read at once.
 const CHUNK: usize = 1 << 16;
 
 /// From this depth on, the library decides.
@@ -54,10 +53,8 @@ pub(super) fn read_parts(
 /// The text of a collection, without the cut features.
 struct Cutter<'r, F> {
     reader: &'r mut dyn Read,
-    /// Takes a feature, and returns true to continue.
     take: F,
     chunk: Vec<u8>,
-    /// The position in the chunk.
     at: usize,
     scan: Scan,
     is_over: bool,
@@ -69,7 +66,6 @@ struct Cutter<'r, F> {
     seen_next: Cursor<Vec<u8>>,
     /// The error of the reader, reported after everything before it.
     error: Option<io::Error>,
-    /// The number of cut features.
     count: usize,
     has_marker: bool,
     /// True until the library has passed on the marker.

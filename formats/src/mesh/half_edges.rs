@@ -20,7 +20,6 @@ pub struct HalfEdgeMesh<'a> {
     /// The face of each corner; nil if it is left out.
     pub(super) face_of: Vec<u32>,
     pub(super) twins: Vec<u32>,
-    /// A half-edge that leaves each vertex.
     pub(super) leaving: Vec<u32>,
     pub(super) left_out: Vec<bool>,
     pub(super) edges: usize,

@@ -14,9 +14,7 @@ pub(super) struct Lines<'a> {
     topology: &'a Topology,
     /// The ends without node, which are vertices after the nodes, each with a half-edge that starts there.
     without_node: Vec<(Point, usize)>,
-    /// The vertices at both ends of each line.
     ends: Vec<[u32; 2]>,
-    /// The vertices and the edges that are judged.
     is_vertex: Vec<bool>,
     is_line: Vec<bool>,
 }
@@ -102,7 +100,6 @@ impl<'a> Lines<'a> {
         Drawing { violations, finite, disjoint }
     }
 
-    /// Drops the parts that break G1.
     fn drop_unsound(&mut self) {
         for vertex in 0..self.is_vertex.len() {
             self.is_vertex[vertex] &= in_range(self.point(vertex));

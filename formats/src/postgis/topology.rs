@@ -7,7 +7,6 @@ use twinedge::validate::{Link, Parts, Record, View};
 use twinedge_geometry::Point;
 use twinedge_map::Embedding;
 
-/// A column that is null in the database.
 pub(super) const NULL: u32 = u32::MAX;
 /// A column that names no existing record.
 pub(super) const UNKNOWN: u32 = u32::MAX - 1;
@@ -30,7 +29,6 @@ pub struct Topology {
     pub(super) faces: Ids,
     pub(super) face_has_edges: Vec<bool>,
     pub(super) mbrs: Vec<Mbr>,
-    /// The box around the edges that name each face.
     pub(super) boxes: Vec<Box2>,
     pub(super) edges: Ids,
     /// Start and end node of each edge, left and right next half-edge, left and right face.
@@ -135,7 +133,6 @@ impl Topology {
         [start].into_iter().chain(bends).chain([end]).collect()
     }
 
-    /// Returns the isolated nodes that a face contains.
     pub(super) fn contained(&self, face: usize) -> &[(u32, u32)] {
         let before = |face: usize| self.contained.partition_point(|(f, _)| (*f as usize) < face);
         &self.contained[before(face)..before(face.saturating_add(1))]

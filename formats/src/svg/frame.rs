@@ -54,7 +54,6 @@ impl Frame {
 /// The smallest size of a window: even the smallest coordinates that differ only in the last bit are further apart.
 const SMALLEST_WINDOW: f64 = 1e-140;
 
-/// The box around some points.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
     pub(super) low: Point,

@@ -13,7 +13,6 @@ const MOVES: usize = 12;
 /// The largest number of rows of the legend; `ROW` is the height of each.
 const ROWS: usize = 40;
 const ROW: f64 = 16.0;
-/// The width of a letter in the legend.
 const LETTER: f64 = 5.8;
 
 /// Marks each violation in the panel: its edges, a circle around the place, and its number next to it. O(v²) for v violations.
@@ -101,7 +100,6 @@ fn place(map: &PlanarMap, violation: &Violation, edges: &[[Point; 2]]) -> Option
     (!all.is_empty()).then_some(sum)
 }
 
-/// Returns the approximate crossing of two segments.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
     let (u, v, w) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y], [c.x - a.x, c.y - a.y]);
     let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];

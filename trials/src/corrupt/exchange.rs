@@ -17,8 +17,8 @@ pub(super) enum Rows {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Exchange {
-    /// The contents of two cells of a kind.
     Cells(Cell, Cell),
+    /// Two whole records.
     /// Two whole records.
     Records(Rows, usize, usize),
     /// The labels of two cycles or isolated vertices, by the numbers of their entries in the lists of the faces; with the starts,
@@ -194,7 +194,6 @@ impl Exchange {
     }
 }
 
-/// Returns all pairs of this many.
 fn pairs(n: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| [i, j]))
 }

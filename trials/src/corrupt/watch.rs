@@ -19,7 +19,6 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The work of one thread.
 #[derive(Debug)]
 pub(super) struct Watchpoint<A> {
     /// The number of starts and ends of validations: odd while one runs.
@@ -73,7 +72,6 @@ impl<A: Copy + Send> Watch<A> {
         Self { threads: Mutex::new(Vec::new()), over: AtomicBool::new(false) }
     }
 
-    /// Adds a thread to be watched.
     pub(super) fn thread(&self) -> Arc<Watchpoint<A>> {
         let watched = Arc::new(Watchpoint { steps: AtomicU64::new(0), about: Mutex::new(None) });
         lock(&self.threads).push(watched.clone());

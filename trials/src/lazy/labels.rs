@@ -83,7 +83,6 @@ impl fmt::Debug for LazyColumn<'_> {
     }
 }
 
-/// A column of open labels.
 pub(super) struct Shape {
     pub(super) column: Column,
     pub(super) longest: usize,

@@ -77,7 +77,6 @@ mod cell {
     pub(super) const PLACE: usize = 3;
     pub(super) const OUTER: usize = 1;
     pub(super) const LENGTH: usize = 2;
-    /// The first entry of the list of a face.
     pub(super) const INNER: usize = 3;
 }
 

@@ -45,7 +45,6 @@ fn set_cell(table: &mut Table, random: &mut Random) {
     table.set(cell, values[random.below(values.len())]);
 }
 
-/// Returns another cell of the same kind.
 fn alike(table: &Table, cell: Cell, random: &mut Random) -> Cell {
     let kind = std::mem::discriminant(&cell);
     let cells = table.cells(Parts::ALL).into_iter();

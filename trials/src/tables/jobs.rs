@@ -25,7 +25,6 @@ pub(super) struct Job {
     /// True if origins are not set but follow from twin and next.
     pub(super) derive_origins: bool,
     pub(super) assignments: Vec<Assignments>,
-    /// The number of valid ones.
     pub(super) right: u128,
 }
 

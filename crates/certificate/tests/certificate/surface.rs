@@ -12,9 +12,7 @@ const OPEN: Expectation = Expectation::surface().open();
 /// The way in which a side is missing at the border.
 #[derive(Clone, Copy)]
 enum Border {
-    /// There is no half-edge.
     NoTwin,
-    /// The half-edge has no face.
     NoFace,
 }
 
@@ -42,7 +40,6 @@ fn opened(mesh: &Table, faces: &[usize], border: Border) -> Table {
     table
 }
 
-/// Adds records for boundary components.
 fn by_record(table: &Table) -> Table {
     let vacant: Vec<usize> = (0..table.faces.len()).filter(|f| table.faces[*f].is_none()).collect();
     let mut filled = table.clone();

@@ -102,7 +102,6 @@ impl Region {
         })
     }
 
-    /// Returns the features across its border, in order.
     pub(super) fn around(&self) -> Vec<u32> {
         let beyond = |edge: &Edge| {
             let is_of = edge.sides.each_ref().map(|side| self.claim.is_of(side));
@@ -131,7 +130,6 @@ impl Region {
     }
 }
 
-/// Sorts edges and removes duplicates.
 pub(super) fn sort_edges(edges: &mut Vec<Edge>) {
     edges.sort_by(|e, f| compare_edges(&e.ends, &f.ends));
     edges.dedup_by(|e, f| compare_edges(&e.ends, &f.ends).is_eq());

@@ -29,7 +29,6 @@ struct End {
     /// The decrease of that coordinate as the side moves by the infinitesimal amount, over the same denominator.
     rate: i64,
     chord: u32,
-    /// True if the segment leaves the block here.
     leaves: bool,
 }
 
@@ -56,7 +55,6 @@ pub(super) enum Chords {
     Apart,
 }
 
-/// One of many segments side by side.
 #[derive(Clone, Copy)]
 pub(super) struct Chord {
     pub(super) segment: u32,

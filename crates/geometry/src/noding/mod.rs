@@ -277,7 +277,6 @@ pub fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap, cuts: 
     finish(&grid, Read::numbered(&grid, points, segments), cuts)
 }
 
-/// Nodes the input once it has been read.
 fn finish(grid: &Grid, mut read: Read<'_>, cuts: usize) -> Result<Noded, NodingError> {
     let Runs { joined, of, duplicates } = runs::join(read.segments(grid));
     if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {

@@ -157,7 +157,6 @@ impl PlanarMap {
         self.features = FeatureSets::default();
     }
 
-    /// Returns the features in order, each once.
     fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
         let mut set = features.into_iter().map(|feature| self.present(feature)).collect::<Result<Vec<_>, _>>()?;
         set.sort_unstable();

@@ -32,7 +32,6 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Splits an edge by a vertex at a point.
     pub(super) fn split_at(&mut self, h: HalfEdgeKey, p: Point) -> Result<SplitEdge, OperatorError> {
         let before = self.indexed(h)?;
         let made = self.dcel.split_edge(h)?;
@@ -109,7 +108,6 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Sets the point of a new vertex.
     fn set_point(&mut self, vertex: usize, p: Point) {
         let from = self.points.get(vertex).copied().unwrap_or_default();
         self.notes.write(|| MapEntry::Point(vertex as u32, from));

@@ -9,7 +9,6 @@ use crate::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 use twinedge::dcel::{FaceKey, VertexKey};
 
-/// An edge of the map after the edit.
 #[derive(Default)]
 struct Border {
     /// The features that cover only one of its two sides.

@@ -184,7 +184,6 @@ impl PlanarMap {
         self.realise(p, place, edited)
     }
 
-    /// Adds features to those along an edge.
     fn add_along(&mut self, h: HalfEdgeKey, more: SetId, edited: &mut Edited) -> Result<(), EditError> {
         let index = self.dcel.half_edge(h)?.index();
         let had = self.features.along(index);

@@ -102,7 +102,6 @@ impl RecordIndex {
         hub.map_or(&mut self.tree, |hub| &mut hub.tree).insert(BoxedRecord::edge(h, points));
     }
 
-    /// Removes an edge, given its stored form.
     pub(super) fn remove_edge(&mut self, edge: &IndexedEdge) {
         let mut found = false;
         let [a, b] = edge.boxed.ends;
@@ -172,7 +171,6 @@ impl KeptIndex {
         self.0.get_or_init(|| Box::new(RecordIndex::new(dcel, points)))
     }
 
-    /// Returns the index, if it has been built.
     pub(super) fn if_built(&mut self) -> Option<&mut RecordIndex> {
         self.0.get_mut().map(|index| &mut **index)
     }

@@ -16,7 +16,6 @@ fn records(index: &RecordIndex) -> Vec<BoxedRecord> {
     records
 }
 
-/// Returns the hubs with their half-edges, in order.
 fn rotations(index: &RecordIndex) -> Vec<(u32, Vec<u32>)> {
     let mut all: Vec<_> = index.hubs.iter().map(|(vertex, hub)| (*vertex, hub.rotation())).collect();
     all.sort_unstable();

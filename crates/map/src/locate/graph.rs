@@ -26,7 +26,6 @@ struct Question {
 }
 
 impl Question {
-    /// A placeholder.
     const NONE: Self = Self { of: 0, below: 0, above: 0 };
 }
 
@@ -165,7 +164,6 @@ impl Graph {
         stage
     }
 
-    /// Returns the final stage for points in this face.
     pub(super) const fn stage(face: u32) -> Stage {
         MARK | face
     }

@@ -21,7 +21,6 @@ pub struct Locator<'m> {
     graph: Graph,
     /// `None` if the map has no vertex.
     cells: Option<Cells>,
-    /// The vertex of each point of the graph.
     vertices: Vec<u32>,
     /// For each segment of the graph, the half-edge that runs from its lower end to its higher.
     rising: Vec<u32>,

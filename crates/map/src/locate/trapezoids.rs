@@ -75,7 +75,6 @@ pub(super) struct Node {
 #[derive(Clone, Copy)]
 struct Trapezoid {
     node: u32,
-    /// The vertex whose wall is the right side.
     right: u32,
     /// The neighbours to the left and right along the segment above.
     upper: [u32; 2],
@@ -90,7 +89,6 @@ const RIGHT: usize = 1;
 const PARTS: usize = 4;
 
 pub(super) enum GraphError {
-    /// There are too many nodes.
     TooLarge,
     /// The segments cannot have been disjoint.
     Clash,
@@ -332,7 +330,6 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// Returns the trapezoid behind a wall.
     fn next(&self, at: u32) -> Result<Trapezoid, GraphError> {
         if at == NOTHING { Err(GraphError::Clash) } else { Ok(self.trapezoids[at as usize]) }
     }

@@ -202,7 +202,6 @@ impl EditRunner {
         }
     }
 
-    /// Records the added and removed keys.
     fn follow(&mut self, edited: &Edited) {
         let dcel = self.map.dcel();
         let vertices = edited.vertices_made.iter().chain(&edited.vertices_dropped);
@@ -390,7 +389,6 @@ pub(super) struct Keys<K: Key> {
     /// The number of live keys in ranges of `all` (a Fenwick tree): range i, from 1, ends at key i, with the lowest bit of i as
     /// length.
     counts: Vec<usize>,
-    /// The removed keys, in order of removal.
     pub(super) retired: Vec<K>,
 }
 

@@ -174,7 +174,6 @@ impl Bounds {
         });
     }
 
-    /// Returns the box in the form of the member `bbox`.
     pub(in crate::layer) fn json(self) -> Option<serde_json::Value> {
         self.0.map(|bounds| bounds.into_iter().map(json_number).collect())
     }

@@ -83,7 +83,6 @@ pub(super) fn header_bytes(reader: &mut dyn Read) -> Result<Vec<u8>, ReadError> 
     Ok(buffer)
 }
 
-/// Parses the header of a table. O(columns).
 pub(super) fn header_of(buffer: &[u8]) -> Result<HeaderTable<'_>, ReadError> {
     let in_header = |cause| content(Place::Header, cause);
     let header = size_prefixed_root_as_header_with_opts(&options(buffer), buffer);
@@ -144,7 +143,6 @@ fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), Rea
     if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
 }
 
-/// Converts the header, with the given columns.
 pub(super) fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
     let text = |text: Option<&str>| text.filter(|text| !text.is_empty()).map(str::to_owned);
     let crs = header.crs().map(|crs| Crs {

@@ -20,7 +20,6 @@ impl From<rusqlite::Error> for WriteError {
 /// "GPKG", and version 1.3.
 const HEAD: &str = "PRAGMA application_id = 1196444487; PRAGMA user_version = 10300; PRAGMA journal_mode = OFF;";
 
-/// The tables of every `GeoPackage`.
 const TABLES: &str = "
 CREATE TABLE gpkg_spatial_ref_sys (
   srs_name TEXT NOT NULL, srs_id INTEGER NOT NULL PRIMARY KEY, organization TEXT NOT NULL,
@@ -61,7 +60,6 @@ fn key(feature: &Feature) -> Option<i64> {
     }
 }
 
-/// Writes the layer to a new file.
 pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteError> {
     let mut database = Connection::open(path)?;
     database.execute_batch(HEAD)?;

@@ -36,7 +36,6 @@ struct Group {
     has_geometries: bool,
 }
 
-/// A file with boxes.
 pub(in crate::layer) struct IndexedFile {
     reader: SerializedFileReader<File>,
     column: GeometryColumn,
@@ -176,7 +175,6 @@ impl Geometries {
     }
 }
 
-/// The boxes of the rows of a row group, in order.
 struct Boxes {
     sides: [Numbers; 4],
     read: std::vec::IntoIter<Extent>,
@@ -244,7 +242,6 @@ fn damaged(what: &str) -> ParquetError {
     ParquetError::General(what.to_owned())
 }
 
-/// Returns the neighbours of a 32-bit number.
 fn around(number: f32) -> [f64; 2] {
     [number.next_down(), number.next_up()].map(f64::from)
 }

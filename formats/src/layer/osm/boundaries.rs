@@ -62,9 +62,7 @@ struct Making<'a> {
 /// A ring with its place among the others of its relation.
 struct Placed {
     line: Line,
-    /// The number of rings around it.
     depth: usize,
-    /// The smallest ring around it.
     parent: Option<usize>,
     /// True if it is known to be an outer ring or a hole.
     is_certain: bool,
@@ -242,7 +240,6 @@ impl<'a> Making<'a> {
     }
 }
 
-/// Returns the place of each ring among the others.
 fn placed(lines: Vec<Line>) -> Vec<Placed> {
     let extents: Vec<(Extent, f64)> = lines.iter().map(|line| (Extent::of(line), area(line).abs())).collect();
     let around = |inner: usize| {
@@ -314,7 +311,6 @@ fn named(number: usize, relation: &Relation) -> FeatureName {
     FeatureName { number, label: said(relation), name: name(relation).map(str::to_owned), id: Some(id) }
 }
 
-/// Makes a text safe for a terminal.
 fn plain(text: &str) -> String {
     text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

@@ -5,14 +5,12 @@ use encoding_rs::{Encoding, WINDOWS_1252};
 use oem_cp::code_table::DECODING_TABLE_CP_MAP;
 use oem_cp::code_table_type::TableType;
 
-/// The words before the number of a code page.
 const PREFIXES: [&str; 7] = ["CP", "OEM", "ANSI", "WINDOWS", "IBM", "ISO", "MS"];
 
 #[derive(Clone, Debug)]
 pub(super) enum Charset {
     /// A set that browsers support.
     Encoding(&'static Encoding),
-    /// A code page of DOS, by its number.
     Oem(u16, &'static TableType),
     /// An unknown name or number. ASCII is the same in all sets.
     Unknown(String),

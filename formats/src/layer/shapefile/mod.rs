@@ -29,7 +29,6 @@ use storage::ReadSeek;
 pub(super) use columns::losses;
 pub(super) use storage::Storage;
 
-/// The size of the header of `.shp` and `.shx`.
 const HEADER: usize = 100;
 
 const FILE_CODE: [u8; 4] = 9_994_i32.to_be_bytes();
@@ -106,7 +105,6 @@ struct Shapes {
     file: BufReader<Box<dyn ReadSeek>>,
     length: u64,
     at: u64,
-    /// The starts of the records, from `.shx`.
     index: Option<Vec<u64>>,
     buffer: Vec<u8>,
 }

@@ -6,7 +6,6 @@ use twinedge_geometry::Point;
 use twinedge_geometry::predicates::compare_angle;
 use twinedge_map::Embedding;
 
-/// No half-edge, vertex or face.
 pub(super) const NIL: u32 = u32::MAX;
 
 /// The arcs of the polygons of an object, as a half-edge structure: half-edge `2 · i` is arc `i`, and `2 · i + 1` is arc `i`
@@ -29,14 +28,12 @@ pub struct ArcTopology {
     pub(super) label: Vec<u32>,
     /// True for each half-edge on the outer ring of that polygon.
     pub(super) is_outer: Vec<bool>,
-    /// The next half-edge of each half-edge.
     pub(super) next: Vec<u32>,
     /// A half-edge of the outer cycle of each face.
     pub(super) outer: Vec<u32>,
     /// Faces with a half-edge of each inner cycle, sorted.
     pub(super) inner: Vec<(u32, u32)>,
     pub(super) names: Vec<String>,
-    /// The number of indices in all objects.
     pub(super) indices: u64,
     pub(super) repeated_points: u64,
     pub(super) findings: Findings,

@@ -41,7 +41,6 @@ impl<'a> Text<'a> {
         self.bytes.len() - self.at
     }
 
-    /// Returns the next word of this line.
     #[inline]
     pub(super) fn word(&mut self) -> Option<&'a [u8]> {
         loop {
