@@ -17,6 +17,7 @@ pub(super) enum Rows {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Exchange {
+    /// The contents of two cells of a kind.
     Cells(Cell, Cell),
     /// Two whole records.
     /// Two whole records.
